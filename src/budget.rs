@@ -1,0 +1,223 @@
+//! Limits on time, terms and digits, and cancellation.
+//!
+//! Long computations call [`step`] now and then, and ask [`charge_terms`] or
+//! [`charge_bits`] *before* they build something large. When a limit is passed the
+//! computation unwinds with a [`Stop`], and [`run`], the only place that catches
+//! it, returns it as an error. Mathematical code therefore needs no error type for
+//! "took too long", and code outside [`run`] (library users) has no limits at all.
+//!
+//! Unwinding does not print anything: it starts with `resume_unwind`, which skips
+//! the panic hook. (salsa cancels queries in the same way.)
+
+use std::cell::RefCell;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Why a computation was stopped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// The time limit was reached.
+    Time(Duration),
+    /// The result or an intermediate value needs more terms than allowed.
+    Terms {
+        /// Terms needed (a lower bound), saturating.
+        needed: u64,
+        /// Terms allowed.
+        allowed: u64,
+    },
+    /// A number needs more bits than allowed.
+    Bits {
+        /// Bits needed (a lower bound), saturating.
+        needed: u64,
+        /// Bits allowed.
+        allowed: u64,
+    },
+    /// Somebody asked for it to stop (Ctrl-C).
+    Interrupted,
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Stop::Time(limit) => write!(f, "stopped after the time limit of {} s", limit.as_secs_f64()),
+            Stop::Terms { needed, allowed } => {
+                write!(f, "this needs at least {needed} terms, more than the limit of {allowed}")
+            }
+            Stop::Bits { needed, allowed } => {
+                write!(f, "this needs a number of at least {needed} bits, more than the limit of {allowed}")
+            }
+            Stop::Interrupted => f.write_str("interrupted"),
+        }
+    }
+}
+
+impl std::error::Error for Stop {}
+
+/// The limits of one computation.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// Time allowed; `None` for no limit.
+    pub time: Option<Duration>,
+    /// Number of terms (monomials, matrix entries, list items) a value may have.
+    pub terms: u64,
+    /// Number of bits a single integer may have.
+    pub bits: u64,
+    /// Set by somebody else to stop the computation.
+    pub interrupt: Arc<AtomicBool>,
+}
+
+impl Default for Limits {
+    /// No time limit, 4 million terms, 32 million bits (about 10 million digits).
+    fn default() -> Self {
+        Limits { time: None, terms: 4_000_000, bits: 1 << 25, interrupt: Arc::new(AtomicBool::new(false)) }
+    }
+}
+
+struct Active {
+    limits: Limits,
+    deadline: Option<Instant>,
+    countdown: u32,
+}
+
+thread_local! {
+    static ACTIVE: RefCell<Option<Active>> = const { RefCell::new(None) };
+}
+
+/// How many [`step`]s pass between two looks at the clock.
+const STEPS_PER_LOOK: u32 = 256;
+
+/// Restores the outer limits even when the computation panics.
+struct Restore(Option<Active>);
+
+impl Drop for Restore {
+    fn drop(&mut self) {
+        let outer = self.0.take();
+        ACTIVE.with(|active| *active.borrow_mut() = outer);
+    }
+}
+
+/// Runs `work` under `limits`; other panics pass through. Nested calls use the inner limits.
+///
+/// ```
+/// use polarform::budget::{self, Limits, Stop};
+/// let limits = Limits { terms: 10, ..Limits::default() };
+/// let result = budget::run(&limits, || budget::charge_terms(1000));
+/// assert_eq!(result, Err(Stop::Terms { needed: 1000, allowed: 10 }));
+/// ```
+pub fn run<T>(limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
+    let active = Active {
+        limits: limits.clone(),
+        deadline: limits.time.and_then(|time| Instant::now().checked_add(time)),
+        countdown: STEPS_PER_LOOK,
+    };
+    let outer = ACTIVE.with(|slot| slot.borrow_mut().replace(active));
+    let _restore = Restore(outer);
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(value) => Ok(value),
+        Err(payload) => match payload.downcast::<Stop>() {
+            Ok(stop) => Err(*stop),
+            Err(other) => resume_unwind(other),
+        },
+    }
+}
+
+fn stop(reason: Stop) -> ! {
+    resume_unwind(Box::new(reason))
+}
+
+/// One unit of work (about a microsecond); now and then looks at the clock and the interrupt flag.
+#[inline]
+pub fn step() {
+    steps(1);
+}
+
+/// `count` units of work at once.
+pub fn steps(count: u32) {
+    let reason = ACTIVE.with(|slot| {
+        let mut slot = slot.borrow_mut();
+        let active = slot.as_mut()?;
+        if let Some(left) = active.countdown.checked_sub(count) {
+            active.countdown = left;
+            return None;
+        }
+        active.countdown = STEPS_PER_LOOK;
+        if active.limits.interrupt.load(Ordering::Relaxed) {
+            return Some(Stop::Interrupted);
+        }
+        let deadline = active.deadline?;
+        (Instant::now() >= deadline).then(|| Stop::Time(active.limits.time.unwrap_or_default()))
+    });
+    if let Some(reason) = reason {
+        stop(reason);
+    }
+}
+
+/// Asks for room for a value of `count` terms.
+pub fn charge_terms(count: u64) {
+    let allowed = ACTIVE.with(|slot| slot.borrow().as_ref().map(|active| active.limits.terms));
+    if let Some(allowed) = allowed
+        && count > allowed
+    {
+        stop(Stop::Terms { needed: count, allowed });
+    }
+}
+
+/// Asks for room for an integer of `count` bits.
+pub fn charge_bits(count: u64) {
+    let allowed = ACTIVE.with(|slot| slot.borrow().as_ref().map(|active| active.limits.bits));
+    if let Some(allowed) = allowed
+        && count > allowed
+    {
+        stop(Stop::Bits { needed: count, allowed });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_runs_out() {
+        let limits = Limits { time: Some(Duration::from_millis(5)), ..Limits::default() };
+        let stopped = run(&limits, || {
+            loop {
+                step();
+            }
+        });
+        assert_eq!(stopped, Err::<(), _>(Stop::Time(Duration::from_millis(5))));
+        steps(1_000_000); // no limits outside
+    }
+
+    #[test]
+    fn interrupt_is_seen() {
+        let limits = Limits::default();
+        limits.interrupt.store(true, Ordering::Relaxed);
+        let stopped = run(&limits, || {
+            loop {
+                step();
+            }
+        });
+        assert_eq!(stopped, Err::<(), _>(Stop::Interrupted));
+    }
+
+    #[test]
+    fn inner_limits_end_with_their_run() {
+        let outer = Limits { bits: 100, ..Limits::default() };
+        let inner = Limits { bits: 10, ..Limits::default() };
+        let result = run(&outer, || {
+            assert!(run(&inner, || charge_bits(50)).is_err());
+            charge_bits(50);
+            "done"
+        });
+        assert_eq!(result, Ok("done"));
+    }
+
+    #[test]
+    #[should_panic(expected = "ordinary")]
+    fn other_panics_pass() {
+        let _ = run(&Limits::default(), || panic!("ordinary"));
+    }
+}

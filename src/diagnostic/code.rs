@@ -1,0 +1,179 @@
+//! The stable codes of all problems, with their explanations.
+
+use std::fmt;
+use std::str::FromStr;
+
+macro_rules! codes {
+    ($($(#[doc = $doc:literal])* $variant:ident = $id:literal: $title:literal,)*) => {
+        /// What kind of problem; its identifier never changes meaning.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Code {
+            $(
+                #[doc = concat!($id, ": ", $title)]
+                ///
+                $(#[doc = $doc])*
+                $variant,
+            )*
+        }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &'static [Code] = &[$(Code::$variant),*];
+
+            /// The identifier, such as `E101`.
+            pub fn id(self) -> &'static str {
+                match self { $(Code::$variant => $id,)* }
+            }
+
+            /// A short name of the problem.
+            pub fn title(self) -> &'static str {
+                match self { $(Code::$variant => $title,)* }
+            }
+
+            /// The long explanation, with an example and its cure.
+            pub fn explanation(self) -> &'static str {
+                match self { $(Code::$variant => concat!($($doc, "\n"),*),)* }
+            }
+        }
+    };
+}
+
+codes! {
+    /// A character has no meaning in the notation.
+    ///
+    /// Example: `t ? 2`. Write the operation you mean, for example `t^2`.
+    UnexpectedCharacter = "E101": "unexpected character",
+    /// A word, number or sign stands where something else was needed.
+    ///
+    /// Example: `t + * 2`. Remove one of the two operators.
+    UnexpectedToken = "E102": "unexpected token",
+    /// The formula stops in the middle.
+    ///
+    /// Example: `t^2 +`. Write what is missing or remove the last sign.
+    UnexpectedEnd = "E103": "the formula ends too early",
+    /// An opening bracket has no closing partner, or the other way round.
+    ///
+    /// Example: `(t + 1`. Add the missing bracket.
+    Unbalanced = "E104": "unbalanced brackets",
+    /// There is nothing to read.
+    ///
+    /// Example: the empty string. Write a formula such as `t^2 + 1`.
+    Empty = "E105": "nothing to read",
+    /// A formula is nested more deeply than the reader allows.
+    ///
+    /// Example: a thousand opening brackets. Define parts under names of their own.
+    TooDeep = "E106": "nested too deeply",
+    /// A LaTeX command the reader does not know.
+    ///
+    /// Example: `\foo{t}`. The names it knows are listed in docs/latex.md.
+    UnknownCommand = "E107": "unknown LaTeX command",
+    /// A LaTeX construct the reader does not support.
+    UnsupportedLatex = "E108": "unsupported LaTeX",
+    /// A number that cannot be read, such as `1.2.3`.
+    BadNumber = "E109": "malformed number",
+    /// The text is longer than the limit on input.
+    TooLong = "E110": "input too long",
+
+    /// A name that has no value here.
+    ///
+    /// Example: `f(0, 1)` before `f := polar(t^2)`. Define it first.
+    UnknownName = "E201": "unknown name",
+    /// A function that does not exist.
+    ///
+    /// Example: `polra(t^2)`. The hint names the nearest function.
+    UnknownFunction = "E202": "unknown function",
+    /// `f(t + 1)` may be a value of f or a product, and nothing says which.
+    ///
+    /// Define `f` first, or write `f*(t + 1)` for the product.
+    AmbiguousProduct = "E203": "function or product?",
+    /// The left side of `:=` is not a name or a name with arguments.
+    BadDefinition = "E204": "not a definition",
+    /// A name that has a fixed meaning cannot be defined anew.
+    ReservedName = "E205": "reserved name",
+    /// A definition that refers to itself without a base case.
+    ///
+    /// Example: `F(t) := F(t) + 1`.
+    Recursion = "E206": "endless recursion",
+
+    /// Wrong number of arguments.
+    ///
+    /// Example: a polar form of degree 3 takes exactly 3 arguments.
+    Arity = "E301": "wrong number of arguments",
+    /// An argument or operand of the wrong kind.
+    Type = "E302": "wrong kind of value",
+    /// Division by zero.
+    DivisionByZero = "E303": "division by zero",
+    /// A polynomial was needed, but the variable stands in a denominator.
+    ///
+    /// Example: `polar(1/t)`. Only polynomials have a polar form.
+    NotPolynomial = "E304": "not a polynomial",
+    /// The degree asked for is below the polynomial's degree.
+    ///
+    /// Example: `polar(t^3, degree=2)`. Use 3 or more.
+    DegreeTooSmall = "E305": "degree too small",
+    /// Which variable is the parameter cannot be told.
+    AmbiguousVariable = "E306": "which variable?",
+    /// Matrices or points of sizes that do not fit.
+    Shape = "E307": "sizes do not fit",
+    /// A matrix without inverse.
+    Singular = "E308": "singular matrix",
+    /// An exponent or index that is not a (small, nonnegative) integer.
+    BadExponent = "E309": "bad exponent",
+    /// The degree cannot be reduced exactly.
+    NotReducible = "E310": "not reducible",
+    /// Two nodes, knots or interval ends coincide that must differ.
+    Coincident = "E311": "coincident points",
+    /// An argument outside the range a function accepts.
+    Domain = "E312": "argument out of range",
+    /// The question cannot be decided with exact methods here.
+    Undecided = "E313": "cannot decide",
+    /// Something the program does not support.
+    Unsupported = "E314": "not supported",
+
+    /// The time limit was reached.
+    ///
+    /// Allow more with `--timeout SECONDS`.
+    Timeout = "E401": "time limit reached",
+    /// A value would have more terms than allowed.
+    ///
+    /// Allow more with `--max-terms N`, or print in a compact form with `--notation sigma`.
+    TooManyTerms = "E402": "too many terms",
+    /// A number would have more digits than allowed.
+    TooManyDigits = "E403": "number too large",
+    /// The computation was interrupted.
+    Interrupted = "E404": "interrupted",
+
+    /// A file could not be read or written.
+    File = "E501": "file problem",
+    /// The command line does not make sense.
+    Usage = "E502": "bad usage",
+    /// A defect of polarform itself. Please report it.
+    Internal = "E599": "internal error",
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+impl FromStr for Code {
+    type Err = ();
+    fn from_str(text: &str) -> Result<Self, ()> {
+        Code::ALL.iter().copied().find(|code| code.id().eq_ignore_ascii_case(text)).ok_or(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identifiers_are_unique_and_read_back() {
+        for (i, code) in Code::ALL.iter().enumerate() {
+            assert_eq!(code.id().parse(), Ok(*code));
+            assert!(Code::ALL[..i].iter().all(|other| other.id() != code.id()));
+            assert!(!code.explanation().trim().is_empty(), "{code} is not explained");
+        }
+    }
+}

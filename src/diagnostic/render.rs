@@ -1,0 +1,102 @@
+//! Diagnostics as text with carets, and as JSON.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use serde_json::{Value, json};
+
+use super::{Diagnostic, Severity};
+use crate::source::{SourceFile, Span};
+
+/// A source line longer than this is shown as an excerpt around the place.
+const LONG_LINE: usize = 160;
+
+/// The problem as a person reads it: message, source line with caret, hints.
+pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
+    let level = match problem.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
+    };
+    let title = level.primary_title(&problem.message).id(problem.code.id());
+    let mut group = Group::with_title(title);
+    let window = problem.span.map(|span| excerpt(file, span));
+    let path = problem.span.map(|span| {
+        let (line, column) = file.line_column(span.start);
+        (line, column)
+    });
+    let mut extra = Vec::new();
+    if let (Some(span), Some((start, text)), Some((line, _))) = (problem.span, &window, path) {
+        let local = |s: Span| {
+            let from = s.start.saturating_sub(*start).min(text.len());
+            from..s.end.saturating_sub(*start).min(text.len()).max(from)
+        };
+        let mut primary = AnnotationKind::Primary.span(local(span));
+        if let Some(reason) = &problem.reason {
+            primary = primary.label(reason);
+        }
+        let mut snippet = Snippet::source(*text).line_start(line).path(file.name()).annotation(primary);
+        for label in &problem.labels {
+            if label.span.start >= *start && label.span.end <= start + text.len() {
+                snippet =
+                    snippet.annotation(AnnotationKind::Context.span(local(label.span)).label(&label.message));
+            } else {
+                extra.push(label.message.clone());
+            }
+        }
+        group = group.element(snippet);
+    } else if let Some(reason) = &problem.reason {
+        extra.push(reason.clone());
+    }
+    for note in &extra {
+        group = group.element(Level::NOTE.message(note));
+    }
+    for hint in &problem.hints {
+        group = group.element(Level::HELP.message(hint));
+    }
+    let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+    renderer.render(&[group])
+}
+
+/// The line that holds the start of `span`, cut to a window when it is very long:
+/// the byte where the excerpt starts, and its text.
+fn excerpt(file: &SourceFile, span: Span) -> (usize, &str) {
+    let text = file.text();
+    let at = floor_boundary(text, span.start);
+    let line_start = text[..at].rfind('\n').map_or(0, |i| i + 1);
+    let line_end = text[at..].find('\n').map_or(text.len(), |i| at + i);
+    if line_end - line_start <= LONG_LINE {
+        return (line_start, &text[line_start..line_end]);
+    }
+    let start = floor_boundary(text, at.saturating_sub(LONG_LINE / 2).max(line_start));
+    let end = floor_boundary(text, (start + LONG_LINE).min(line_end));
+    (start, &text[start..end])
+}
+
+fn floor_boundary(text: &str, mut at: usize) -> usize {
+    at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// The problem as one JSON object.
+pub fn render_json(problem: &Diagnostic, file: &SourceFile) -> Value {
+    let place = problem.span.map(|span| {
+        let (line, column) = file.line_column(span.start);
+        let (end_line, end_column) = file.line_column(span.end);
+        json!({"file": file.name(), "line": line, "column": column,
+               "end_line": end_line, "end_column": end_column})
+    });
+    json!({
+        "code": problem.code.id(),
+        "severity": match problem.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Note => "note",
+        },
+        "message": problem.message,
+        "reason": problem.reason,
+        "place": place,
+        "hints": problem.hints,
+    })
+}

@@ -1,0 +1,1 @@
+//! LaTeX as authors write it: text to formula tree.

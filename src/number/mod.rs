@@ -1,0 +1,34 @@
+//! Exact numbers: integers, rationals, binomial coefficients, exact literals.
+//!
+//! [`Rational`] is `num_rational::Ratio` over [`Int`], an integer that keeps
+//! word-sized values off the heap. A `Ratio` is always in lowest terms with a
+//! positive denominator, so equality of values is equality of representations.
+
+mod combinatorics;
+mod int;
+mod literal;
+
+pub use combinatorics::{Combinations, binomial, binomial_row, factorial, multinomial};
+pub use int::Int;
+pub use literal::{LiteralError, parse_decimal};
+
+/// An exact rational number in lowest terms with positive denominator.
+pub type Rational = num_rational::Ratio<Int>;
+
+/// The rational p/q.
+///
+/// # Panics
+/// If `q` is 0.
+///
+/// ```
+/// use polarform::number::rational;
+/// assert_eq!(rational(2, -4).to_string(), "-1/2");
+/// ```
+pub fn rational(p: i64, q: i64) -> Rational {
+    Rational::new(Int::from(p), Int::from(q))
+}
+
+/// The integer `p` as a rational.
+pub fn integer(p: i64) -> Rational {
+    Rational::from_integer(Int::from(p))
+}

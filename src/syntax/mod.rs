@@ -1,0 +1,1 @@
+//! The plain notation: text to formula tree.

@@ -1,0 +1,1 @@
+//! Formula trees as text, Unicode, LaTeX and SymPy syntax.
