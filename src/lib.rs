@@ -1,9 +1,14 @@
 //! polarform: exact polynomials and their polar forms (blossoms).
+pub mod basis;
+pub mod blossom;
 pub mod budget;
 pub mod diagnostic;
 pub mod expr;
 pub mod latex;
+pub mod linalg;
 pub mod number;
+pub mod poly;
+pub mod ring;
 pub mod source;
 pub mod syntax;
 pub mod write;

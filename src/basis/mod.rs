@@ -1,0 +1,1 @@
+//! Polynomial bases and the matrices between them.

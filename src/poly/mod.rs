@@ -1,0 +1,1 @@
+//! Polynomials in one and in several variables, and their fractions.
