@@ -1,1 +1,10 @@
-//! Polar forms (blossoms).
+//! Polar forms (blossoms): values, operations, derivations, laws.
+mod evaluator;
+mod limbs;
+mod methods;
+mod operations;
+mod polar_form;
+
+pub use evaluator::Evaluator;
+pub use methods::{Derivation, Method, Step, Weights};
+pub use polar_form::{Argument, PolarError, PolarForm};

@@ -10,6 +10,7 @@ mod literal;
 
 pub use combinatorics::{Combinations, binomial, binomial_row, factorial, multinomial};
 pub use int::Int;
+pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal};
 
 /// An exact rational number in lowest terms with positive denominator.
