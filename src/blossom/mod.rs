@@ -4,7 +4,11 @@ mod limbs;
 mod methods;
 mod operations;
 mod polar_form;
+mod tensor;
+mod total_degree;
 
 pub use evaluator::Evaluator;
 pub use methods::{Derivation, Method, Step, Weights};
 pub use polar_form::{Argument, PolarError, PolarForm};
+pub use tensor::TensorPolarForm;
+pub use total_degree::{PointArgument, TotalDegreePolarForm};
