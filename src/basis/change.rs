@@ -159,7 +159,7 @@ fn stretched<F: Field>(matrix: &DMatrix<Rational>, orders: &[usize], h: &F) -> V
     orders.iter().enumerate().map(column).collect()
 }
 
-/// The Bézier ordinates over [0,1] for f^{(k)}(0) and f^{(k)}(1), k < m = (n+1)/2:
+/// The Bézier ordinates over [0, 1] for f^{(k)}(0) and f^{(k)}(1), k < m = (n+1)/2:
 /// b_i = Σ_k C(i,k) (n−k)!/n! f^{(k)}(0) and b_{n−i} = Σ_k (−1)^k C(i,k) (n−k)!/n! f^{(k)}(1)
 /// for i < m (Farin 2002, section 5.3, solved for the ordinates).
 fn hermite_to_bernstein(n: usize) -> DMatrix<Rational> {

@@ -11,7 +11,7 @@ use super::BasisError;
 use crate::budget;
 use crate::number::{Int, Rational, binomial_row};
 
-/// A_n, which turns Bézier ordinates over [0,1] into power coefficients.
+/// A_n, which turns Bézier ordinates over [0, 1] into power coefficients.
 ///
 /// f(t) = (1 t … t^n) A_n (b_0 … b_n)^T, (n+1)×(n+1), lower triangular with integer entries
 /// (A_n)_{ij} = (−1)^{i−j} C(n,i) C(i,j) for j ≤ i (Farouki 2012, section 3).
@@ -58,7 +58,7 @@ pub fn bernstein_to_power(n: usize) -> DMatrix<Rational> {
     entries
 }
 
-/// A_n^{-1}, which turns power coefficients into Bézier ordinates over [0,1].
+/// A_n^{-1}, which turns power coefficients into Bézier ordinates over [0, 1].
 ///
 /// (n+1)×(n+1), lower triangular, rows for ordinates and columns for powers:
 /// (A_n^{-1})_{ij} = C(i,j) / C(n,j) for j ≤ i (Farouki 2012, section 3).

@@ -5,7 +5,7 @@
 //! with c' = M c for two bases; [`evaluate_basis`] the values φ_j(t).
 //!
 //! Between the two most important ones, the powers of t and the Bernstein polynomials
-//! B_i^n(t) = C(n,i) t^i (1−t)^{n−i} on [0,1], stand closed forms: with Bézier ordinates
+//! B_i^n(t) = C(n,i) t^i (1−t)^{n−i} on [0, 1], stand closed forms: with Bézier ordinates
 //! b_0, …, b_n of f,
 //!
 //! f(t) = (1 t … t^n) A_n (b_0 … b_n)^T,
@@ -114,7 +114,8 @@ impl fmt::Display for BasisError {
             }
             BasisError::NodeCount { degree, given } => {
                 let needed = degree.saturating_add(1);
-                write!(f, "degree {degree} needs {needed} nodes, {given} given")
+                let plural = if needed == 1 { "" } else { "s" };
+                write!(f, "degree {degree} needs {needed} node{plural}, {given} given")
             }
             BasisError::EvenDegree { degree } => {
                 write!(f, "values and derivatives at two ends need an odd degree, not {degree}")

@@ -118,7 +118,7 @@ fn bernstein_values() {
     }
 }
 
-/// For the cubic on [0,1], as in every textbook.
+/// For the cubic on [0, 1], as in every textbook.
 #[test]
 fn cubic_hermite_polynomials() {
     let basis = Basis::HermiteEndpoints { a: integer(0), b: integer(1) };
@@ -129,7 +129,7 @@ fn cubic_hermite_polynomials() {
 
 #[test]
 fn divided_differences() {
-    // t³ on 0, 1, 2, 4: f[0] = 0, f[0,1] = 1, f[0,1,2] = 3, f[0,1,2,4] = 1
+    // t³ on 0, 1, 2, 4: f[0] = 0, f[0, 1] = 1, f[0,1,2] = 3, f[0,1,2,4] = 1
     let nodes: Vec<Rational> = [0, 1, 2, 4].into_iter().map(integer).collect();
     let matrix = change_of_basis(3, &Basis::Lagrange(nodes.clone()), &Basis::Newton(nodes)).unwrap();
     let values = DMatrix::from_iterator(4, 1, [0, 1, 8, 64].into_iter().map(integer));
@@ -170,9 +170,9 @@ fn errors_name_what_is_wrong() {
         fails(2, &basis, count.clone(), "degree 2 needs 3 nodes, 1 given");
     }
     let count = BasisError::NodeCount { degree: 0, given: 0 };
-    fails(0, &Basis::Lagrange(vec![]), count, "degree 0 needs 1 nodes, 0 given");
+    fails(0, &Basis::Lagrange(vec![]), count, "degree 0 needs 1 node, 0 given");
     let count = BasisError::NodeCount { degree: 0, given: 2 };
-    fails(0, &Basis::Newton(vec![one(), one()]), count, "degree 0 needs 1 nodes, 2 given");
+    fails(0, &Basis::Newton(vec![one(), one()]), count, "degree 0 needs 1 node, 2 given");
     assert_eq!(Basis::Newton(Vec::<Rational>::new()).validate(0), Ok(()));
 }
 

@@ -39,11 +39,11 @@ pub enum LinalgError {
     },
     /// The shapes of the two matrices do not fit together.
     Shape {
-        /// What was to be done with them: "multiply" or "solve".
+        /// What was asked for: "the product A B" or "the system A X = B".
         operation: &'static str,
-        /// (rows, columns) of the first matrix.
+        /// (rows, columns) of A.
         left: (usize, usize),
-        /// (rows, columns) of the second matrix.
+        /// (rows, columns) of B.
         right: (usize, usize),
     },
     /// The matrix is square but has no inverse.
@@ -64,8 +64,8 @@ impl fmt::Display for LinalgError {
                 write!(f, "the matrix is {rows}×{columns}, it has to be square")
             }
             LinalgError::Shape { operation, left, right } => {
-                let (rows, columns) = left;
-                write!(f, "cannot {operation} a {rows}×{columns} matrix and a {}×{} one", right.0, right.1)
+                let ((m, n), (k, l)) = (left, right);
+                write!(f, "{operation} is not defined: A is {m}×{n}, B is {k}×{l}")
             }
             LinalgError::Singular { size, rank, column } => {
                 write!(
@@ -176,7 +176,11 @@ fn require_square<F>(a: &DMatrix<F>) -> Result<usize, LinalgError> {
 pub fn solve<F: Field>(a: &DMatrix<F>, b: &DMatrix<F>) -> Result<DMatrix<F>, LinalgError> {
     let size = require_square(a)?;
     if b.nrows() != size {
-        return Err(LinalgError::Shape { operation: "solve", left: a.shape(), right: b.shape() });
+        return Err(LinalgError::Shape {
+            operation: "the system A X = B",
+            left: a.shape(),
+            right: b.shape(),
+        });
     }
     let reduced = Reduced::new(a, Some(b));
     let pivots = reduced.pivots();

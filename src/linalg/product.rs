@@ -28,7 +28,7 @@ use crate::ring::Ring;
 /// ```
 pub fn multiply<C: Ring>(a: &DMatrix<C>, b: &DMatrix<C>) -> Result<DMatrix<C>, LinalgError> {
     if a.ncols() != b.nrows() {
-        return Err(LinalgError::Shape { operation: "multiply", left: a.shape(), right: b.shape() });
+        return Err(LinalgError::Shape { operation: "the product A B", left: a.shape(), right: b.shape() });
     }
     budget::charge_terms((a.nrows() as u64).saturating_mul(b.ncols() as u64));
     let (rows, columns) = (joined_rows(a, None), joined_rows(&b.transpose(), None));

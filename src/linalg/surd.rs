@@ -42,7 +42,7 @@ impl Neg for Surd {
 impl Div for Surd {
     type Output = Surd;
     fn div(self, other: Surd) -> Surd {
-        self * other.inverse().expect("a divisor that is not 0")
+        self.times(&other.inverse().expect("a divisor that is not 0"))
     }
 }
 

@@ -183,10 +183,16 @@ fn empty_matrices() {
 fn errors_say_what_is_wrong() {
     let a = dmatrix![integer(1), integer(2), integer(3); integer(4), integer(5), integer(6)];
     assert_eq!(inverse(&a).unwrap_err().to_string(), "the matrix is 2×3, it has to be square");
-    assert_eq!(multiply(&a, &a).unwrap_err().to_string(), "cannot multiply a 2×3 matrix and a 2×3 one");
+    assert_eq!(
+        multiply(&a, &a).unwrap_err().to_string(),
+        "the product A B is not defined: A is 2×3, B is 2×3"
+    );
     let one = identity::<Rational>(2);
     let three = DMatrix::zeros(3, 1);
-    assert_eq!(solve(&one, &three).unwrap_err().to_string(), "cannot solve a 2×2 matrix and a 3×1 one");
+    assert_eq!(
+        solve(&one, &three).unwrap_err().to_string(),
+        "the system A X = B is not defined: A is 2×2, B is 3×1"
+    );
     let dependent = dmatrix![integer(1), integer(2), integer(0);
                              integer(2), integer(4), integer(1);
                              integer(3), integer(6), integer(5)];
