@@ -1,1 +1,0 @@
-//! Exact linear algebra on nalgebra matrices.
