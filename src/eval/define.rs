@@ -1,0 +1,217 @@
+//! Definitions: names, functions, and functions by cases.
+
+use std::sync::Arc;
+
+use super::names::name_of;
+use super::{Machine, builtins};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{Expr, Kind, Link};
+use crate::poly::Symbol;
+use crate::value::{Clause, Function, Parameter, Shape, Value, Verdict};
+
+/// The left side of a definition, taken apart.
+enum Target {
+    Name(Symbol),
+    Function { name: Symbol, shape: Shape, parameters: Vec<Expr> },
+}
+
+impl Machine {
+    /// Whether `left = right` introduces `left`: an unbound name, alone or applied to distinct
+    /// names, that does not occur on the right.
+    pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
+        let head = match &left.kind {
+            Kind::Apply(callee, groups) => {
+                let items: Vec<&Expr> = groups.iter().flatten().collect();
+                let names: Option<Vec<Symbol>> = items.iter().map(|item| name_of(item, self)).collect();
+                let Some(names) = names else { return false };
+                let distinct = names.iter().enumerate().all(|(i, name)| !names[..i].contains(name));
+                if !distinct || names.is_empty() || names.iter().any(|name| self.lookup(name).is_some()) {
+                    return false;
+                }
+                callee.as_ref()
+            }
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Accent(..) => left,
+            _ => return false,
+        };
+        // B_i^n(t) and the like are written with a Pow; only a := defines those.
+        let Some(name) = name_of(head, self) else { return false };
+        let known = self.lookup(&name).is_some()
+            || (name.is_plain() && builtins::builtin(name.base()).is_some())
+            || self.lookup(&Symbol::new(name.base())).is_some();
+        !known && !mentions(right, &name, self)
+    }
+
+    /// Carries out `left := right (= further …)`.
+    pub(super) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
+        let body = &links[0].expr;
+        let (name, value) = match self.target(left)? {
+            Target::Name(name) => {
+                self.not_reserved(&name, left)?;
+                let value = match self.eval(body)? {
+                    Value::Function(function) => {
+                        Value::Function(Arc::new(Function { name: Some(name.clone()), ..(*function).clone() }))
+                    }
+                    value => value,
+                };
+                (name, value)
+            }
+            Target::Function { name, shape, parameters } => {
+                self.not_reserved(&name, left)?;
+                let value = self.define_function(&name, shape, &parameters, body)?;
+                (name, value)
+            }
+        };
+        if links.len() > 1 {
+            let judgements = self.judge_chain(body, &links[1..])?;
+            if let Some(at) = judgements.iter().position(|judgement| judgement.verdict != Verdict::Proved) {
+                self.note(
+                    Diagnostic::warning(
+                        Code::Undecided,
+                        format!("this further equation is {}", judgements[at].verdict.word()),
+                    )
+                    .at(links[at + 1].span),
+                );
+            }
+        }
+        Ok((name, value))
+    }
+
+    fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
+        if name.is_plain() && builtins::builtin(name.base()).is_some() {
+            return Err(Diagnostic::error(
+                Code::ReservedName,
+                format!("'{}' is a function of the program", name.base()),
+            )
+            .at(left.span)
+            .reason("cannot be defined anew")
+            .hint("choose another name"));
+        }
+        Ok(())
+    }
+
+    fn target(&mut self, left: &Expr) -> Result<Target, Diagnostic> {
+        let bad = || {
+            Diagnostic::error(Code::BadDefinition, "only a name or a name with arguments can be defined")
+                .at(left.span)
+                .reason("cannot be defined")
+                .hint("write F := ... or F(t) := ...")
+        };
+        let Kind::Apply(callee, groups) = &left.kind else {
+            return name_of(left, self).map(Target::Name).ok_or_else(bad);
+        };
+        let inner: Vec<Expr> = groups.iter().flatten().cloned().collect();
+        let (base, lower, upper): (&Expr, &[Expr], Option<&Expr>) = match &callee.kind {
+            Kind::Subscript(base, lower) => (base, lower, None),
+            Kind::Pow(inner, upper) => match &inner.kind {
+                Kind::Subscript(base, lower) => (base, lower, Some(upper)),
+                _ => (inner, &[], Some(upper)),
+            },
+            _ => (callee, &[], None),
+        };
+        // Indices that are all numbers belong to the name (f_1), unless an upper index shows a family.
+        let numeric = lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        if upper.is_none() && numeric {
+            let name = name_of(callee, self).ok_or_else(bad)?;
+            return Ok(Target::Function { name, shape: Shape::plain(inner.len()), parameters: inner });
+        }
+        let name = name_of(base, self).ok_or_else(bad)?;
+        let shape =
+            Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
+        let parameters = lower.iter().chain(upper).cloned().chain(inner).collect();
+        Ok(Target::Function { name, shape, parameters })
+    }
+
+    fn define_function(
+        &mut self,
+        name: &Symbol,
+        shape: Shape,
+        parameters: &[Expr],
+        body: &Expr,
+    ) -> Result<Value, Diagnostic> {
+        let mut list: Vec<Parameter> = Vec::with_capacity(parameters.len());
+        for parameter in parameters {
+            let parsed = match &parameter.kind {
+                Kind::Number(q) => Parameter::Exactly(q.clone()),
+                _ => {
+                    let symbol = name_of(parameter, self).ok_or_else(|| {
+                        Diagnostic::error(Code::BadDefinition, "a parameter is a name or a number")
+                            .at(parameter.span)
+                            .reason("not a name")
+                    })?;
+                    Parameter::Name(symbol)
+                }
+            };
+            if matches!(parsed, Parameter::Name(_)) && list.contains(&parsed) {
+                return Err(Diagnostic::error(Code::BadDefinition, "two parameters have the same name")
+                    .at(parameter.span)
+                    .reason("already used"));
+            }
+            list.push(parsed);
+        }
+        // While its body is looked at, the function is known but has no cases.
+        let placeholder =
+            Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses: Vec::new() }));
+        let mut clause = self.with_locals([(name.clone(), placeholder)], |machine| {
+            machine.check_names(&list, body)?;
+            Ok(machine.clause(list, body))
+        })?;
+        // The scope must not keep the placeholder: calls bind the function itself.
+        Arc::make_mut(&mut clause.scope).remove(name);
+        let mut clauses = match self.lookup(name) {
+            Some(Value::Function(known)) if known.shape == shape => known.clauses.clone(),
+            _ => Vec::new(),
+        };
+        let pattern = |clause: &Clause| -> Vec<Option<crate::number::Rational>> {
+            clause
+                .parameters
+                .iter()
+                .map(|parameter| match parameter {
+                    Parameter::Name(_) => None,
+                    Parameter::Exactly(q) => Some(q.clone()),
+                })
+                .collect()
+        };
+        clauses.retain(|known| pattern(known) != pattern(&clause));
+        if !clauses.is_empty() {
+            let count = clauses.len();
+            self.note(
+                Diagnostic::note(
+                    Code::BadDefinition,
+                    format!("{name} keeps its {count} other case{}", if count == 1 { "" } else { "s" }),
+                )
+                .at(body.span),
+            );
+        }
+        clauses.push(clause);
+        Ok(Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses })))
+    }
+
+    /// Unknown words in the body of a function are reported where they are written, not when
+    /// the function is called.
+    fn check_names(&mut self, parameters: &[Parameter], body: &Expr) -> Result<(), Diagnostic> {
+        let symbols: Vec<(Symbol, Value)> = parameters
+            .iter()
+            .filter_map(|parameter| match parameter {
+                Parameter::Name(symbol) => Some((symbol.clone(), Value::symbol(symbol.clone()))),
+                Parameter::Exactly(_) => None,
+            })
+            .collect();
+        let notes = self.notes.len();
+        let result = self.with_locals(symbols, |machine| machine.eval(body));
+        self.notes.truncate(notes);
+        match result {
+            Err(error) if matches!(error.code, Code::UnknownName | Code::UnknownFunction) => Err(error),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Whether the name occurs in the expression.
+fn mentions(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+    if name_of(expr, machine).as_ref() == Some(name) {
+        return true;
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().any(|child| mentions(child, name, machine))
+}

@@ -1,0 +1,213 @@
+//! What a written name refers to.
+
+use super::{Evaluated, Machine, builtins};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::expr::{Accent, Expr, Kind};
+use crate::poly::{Index, Symbol};
+use crate::value::Value;
+
+/// Names of Greek letters, which are symbols like single letters.
+const GREEK: &[&str] = &[
+    "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta",
+    "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "varphi",
+    "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi",
+    "Omega", "ell",
+];
+
+/// Whether an undefined name may stand for itself.
+pub(super) fn stands_for_itself(name: &str) -> bool {
+    name.chars().count() == 1 || GREEK.contains(&name)
+}
+
+/// The symbol a name denotes, its indices evaluated as far as they have values:
+/// `t_i` is `t_2` when i is 2. `None` if the expression is not a name.
+pub fn name_of(expr: &Expr, machine: &mut Machine) -> Option<Symbol> {
+    match &expr.kind {
+        Kind::Name(name) => Some(Symbol::new(name)),
+        Kind::Subscript(base, indices) => {
+            let base = name_of(base, machine)?;
+            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
+            Some(base.with_indices(indices?))
+        }
+        Kind::Upper(base, indices) => {
+            let base = name_of(base, machine)?;
+            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
+            Some(base.with_upper(indices?))
+        }
+        Kind::Accent(Accent::Bold, body) | Kind::Group(body) if !matches!(body.kind, Kind::Group(_)) => {
+            name_of(body, machine)
+        }
+        Kind::Accent(accent, body) => {
+            let mark = match accent {
+                Accent::Hat => "hat",
+                Accent::Bar => "bar",
+                Accent::Vec => "vec",
+                Accent::Tilde => "tilde",
+                Accent::Dot => "dot",
+                Accent::Ddot => "ddot",
+                Accent::Script => "mathcal",
+                Accent::Blackboard => "mathbb",
+                Accent::Bold => "",
+            };
+            Some(name_of(body, machine)?.with_accent(mark))
+        }
+        _ => None,
+    }
+}
+
+/// An index as part of a name: an integer if it has such a value, else its own name.
+fn index_of(expr: &Expr, machine: &mut Machine) -> Option<Index> {
+    if let Kind::Name(name) = &expr.kind
+        && name.starts_with(|c: char| c.is_ascii_digit())
+    {
+        return Some(Index::Word(name.clone()));
+    }
+    match machine.eval(expr).ok()? {
+        Value::Scalar(value) => match Value::Scalar(value.clone()).as_int() {
+            Some(i) => Some(Index::Number(i)),
+            None => Some(Index::Word(value.to_string())),
+        },
+        Value::Function(_) | Value::Builtin(_) => match &expr.kind {
+            Kind::Name(name) => Some(Index::Word(name.clone())),
+            _ => None,
+        },
+        Value::Text(text) => Some(Index::Word(text)),
+        _ => None,
+    }
+}
+
+impl Machine {
+    /// The value of a name, or the symbol that stands for it.
+    pub(super) fn eval_name(&mut self, expr: &Expr) -> Evaluated {
+        let Some(symbol) = name_of(expr, self) else {
+            return Err(Diagnostic::error(Code::Type, "only names can have indices")
+                .at(expr.span)
+                .reason("not a name"));
+        };
+        if let Some(value) = self.lookup(&symbol) {
+            return Ok(value.clone());
+        }
+        if let Some(value) = self.indexed_value(expr)? {
+            return Ok(value);
+        }
+        if !symbol.is_plain() || stands_for_itself(symbol.base()) {
+            return Ok(Value::symbol(symbol));
+        }
+        match builtins::builtin(symbol.base()) {
+            Some(builtin) => Ok(Value::Builtin(builtin.name)),
+            None => Err(self.unknown_name(symbol.base(), expr)),
+        }
+    }
+
+    /// `b_2` or `M_{1,2}` for a defined list or matrix, `F^{(2)}` for a function.
+    fn indexed_value(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
+        let (base, indices, upper) = match &expr.kind {
+            Kind::Subscript(base, indices) => (base, indices, false),
+            Kind::Upper(base, indices) => (base, indices, true),
+            _ => return Ok(None),
+        };
+        let Some(value) = name_of(base, self).and_then(|name| self.lookup(&name).cloned()) else {
+            return Ok(None);
+        };
+        if upper {
+            return match (&value, indices.as_slice()) {
+                (Value::Function(_), [order]) => {
+                    let order = self.eval_int(order)?;
+                    let order = usize::try_from(order).map_err(|_| {
+                        Diagnostic::error(Code::BadExponent, "a negative order of differentiation")
+                            .at(expr.span)
+                    })?;
+                    super::calculus::derivative_of_function(&value, order)
+                        .map(Some)
+                        .map_err(|error| error.at(expr.span))
+                }
+                _ => Ok(None),
+            };
+        }
+        let numbers: Option<Vec<usize>> = indices
+            .iter()
+            .map(|index| self.eval_int(index).ok().and_then(|i| usize::try_from(i).ok()))
+            .collect();
+        let out_of_range = |count: String| {
+            Diagnostic::error(Code::Domain, "index out of range").reason(count).at(expr.span)
+        };
+        match (&value, numbers.as_deref()) {
+            // Lists count from 0, as control points do; matrices from 1, as in books.
+            (Value::List(items), Some([i])) => items.get(*i).cloned().map(Some).ok_or_else(|| {
+                out_of_range(format!("the list has {} items, counted from 0", items.len()))
+            }),
+            (Value::Matrix(matrix), Some([i, j])) => {
+                let entry = i.checked_sub(1).zip(j.checked_sub(1)).and_then(|place| matrix.get(place));
+                entry.cloned().map(|x| Some(Value::Scalar(x))).ok_or_else(|| {
+                    out_of_range(format!("the matrix is {} x {}", matrix.nrows(), matrix.ncols()))
+                })
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The error for a word without meaning, with the nearest known one.
+    pub(super) fn unknown_name(&self, name: &str, expr: &Expr) -> Diagnostic {
+        let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
+            .at(expr.span)
+            .reason("unknown name");
+        let known = self
+            .scope
+            .keys()
+            .map(|symbol| symbol.base().to_owned())
+            .chain(builtins::BUILTINS.iter().map(|builtin| builtin.name.to_owned()));
+        match nearest(name, known) {
+            Some(best) => error.hint(format!("did you mean '{best}'?")),
+            None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 4 => {
+                let spaced: Vec<String> = name.chars().map(String::from).collect();
+                error.hint(format!("for a product of symbols write '{}'", spaced.join(" ")))
+            }
+            None => error.hint(format!("define it first: {name} := ...")),
+        }
+    }
+}
+
+/// The known name closest to `word`, if one is close enough to be a slip of the pen.
+pub fn nearest(word: &str, known: impl IntoIterator<Item = String>) -> Option<String> {
+    let allowed = (word.chars().count() / 3).max(1);
+    known
+        .into_iter()
+        .map(|name| (edit_distance(word, &name), name))
+        .filter(|(distance, name)| *distance <= allowed && *distance < name.chars().count())
+        .min()
+        .map(|(_, name)| name)
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours needed.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let mut best = (rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            best = best.min(rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]));
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(best);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_found() {
+        let known = || ["polar", "product", "elevate"].map(String::from);
+        assert_eq!(nearest("polra", known()).as_deref(), Some("polar"));
+        assert_eq!(nearest("elevat", known()).as_deref(), Some("elevate"));
+        assert_eq!(nearest("zzz", known()), None);
+        assert_eq!(edit_distance("abc", "acb"), 1);
+        assert_eq!(edit_distance("", "abc"), 3);
+    }
+}
