@@ -1,5 +1,7 @@
 //! Polar forms (blossoms): values, operations, derivations, laws.
 mod evaluator;
+mod expand;
+pub mod laws;
 mod limbs;
 mod methods;
 mod operations;
@@ -8,6 +10,7 @@ mod tensor;
 mod total_degree;
 
 pub use evaluator::Evaluator;
+pub use expand::{Written, expand_tensor, expand_total, expand_univariate, symmetrize};
 pub use methods::{Derivation, Method, Step, Weights};
 pub use polar_form::{Argument, PolarError, PolarForm};
 pub use tensor::TensorPolarForm;

@@ -1,0 +1,75 @@
+//! The functions of the language: one table for evaluation, help, completion and docs.
+
+mod matrices;
+mod numbers;
+mod polar;
+mod polynomials;
+
+pub(super) use polar::expand_polar;
+
+use super::{Arguments, Evaluated, Machine};
+
+/// A function of the program.
+pub struct Builtin {
+    /// Its name.
+    pub name: &'static str,
+    /// How it is called.
+    pub signature: &'static str,
+    /// What it does, in one line.
+    pub summary: &'static str,
+    /// An example that runs.
+    pub example: &'static str,
+    /// The chapter of the reference it belongs to.
+    pub topic: &'static str,
+    /// The function itself.
+    pub call: fn(&mut Machine, &Arguments) -> Evaluated,
+}
+
+impl std::fmt::Debug for Builtin {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.signature)
+    }
+}
+
+/// All functions, by topic.
+pub static BUILTINS: &[&Builtin] = &{
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 4]) -> [&'static Builtin; N] {
+        let mut list = [&tables[0][0]; N];
+        let (mut at, mut table) = (0, 0);
+        while table < tables.len() {
+            let mut i = 0;
+            while i < tables[table].len() {
+                list[at] = &tables[table][i];
+                at += 1;
+                i += 1;
+            }
+            table += 1;
+        }
+        list
+    }
+    const COUNT: usize = polar::TABLE.len()
+        + polynomials::TABLE.len()
+        + matrices::TABLE.len()
+        + numbers::TABLE.len();
+    all::<COUNT>([polar::TABLE, polynomials::TABLE, matrices::TABLE, numbers::TABLE])
+};
+
+/// The function of that name.
+pub fn builtin(name: &str) -> Option<&'static Builtin> {
+    BUILTINS.iter().copied().find(|builtin| builtin.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_complete() {
+        for (i, builtin) in BUILTINS.iter().enumerate() {
+            assert!(builtin.signature.starts_with(builtin.name), "{}", builtin.name);
+            assert!(builtin.example.contains(builtin.name), "{}", builtin.name);
+            assert!(!builtin.summary.ends_with('.') && builtin.summary.len() < 90, "{}", builtin.name);
+            assert!(BUILTINS[..i].iter().all(|other| other.name != builtin.name), "{}", builtin.name);
+        }
+    }
+}

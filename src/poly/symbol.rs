@@ -1,0 +1,175 @@
+//! Named, subscripted indeterminates.
+//!
+//! **Order.** Symbols are in natural order: by base name, then accent, then indices with
+//! numbers as numbers (t < t_1 < t_2 < t_10 < t_i), then upper indices. The order is total
+//! and two symbols are equal only if all parts are.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// An index: a number or a word.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Index {
+    /// `t_1`
+    Number(i64),
+    /// `t_i`, `b_{01}`
+    Word(String),
+}
+
+impl fmt::Display for Index {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Index::Number(i) => write!(f, "{i}"),
+            Index::Word(word) => f.write_str(word),
+        }
+    }
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct Parts {
+    base: String,
+    accent: String,
+    indices: Vec<Index>,
+    upper: Vec<Index>,
+}
+
+/// A symbol such as t, t_1, p_{1,2} or p_0^{(3)}. Cheap to clone.
+///
+/// ```
+/// use polarform::poly::Symbol;
+/// assert!(Symbol::indexed("t", 2) < Symbol::indexed("t", 10));
+/// assert_eq!(Symbol::indexed("t", 2).to_string(), "t_2");
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Symbol(Arc<Parts>);
+
+impl Symbol {
+    /// A plain symbol.
+    pub fn new(base: impl Into<String>) -> Self {
+        let base = base.into();
+        Symbol(Arc::new(Parts { base, accent: String::new(), indices: Vec::new(), upper: Vec::new() }))
+    }
+
+    /// base_index
+    pub fn indexed(base: impl Into<String>, index: i64) -> Self {
+        Symbol::new(base).with_indices([Index::Number(index)])
+    }
+
+    /// This symbol with further indices below.
+    pub fn with_indices(&self, indices: impl IntoIterator<Item = Index>) -> Self {
+        let mut parts = (*self.0).clone();
+        parts.indices.extend(indices);
+        Symbol(Arc::new(parts))
+    }
+
+    /// This symbol with one more number below: t gives t_3, t_i gives t_{i,3}.
+    pub fn numbered(&self, index: i64) -> Self {
+        self.with_indices([Index::Number(index)])
+    }
+
+    /// This symbol with further indices above.
+    pub fn with_upper(&self, indices: impl IntoIterator<Item = Index>) -> Self {
+        let mut parts = (*self.0).clone();
+        parts.upper.extend(indices);
+        Symbol(Arc::new(parts))
+    }
+
+    /// This symbol with a mark over it (`hat`, `bar`, …); an empty mark changes nothing.
+    pub fn with_accent(&self, accent: &str) -> Self {
+        let mut parts = (*self.0).clone();
+        parts.accent.push_str(accent);
+        Symbol(Arc::new(parts))
+    }
+
+    /// The name without indices.
+    pub fn base(&self) -> &str {
+        &self.0.base
+    }
+
+    /// The mark over it, or an empty text.
+    pub fn accent(&self) -> &str {
+        &self.0.accent
+    }
+
+    /// The indices below.
+    pub fn indices(&self) -> &[Index] {
+        &self.0.indices
+    }
+
+    /// The indices above.
+    pub fn upper(&self) -> &[Index] {
+        &self.0.upper
+    }
+
+    /// Whether it has neither indices nor accent.
+    pub fn is_plain(&self) -> bool {
+        self.0.accent.is_empty() && self.0.indices.is_empty() && self.0.upper.is_empty()
+    }
+}
+
+fn list(f: &mut fmt::Formatter<'_>, indices: &[Index]) -> fmt::Result {
+    for (i, index) in indices.iter().enumerate() {
+        if i > 0 {
+            f.write_str(",")?;
+        }
+        write!(f, "{index}")?;
+    }
+    Ok(())
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.accent() {
+            "" => f.write_str(self.base())?,
+            accent => write!(f, "{accent}({})", self.base())?,
+        }
+        match self.indices() {
+            [] => {}
+            [Index::Number(i)] if *i >= 0 => write!(f, "_{i}")?,
+            [Index::Word(word)] if word.chars().count() == 1 => write!(f, "_{word}")?,
+            many => {
+                f.write_str("_{")?;
+                list(f, many)?;
+                f.write_str("}")?;
+            }
+        }
+        if !self.upper().is_empty() {
+            f.write_str("^{(")?;
+            list(f, self.upper())?;
+            f.write_str(")}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Debug for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn natural_order_and_text() {
+        let word = |w: &str| Index::Word(w.to_owned());
+        let ordered = [
+            Symbol::new("c"),
+            Symbol::new("t"),
+            Symbol::indexed("t", 1),
+            Symbol::indexed("t", 1).numbered(2),
+            Symbol::indexed("t", 2),
+            Symbol::indexed("t", 10),
+            Symbol::new("t").with_indices([word("i")]),
+            Symbol::new("t").with_accent("hat"),
+            Symbol::new("t1"),
+        ];
+        assert!(ordered.windows(2).all(|pair| pair[0] < pair[1]));
+        let texts: Vec<String> = ordered.iter().map(Symbol::to_string).collect();
+        assert_eq!(texts, ["c", "t", "t_1", "t_{1,2}", "t_2", "t_10", "t_i", "hat(t)", "t1"]);
+        assert_eq!(Symbol::indexed("p", 0).with_upper([Index::Number(3)]).to_string(), "p_0^{(3)}");
+        assert_eq!(Symbol::indexed("t", -1).to_string(), "t_{-1}");
+    }
+}
