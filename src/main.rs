@@ -1,2 +1,5 @@
-#![allow(missing_docs)]
-fn main() {}
+//! The `polarform` program.
+
+fn main() -> std::process::ExitCode {
+    polarform::cli::main()
+}

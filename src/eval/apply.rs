@@ -30,9 +30,8 @@ impl Machine {
         match self.callee(callee)? {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {
-                    let builtin = builtins::builtin(name).ok_or_else(|| {
-                        Diagnostic::error(Code::Internal, format!("no function {name}"))
-                    })?;
+                    let builtin = builtins::builtin(name)
+                        .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
                     self.call_builtin(builtin, groups, whole.span)
                 }
                 Value::Polar(polar) => self.call_polar(&polar, groups, callee, whole.span),
@@ -242,8 +241,9 @@ impl Machine {
             return Ok(known.clone());
         }
         let Some(clause) = choose(function, &values) else {
-            return Err(Diagnostic::error(Code::Domain, "no case of the definition fits these arguments")
-                .at(span));
+            return Err(
+                Diagnostic::error(Code::Domain, "no case of the definition fits these arguments").at(span)
+            );
         };
         let result = self.run_clause(function, clause, &values, span)?;
         if let Some(key) = key
@@ -293,10 +293,8 @@ impl Machine {
             .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
         }
         // The body sees the names of its definition and its parameters, nothing of the caller.
-        let caller = (
-            std::mem::replace(&mut self.scope, clause.scope.clone()),
-            std::mem::take(&mut self.locals),
-        );
+        let caller =
+            (std::mem::replace(&mut self.scope, clause.scope.clone()), std::mem::take(&mut self.locals));
         self.depth += 1;
         if let Some(name) = &function.name {
             self.locals.push((name.clone(), Value::Function(function.clone())));
@@ -461,12 +459,13 @@ fn choose<'a>(function: &'a Function, values: &[(Value, Span)]) -> Option<&'a Cl
             Parameter::Exactly(q) => value.as_rational().as_ref() == Some(q),
         })
     };
-    let exact = |clause: &Clause| {
-        clause.parameters.iter().filter(|p| matches!(p, Parameter::Exactly(_))).count()
-    };
-    function.clauses.iter().filter(fits).reduce(|best, clause| {
-        if exact(clause) > exact(best) { clause } else { best }
-    })
+    let exact =
+        |clause: &Clause| clause.parameters.iter().filter(|p| matches!(p, Parameter::Exactly(_))).count();
+    function.clauses.iter().filter(fits).reduce(
+        |best, clause| {
+            if exact(clause) > exact(best) { clause } else { best }
+        },
+    )
 }
 
 /// `B_i` with an upper index: base, lower indices, upper index.

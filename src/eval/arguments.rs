@@ -1,6 +1,6 @@
 //! Arguments of the program's functions: by place and by name.
 
-use super::{Evaluated, wrong_kind};
+use super::wrong_kind;
 use crate::blossom::{Argument, PointArgument, PolarError};
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::expr::{Expr, Kind, Rel};
@@ -87,7 +87,12 @@ impl Arguments {
     }
 
     /// Checks how many arguments there are and which names are used.
-    pub fn expect(&self, signature: &str, count: std::ops::RangeInclusive<usize>, names: &[&str]) -> Result<()> {
+    pub fn expect(
+        &self,
+        signature: &str,
+        count: std::ops::RangeInclusive<usize>,
+        names: &[&str],
+    ) -> Result<()> {
         if let Some((name, _, span)) = self.named.iter().find(|(name, ..)| !names.contains(&name.as_str())) {
             let known = super::nearest(name, names.iter().map(|n| (*n).to_owned()));
             let error = Diagnostic::error(Code::Arity, format!("there is no argument '{name}'"))
@@ -225,14 +230,12 @@ impl Arguments {
 }
 
 fn size_of(value: &Value, span: Span) -> Result<usize> {
-    value
-        .as_int()
-        .and_then(|k| usize::try_from(k).ok())
-        .filter(|&k| k <= u32::MAX as usize)
-        .ok_or_else(|| match value.as_rational() {
+    value.as_int().and_then(|k| usize::try_from(k).ok()).filter(|&k| k <= u32::MAX as usize).ok_or_else(
+        || match value.as_rational() {
             Some(_) => Diagnostic::error(Code::Domain, "expected an integer that is 0 or more").at(span),
             None => wrong_kind("an integer that is 0 or more", value).at(span),
-        })
+        },
+    )
 }
 
 /// The symbol a value is, if it is a bare one.
@@ -251,7 +254,7 @@ pub(super) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
         return Ok(symbol);
     }
     let variables = formula.variables();
-    if let Some(usual) = PARAMETERS.iter().map(|name| Symbol::new(name)).find(|s| variables.contains(s)) {
+    if let Some(usual) = PARAMETERS.iter().map(|name| Symbol::new(*name)).find(|s| variables.contains(s)) {
         return Ok(usual);
     }
     let plain: Vec<&Symbol> = variables.iter().filter(|symbol| symbol.is_plain()).collect();
@@ -308,12 +311,7 @@ pub(super) fn coefficients_in(formula: &Fraction, variable: &Symbol) -> Result<V
     }
     let denominator = Fraction::from(formula.denominator().clone());
     let list = formula.numerator().coefficients_in(variable);
-    let inverse = crate::ring::Field::inverse(&denominator)
-        .ok_or_else(super::arithmetic::division_by_zero)?;
+    let inverse =
+        crate::ring::Field::inverse(&denominator).ok_or_else(super::arithmetic::division_by_zero)?;
     Ok(list.into_iter().map(|c| Fraction::from(c) * inverse.clone()).collect())
-}
-
-/// A function's value as an [`Evaluated`].
-pub(super) fn scalar(value: Fraction) -> Evaluated {
-    Ok(Value::Scalar(value))
 }

@@ -15,10 +15,7 @@ use std::sync::Arc;
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 fn mismatch(operation: &str, left: &Value, right: &Value) -> Diagnostic {
-    Diagnostic::error(
-        Code::Type,
-        format!("{} and {} cannot be {operation}", left.kind(), right.kind()),
-    )
+    Diagnostic::error(Code::Type, format!("{} and {} cannot be {operation}", left.kind(), right.kind()))
 }
 
 /// The diagnostic for an error of linear algebra.
@@ -55,9 +52,8 @@ pub(super) fn add(left: Value, right: Value) -> Result<Value> {
 
 fn add_polar(a: &Polar, b: &Polar) -> Result<Value> {
     let unequal = || {
-        Diagnostic::error(Code::Arity, "polar forms with different arguments cannot be added").hint(
-            "elevate the lower degree first, or use polar_sum(f, g), which does it",
-        )
+        Diagnostic::error(Code::Arity, "polar forms with different arguments cannot be added")
+            .hint("elevate the lower degree first, or use polar_sum(f, g), which does it")
     };
     let kind = match (&a.kind, &b.kind) {
         (PolarKind::Univariate(f), PolarKind::Univariate(g)) if f.degree() == g.degree() => {
@@ -113,33 +109,34 @@ pub(super) fn multiply(left: Value, right: Value) -> Result<Value> {
         (Value::Matrix(a), Value::List(items)) => {
             let product = multiply(Value::Matrix(a), column(&items)?)?;
             Ok(match product {
-                Value::Matrix(m) if m.ncols() == 1 => Value::List(m.iter().cloned().map(Value::Scalar).collect()),
+                Value::Matrix(m) if m.ncols() == 1 => {
+                    Value::List(m.iter().cloned().map(Value::Scalar).collect())
+                }
                 other => other,
             })
         }
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "multiplied", |x, y| Ok(x * y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "multiplied", |x, y| Ok(x * y)),
-        (Value::Polar(_), Value::Polar(_)) => Err(Diagnostic::error(
-            Code::Type,
-            "the product of two polar forms is not symmetric",
-        )
-        .hint("polar_product(f, g) is the polar form of the product of the polynomials")),
+        (Value::Polar(_), Value::Polar(_)) => {
+            Err(Diagnostic::error(Code::Type, "the product of two polar forms is not symmetric")
+                .hint("polar_product(f, g) is the polar form of the product of the polynomials"))
+        }
         (a, b) => Err(mismatch("multiplied", &a, &b)),
     }
 }
 
 fn scale_polar(a: &Fraction, f: &Polar) -> Result<Value> {
-    let constant = a.clone();
     let kind = match &f.kind {
         PolarKind::Univariate(form) => PolarKind::Univariate(form.map(|c| c.times(a))),
         PolarKind::Tensor(form) => {
-            let grid = form.coefficients().iter().map(|row| row.iter().map(|c| c.times(a)).collect());
+            let rows = form.coefficients();
+            let grid = rows.iter().map(|row| row.iter().map(|c| c.times(a)).collect());
             PolarKind::Tensor(
                 crate::blossom::TensorPolarForm::new(grid.collect()).map_err(super::arguments::polar)?,
             )
         }
         PolarKind::Total(form) => {
-            let terms = form.terms().map(|(e, c)| (e.to_vec(), c.times(&constant)));
+            let terms = form.terms().map(|(e, c)| (e.to_vec(), c.times(a)));
             PolarKind::Total(
                 crate::blossom::TotalDegreePolarForm::new(form.dimension(), form.degree(), terms)
                     .map_err(super::arguments::polar)?,
@@ -194,7 +191,8 @@ pub(super) fn power(base: Value, exponent: &Value) -> Result<Value> {
     }
     let Some(k) = k.numer().as_small().filter(|k| k.abs() <= MAX_EXPONENT) else {
         let digits = k.numer().to_string().len();
-        let shown = if digits > 40 { format!("an exponent of {digits} digits") } else { format!("the exponent {k}") };
+        let shown =
+            if digits > 40 { format!("an exponent of {digits} digits") } else { format!("the exponent {k}") };
         return Err(Diagnostic::error(Code::TooManyTerms, format!("{shown} is too large")));
     };
     match base {
@@ -216,8 +214,8 @@ fn scalar_power(a: &Fraction, k: i64) -> Result<Fraction> {
         let bits = q.numer().bits().max(q.denom().bits()).saturating_sub(1);
         budget::charge_bits(bits.saturating_mul(k.unsigned_abs()));
     }
-    let exponent = i32::try_from(k)
-        .map_err(|_| Diagnostic::error(Code::TooManyTerms, "the exponent is too large"))?;
+    let exponent =
+        i32::try_from(k).map_err(|_| Diagnostic::error(Code::TooManyTerms, "the exponent is too large"))?;
     a.pow(exponent).map_err(|_| division_by_zero())
 }
 
@@ -269,9 +267,7 @@ pub(super) fn cross(left: Value, right: Value) -> Result<Value> {
     };
     match (coordinates(&left), coordinates(&right)) {
         (Some(a), Some(b)) => {
-            let entry = |i: usize, j: usize| {
-                Value::Scalar(a[i].times(&b[j]).minus(&a[j].times(&b[i])))
-            };
+            let entry = |i: usize, j: usize| Value::Scalar(a[i].times(&b[j]).minus(&a[j].times(&b[i])));
             Ok(Value::List(vec![entry(1, 2), entry(2, 0), entry(0, 1)]))
         }
         _ => multiply(left, right),
@@ -348,10 +344,9 @@ fn pointwise(
         return Err(mismatch(verb, left, right));
     };
     let b = match right_name {
-        Some(name) if name != variable => {
-            b.substitute(&[(name, Fraction::from(crate::poly::MultiPoly::symbol(variable.clone())))])
-                .map_err(|_| division_by_zero())?
-        }
+        Some(name) if name != variable => b
+            .substitute(&[(name, Fraction::from(crate::poly::MultiPoly::symbol(variable.clone())))])
+            .map_err(|_| division_by_zero())?,
         _ => b,
     };
     Ok(formula_function(variable, operation(a, b)?))

@@ -71,9 +71,10 @@ pub(super) fn integrate(
         )
         .collect();
     let at = |x: &Fraction| {
-        primitive.iter().rev().fold(Fraction::from_rational(&Rational::from_integer(Int::ZERO)), |s, c| {
-            s.times(x).plus(c)
-        })
+        primitive
+            .iter()
+            .rev()
+            .fold(Fraction::from_rational(&Rational::from_integer(Int::ZERO)), |s, c| s.times(x).plus(c))
     };
     Ok(match bounds {
         Some((a, b)) => at(b).minus(&at(a)),
@@ -434,9 +435,8 @@ impl Machine {
         let scalars = matches!((&outer, &inner), (Value::Scalar(_), Value::Scalar(_)));
         let (variable, formula) = parts(&outer)?;
         let (inner_variable, inner_formula) = parts(&inner)?;
-        let result = formula
-            .substitute(&[(variable, inner_formula)])
-            .map_err(|_| arithmetic::division_by_zero())?;
+        let result =
+            formula.substitute(&[(variable, inner_formula)]).map_err(|_| arithmetic::division_by_zero())?;
         Ok(if scalars { Value::Scalar(result) } else { formula_function(inner_variable, result) })
     }
 

@@ -13,11 +13,7 @@ use num_traits::Zero;
 
 impl Machine {
     /// Judges each relation of a chain.
-    pub(super) fn judge_chain(
-        &mut self,
-        first: &Expr,
-        links: &[Link],
-    ) -> Result<Vec<Judgement>, Diagnostic> {
+    pub(super) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
         let mut judgements = Vec::with_capacity(links.len());
         let (mut left_expr, mut left) = (first, self.eval(first)?);
         for link in links {
@@ -165,7 +161,9 @@ fn order(judgement: &mut Judgement) {
     // One counterexample is enough to refute; none proves nothing.
     if let Some(witness) = find_witness(a, b, |x, y| !holds(x, y)) {
         judgement.witness = Some(witness);
-        judgement.reasons.push("it fails for some values; give the range if it is meant for a part".to_owned());
+        judgement
+            .reasons
+            .push("it fails for some values; give the range if it is meant for a part".to_owned());
     }
 }
 
@@ -181,9 +179,13 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
                 judgement.reasons.push(format!("one list has {} items, the other {}", a.len(), b.len()));
                 return Ok(());
             }
-            each(judgement, a.iter().zip(b).enumerate().map(|(i, (x, y))| {
-                (format!("item {i} (counted from 0)"), x.clone(), y.clone())
-            }))?;
+            each(
+                judgement,
+                a.iter()
+                    .zip(b)
+                    .enumerate()
+                    .map(|(i, (x, y))| (format!("item {i} (counted from 0)"), x.clone(), y.clone())),
+            )?;
         }
         (Value::Matrix(a), Value::Matrix(b)) => {
             if a.shape() != b.shape() {
@@ -198,10 +200,13 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
                 return Ok(());
             }
             let entries = (0..a.nrows()).flat_map(|i| (0..a.ncols()).map(move |j| (i, j)));
-            each(judgement, entries.map(|(i, j)| {
-                let place = format!("entry ({}, {})", i + 1, j + 1);
-                (place, Value::Scalar(a[(i, j)].clone()), Value::Scalar(b[(i, j)].clone()))
-            }))?;
+            each(
+                judgement,
+                entries.map(|(i, j)| {
+                    let place = format!("entry ({}, {})", i + 1, j + 1);
+                    (place, Value::Scalar(a[(i, j)].clone()), Value::Scalar(b[(i, j)].clone()))
+                }),
+            )?;
         }
         (Value::Polar(a), Value::Polar(b)) => {
             if a == b {
@@ -273,9 +278,11 @@ fn equal_functions(judgement: &mut Judgement, f: &Function, g: &Function) -> Res
     };
     if names.len() != others.len() {
         judgement.verdict = Verdict::Refuted;
-        judgement
-            .reasons
-            .push(format!("one function takes {} arguments, the other {}", names.len(), others.len()));
+        judgement.reasons.push(format!(
+            "one function takes {} arguments, the other {}",
+            names.len(),
+            others.len()
+        ));
         return Ok(());
     }
     let renaming: Vec<(Symbol, Fraction)> = others

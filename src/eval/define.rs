@@ -48,9 +48,10 @@ impl Machine {
             Target::Name(name) => {
                 self.not_reserved(&name, left)?;
                 let value = match self.eval(body)? {
-                    Value::Function(function) => {
-                        Value::Function(Arc::new(Function { name: Some(name.clone()), ..(*function).clone() }))
-                    }
+                    Value::Function(function) => Value::Function(Arc::new(Function {
+                        name: Some(name.clone()),
+                        ..(*function).clone()
+                    })),
                     value => value,
                 };
                 (name, value)
@@ -115,8 +116,7 @@ impl Machine {
             return Ok(Target::Function { name, shape: Shape::plain(inner.len()), parameters: inner });
         }
         let name = name_of(base, self).ok_or_else(bad)?;
-        let shape =
-            Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
+        let shape = Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
         let parameters = lower.iter().chain(upper).cloned().chain(inner).collect();
         Ok(Target::Function { name, shape, parameters })
     }

@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use arguments::Arguments;
-pub use builtins::{Builtin, BUILTINS, builtin};
+pub use builtins::{BUILTINS, Builtin, builtin};
 pub use names::{name_of, nearest};
 
 use crate::diagnostic::{At, Code, Diagnostic};
@@ -146,11 +146,7 @@ impl Machine {
         }
     }
 
-    fn statement(
-        &mut self,
-        expr: &Expr,
-        equals: Equals,
-    ) -> Result<(Value, Option<Symbol>), Diagnostic> {
+    fn statement(&mut self, expr: &Expr, equals: Equals) -> Result<(Value, Option<Symbol>), Diagnostic> {
         if let Kind::Chain(left, links) = &expr.kind {
             let defines = links[0].rel == Rel::Define
                 || (equals == Equals::DefinesUnbound
@@ -222,7 +218,9 @@ impl Machine {
             Kind::Integral { lower, upper, body, variable } => {
                 self.eval_integral(lower.as_deref(), upper.as_deref(), body, variable)
             }
-            Kind::Derivative { variables, body, .. } => self.eval_derivative(variables, body.as_deref(), span),
+            Kind::Derivative { variables, body, .. } => {
+                self.eval_derivative(variables, body.as_deref(), span)
+            }
             Kind::At { body, lower, upper } => self.eval_at(body, lower, upper.as_deref(), span),
             Kind::Cases(cases) => self.eval_cases(cases, span),
             Kind::Compose(items) => {
@@ -360,12 +358,7 @@ impl Machine {
         }
     }
 
-    fn eval_matrix(
-        &mut self,
-        rows: &[Vec<Option<Expr>>],
-        delimiter: Delimiter,
-        span: Span,
-    ) -> Evaluated {
+    fn eval_matrix(&mut self, rows: &[Vec<Option<Expr>>], delimiter: Delimiter, span: Span) -> Evaluated {
         let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
         let mut entries = Vec::new();
         for row in rows {
@@ -375,7 +368,9 @@ impl Machine {
                 };
                 match self.eval(cell)? {
                     Value::Scalar(x) => entries.push(x),
-                    other => return Err(wrong_kind("a number or formula in the matrix", &other).at(cell.span)),
+                    other => {
+                        return Err(wrong_kind("a number or formula in the matrix", &other).at(cell.span));
+                    }
                 }
             }
             if row.len() != columns {

@@ -8,11 +8,47 @@ use crate::value::Value;
 
 /// Names of Greek letters, which are symbols like single letters.
 const GREEK: &[&str] = &[
-    "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta",
-    "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "varphi",
-    "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi",
-    "Omega", "ell",
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
 ];
+
+/// Words that name a basis (`bernstein` is also a function).
+const BASES: &[&str] = &["power", "taylor", "lagrange", "newton", "hermite"];
 
 /// Whether an undefined name may stand for itself.
 pub(super) fn stands_for_itself(name: &str) -> bool {
@@ -93,6 +129,9 @@ impl Machine {
         if !symbol.is_plain() || stands_for_itself(symbol.base()) {
             return Ok(Value::symbol(symbol));
         }
+        if BASES.contains(&symbol.base()) {
+            return Ok(Value::Text(symbol.base().to_owned()));
+        }
         match builtins::builtin(symbol.base()) {
             Some(builtin) => Ok(Value::Builtin(builtin.name)),
             None => Err(self.unknown_name(symbol.base(), expr)),
@@ -128,14 +167,15 @@ impl Machine {
             .iter()
             .map(|index| self.eval_int(index).ok().and_then(|i| usize::try_from(i).ok()))
             .collect();
-        let out_of_range = |count: String| {
-            Diagnostic::error(Code::Domain, "index out of range").reason(count).at(expr.span)
-        };
+        let out_of_range =
+            |count: String| Diagnostic::error(Code::Domain, "index out of range").reason(count).at(expr.span);
         match (&value, numbers.as_deref()) {
             // Lists count from 0, as control points do; matrices from 1, as in books.
-            (Value::List(items), Some([i])) => items.get(*i).cloned().map(Some).ok_or_else(|| {
-                out_of_range(format!("the list has {} items, counted from 0", items.len()))
-            }),
+            (Value::List(items), Some([i])) => {
+                items.get(*i).cloned().map(Some).ok_or_else(|| {
+                    out_of_range(format!("the list has {} items, counted from 0", items.len()))
+                })
+            }
             (Value::Matrix(matrix), Some([i, j])) => {
                 let entry = i.checked_sub(1).zip(j.checked_sub(1)).and_then(|place| matrix.get(place));
                 entry.cloned().map(|x| Some(Value::Scalar(x))).ok_or_else(|| {

@@ -62,9 +62,7 @@ fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
 fn poly_terms(p: &MultiPoly) -> Vec<Term> {
     p.terms(MonomialOrder::GrLex)
         .into_iter()
-        .map(|(powers, c)| {
-            exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect())
-        })
+        .map(|(powers, c)| exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect()))
         .collect()
 }
 
@@ -80,10 +78,8 @@ pub fn polynomial_expr(f: &Fraction) -> Expr {
         None => {
             let (numerator, denominator) = (f.numerator(), f.denominator());
             // −(a/b) reads better than (−a)/b.
-            let leads_negative = numerator
-                .terms(MonomialOrder::GrLex)
-                .first()
-                .is_some_and(|(_, c)| c.is_negative());
+            let leads_negative =
+                numerator.terms(MonomialOrder::GrLex).first().is_some_and(|(_, c)| c.is_negative());
             if leads_negative {
                 poly_expr(&-numerator.clone()).over(poly_expr(denominator)).negated()
             } else {
@@ -145,9 +141,7 @@ fn elementary_expr(arguments: &[Expr], k: usize, notation: Notation) -> Option<E
         let first: Vec<usize> = (0..k).collect();
         let last: Vec<usize> = (n - k..n).collect();
         let middle = Expr::from(Kind::Ellipsis);
-        return Some(
-            Expr::sum(vec![plus(product(&first)), plus(middle), plus(product(&last))]).grouped(),
-        );
+        return Some(Expr::sum(vec![plus(product(&first)), plus(middle), plus(product(&last))]).grouped());
     }
     budget::charge_terms(count as u64);
     let terms = Combinations::new(n, k).map(|chosen| plus(product(&chosen))).collect();
@@ -214,12 +208,7 @@ fn flattened(term: Term) -> Term {
     Term { sign: term.sign, expr: Expr::product(flat) }
 }
 
-fn tensor_body(
-    form: &TensorPolarForm<Fraction>,
-    u: &[Expr],
-    v: &[Expr],
-    notation: Notation,
-) -> Expr {
+fn tensor_body(form: &TensorPolarForm<Fraction>, u: &[Expr], v: &[Expr], notation: Notation) -> Expr {
     let (m, n) = form.degrees();
     let mut terms = Vec::new();
     let grid = form.coefficients();
@@ -246,11 +235,7 @@ fn tensor_body(
     Expr::sum(terms)
 }
 
-fn total_body(
-    form: &TotalDegreePolarForm<Fraction>,
-    points: &[Vec<Expr>],
-    notation: Notation,
-) -> Expr {
+fn total_body(form: &TotalDegreePolarForm<Fraction>, points: &[Vec<Expr>], notation: Notation) -> Expr {
     let d = form.degree();
     let mut ordered: Vec<(&[u32], &Fraction)> = form.terms().collect();
     ordered.sort_by_key(|(exponents, _)| {
@@ -332,10 +317,8 @@ impl Polar {
                 tensor_body(form, &flat(&arguments[0]), &flat(&arguments[1]), notation)
             }
             PolarKind::Total(form) => {
-                let points: Vec<Vec<Expr>> = arguments[0]
-                    .iter()
-                    .map(|point| point.iter().map(symbol_expr).collect())
-                    .collect();
+                let points: Vec<Vec<Expr>> =
+                    arguments[0].iter().map(|point| point.iter().map(symbol_expr).collect()).collect();
                 total_body(form, &points, notation)
             }
         }

@@ -47,10 +47,8 @@ pub static BUILTINS: &[&Builtin] = &{
         }
         list
     }
-    const COUNT: usize = polar::TABLE.len()
-        + polynomials::TABLE.len()
-        + matrices::TABLE.len()
-        + numbers::TABLE.len();
+    const COUNT: usize =
+        polar::TABLE.len() + polynomials::TABLE.len() + matrices::TABLE.len() + numbers::TABLE.len();
     all::<COUNT>([polar::TABLE, polynomials::TABLE, matrices::TABLE, numbers::TABLE])
 };
 

@@ -1,0 +1,210 @@
+//! The arguments of the command line.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::blossom::Method;
+use crate::budget::Limits;
+use crate::value::Notation;
+use crate::write::Format;
+
+const EXAMPLES: &str = "\
+Examples:
+  polarform polar \"t^3 + 3t^2 + 5t + 1\"
+  polarform polar \"t^2\" --degree 3 --format latex
+  polarform product \"t^2 + 2t\" \"t^3 + 1\"
+  polarform check \"f(0,1) = 1/2\" --given \"f := polar(t^2 + t)\"
+  polarform eval \"f := polar(t^3)\" \"f(0, 1, hat(1))\"
+
+Exit status: 0 done, all claims true; 1 a claim is refuted; 2 not read or not decided.";
+
+/// Exact polynomials and their polar forms (blossoms): ask, write, check.
+#[derive(Debug, Parser)]
+#[command(name = "polarform", version, about, after_help = EXAMPLES, propagate_version = true)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    pub global: Global,
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// Options of every command.
+#[derive(Debug, Args)]
+pub(super) struct Global {
+    /// How to print results
+    #[arg(long, global = true, default_value = "text", value_name = "FORMAT",
+          value_parser = parse_format, help = "Output: text, unicode, latex, json or sympy")]
+    pub format: Format,
+    /// How to write polar forms
+    #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
+    pub notation: NotationArgument,
+    /// Color of messages
+    #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
+    pub color: Color,
+    /// Time allowed for each statement (0: no limit)
+    #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
+    pub timeout: f64,
+    /// Number of terms a value may have
+    #[arg(long, global = true, default_value_t = 4_000_000, value_name = "N")]
+    pub max_terms: u64,
+}
+
+fn parse_format(text: &str) -> Result<Format, String> {
+    text.parse()
+}
+
+fn parse_method(text: &str) -> Result<Method, String> {
+    text.parse()
+}
+
+impl Global {
+    /// The limits they ask for.
+    pub fn limits(&self) -> Limits {
+        let time = (self.timeout > 0.0 && self.timeout.is_finite())
+            .then(|| Duration::try_from_secs_f64(self.timeout).ok())
+            .flatten();
+        Limits { time, terms: self.max_terms, ..Limits::default() }
+    }
+
+    /// The notation for polar forms.
+    pub fn notation(&self) -> Notation {
+        match self.notation {
+            NotationArgument::Grouped => Notation::Grouped,
+            NotationArgument::Expanded => Notation::Expanded,
+            NotationArgument::Sigma => Notation::Sigma,
+            NotationArgument::Ellipsis => Notation::Ellipsis,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum NotationArgument {
+    /// 5/3 (t1 + t2 + t3)
+    Grouped,
+    /// 5/3 t1 + 5/3 t2 + 5/3 t3
+    Expanded,
+    /// 5 sigma_{1,3}(t1, t2, t3)
+    Sigma,
+    /// 1/10 (t1 t2 + ... + t4 t5)
+    Ellipsis,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum Color {
+    /// On a terminal
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Evaluate expressions, one after the other
+    #[command(after_help = "Example:\n  polarform eval \"F(t) := t^2 + 2t\" \"polar(F)(0, 1)\"")]
+    Eval {
+        /// Statements; ';' separates several in one argument
+        #[arg(required = true, value_name = "EXPR")]
+        statements: Vec<String>,
+    },
+    /// Run a script of statements
+    Run {
+        /// The file ('-' for standard input)
+        file: PathBuf,
+        /// Stop at the first error
+        #[arg(long)]
+        stop: bool,
+    },
+    /// The polar form of a polynomial
+    #[command(after_help = "Examples:\n  \
+        polarform polar \"t^3 + 3t^2 + 5t + 1\"\n  \
+        polarform polar \"t^2 + 2t\" --degree 3 --at \"0, 1/2, hat(1)\"\n  \
+        polarform polar \"c_0 + c_1 t + c_2 t^2\" --method taylor --steps")]
+    Polar {
+        /// The polynomial, in plain notation or LaTeX
+        polynomial: String,
+        /// The number of arguments (the degree of the polynomial if not given)
+        #[arg(long, short = 'n', value_name = "N")]
+        degree: Option<usize>,
+        /// The variable, if there are several symbols
+        #[arg(long, value_name = "NAME")]
+        variable: Option<String>,
+        /// How to derive it
+        #[arg(long, value_parser = parse_method, default_value = "elementary", value_name = "METHOD",
+              help = "elementary, probability, taylor, parts, laguerre or bezier")]
+        method: Method,
+        /// The value at these arguments; hat(v) is a vector
+        #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true)]
+        at: Option<String>,
+        /// Show the steps
+        #[arg(long)]
+        steps: bool,
+    },
+    /// The polar form of a sum F + G
+    Sum(Two),
+    /// The polar form of a product F G
+    Product(Two),
+    /// The polar form of a composition F(G(t))
+    Compose(Two),
+    /// The matrix between two polynomial bases
+    #[command(after_help = "Examples:\n  \
+        polarform matrix --degree 3                       A_3, Bézier points to powers\n  \
+        polarform matrix --degree 3 --inverse\n  \
+        polarform matrix --degree 2 --raise-to 3\n  \
+        polarform matrix --degree 2 --interval r,s --format latex")]
+    Matrix {
+        /// The degree
+        #[arg(long, short = 'n', value_name = "N")]
+        degree: usize,
+        /// The basis of the given coefficients: power, bernstein, or e.g. [lagrange, 0, 1/2, 1]
+        #[arg(long, default_value = "bernstein", value_name = "BASIS")]
+        from: String,
+        /// The basis of the wanted coefficients
+        #[arg(long, default_value = "power", value_name = "BASIS")]
+        to: String,
+        /// The inverse of that matrix
+        #[arg(long)]
+        inverse: bool,
+        /// The interval of Bernstein bases
+        #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+        interval: Option<String>,
+        /// The matrix from Bézier points of this degree to those of a higher one
+        #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
+        raise_to: Option<usize>,
+    },
+    /// Whether a claim such as "a = b" is true
+    #[command(after_help = "Example:\n  \
+        polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
+    Check {
+        /// The claim, in plain notation or LaTeX
+        claim: String,
+        /// Definitions the claim uses, in order
+        #[arg(long, value_name = "DEF")]
+        given: Vec<String>,
+    },
+    /// Explain an error code such as E304
+    Explain {
+        /// The code; without one, all codes are listed
+        code: Option<String>,
+    },
+    /// List the functions of the language, or tell about one
+    Functions {
+        /// A name
+        name: Option<String>,
+    },
+}
+
+/// Two polynomials.
+#[derive(Debug, Args)]
+pub(super) struct Two {
+    /// The first polynomial
+    pub f: String,
+    /// The second polynomial
+    pub g: String,
+    /// Show the steps
+    #[arg(long)]
+    pub steps: bool,
+}

@@ -1,0 +1,424 @@
+//! The commands: each is a short way to say a query of the language.
+
+use std::fs;
+use std::io::{self, IsTerminal, Read};
+use std::path::Path;
+
+use super::Status;
+use super::arguments::{Arguments, Command, Two};
+use super::output::{Output, Trouble};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::eval::{BUILTINS, Equals, builtin, nearest};
+use crate::expr::{Expr, Kind, Rel};
+use crate::poly::Symbol;
+use crate::session::{Answer, Failure, Session, read};
+use crate::source::{SourceFile, Span};
+use crate::value::{Value, Verdict, polar_steps, symbol_expr};
+use crate::write::{Format, write_expr};
+
+/// Why a command ends before its end.
+enum Stop {
+    Failed(Box<Failure>),
+    Trouble(Trouble),
+}
+
+impl From<Box<Failure>> for Stop {
+    fn from(failure: Box<Failure>) -> Self {
+        Stop::Failed(failure)
+    }
+}
+
+impl From<Trouble> for Stop {
+    fn from(trouble: Trouble) -> Self {
+        Stop::Trouble(trouble)
+    }
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Stop::Trouble(Trouble::Output(error))
+    }
+}
+
+type Ran = Result<Status, Stop>;
+
+pub(super) fn run(arguments: &Arguments) -> Status {
+    let output = Output::new(&arguments.global);
+    let mut session = Session::new(arguments.global.limits());
+    let result = match &arguments.command {
+        None => script(&mut session, &output, Path::new("-"), false),
+        Some(command) => dispatch(command, &mut session, &output),
+    };
+    match result {
+        Ok(status) => status,
+        Err(Stop::Failed(failure)) => {
+            output.failure(&failure);
+            Status::Failed
+        }
+        Err(Stop::Trouble(trouble)) => report(&output, &trouble, &SourceFile::new("<output>", "")),
+    }
+}
+
+/// A closed pipe ends the program quietly, as other programs do.
+fn report(output: &Output, trouble: &Trouble, file: &SourceFile) -> Status {
+    match trouble {
+        Trouble::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => Status::Fine,
+        Trouble::Output(error) => {
+            let problem = Diagnostic::error(Code::File, format!("cannot write the result: {error}"));
+            output.problem(&problem, file);
+            Status::Failed
+        }
+        Trouble::Problem(problem) => {
+            output.problem(problem, file);
+            Status::Failed
+        }
+    }
+}
+
+fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
+    match command {
+        Command::Eval { statements } => {
+            let mut status = Status::Fine;
+            for (i, text) in statements.iter().enumerate() {
+                let name =
+                    if statements.len() == 1 { "<expr>".to_owned() } else { format!("<expr {}>", i + 1) };
+                status = status.max(run_all(session, output, &SourceFile::new(name, text.as_str()), true)?);
+                if status == Status::Failed {
+                    break;
+                }
+            }
+            Ok(status)
+        }
+        Command::Run { file, stop } => script(session, output, file, *stop),
+        Command::Polar { polynomial, degree, variable, method, at, steps } => {
+            let file = SourceFile::new("<polynomial>", polynomial.as_str());
+            let value = operand(session, &file)?;
+            let mut named = vec![];
+            if let Some(degree) = degree {
+                named.push(("degree", Expr::int(i64::try_from(*degree).unwrap_or(i64::MAX))));
+            }
+            if let Some(variable) = variable {
+                let file = SourceFile::new("<variable>", variable.as_str());
+                named.push(("variable", formula(&file)?));
+            }
+            session.env.set(Symbol::new("F"), value);
+            let whole = Span::new(0, polynomial.len());
+            let polar = query(session, &file, whole, "polar", vec![Expr::name("F")], named)?;
+            let Value::Polar(form) = &polar else { return Ok(Status::Failed) };
+            if *steps {
+                for line in polar_steps(form, *method) {
+                    output.line(&written(output, &line)?)?;
+                }
+                if at.is_none() {
+                    return Ok(Status::Fine);
+                }
+            }
+            match at {
+                None => output.value(&polar, None)?,
+                Some(at) => {
+                    let file = SourceFile::new("<at>", at.as_str());
+                    let arguments = list(&file)?;
+                    session.env.set(Symbol::new("f"), polar.clone());
+                    let call = Expr::new(
+                        Kind::Apply(Box::new(Expr::name("f")), vec![arguments]),
+                        Span::new(0, at.len()),
+                    );
+                    let value = evaluated(session, &file, call.clone())?;
+                    output.value(&value, Some(call))?;
+                }
+            }
+            Ok(Status::Fine)
+        }
+        Command::Sum(two) => combine(session, output, two, "polar_sum"),
+        Command::Product(two) => combine(session, output, two, "polar_product"),
+        Command::Compose(two) => combine(session, output, two, "polar_compose"),
+        Command::Matrix { degree, from, to, inverse, interval, raise_to } => {
+            let n = Expr::int(i64::try_from(*degree).unwrap_or(i64::MAX));
+            let file = SourceFile::new("<matrix>", "");
+            let matrix = match raise_to {
+                Some(m) => {
+                    let m = Expr::int(i64::try_from(*m).unwrap_or(i64::MAX));
+                    query(session, &file, Span::default(), "raising", vec![n, m], vec![])?
+                }
+                None => {
+                    let ends = match interval {
+                        Some(interval) => list(&SourceFile::new("<interval>", interval.as_str()))?,
+                        None => Vec::new(),
+                    };
+                    let from = basis("<from>", from, &ends)?;
+                    let to = basis("<to>", to, &ends)?;
+                    let (from, to) = if *inverse { (to, from) } else { (from, to) };
+                    query(session, &file, Span::default(), "change_of_basis", vec![n, from, to], vec![])?
+                }
+            };
+            output.value(&matrix, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Check { claim, given } => check(session, output, claim, given),
+        Command::Explain { code } => explain(output, code.as_deref()),
+        Command::Functions { name } => functions(output, name.as_deref()),
+    }
+}
+
+/// `bernstein` with the interval, other bases as they are.
+fn basis(name: &str, text: &str, ends: &[Expr]) -> Result<Expr, Box<Failure>> {
+    let expr = formula(&SourceFile::new(name, text))?;
+    let bernstein = matches!(&expr.kind, Kind::Name(word) if word == "bernstein" || word == "hermite");
+    if bernstein && !ends.is_empty() {
+        let items = std::iter::once(expr).chain(ends.iter().cloned()).collect();
+        return Ok(Kind::List(items).into());
+    }
+    Ok(expr)
+}
+
+/// Reads a text as one formula.
+fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
+    read(file, None).map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
+}
+
+/// Reads `a, b, c`.
+fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
+    Ok(match formula(file)? {
+        Expr { kind: Kind::Sequence(items), .. } => items,
+        one => vec![one],
+    })
+}
+
+fn evaluated(session: &mut Session, file: &SourceFile, mut expr: Expr) -> Result<Value, Box<Failure>> {
+    match session.evaluate(&mut expr, Equals::Claims) {
+        Ok(outcome) => Ok(outcome.value),
+        Err(problem) => Err(Box::new(Failure { problem, file: file.clone() })),
+    }
+}
+
+/// The value of an operand given on the command line: `F(t) = t^2` is its right-hand side.
+fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
+    let answer = session.run_statement(file, None, Equals::DefinesUnbound)?;
+    Ok(answer.outcome.value)
+}
+
+/// name(arguments, named), with errors placed at `span` of the file.
+fn query(
+    session: &mut Session,
+    file: &SourceFile,
+    span: Span,
+    name: &str,
+    arguments: Vec<Expr>,
+    named: Vec<(&str, Expr)>,
+) -> Result<Value, Box<Failure>> {
+    let mut items = arguments;
+    items.extend(named.into_iter().map(|(name, value)| Expr::relation(Expr::name(name), Rel::Eq, value)));
+    for item in &mut items {
+        if item.span == Span::default() {
+            item.span = span;
+        }
+        if let Kind::Chain(_, links) = &mut item.kind {
+            links.iter_mut().for_each(|link| link.expr.span = span);
+        }
+    }
+    let call = Expr::new(Kind::Apply(Box::new(Expr::name(name)), vec![items]), span);
+    evaluated(session, file, call)
+}
+
+fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran {
+    let (f_file, g_file) = (SourceFile::new("<F>", two.f.as_str()), SourceFile::new("<G>", two.g.as_str()));
+    let f = operand(session, &f_file)?;
+    let g = operand(session, &g_file)?;
+    session.env.set(Symbol::new("F"), f.clone());
+    session.env.set(Symbol::new("G"), g.clone());
+    let whole = Span::new(0, two.f.len());
+    // Both operands are made polar forms first, so that what is wrong is shown where it stands.
+    let (f_name, g_name) = (Expr::name("F"), Expr::name("G"));
+    let f_polar = query(session, &f_file, whole, "polar", vec![f_name.clone()], vec![])?;
+    let g_whole = Span::new(0, two.g.len());
+    let g_polar = query(session, &g_file, g_whole, "polar", vec![g_name.clone()], vec![])?;
+    session.env.set(Symbol::new("F"), f_polar.clone());
+    session.env.set(Symbol::new("G"), g_polar.clone());
+    let value = query(session, &f_file, whole, name, vec![f_name, g_name], vec![])?;
+    if two.steps
+        && let (Value::Polar(f), Value::Polar(g), Value::Polar(result)) = (&f_polar, &g_polar, &value)
+    {
+        for line in crate::value::combination_steps(name, f, g, result) {
+            output.line(&written(output, &line)?)?;
+        }
+        return Ok(Status::Fine);
+    }
+    output.value(&value, Some(Expr::name("h")))?;
+    Ok(Status::Fine)
+}
+
+/// A step with its reason.
+fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
+    let formula = write_expr(&line.formula, output.format).map_err(|error| {
+        Trouble::Problem(Box::new(Diagnostic::error(Code::Unsupported, error.to_string())))
+    })?;
+    Ok(match output.format {
+        Format::Latex => format!("{formula} && \\text{{{}}} \\\\", line.reason),
+        Format::Json => serde_json::json!({"formula": formula, "reason": line.reason}).to_string(),
+        Format::Sympy => format!("{formula}  # {}", line.reason),
+        _ => format!("{formula}    [{}]", line.reason),
+    })
+}
+
+/// Runs all statements of a text and prints their results.
+fn run_all(session: &mut Session, output: &Output, file: &SourceFile, stop: bool) -> Ran {
+    let mut status = Status::Fine;
+    let mut ended: Option<Stop> = None;
+    session.run_file(file, |_, result| {
+        match result {
+            Ok(answer) => match show(output, &answer) {
+                Ok(shown) => status = status.max(shown),
+                Err(trouble @ Trouble::Output(_)) => {
+                    ended = Some(Stop::Trouble(trouble));
+                    return false;
+                }
+                Err(trouble) => status = status.max(report(output, &trouble, file)),
+            },
+            Err(failure) => {
+                output.failure(&failure);
+                status = Status::Failed;
+                return !stop;
+            }
+        }
+        true
+    });
+    match ended {
+        Some(stop) => Err(stop),
+        None => Ok(status),
+    }
+}
+
+/// Prints what a statement did.
+fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> {
+    for note in &answer.outcome.notes {
+        output.problem(note, &answer.file);
+    }
+    let name = answer.outcome.defined.as_ref().map(symbol_expr);
+    output.value(&answer.outcome.value, name)?;
+    Ok(match &answer.outcome.value {
+        Value::Claim(claim) => match claim.verdict() {
+            Verdict::Proved => Status::Fine,
+            Verdict::Refuted => Status::Refuted,
+            Verdict::Undecided => Status::Failed,
+        },
+        _ => Status::Fine,
+    })
+}
+
+/// Larger scripts are refused rather than read.
+const LONGEST_INPUT: u64 = 64 << 20;
+
+fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ran {
+    let standard = path == Path::new("-");
+    let name = if standard { "<stdin>".to_owned() } else { path.display().to_string() };
+    let failed = |message: String| {
+        Stop::Failed(Box::new(Failure {
+            problem: Diagnostic::error(Code::File, message),
+            file: SourceFile::new(name.clone(), ""),
+        }))
+    };
+    if standard && io::stdin().is_terminal() {
+        return Err(failed("no command given".to_owned())).inspect_err(|_| {
+            // The short help says what there is.
+            let _ = <Arguments as clap::CommandFactory>::command().print_help();
+        });
+    }
+    let mut bytes = Vec::new();
+    let result = if standard {
+        io::stdin().lock().take(LONGEST_INPUT + 1).read_to_end(&mut bytes)
+    } else {
+        fs::File::open(path).and_then(|file| file.take(LONGEST_INPUT + 1).read_to_end(&mut bytes))
+    };
+    result.map_err(|error| failed(format!("cannot read {name}: {error}")))?;
+    if bytes.len() as u64 > LONGEST_INPUT {
+        return Err(failed(format!("{name} is longer than {} MB", LONGEST_INPUT >> 20)));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        failed(format!("{name} is not UTF-8 text (byte {at})"))
+    })?;
+    let file = SourceFile::new(name.clone(), text);
+    run_all(session, output, &file, stop)
+}
+
+fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {
+    for (i, definition) in given.iter().enumerate() {
+        let file = SourceFile::new(format!("<given {}>", i + 1), definition.as_str());
+        let mut failure = None;
+        session.run_file(&file, |_, result| match result {
+            Ok(_) => true,
+            Err(problem) => {
+                failure = Some(problem);
+                false
+            }
+        });
+        if let Some(failure) = failure {
+            return Err(failure.into());
+        }
+    }
+    let file = SourceFile::new("<claim>", claim);
+    let answer = session.run_statement(&file, None, Equals::Claims)?;
+    if !matches!(answer.outcome.value, Value::Claim(_)) {
+        let problem = Diagnostic::error(Code::Usage, "nothing is claimed here")
+            .at(answer.statement.span)
+            .reason("a value, not a claim")
+            .hint("write an equation, for example \"f(0,1) = 1/2\"");
+        return Err(Box::new(Failure { problem, file }).into());
+    }
+    Ok(show(output, &answer)?)
+}
+
+fn explain(output: &Output, code: Option<&str>) -> Ran {
+    let Some(text) = code else {
+        for code in Code::ALL {
+            output.line(&format!("{}  {}", code.id(), code.title()))?;
+        }
+        return Ok(Status::Fine);
+    };
+    match text.parse::<Code>() {
+        Ok(code) => {
+            output.line(&format!("{}: {}\n", code.id(), code.title()))?;
+            for line in code.explanation().lines() {
+                output.line(line.trim())?;
+            }
+            Ok(Status::Fine)
+        }
+        Err(()) => {
+            let problem = Diagnostic::error(Code::Usage, format!("there is no code '{text}'"))
+                .hint("polarform explain lists all codes");
+            Err(Box::new(Failure { problem, file: SourceFile::new("<code>", text) }).into())
+        }
+    }
+}
+
+fn functions(output: &Output, name: Option<&str>) -> Ran {
+    match name {
+        None => {
+            let mut topic = "";
+            for entry in BUILTINS {
+                if entry.topic != topic {
+                    topic = entry.topic;
+                    output.line(&format!("{topic}:"))?;
+                }
+                output.line(&format!("  {:<42} {}", entry.signature, entry.summary))?;
+            }
+            Ok(Status::Fine)
+        }
+        Some(name) => match builtin(name) {
+            Some(entry) => {
+                output.line(entry.signature)?;
+                output.line(&format!("  {}", entry.summary))?;
+                output.line(&format!("  example: {}", entry.example))?;
+                Ok(Status::Fine)
+            }
+            None => {
+                let mut problem =
+                    Diagnostic::error(Code::UnknownFunction, format!("there is no function '{name}'"));
+                if let Some(best) = nearest(name, BUILTINS.iter().map(|b| b.name.to_owned())) {
+                    problem = problem.hint(format!("did you mean '{best}'?"));
+                }
+                Err(Box::new(Failure { problem, file: SourceFile::new("<name>", name) }).into())
+            }
+        },
+    }
+}

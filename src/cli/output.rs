@@ -1,0 +1,238 @@
+//! Printing results and problems.
+
+use std::io::{self, IsTerminal, Write};
+
+use super::arguments::{Color, Global};
+use crate::blossom::PolarForm;
+use crate::diagnostic::{Code, Diagnostic, render, render_json};
+use crate::expr::Expr;
+use crate::number::Rational;
+use crate::session::Failure;
+use crate::source::SourceFile;
+use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, symbol_expr};
+use crate::write::{Format, claim_json, text, value_json, write_expanded, write_expr};
+
+/// Where results and messages go, and how.
+pub(super) struct Output {
+    pub format: Format,
+    pub notation: Notation,
+    color: bool,
+    limits: crate::budget::Limits,
+}
+
+impl Output {
+    pub fn new(global: &Global) -> Self {
+        let color = match global.color {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+        };
+        Output { format: global.format, notation: global.notation(), color, limits: global.limits() }
+    }
+
+    /// One line of results.
+    pub fn line(&self, line: &str) -> io::Result<()> {
+        let mut out = io::stdout().lock();
+        out.write_all(line.as_bytes())?;
+        out.write_all(b"\n")
+    }
+
+    /// A problem, on standard error.
+    pub fn problem(&self, problem: &Diagnostic, file: &SourceFile) {
+        let text = match self.format {
+            Format::Json => render_json(problem, file).to_string(),
+            _ => render(problem, file, self.color),
+        };
+        // When standard error is gone there is nobody left to tell.
+        let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+
+    /// A statement that failed.
+    pub fn failure(&self, failure: &Failure) {
+        self.problem(&failure.problem, &failure.file);
+    }
+
+    /// A value. Writing can fail, and a value can be too large to write out.
+    pub fn value(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {
+        match value {
+            Value::Polar(polar) => self.polar(polar, name),
+            Value::Claim(claim) => self.claim(claim),
+            Value::Text(words) if self.format != Format::Json => Ok(self.line(words)?),
+            Value::List(items)
+                if !items.is_empty()
+                    && self.format != Format::Json
+                    && items.iter().all(|item| matches!(item, Value::Text(_))) =>
+            {
+                for item in items {
+                    self.value(item, None)?;
+                }
+                Ok(())
+            }
+            _ => self.plain(value, name),
+        }
+    }
+
+    fn plain(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {
+        let line = self.limited(|| match self.format {
+            Format::Json => Ok(value_json(value, self.notation).to_string()),
+            _ => {
+                let expr = value.to_expr_in(self.notation);
+                match (name, value) {
+                    (Some(name), Value::Function(_)) if self.format == Format::Sympy => {
+                        drop(name);
+                        write_expr(&expr, self.format)
+                    }
+                    (Some(name), _)
+                        if !matches!(value, Value::Function(_)) && self.format != Format::Sympy =>
+                    {
+                        let body = write_expr(&expr, self.format)?;
+                        let separator = if body.contains('\n') { " =\n" } else { " = " };
+                        Ok(write_expr(&name, self.format)? + separator + &body)
+                    }
+                    _ => write_expr(&expr, self.format),
+                }
+            }
+        })?;
+        Ok(self.line(&line)?)
+    }
+
+    fn polar(&self, polar: &Polar, name: Option<Expr>) -> Result<(), Trouble> {
+        if self.notation == Notation::Expanded
+            && self.format != Format::Json
+            && let PolarKind::Univariate(form) = &polar.kind
+            && let Some(form) = rational(form)
+        {
+            return self.stream(polar, &form, name);
+        }
+        let line = self.limited(|| match self.format {
+            Format::Json => {
+                Ok(value_json(&Value::Polar(std::sync::Arc::new(polar.clone())), self.notation).to_string())
+            }
+            Format::Sympy => write_expr(&polar.body(self.notation), self.format),
+            _ => {
+                let name = name.unwrap_or_else(|| Expr::name("f"));
+                write_expr(&polar.equation(name, self.notation), self.format)
+            }
+        })?;
+        Ok(self.line(&line)?)
+    }
+
+    /// The expanded form, written without being built.
+    fn stream(&self, polar: &Polar, form: &PolarForm<Rational>, name: Option<Expr>) -> Result<(), Trouble> {
+        let written =
+            |expr: &Expr| write_expr(expr, self.format).map_err(|e| Trouble::problem(e.to_string()));
+        let names: Result<Vec<String>, Trouble> =
+            polar.arguments()[0].iter().map(|argument| written(&symbol_expr(&argument[0]))).collect();
+        let names = names?;
+        let left = polar.call(name.unwrap_or_else(|| Expr::name("f")));
+        let head = if self.format == Format::Sympy { String::new() } else { written(&left)? + " = " };
+        let mut out = io::stdout().lock();
+        let result = crate::budget::run(&self.limits, || {
+            out.write_all(head.as_bytes())?;
+            write_expanded(&mut out, form, &names, self.format)?;
+            out.write_all(b"\n")
+        });
+        result
+            .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))?
+            .map_err(Trouble::Output)
+    }
+
+    /// Builds a text under the limits.
+    fn limited(
+        &self,
+        build: impl FnOnce() -> Result<String, crate::write::NotExpressible>,
+    ) -> Result<String, Trouble> {
+        crate::budget::run(&self.limits, build)
+            .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))?
+            .map_err(|error| Trouble::problem(error.to_string()))
+    }
+
+    /// The verdicts of a chain of relations.
+    pub fn claim(&self, claim: &Claim) -> Result<(), Trouble> {
+        if self.format == Format::Json {
+            return Ok(self.line(&claim_json(claim).to_string())?);
+        }
+        if self.format == Format::Sympy {
+            let word = match claim.verdict() {
+                Verdict::Proved => "True",
+                Verdict::Refuted => "False",
+                Verdict::Undecided => "None",
+            };
+            return Ok(self.line(word)?);
+        }
+        let several = claim.judgements.len() > 1;
+        for (i, judgement) in claim.judgements.iter().enumerate() {
+            let start = if several { format!("relation {}: ", i + 1) } else { String::new() };
+            let word = match judgement.verdict {
+                Verdict::Proved => "true",
+                Verdict::Refuted => "false",
+                Verdict::Undecided => "undecided",
+            };
+            self.line(&format!("{start}{word}"))?;
+            if judgement.verdict == Verdict::Proved {
+                continue;
+            }
+            for reason in &judgement.reasons {
+                self.line(&format!("  {reason}"))?;
+            }
+            if judgement.verdict == Verdict::Refuted {
+                self.side("left side", &judgement.left)?;
+                self.side("right side", &judgement.right)?;
+                if let Some(difference) = &judgement.difference {
+                    self.side("left - right", difference)?;
+                }
+            }
+            if let Some(witness) = &judgement.witness
+                && !witness.assignment.is_empty()
+            {
+                let at: Vec<String> = witness
+                    .assignment
+                    .iter()
+                    .map(|(symbol, value)| format!("{} = {value}", text(&symbol_expr(symbol))))
+                    .collect();
+                self.line(&format!(
+                    "  for {}: left {}, right {}",
+                    at.join(", "),
+                    witness.left,
+                    witness.right
+                ))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn side(&self, label: &str, value: &Value) -> Result<(), Trouble> {
+        /// Longer formulas are not repeated in a report.
+        const LONGEST: usize = 2000;
+        let body = self.limited(|| write_expr(&value.to_expr(), self.format))?;
+        let shown = if body.len() > LONGEST { format!("({} characters)", body.len()) } else { body };
+        let separator = if shown.contains('\n') { "\n" } else { " " };
+        Ok(self.line(&format!("  {label}:{separator}{shown}"))?)
+    }
+}
+
+/// Why something could not be printed.
+pub(super) enum Trouble {
+    /// Standard output is closed or full.
+    Output(io::Error),
+    /// The value has no such form.
+    Problem(Box<Diagnostic>),
+}
+
+impl Trouble {
+    fn problem(message: String) -> Self {
+        Trouble::Problem(Box::new(Diagnostic::error(Code::Unsupported, message)))
+    }
+}
+
+impl From<io::Error> for Trouble {
+    fn from(error: io::Error) -> Self {
+        Trouble::Output(error)
+    }
+}
+
+/// The form over Q, if all coefficients are numbers.
+fn rational(form: &PolarForm<crate::poly::Fraction>) -> Option<PolarForm<Rational>> {
+    let list: Option<Vec<Rational>> = form.coefficients().iter().map(|c| c.as_rational()).collect();
+    list.map(PolarForm::new)
+}

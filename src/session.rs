@@ -1,0 +1,194 @@
+//! One input, one outcome: reading, evaluating under limits, keeping or dropping the result.
+//!
+//! A statement is evaluated against a copy of the names (copies are cheap) and its definition
+//! is kept only when everything went well: a failed line changes nothing.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::budget::{self, Limits, Stop};
+use crate::diagnostic::{Code, Diagnostic};
+use crate::eval::{self, Env, Equals, Outcome};
+use crate::expr::Expr;
+use crate::poly::Symbol;
+use crate::source::{SourceFile, Span};
+use crate::{latex, syntax};
+
+/// A statement that failed, with the text it was read from.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// What is wrong.
+    pub problem: Diagnostic,
+    /// Where it was read.
+    pub file: SourceFile,
+}
+
+/// The outcome of one statement, with the text it was read from.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The statement as read.
+    pub statement: Expr,
+    /// What it did.
+    pub outcome: Outcome,
+    /// Where it was read.
+    pub file: SourceFile,
+}
+
+/// Names and limits of a sequence of statements.
+///
+/// ```
+/// use polarform::session::Session;
+/// let mut session = Session::default();
+/// session.run("f := polar(t^2 + 2t)").unwrap();
+/// let answer = session.run("f(0, 1)").unwrap();
+/// assert_eq!(answer.outcome.value.as_int(), Some(1));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Session {
+    /// The names defined so far.
+    pub env: Env,
+    /// The limits of each statement.
+    pub limits: Limits,
+}
+
+impl Session {
+    /// A session with the given limits.
+    pub fn new(limits: Limits) -> Self {
+        Session { env: Env::default(), limits }
+    }
+
+    /// Runs one statement given as text.
+    ///
+    /// # Errors
+    /// The problem with its place; the session is as before.
+    pub fn run(&mut self, text: &str) -> Result<Answer, Box<Failure>> {
+        self.run_statement(&SourceFile::new("<query>", text), None, Equals::DefinesUnbound)
+    }
+
+    /// Runs a part of a file (or all of it) as one statement.
+    ///
+    /// # Errors
+    /// As for [`Session::run`].
+    pub fn run_statement(
+        &mut self,
+        file: &SourceFile,
+        part: Option<Span>,
+        equals: Equals,
+    ) -> Result<Answer, Box<Failure>> {
+        let fail = |problem| Box::new(Failure { problem, file: file.clone() });
+        let limits = self.limits.clone();
+        let mut statement = guarded(&limits, || read(file, part)).map_err(fail)?;
+        let outcome = self.evaluate(&mut statement, equals).map_err(fail)?;
+        Ok(Answer { statement, outcome, file: file.clone() })
+    }
+
+    /// Evaluates a formula that has been read already.
+    ///
+    /// # Errors
+    /// The problem with its place; the session is as before.
+    pub fn evaluate(&mut self, statement: &mut Expr, equals: Equals) -> Result<Outcome, Diagnostic> {
+        let mut env = self.env.clone();
+        let limits = self.limits.clone();
+        let outcome = guarded(&limits, || eval::evaluate(statement, &mut env, equals))?;
+        if outcome.defined.is_none() {
+            env.set(Symbol::new("ans"), outcome.value.clone());
+        }
+        self.env = env;
+        Ok(outcome)
+    }
+
+    /// Runs all statements of a file, one after the other, calling `each` after every one.
+    /// `each` says whether to go on.
+    pub fn run_file(
+        &mut self,
+        file: &SourceFile,
+        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
+    ) {
+        let spans = match syntax::statements(file.text()) {
+            Ok(spans) => spans,
+            Err(problem) => {
+                each(self, Err(Box::new(Failure { problem, file: file.clone() })));
+                return;
+            }
+        };
+        for span in spans {
+            let result = self.run_statement(file, Some(span), Equals::DefinesUnbound);
+            if !each(self, result) {
+                return;
+            }
+        }
+    }
+}
+
+/// Reads plain notation or LaTeX, whichever it looks like; spans count from the start of the file.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn read(file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
+    let span = part.unwrap_or(Span::new(0, file.text().len()));
+    let text = file.slice(span);
+    let result = if syntax::looks_like_latex(text) { latex::read(text) } else { syntax::parse(text) };
+    match result {
+        Ok(mut expr) => {
+            expr.shift(span.start);
+            Ok(expr)
+        }
+        Err(mut problem) => {
+            problem.span = problem.span.map(|place| place.shifted(span.start));
+            problem.labels.iter_mut().for_each(|label| label.span = label.span.shifted(span.start));
+            Err(problem)
+        }
+    }
+}
+
+/// Runs `work` under limits; what stops it becomes a diagnostic, and so does a defect of ours.
+fn guarded<T>(limits: &Limits, work: impl FnOnce() -> Result<T, Diagnostic>) -> Result<T, Diagnostic> {
+    match catch_unwind(AssertUnwindSafe(|| budget::run(limits, work))) {
+        Ok(Ok(result)) => result,
+        Ok(Err(stop)) => Err(stopped(&stop)),
+        Err(_) => Err(Diagnostic::error(Code::Internal, "polarform met a defect of its own")
+            .hint("please report the input that led here")),
+    }
+}
+
+/// The diagnostic for a computation that was stopped.
+pub(crate) fn stopped(stop: &Stop) -> Diagnostic {
+    match stop {
+        Stop::Time(_) => {
+            Diagnostic::error(Code::Timeout, stop.to_string()).hint("allow more time with --timeout SECONDS")
+        }
+        Stop::Terms { .. } => Diagnostic::error(Code::TooManyTerms, stop.to_string())
+            .hint("allow more with --max-terms N, or print in short form with --notation sigma"),
+        Stop::Bits { .. } => Diagnostic::error(Code::TooManyDigits, stop.to_string()),
+        Stop::Interrupted => Diagnostic::error(Code::Interrupted, "interrupted"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_statement_changes_nothing() {
+        let mut session = Session::default();
+        session.run("a := 3").unwrap();
+        let before = session.env.clone();
+        for bad in ["a := 1/0", "b := nonsense", "(((", "F(t) := wrongname(t)"] {
+            assert!(session.run(bad).is_err(), "{bad}");
+            assert_eq!(session.env, before, "{bad}");
+        }
+    }
+
+    #[test]
+    fn limits_stop_what_is_absurd() {
+        let mut session = Session::default();
+        for (text, code) in [
+            ("(t+1)^1000000000", Code::TooManyTerms),
+            ("t^99999999999999999999", Code::TooManyTerms),
+            ("2^(10^9)", Code::TooManyDigits),
+            ("100000000!", Code::TooManyDigits),
+        ] {
+            let failure = session.run(text).unwrap_err();
+            assert_eq!(failure.problem.code, code, "{text}");
+        }
+    }
+}

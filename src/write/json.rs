@@ -1,0 +1,141 @@
+//! Values and verdicts as JSON. Numbers are strings such as "5/3", so that nothing is lost.
+
+use serde_json::{Value as Json, json};
+
+use super::{latex, text};
+use crate::expr::Rel;
+use crate::poly::{Fraction, Symbol};
+use crate::value::{Claim, Notation, Polar, PolarKind, Value};
+
+fn scalar(f: &Fraction) -> String {
+    text(&crate::value::polynomial_expr(f))
+}
+
+/// A value with its kind, its data, and its text and LaTeX.
+///
+/// ```
+/// use polarform::{value::Value, write::value_json};
+/// assert_eq!(value_json(&Value::int(3), Default::default())["number"], "3");
+/// ```
+pub fn value_json(value: &Value, notation: Notation) -> Json {
+    match value {
+        Value::Scalar(f) => match (f.as_rational(), f.as_polynomial()) {
+            (Some(q), _) => json!({"kind": "number", "number": q.to_string(),
+                "text": q.to_string(), "latex": latex(&value.to_expr())}),
+            (None, Some(p)) => {
+                let terms: Vec<Json> = p
+                    .terms(crate::poly::MonomialOrder::GrLex)
+                    .into_iter()
+                    .map(|(powers, c)| {
+                        let powers: serde_json::Map<String, Json> =
+                            powers.into_iter().map(|(symbol, e)| (symbol.to_string(), json!(e))).collect();
+                        json!({"coefficient": c.to_string(), "powers": powers})
+                    })
+                    .collect();
+                json!({"kind": "polynomial", "terms": terms, "text": scalar(f),
+                    "latex": latex(&value.to_expr())})
+            }
+            _ => json!({"kind": "fraction",
+                "numerator": scalar(&Fraction::from(f.numerator().clone())),
+                "denominator": scalar(&Fraction::from(f.denominator().clone())),
+                "text": scalar(f), "latex": latex(&value.to_expr())}),
+        },
+        Value::Vector(f) => json!({"kind": "vector", "coordinate": scalar(f),
+            "text": text(&value.to_expr()), "latex": latex(&value.to_expr())}),
+        Value::Polar(polar) => polar_json(polar, notation),
+        Value::Function(_) | Value::Builtin(_) => json!({"kind": "function",
+            "text": text(&value.to_expr()), "latex": latex(&value.to_expr())}),
+        Value::List(items) => json!({"kind": "list",
+            "items": items.iter().map(|item| value_json(item, notation)).collect::<Vec<_>>()}),
+        Value::Matrix(matrix) => {
+            let rows: Vec<Vec<String>> = (0..matrix.nrows())
+                .map(|i| (0..matrix.ncols()).map(|j| scalar(&matrix[(i, j)])).collect())
+                .collect();
+            json!({"kind": "matrix", "rows": rows, "latex": latex(&value.to_expr())})
+        }
+        Value::Claim(claim) => claim_json(claim),
+        Value::Text(words) => json!({"kind": "text", "text": words}),
+    }
+}
+
+fn polar_json(polar: &Polar, notation: Notation) -> Json {
+    let groups: Vec<Json> = polar
+        .arguments()
+        .iter()
+        .map(|group| {
+            group
+                .iter()
+                .map(|argument| match argument.as_slice() {
+                    [one] => json!(one.to_string()),
+                    many => json!(many.iter().map(Symbol::to_string).collect::<Vec<_>>()),
+                })
+                .collect()
+        })
+        .collect();
+    let (form, coefficients) = match &polar.kind {
+        PolarKind::Univariate(form) => {
+            ("univariate", json!(form.coefficients().iter().map(scalar).collect::<Vec<_>>()))
+        }
+        PolarKind::Tensor(form) => {
+            let rows: Vec<Vec<String>> =
+                form.coefficients().iter().map(|row| row.iter().map(scalar).collect()).collect();
+            ("tensor", json!(rows))
+        }
+        PolarKind::Total(form) => {
+            let terms: Vec<Json> =
+                form.terms().map(|(e, c)| json!({"exponents": e, "coefficient": scalar(c)})).collect();
+            ("total", json!(terms))
+        }
+    };
+    let body = polar.body(notation);
+    json!({"kind": "polar", "form": form, "degree": polar.arity(), "arguments": groups,
+        "coefficients": coefficients, "text": text(&body), "latex": latex(&body)})
+}
+
+/// A claim with the verdict of each relation.
+pub fn claim_json(claim: &Claim) -> Json {
+    let relations: Vec<Json> = claim
+        .judgements
+        .iter()
+        .map(|judgement| {
+            let witness = judgement.witness.as_ref().map(|witness| {
+                let at: serde_json::Map<String, Json> = witness
+                    .assignment
+                    .iter()
+                    .map(|(symbol, value)| (symbol.to_string(), json!(value.to_string())))
+                    .collect();
+                json!({"at": at, "left": witness.left.to_string(), "right": witness.right.to_string()})
+            });
+            json!({
+                "relation": relation(judgement.rel),
+                "verdict": judgement.verdict.word(),
+                "left": text(&judgement.left.to_expr()),
+                "right": text(&judgement.right.to_expr()),
+                "difference": judgement.difference.as_ref().map(|d| text(&d.to_expr())),
+                "witness": witness,
+                "reasons": judgement.reasons,
+            })
+        })
+        .collect();
+    json!({"kind": "claim", "verdict": claim.verdict().word(), "relations": relations})
+}
+
+fn relation(rel: Rel) -> &'static str {
+    match rel {
+        Rel::Eq | Rel::Define => "=",
+        Rel::Ne => "!=",
+        Rel::Lt => "<",
+        Rel::Le => "<=",
+        Rel::Gt => ">",
+        Rel::Ge => ">=",
+        Rel::Equiv => "≡",
+        Rel::Approx => "≈",
+        Rel::In => "in",
+        Rel::Subset => "⊆",
+        Rel::To => "→",
+        Rel::MapsTo => "↦",
+        Rel::Implies => "⇒",
+        Rel::Iff => "⇔",
+        Rel::Colon => ":",
+    }
+}
