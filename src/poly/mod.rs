@@ -1,1 +1,14 @@
 //! Polynomials in one and in several variables, and their fractions.
+
+mod dense;
+mod dense_compose;
+mod dense_modular;
+mod dense_ntt;
+mod univariate;
+mod univariate_gcd;
+mod univariate_ops;
+mod univariate_roots;
+#[cfg(test)]
+mod univariate_tests;
+
+pub use univariate::Poly;
