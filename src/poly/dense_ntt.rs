@@ -146,10 +146,10 @@ fn residues(field: &Modulus, digits: &[i128], count: usize, plan: &Plan) -> Vec<
     out
 }
 
-/// Fills z with Montgomery forms: z[0] = 1, z[1]² = −1, z[2s]² = z[s], z[2s+1]² = −z[s].
+/// Fills z with Montgomery forms of roots of unity: z_0 = 1, z_1² = −1, z_{2s}² = z_s, z_{2s+1}² = −z_s.
 ///
 /// Block s of a level stands for the residue modulo x^{2m} − c; the two halves of the
-/// block become the residues modulo x^m − z[s] and x^m + z[s]. Because the same z
+/// block become the residues modulo x^m − z_s and x^m + z_s. Because the same z
 /// serves every level, one table is enough.
 fn fill_roots(field: &Modulus, generator: u64, length: usize, z: &mut Vec<u64>) {
     let count = (length.next_power_of_two() / 2).max(2);
@@ -243,7 +243,7 @@ fn pointwise(field: &Modulus, x: &mut [u64], y: &[u64]) {
 /// Undoes [`forward`] up to the factor in [`pointwise`]; leaves coefficients in 0..p. Inverts the table.
 fn backward(field: &Modulus, z: &mut [u64], x: &mut [u64]) {
     let i = z[1];
-    // z[s] = w^{r(s)} with r(s) the reversed bits of s, for w of order 2·len: the inverses are,
+    // z_s = w^{r(s)} with r(s) the reversed bits of s, for w of order 2·len: the inverses are,
     // within each power-of-two range of s, the negatives in reverse order.
     let mut from = 1;
     while from < z.len() {

@@ -420,7 +420,8 @@ impl Poly {
             return self.clone();
         }
         let n = self.num.len() - 1;
-        budget::charge_bits(a.denom().bits().saturating_sub(1).saturating_mul(n as u64));
+        let bits = |x: &Int| x.bits().saturating_sub(1).saturating_mul(n as u64);
+        budget::charge_bits(bits(a.numer()).max(bits(a.denom())));
         let num = dense_compose::shifted(&self.num, a.numer(), a.denom());
         let den = &self.den * a.denom().pow(n as u32);
         Poly::reduced(num, den.clone(), &den)
