@@ -54,6 +54,15 @@ impl Int {
         }
     }
 
+    /// The value as a borrowed [`BigInt`] when it does not fit in a word, at no cost.
+    #[inline]
+    pub(crate) fn as_big(&self) -> Option<&BigInt> {
+        match &self.0 {
+            Small(_) => None,
+            Big(b) => Some(b),
+        }
+    }
+
     /// The value as a [`BigInt`] (allocates).
     pub fn to_big(&self) -> BigInt {
         match &self.0 {

@@ -9,3 +9,15 @@ mod symbol;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
 pub use symbol::{Index, Symbol};
+mod dense;
+mod dense_compose;
+mod dense_modular;
+mod dense_ntt;
+mod univariate;
+mod univariate_gcd;
+mod univariate_ops;
+mod univariate_roots;
+#[cfg(test)]
+mod univariate_tests;
+
+pub use univariate::Poly;
