@@ -173,6 +173,11 @@ impl Lexer<'_> {
     fn word(&mut self, start: usize) -> Lexed {
         self.skip(chars::is_letter);
         let index = self.last() == Some(TokenKind::Underscore);
+        // polar_sum is one word; a_xy and sigma_xy are names with an index.
+        while !index && joins_words(&self.text[start..self.at], &self.text[self.at..]) {
+            self.at += 1;
+            self.skip(chars::is_letter);
+        }
         let kind = match &self.text[start..self.at] {
             "in" if !index => TokenKind::Relation(Rel::In),
             "if" if !index => TokenKind::If,
@@ -309,4 +314,10 @@ fn run_bracket(c: char) -> Option<Bracket> {
     } else {
         None
     }
+}
+
+/// Whether an underscore joins two words: two letters or more on both sides, no Greek letter.
+fn joins_words(word: &str, rest: &str) -> bool {
+    let letters = |text: &str| text.chars().take_while(|c| c.is_ascii_lowercase()).count() > 1;
+    letters(word) && chars::greek_char(word).is_none() && rest.strip_prefix('_').is_some_and(letters)
 }
