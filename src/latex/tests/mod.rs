@@ -1,0 +1,5 @@
+mod problems;
+mod properties;
+mod rows;
+mod sexpr;
+mod trees;
