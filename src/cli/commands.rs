@@ -17,7 +17,7 @@ use crate::value::{Value, Verdict, polar_steps, symbol_expr};
 use crate::write::{Format, write_expr};
 
 /// Why a command ends before its end.
-enum Stop {
+pub(super) enum Stop {
     Failed(Box<Failure>),
     Trouble(Trouble),
 }
@@ -40,12 +40,13 @@ impl From<io::Error> for Stop {
     }
 }
 
-type Ran = Result<Status, Stop>;
+pub(super) type Ran = Result<Status, Stop>;
 
 pub(super) fn run(arguments: &Arguments) -> Status {
-    let output = Output::new(&arguments.global);
+    let mut output = Output::new(&arguments.global);
     let mut session = Session::new(arguments.global.limits());
     let result = match &arguments.command {
+        None if io::stdin().is_terminal() => return super::repl::run(&mut session, &mut output),
         None => script(&mut session, &output, Path::new("-"), false),
         Some(command) => dispatch(command, &mut session, &output),
     };
@@ -56,6 +57,14 @@ pub(super) fn run(arguments: &Arguments) -> Status {
             Status::Failed
         }
         Err(Stop::Trouble(trouble)) => report(&output, &trouble, &SourceFile::new("<output>", "")),
+    }
+}
+
+/// For callers without a status to give: a failure in words.
+pub(super) fn settle(stop: Stop) -> Result<(), Trouble> {
+    match stop {
+        Stop::Failed(failure) => Err(Trouble::Problem(Box::new(failure.problem))),
+        Stop::Trouble(trouble) => Err(trouble),
     }
 }
 
@@ -248,7 +257,7 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
 }
 
 /// A step with its reason.
-fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
+pub(super) fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
     let formula = write_expr(&line.formula, output.format).map_err(|error| {
         Trouble::Problem(Box::new(Diagnostic::error(Code::Unsupported, error.to_string())))
     })?;
@@ -289,7 +298,7 @@ fn run_all(session: &mut Session, output: &Output, file: &SourceFile, stop: bool
 }
 
 /// Prints what a statement did.
-fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> {
+pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> {
     for note in &answer.outcome.notes {
         output.problem(note, &answer.file);
     }
@@ -317,12 +326,6 @@ fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ra
             file: SourceFile::new(name.clone(), ""),
         }))
     };
-    if standard && io::stdin().is_terminal() {
-        return Err(failed("no command given".to_owned())).inspect_err(|_| {
-            // The short help says what there is.
-            let _ = <Arguments as clap::CommandFactory>::command().print_help();
-        });
-    }
     let mut bytes = Vec::new();
     let result = if standard {
         io::stdin().lock().take(LONGEST_INPUT + 1).read_to_end(&mut bytes)
@@ -368,7 +371,7 @@ fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) 
     Ok(show(output, &answer)?)
 }
 
-fn explain(output: &Output, code: Option<&str>) -> Ran {
+pub(super) fn explain(output: &Output, code: Option<&str>) -> Ran {
     let Some(text) = code else {
         for code in Code::ALL {
             output.line(&format!("{}  {}", code.id(), code.title()))?;
@@ -391,7 +394,7 @@ fn explain(output: &Output, code: Option<&str>) -> Ran {
     }
 }
 
-fn functions(output: &Output, name: Option<&str>) -> Ran {
+pub(super) fn functions(output: &Output, name: Option<&str>) -> Ran {
     match name {
         None => {
             let mut topic = "";

@@ -3,6 +3,8 @@
 mod arguments;
 mod commands;
 mod output;
+mod repl;
+mod repl_helper;
 
 use std::process::ExitCode;
 
