@@ -15,6 +15,7 @@ use crate::budget;
 use crate::number::{Combinations, Int, Rational, multinomial};
 use crate::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::ring::Ring;
+use num_integer::Integer;
 use num_traits::{One, ToPrimitive, Zero};
 
 /// Coefficients that can stand in a polynomial.
@@ -45,10 +46,35 @@ impl Written for Fraction {
 fn elementary(symbols: &[Symbol], k: usize) -> MultiPoly {
     let count = crate::number::binomial(symbols.len(), k).to_u64().unwrap_or(u64::MAX);
     budget::charge_terms(count);
-    MultiPoly::from_terms(Combinations::new(symbols.len(), k).map(|chosen| {
+    let mut sorted = symbols.to_vec();
+    sorted.sort_unstable();
+    MultiPoly::from_exponents(&sorted, subsets(sorted.len(), k).map(|e| (e, Int::ONE)), Int::ONE)
+}
+
+/// All exponent lists of products of k of n symbols.
+fn subsets(n: usize, k: usize) -> impl Iterator<Item = Vec<u32>> {
+    Combinations::new(n, k).map(move |chosen| {
         budget::step();
-        (chosen.iter().map(|&i| (symbols[i].clone(), 1)).collect(), Rational::one())
-    }))
+        let mut exponents = vec![0; n];
+        chosen.iter().for_each(|&i| exponents[i] = 1);
+        exponents
+    })
+}
+
+/// Σ w_k e_k with numbers w_k, all terms at once.
+fn expand_numbers(weights: &[Rational], symbols: &[Symbol]) -> MultiPoly {
+    let n = symbols.len();
+    let counts = weights.iter().enumerate().filter(|(_, w)| !w.is_zero());
+    let counts = counts.map(|(k, _)| crate::number::binomial(n, k).to_u64().unwrap_or(u64::MAX));
+    budget::charge_terms(counts.fold(0, u64::saturating_add));
+    let mut sorted = symbols.to_vec();
+    sorted.sort_unstable();
+    let denominator = weights.iter().fold(Int::ONE, |l, w| l.lcm(w.denom()));
+    let terms = weights.iter().enumerate().filter(|(_, w)| !w.is_zero()).flat_map(|(k, w)| {
+        let c = w.numer() * denominator.div_exact(w.denom());
+        subsets(n, k).map(move |exponents| (exponents, c.clone()))
+    });
+    MultiPoly::from_exponents(&sorted, terms, denominator.clone())
 }
 
 fn first_coordinates(group: &[Vec<Symbol>]) -> Vec<Symbol> {
@@ -64,8 +90,13 @@ fn first_coordinates(group: &[Vec<Symbol>]) -> Vec<Symbol> {
 pub fn expand_univariate<C: Written>(form: &PolarForm<C>, arrangement: &Arrangement) -> MultiPoly {
     let symbols = first_coordinates(&arrangement.groups()[0]);
     assert_eq!(symbols.len(), form.degree(), "one symbol for each argument");
+    let weights = form.weights();
+    let numbers: Option<Vec<Rational>> = weights.iter().map(Ring::as_rational).collect();
+    if let Some(numbers) = numbers {
+        return expand_numbers(&numbers, &symbols);
+    }
     let mut sum = MultiPoly::zero();
-    for (k, w) in form.weights().iter().enumerate().filter(|(_, w)| !w.is_zero()) {
+    for (k, w) in weights.iter().enumerate().filter(|(_, w)| !w.is_zero()) {
         let w = w.as_written().expect("polynomial coefficients");
         sum += elementary(&symbols, k).times(&w);
     }

@@ -19,6 +19,7 @@ use std::fmt;
 use super::evaluator::Evaluator;
 use crate::number::{Int, Rational, binomial_row};
 use crate::ring::{Field, Ring};
+use num_integer::Integer;
 
 /// The polar form (blossom) of a polynomial of degree at most n.
 ///
@@ -325,17 +326,9 @@ impl<C: Ring> PolarForm<C> {
     /// ```
     pub fn bezier_points(&self, a: &C, b: &C) -> Vec<C> {
         // F(a + (b − a) s) = Σ d_i s^i has the polar values b_i = Σ_j C(i,j)/C(n,j) d_j over [0, 1].
-        let n = self.degree();
         let local = self.reparameterize(a, &b.minus(a));
-        let mut points = local.weights();
         // Repeated sums turn the weights w_j into Σ_j C(i, j) w_j.
-        for level in 1..=n {
-            crate::budget::steps(n as u32);
-            for i in (level..=n).rev() {
-                points[i] = points[i].plus(&points[i - 1]);
-            }
-        }
-        points
+        running(local.weights(), Running::Sums)
     }
 
     /// The polar form of s ↦ F(origin + scale · s), of the same degree:
@@ -375,20 +368,49 @@ impl<C: Ring> PolarForm<C> {
         if points.is_empty() {
             return Err(PolarError::NoCoefficients);
         }
-        let mut differences = points.to_vec();
-        for level in 1..points.len() {
-            crate::budget::steps(points.len() as u32);
-            for i in (level..points.len()).rev() {
-                differences[i] = differences[i].minus(&differences[i - 1]);
-            }
-        }
-        Ok(PolarForm::from_weights(differences))
+        Ok(PolarForm::from_weights(running(points.to_vec(), Running::Differences)))
     }
 
     /// Applies a map to every coefficient (for instance into a larger ring).
     pub fn map<D: Ring>(&self, map: impl FnMut(&C) -> D) -> PolarForm<D> {
         PolarForm { coefficients: self.coefficients.iter().map(map).collect() }
     }
+}
+
+#[derive(Clone, Copy)]
+enum Running {
+    Sums,
+    Differences,
+}
+
+/// Entry i becomes Σ_j C(i, j) x_j, or Σ_j (−1)^{i−j} C(i, j) x_j: n rounds of sums or differences of
+/// neighbours. Rational numbers are brought over one denominator first, so that no step takes a gcd.
+fn running<C: Ring>(mut list: Vec<C>, what: Running) -> Vec<C> {
+    fn rounds<T>(list: &mut [T], step: impl Fn(&T, &T) -> T) {
+        for level in 1..list.len() {
+            crate::budget::steps(list.len() as u32);
+            for i in (level..list.len()).rev() {
+                list[i] = step(&list[i], &list[i - 1]);
+            }
+        }
+    }
+    let any: &mut dyn Any = &mut list;
+    if let Some(numbers) = any.downcast_mut::<Vec<Rational>>() {
+        let denominator = numbers.iter().fold(Int::ONE, |l, x| l.lcm(x.denom()));
+        let mut integers: Vec<Int> =
+            numbers.iter().map(|x| x.numer() * denominator.div_exact(x.denom())).collect();
+        match what {
+            Running::Sums => rounds(&mut integers, |a, b| a + b),
+            Running::Differences => rounds(&mut integers, |a, b| a - b),
+        }
+        *numbers = integers.into_iter().map(|x| Rational::new(x, denominator.clone())).collect();
+        return list;
+    }
+    match what {
+        Running::Sums => rounds(&mut list, C::plus),
+        Running::Differences => rounds(&mut list, C::minus),
+    }
+    list
 }
 
 fn rational_arguments<C: Ring>(arguments: &[Argument<C>]) -> Option<Vec<Argument<Rational>>> {

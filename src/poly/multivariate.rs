@@ -124,6 +124,29 @@ impl MultiPoly {
         MultiPoly::from_unsorted(vars.into(), list, den)
     }
 
+    /// The polynomial with the given terms over one denominator, the exponents in the order of
+    /// the variables; equal monomials add up. This avoids a search for symbols in every term.
+    ///
+    /// # Panics
+    /// If the variables are not in strictly ascending order, an exponent list has another
+    /// length, or the denominator is 0.
+    pub fn from_exponents(
+        variables: &[Symbol],
+        terms: impl IntoIterator<Item = (Vec<u32>, Int)>,
+        denominator: Int,
+    ) -> Self {
+        assert!(variables.windows(2).all(|pair| pair[0] < pair[1]), "variables in ascending order");
+        assert!(!denominator.is_zero(), "a denominator");
+        let list = terms
+            .into_iter()
+            .map(|(exponents, c)| {
+                assert_eq!(exponents.len(), variables.len(), "one exponent for each variable");
+                (Exponents::from_vec(exponents), c)
+            })
+            .collect();
+        MultiPoly::from_unsorted(variables.into(), list, denominator)
+    }
+
     /// Establishes the canonical form from terms in any order, perhaps repeated.
     pub(super) fn from_unsorted(vars: Arc<[Symbol]>, mut terms: Terms, den: Int) -> Self {
         terms.sort_unstable_by(|a, b| b.0.cmp(&a.0));
