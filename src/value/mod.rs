@@ -4,6 +4,7 @@
 //! checker and the writers speak of the same things. Every value turns back into a
 //! formula ([`Value::to_expr`]), which the writers print.
 
+mod factors;
 mod function;
 mod outcome;
 mod polar;

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
+use super::factors::quotient;
 use super::{Notation, Polar, PolarKind, Value};
 use crate::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm};
 use crate::budget;
@@ -75,18 +76,39 @@ fn poly_expr(p: &MultiPoly) -> Expr {
 pub fn polynomial_expr(f: &Fraction) -> Expr {
     match f.as_polynomial() {
         Some(p) => poly_expr(p),
-        None => {
-            let (numerator, denominator) = (f.numerator(), f.denominator());
-            // −(a/b) reads better than (−a)/b.
-            let leads_negative =
-                numerator.terms(MonomialOrder::GrLex).first().is_some_and(|(_, c)| c.is_negative());
-            if leads_negative {
-                poly_expr(&-numerator.clone()).over(poly_expr(denominator)).negated()
-            } else {
-                poly_expr(numerator).over(poly_expr(denominator))
-            }
-        }
+        None => quotient_expr(f),
     }
+}
+
+/// A proper quotient, denominators (and numerators, if that works out) in factors.
+fn quotient_expr(f: &Fraction) -> Expr {
+    let (top, bottom) = quotient(f);
+    let power = |(factor, k): &(MultiPoly, u32)| {
+        let base = poly_expr(factor);
+        if *k == 1 { base } else { base.power(Expr::int(i64::from(*k))) }
+    };
+    let denominator = Expr::product(bottom.powers.iter().map(power).collect());
+    let simple = top.powers.iter().all(|(factor, _)| factor.len() <= 2);
+    let magnitude = top.constant.abs();
+    let (whole, part) = (magnitude.numer().clone(), magnitude.denom().clone());
+    // Rational factors are shared out: 2/3 · x/y is 2 x over 3 y.
+    let denominator = match part.is_one() {
+        true => denominator,
+        false => exact_term(&Rational::from_integer(part), vec![denominator]).expr,
+    };
+    let numerator = if simple {
+        exact_term(&Rational::from_integer(whole), top.powers.iter().map(power).collect()).expr
+    } else {
+        let product = top.powers.iter().fold(MultiPoly::one(), |p, (q, k)| p.times(&q.powered(*k)));
+        poly_expr(&product.scaled(&Rational::from_integer(whole)))
+    };
+    let fraction = numerator.over(flat_product(denominator));
+    if top.constant.is_negative() { fraction.negated() } else { fraction }
+}
+
+/// A product inside a product run together with it.
+fn flat_product(expr: Expr) -> Expr {
+    flattened(Term { sign: Sign::Plus, expr }).expr
 }
 
 /// A coefficient before a bracket: sign and factors, `c_2/3` for a third of c_2.
