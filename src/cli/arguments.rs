@@ -52,7 +52,7 @@ pub(super) struct Global {
 }
 
 fn parse_format(text: &str) -> Result<Format, String> {
-    text.parse()
+    text.parse().map_err(|error: crate::write::UnknownFormat| error.to_string())
 }
 
 fn parse_method(text: &str) -> Result<Method, String> {

@@ -14,7 +14,7 @@ use crate::poly::Symbol;
 use crate::session::{Answer, Failure, Session, read};
 use crate::source::{SourceFile, Span};
 use crate::value::{Value, Verdict, polar_steps, symbol_expr};
-use crate::write::{Format, write_expr};
+use crate::write::Format;
 
 /// Why a command ends before its end.
 pub(super) enum Stop {
@@ -115,7 +115,7 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
             let polar = query(session, &file, whole, "polar", vec![Expr::name("F")], named)?;
             let Value::Polar(form) = &polar else { return Ok(Status::Failed) };
             if *steps {
-                for line in polar_steps(form, *method) {
+                for line in output.limited(|| polar_steps(form, *method))? {
                     output.line(&written(output, &line)?)?;
                 }
                 if at.is_none() {
@@ -247,7 +247,7 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
     if two.steps
         && let (Value::Polar(f), Value::Polar(g), Value::Polar(result)) = (&f_polar, &g_polar, &value)
     {
-        for line in crate::value::combination_steps(name, f, g, result) {
+        for line in output.limited(|| crate::value::combination_steps(name, f, g, result))? {
             output.line(&written(output, &line)?)?;
         }
         return Ok(Status::Fine);

@@ -1,6 +1,7 @@
 //! Printing results and problems.
 
 use std::io::{self, IsTerminal, Write};
+use std::sync::Arc;
 
 use super::arguments::{Color, Global};
 use crate::blossom::PolarForm;
@@ -73,30 +74,24 @@ impl Output {
     }
 
     fn plain(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {
-        let line = self.limited(|| match self.format {
-            Format::Json => Ok(value_json(value, self.notation).to_string()),
-            _ => {
-                let expr = value.to_expr_in(self.notation);
-                match (name, value) {
-                    (Some(name), Value::Function(_)) if self.format == Format::Sympy => {
-                        drop(name);
-                        write_expr(&expr, self.format)
-                    }
-                    (Some(name), _)
-                        if !matches!(value, Value::Function(_)) && self.format != Format::Sympy =>
-                    {
-                        let body = write_expr(&expr, self.format)?;
-                        let separator = if body.contains('\n') { " =\n" } else { " = " };
-                        Ok(write_expr(&name, self.format)? + separator + &body)
-                    }
-                    _ => write_expr(&expr, self.format),
-                }
+        let line = self.limited(|| -> Result<String, Trouble> {
+            if self.format == Format::Json {
+                return Ok(value_json(value, self.notation).to_string());
             }
-        })?;
+            let body = self.written(&value.to_expr_in(self.notation))?;
+            // Functions print as their own definition, and SymPy wants the bare expression.
+            match name {
+                Some(name) if !matches!(value, Value::Function(_)) && self.format != Format::Sympy => {
+                    let separator = if body.contains('\n') { " =\n" } else { " = " };
+                    Ok(self.written(&name)? + separator + &body)
+                }
+                _ => Ok(body),
+            }
+        })??;
         Ok(self.line(&line)?)
     }
 
-    fn polar(&self, polar: &Polar, name: Option<Expr>) -> Result<(), Trouble> {
+    fn polar(&self, polar: &Arc<Polar>, name: Option<Expr>) -> Result<(), Trouble> {
         if self.notation == Notation::Expanded
             && self.format != Format::Json
             && let PolarKind::Univariate(form) = &polar.kind
@@ -105,46 +100,41 @@ impl Output {
             return self.stream(polar, &form, name);
         }
         let line = self.limited(|| match self.format {
-            Format::Json => {
-                Ok(value_json(&Value::Polar(std::sync::Arc::new(polar.clone())), self.notation).to_string())
-            }
-            Format::Sympy => write_expr(&polar.body(self.notation), self.format),
+            Format::Json => Ok(value_json(&Value::Polar(polar.clone()), self.notation).to_string()),
+            Format::Sympy => self.written(&polar.body(self.notation)),
             _ => {
                 let name = name.unwrap_or_else(|| Expr::name("f"));
-                write_expr(&polar.equation(name, self.notation), self.format)
+                self.written(&polar.equation(name, self.notation))
             }
-        })?;
+        })??;
         Ok(self.line(&line)?)
     }
 
     /// The expanded form, written without being built.
     fn stream(&self, polar: &Polar, form: &PolarForm<Rational>, name: Option<Expr>) -> Result<(), Trouble> {
-        let written =
-            |expr: &Expr| write_expr(expr, self.format).map_err(|e| Trouble::problem(e.to_string()));
         let names: Result<Vec<String>, Trouble> =
-            polar.arguments()[0].iter().map(|argument| written(&symbol_expr(&argument[0]))).collect();
+            polar.arguments()[0].iter().map(|argument| self.written(&symbol_expr(&argument[0]))).collect();
         let names = names?;
         let left = polar.call(name.unwrap_or_else(|| Expr::name("f")));
-        let head = if self.format == Format::Sympy { String::new() } else { written(&left)? + " = " };
+        let head = if self.format == Format::Sympy { String::new() } else { self.written(&left)? + " = " };
         let mut out = io::stdout().lock();
-        let result = crate::budget::run(&self.limits, || {
+        self.limited(|| {
             out.write_all(head.as_bytes())?;
             write_expanded(&mut out, form, &names, self.format)?;
             out.write_all(b"\n")
-        });
-        result
-            .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))?
-            .map_err(Trouble::Output)
+        })?
+        .map_err(Trouble::Output)
     }
 
-    /// Builds a text under the limits.
-    fn limited(
-        &self,
-        build: impl FnOnce() -> Result<String, crate::write::NotExpressible>,
-    ) -> Result<String, Trouble> {
-        crate::budget::run(&self.limits, build)
-            .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))?
-            .map_err(|error| Trouble::problem(error.to_string()))
+    /// Does something large under the limits.
+    pub fn limited<T>(&self, work: impl FnOnce() -> T) -> Result<T, Trouble> {
+        crate::budget::run(&self.limits, work)
+            .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))
+    }
+
+    /// A formula in the chosen format.
+    pub fn written(&self, expr: &Expr) -> Result<String, Trouble> {
+        write_expr(expr, self.format).map_err(|error| Trouble::problem(error.to_string()))
     }
 
     /// The verdicts of a chain of relations.
@@ -204,7 +194,7 @@ impl Output {
     fn side(&self, label: &str, value: &Value) -> Result<(), Trouble> {
         /// Longer formulas are not repeated in a report.
         const LONGEST: usize = 2000;
-        let body = self.limited(|| write_expr(&value.to_expr(), self.format))?;
+        let body = self.limited(|| self.written(&value.to_expr()))??;
         let shown = if body.len() > LONGEST { format!("({} characters)", body.len()) } else { body };
         let separator = if shown.contains('\n') { "\n" } else { " " };
         Ok(self.line(&format!("  {label}:{separator}{shown}"))?)

@@ -319,7 +319,7 @@ impl Repl<'_> {
         match result {
             Ok(answer) => {
                 if let Value::Polar(polar) = &answer.outcome.value {
-                    for line in polar_steps(polar, method) {
+                    for line in self.output.limited(|| polar_steps(polar, method))? {
                         self.output.line(&commands::written(self.output, &line)?)?;
                     }
                 }

@@ -61,8 +61,15 @@ fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
 }
 
 fn poly_terms(p: &MultiPoly) -> Vec<Term> {
-    p.terms(MonomialOrder::GrLex)
-        .into_iter()
+    let mut list = p.terms(MonomialOrder::GrLex);
+    // 1 - t and t2 - t1 rather than -t + 1 and -t1 + t2.
+    if let [first, second] = list.as_slice()
+        && first.1.is_negative()
+        && second.1.is_positive()
+    {
+        list.swap(0, 1);
+    }
+    list.into_iter()
         .map(|(powers, c)| exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect()))
         .collect()
 }

@@ -1,98 +1,65 @@
-//! Formulas as text, Unicode, LaTeX and SymPy syntax; values as JSON.
+//! Formula trees as text, Unicode, LaTeX and SymPy syntax.
 //!
-//! The writers of formulas thread precedence instead of guessing parentheses: an operand is
-//! put in brackets exactly when it holds together less tightly than its place demands. Plain
-//! text and LaTeX read back to the same formula; SymPy syntax is for checking elsewhere.
+//! **Definition.** A *writer* turns a formula tree ([`crate::expr`]) into one notation:
+//!
+//! | function | notation | for |
+//! | --- | --- | --- |
+//! | [`text()`] | `5/3 (t1 + t2)`, as typed | files, and the plain reader |
+//! | [`unicode()`] | `5/3 (t₁ + t₂)` | a terminal; the plain reader reads it, too |
+//! | [`latex()`] | `\frac{5}{3} (t_1 + t_2)` | KaTeX and LaTeX with amsmath |
+//! | [`sympy()`] | `Rational(5, 3)*(t1 + t2)` | checking results with SymPy |
+//!
+//! Values and verdicts become data with [`value_json`] and [`claim_json`]; fully expanded polar
+//! forms are streamed by [`write_expanded`].
+//!
+//! **Invariants.** The tree is printed as it is: nothing is simplified or reordered. An
+//! operand gets parentheses exactly if its precedence
+//! ([`Expr::precedence`](crate::expr::Expr::precedence), or that of what the notation makes
+//! of it: a LaTeX fraction needs fewer parentheses than `a/b`) is looser than its place
+//! requires; parentheses that were written ([`Kind::Group`](crate::expr::Kind::Group)) stay.
+//! Writing streams into any [`std::fmt::Write`], takes time linear in the size of the tree
+//! and what it prints as, and does not recurse, however deep the tree is.
+//!
+//! **Reference.** Oppen, *Prettyprinting* (1980), for printing from a stack of pending pieces;
+//! here no line is ever broken, except for matrices in Unicode.
 
+mod boxes;
+mod decimal;
 mod expanded;
+mod format;
 mod json;
 mod latex;
+mod marks;
+mod names;
 mod plain;
+mod shape;
 mod sympy;
+mod text;
+mod unicode;
+mod walk;
 
-use std::fmt;
-use std::str::FromStr;
+#[cfg(test)]
+mod tests;
 
 pub use expanded::{expanded_terms, write_expanded};
+pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
-pub use latex::latex;
-pub use plain::{text, unicode};
-pub use sympy::{NotExpressible, sympy};
+pub use latex::{latex, write_latex};
+pub use sympy::{WriteError, sympy, write_sympy};
+pub use text::{text, write_text};
+pub use unicode::{unicode, write_unicode};
 
-use crate::expr::{Expr, Kind};
+use crate::expr::Expr;
 
-/// The output formats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Format {
-    /// Plain notation, as one types it.
-    #[default]
-    Text,
-    /// With subscripts and superscripts, for reading on a terminal.
-    Unicode,
-    /// LaTeX for amsmath or KaTeX.
-    Latex,
-    /// Data.
-    Json,
-    /// Python expressions for SymPy.
-    Sympy,
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Format; 5] = [Format::Text, Format::Unicode, Format::Latex, Format::Json, Format::Sympy];
-
-    /// The name used on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Format::Text => "text",
-            Format::Unicode => "unicode",
-            Format::Latex => "latex",
-            Format::Json => "json",
-            Format::Sympy => "sympy",
-        }
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl FromStr for Format {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        Format::ALL
-            .into_iter()
-            .find(|format| format.name() == text)
-            .ok_or_else(|| format!("no format '{text}'; use text, unicode, latex, json or sympy"))
-    }
-}
-
-/// The formula in one of the formats for formulas (JSON gives text).
+/// The formula in one of the notations for formulas (for JSON, as text).
 ///
 /// # Errors
-/// [`NotExpressible`] for constructs without meaning in SymPy.
-pub fn write_expr(expr: &Expr, format: Format) -> Result<String, NotExpressible> {
-    Ok(match format {
-        Format::Text | Format::Json => text(expr),
-        Format::Unicode => unicode(expr),
-        Format::Latex => latex(expr),
-        Format::Sympy => sympy(expr)?,
-    })
-}
-
-/// Bases whose numbered names are written without underscore: t1, but c_0.
-fn numbered_without_underscore(base: &str) -> bool {
-    matches!(base, "t" | "u" | "v" | "w" | "x" | "y" | "z" | "s")
-}
-
-/// A nonnegative integer literal, as its digits.
-fn digits(expr: &Expr) -> Option<String> {
-    match &expr.kind {
-        Kind::Number(q) if q.is_integer() && !num_traits::Signed::is_negative(q) => {
-            Some(q.numer().to_string())
-        }
-        _ => None,
+/// [`WriteError`] for constructs without meaning in SymPy.
+pub fn write_expr(expr: &Expr, format: Format) -> Result<String, WriteError> {
+    match format {
+        Format::Text | Format::Json => Ok(text(expr)),
+        Format::Unicode => Ok(unicode(expr)),
+        Format::Latex => Ok(latex(expr)),
+        Format::Sympy => sympy(expr),
     }
 }

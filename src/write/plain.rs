@@ -1,516 +1,439 @@
-//! Plain notation, in ASCII and in Unicode.
+//! What the plain notation and its Unicode form have in common.
+//!
+//! The plain reader's rules: a parenthesis directly after a name is a call, after a
+//! blank a product; digits directly after a name are its index; two numerals need a
+//! `*` between them; `{` begins no factor of a product by juxtaposition; braces after
+//! `^` only group. What the notation has no sign for is printed as a call: `diff(F, t, 2)`.
 
-use super::{digits, numbered_without_underscore};
-use crate::expr::{Accent, BigOp, Enclosure, Expr, Kind, Precedence, Rel, Sign};
+use num_traits::Signed;
 
-/// The formula in plain notation, as it can be typed.
-///
-/// ```
-/// use polarform::{syntax::parse, write::text};
-/// let formula = parse("5/3 (t_1 + t_2) - c_0^2").unwrap();
-/// assert_eq!(text(&formula), "5/3 (t1 + t2) - c_0^2");
-/// ```
-pub fn text(expr: &Expr) -> String {
-    let mut writer = Plain { out: String::new(), unicode: false };
-    writer.write(expr, Precedence::Sequence);
-    writer.out
+use super::decimal;
+use super::shape;
+use super::walk::{Notation, Pieces};
+use crate::expr::{Accent, BigOp, Delimiter, Enclosure, Expr, Kind, Precedence, Rel, Sign, Term};
+
+/// The signs in which the two differ.
+pub(super) trait Plain: Notation {
+    /// Between the parameters of a function and what it gives.
+    const ARROW: &'static str;
+    /// Dots among the items of a list.
+    const DOTS: &'static str;
+    /// Dots among terms or factors.
+    const CENTRED_DOTS: &'static str;
+    /// Around what is rounded down.
+    const FLOOR: (&'static str, &'static str);
+    /// Around what is rounded up.
+    const CEIL: (&'static str, &'static str);
+    /// A relation with the blanks around it.
+    fn relation(rel: Rel) -> &'static str;
+    /// Whether the next factor may stand closer to this one than others do, as in 2t.
+    fn is_tight(factor: &Expr) -> bool;
 }
 
-/// The formula with Unicode subscripts, superscripts and Greek letters; a matrix on lines of its own.
-///
-/// ```
-/// use polarform::{syntax::parse, write::unicode};
-/// let formula = parse("sigma_2 t_1 t_2^2").unwrap();
-/// assert_eq!(unicode(&formula), "σ₂t₁t₂²");
-/// ```
-pub fn unicode(expr: &Expr) -> String {
-    if let Kind::Matrix(rows, _) = &expr.kind
-        && rows.len() > 1
-    {
-        return boxed(rows);
-    }
-    let mut writer = Plain { out: String::new(), unicode: true };
-    writer.write(expr, Precedence::Sequence);
-    writer.out
-}
-
-/// A matrix as lines between tall brackets, columns aligned to the right.
-fn boxed(rows: &[Vec<Option<Expr>>]) -> String {
-    let cells: Vec<Vec<String>> = rows
-        .iter()
-        .map(|row| row.iter().map(|cell| cell.as_ref().map(unicode).unwrap_or_default()).collect())
-        .collect();
-    let columns = cells.iter().map(Vec::len).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..columns)
-        .map(|j| cells.iter().filter_map(|row| row.get(j)).map(|c| c.chars().count()).max().unwrap_or(0))
-        .collect();
-    let last = cells.len() - 1;
-    let lines: Vec<String> = cells
-        .iter()
-        .enumerate()
-        .map(|(i, row)| {
-            let (open, close) = match i {
-                0 => ('⎛', '⎞'),
-                i if i == last => ('⎝', '⎠'),
-                _ => ('⎜', '⎟'),
-            };
-            let padded: Vec<String> = widths
-                .iter()
-                .enumerate()
-                .map(|(j, width)| {
-                    let cell = row.get(j).map_or("", String::as_str);
-                    format!("{}{cell}", " ".repeat(width - cell.chars().count()))
-                })
-                .collect();
-            format!("{open} {} {close}", padded.join("  "))
-        })
-        .collect();
-    lines.join("\n")
-}
-
-struct Plain {
-    out: String,
-    unicode: bool,
-}
-
-/// Precedence in plain notation, where sums, integrals and derivatives are written as calls.
-fn precedence(expr: &Expr) -> Precedence {
+/// The precedence of what `expr` is printed as: many nodes become calls.
+pub(super) fn level(expr: &Expr) -> Precedence {
     match &expr.kind {
-        Kind::Big { .. } | Kind::Integral { .. } | Kind::Derivative { .. } | Kind::At { .. } => {
-            Precedence::Postfix
+        Kind::Number(value) => decimal::level(value),
+        // A written plus is read at the start of an item only.
+        Kind::Add(terms) if matches!(terms.as_slice(), [Term { sign: Sign::Plus, .. }]) => {
+            Precedence::Relation
         }
-        Kind::Cross(_) | Kind::Transpose(_) => Precedence::Postfix,
+        Kind::Upper(..)
+        | Kind::Transpose(_)
+        | Kind::Cross(_)
+        | Kind::Big { .. }
+        | Kind::Integral { .. }
+        | Kind::Derivative { .. }
+        | Kind::At { .. }
+        | Kind::ForAll(..) => Precedence::Postfix,
         _ => expr.precedence(),
     }
 }
 
-fn script(text: &str, table: &[(char, char)]) -> Option<String> {
-    text.chars().map(|c| table.iter().find(|(plain, _)| *plain == c).map(|(_, s)| *s)).collect()
+/// The pieces of any node, with letters and digits in ASCII; the Unicode form has its own way with
+/// names, indices, exponents and accents before it comes here.
+pub(super) fn expand<'a, P: Plain>(expr: &'a Expr, out: &mut Pieces<'a>) {
+    use Precedence::{Postfix, Relation, Sequence, Sum};
+    match &expr.kind {
+        Kind::Number(value) => out.string(decimal::numeral(value)),
+        Kind::Name(name) => out.str(name),
+        Kind::Subscript(base, indices) => subscript(base, indices, out),
+        Kind::Upper(base, indices) => {
+            // after a number, it would be an exponent
+            if matches!(base.kind, Kind::Number(_)) {
+                out.wrapped("(", base, ")");
+            } else {
+                out.node(base, Postfix);
+            }
+            out.str("^{(");
+            out.script_list(indices, ",");
+            out.str(")}");
+        }
+        Kind::Accent(accent, body) => {
+            out.str(accent_name(*accent));
+            out.wrapped("(", body, ")");
+        }
+        Kind::Prime(body, count) => {
+            shape::primed(body, out);
+            out.string("'".repeat(*count as usize));
+        }
+        Kind::Add(terms) => shape::sum(terms, Some(P::CENTRED_DOTS), out),
+        Kind::Mul(factors) => {
+            shape::product(factors, Some(P::CENTRED_DOTS), out, |_| false, |factor, _| P::is_tight(factor))
+        }
+        Kind::Div(above, below, _) => shape::slash(above, below, out, |_| false),
+        Kind::Pow(base, exponent) => power(base, exponent, out),
+        Kind::Apply(callee, groups) => {
+            if is_callee(callee) {
+                out.node(callee, Precedence::Power)
+            } else {
+                out.wrapped("(", callee, ")")
+            }
+            out.str("(");
+            for (i, group) in groups.iter().enumerate() {
+                out.str(if i > 0 { "; " } else { "" });
+                out.list(group, ", ", Relation);
+            }
+            out.str(")");
+        }
+        Kind::Group(body) => out.wrapped("(", body, ")"),
+        Kind::Tuple(items) => call("", items, out),
+        Kind::List(items) => {
+            out.str("[");
+            out.list(items, ", ", Relation);
+            out.str("]");
+        }
+        Kind::Set(items, condition) => {
+            out.str("{");
+            out.list(items, ", ", Relation);
+            if let Some(condition) = condition {
+                out.str(" | ");
+                out.node(condition, Relation);
+            }
+            out.str("}");
+        }
+        Kind::Matrix(rows, delimiter) => matrix(rows, *delimiter, out),
+        Kind::Binomial(n, k, _) => call("binomial", [&**n, &**k], out),
+        Kind::Factorial(body) => {
+            // a second ! would be read as a slip
+            if matches!(body.kind, Kind::Factorial(_)) {
+                out.wrapped("(", body, ")");
+            } else {
+                out.node(body, Postfix);
+            }
+            out.str("!");
+        }
+        Kind::Enclosed(Enclosure::Abs, body) => call("abs", [&**body], out),
+        Kind::Enclosed(Enclosure::Norm, body) => call("norm", [&**body], out),
+        Kind::Enclosed(Enclosure::Floor, body) => out.wrapped(P::FLOOR.0, body, P::FLOOR.1),
+        Kind::Enclosed(Enclosure::Ceil, body) => out.wrapped(P::CEIL.0, body, P::CEIL.1),
+        Kind::Big { op, lower, upper, body } => big(*op, lower, upper.as_deref(), body, out),
+        Kind::Integral { lower, upper, body, variable } => {
+            out.str("integral(");
+            out.node(body, Relation);
+            out.str(", ");
+            out.node(variable, Postfix);
+            if lower.is_some() || upper.is_some() {
+                out.str("=");
+                out.list(lower.as_deref(), "", Sum);
+                out.str("..");
+                out.list(upper.as_deref(), "", Sum);
+            }
+            out.str(")");
+        }
+        Kind::Derivative { variables, body, .. } => derivative(variables, body.as_deref(), out),
+        Kind::At { body, lower, upper } => {
+            out.str("at(");
+            out.list(std::iter::once(&**body).chain(lower), ", ", Relation);
+            if let Some(upper) = upper {
+                out.str("; ");
+                out.node(upper, Relation);
+            }
+            out.str(")");
+        }
+        Kind::Cases(cases) => {
+            out.str("cases(");
+            for (i, (value, condition)) in cases.iter().enumerate() {
+                out.str(if i > 0 { ", " } else { "" });
+                out.node(value, Relation);
+                match condition {
+                    Some(condition) => {
+                        out.str(" if ");
+                        out.node(condition, Relation);
+                    }
+                    None => out.str(" otherwise"),
+                }
+            }
+            out.str(")");
+        }
+        Kind::Ellipsis => out.str(P::DOTS),
+        Kind::Brace(items, label) => {
+            out.str("{");
+            out.list(items, ", ", Relation);
+            out.str("}");
+            if let Some(label) = label {
+                out.str("_(");
+                out.script(label, Sequence);
+                out.str(")");
+            }
+        }
+        Kind::Compose(items) => out.list(items, "∘", Precedence::Power),
+        Kind::Cross(items) => call("cross", items, out),
+        Kind::Transpose(body) => call("transpose", [&**body], out),
+        Kind::Range(low, high) => {
+            out.node(low, Sum);
+            out.str("..");
+            out.node(high, Sum);
+        }
+        Kind::Lambda(parameters, body) => {
+            match parameters.as_slice() {
+                [single] => out.node(single, Postfix),
+                several => call("", several, out),
+            }
+            out.str(P::ARROW);
+            out.node(body, Precedence::Lambda);
+        }
+        Kind::Chain(first, links) => shape::chain(first, links, out, |rel, _| P::relation(rel)),
+        Kind::Sequence(items) => out.list(items, ", ", Relation),
+        Kind::ForAll(items, body) => {
+            out.str("forall(");
+            out.list(items, ", ", Relation);
+            if let Some(body) = body {
+                out.str("; ");
+                out.node(body, Relation);
+            }
+            out.str(")");
+        }
+        Kind::Text(words) => out.string(quoted(words)),
+        Kind::Unread(written) => out.str(written),
+    }
 }
 
-const SUBSCRIPTS: &[(char, char)] = &[
-    ('0', '₀'),
-    ('1', '₁'),
-    ('2', '₂'),
-    ('3', '₃'),
-    ('4', '₄'),
-    ('5', '₅'),
-    ('6', '₆'),
-    ('7', '₇'),
-    ('8', '₈'),
-    ('9', '₉'),
-];
+fn call<'a>(name: &'static str, items: impl IntoIterator<Item = &'a Expr>, out: &mut Pieces<'a>) {
+    out.str(name);
+    out.str("(");
+    out.list(items, ", ", Precedence::Relation);
+    out.str(")");
+}
 
-const SUPERSCRIPTS: &[(char, char)] = &[
-    ('0', '⁰'),
-    ('1', '¹'),
-    ('2', '²'),
-    ('3', '³'),
-    ('4', '⁴'),
-    ('5', '⁵'),
-    ('6', '⁶'),
-    ('7', '⁷'),
-    ('8', '⁸'),
-    ('9', '⁹'),
-];
+/// Names whose integer index is written without underscore: those that stand for arguments.
+fn takes_digits(base: &Expr) -> bool {
+    matches!(&base.kind, Kind::Name(name) if matches!(name.as_str(), "s" | "t" | "u" | "v" | "w" | "x" | "y" | "z"))
+}
 
-impl Plain {
-    fn push(&mut self, text: &str) {
-        self.out.push_str(text);
+fn subscript<'a>(base: &'a Expr, indices: &'a [Expr], out: &mut Pieces<'a>) {
+    match base.kind {
+        // no index may follow these
+        Kind::Subscript(..) | Kind::Number(_) | Kind::Ellipsis | Kind::Text(_) => out.wrapped("(", base, ")"),
+        _ => out.node(base, Precedence::Postfix),
     }
-
-    fn either(&mut self, ascii: &str, unicode: &str) {
-        self.out.push_str(if self.unicode { unicode } else { ascii });
+    match indices {
+        [index] if is_numeral(index) => {
+            out.str(if takes_digits(base) { "" } else { "_" });
+            out.node(index, Precedence::Atom);
+        }
+        [index] if is_word(index) => {
+            out.str("_");
+            out.node(index, Precedence::Atom);
+        }
+        _ => {
+            out.str("_{");
+            out.script_list(indices, ",");
+            out.str("}");
+        }
     }
+}
 
-    fn write(&mut self, expr: &Expr, context: Precedence) {
-        if precedence(expr) < context {
-            self.push("(");
-            self.inner(expr);
-            self.push(")");
+/// Whether the index is an integer without sign.
+pub(super) fn is_numeral(index: &Expr) -> bool {
+    match &index.kind {
+        Kind::Number(value) => value.is_integer() && !value.is_negative(),
+        // 01 is the name of an index
+        Kind::Name(name) => !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit()),
+        _ => false,
+    }
+}
+
+fn is_word(index: &Expr) -> bool {
+    matches!(&index.kind, Kind::Name(name) if name.chars().all(char::is_alphabetic))
+}
+
+/// `a^b`
+pub(super) fn power<'a>(base: &'a Expr, exponent: &'a Expr, out: &mut Pieces<'a>) {
+    out.node(base, Precedence::Postfix);
+    out.str("^");
+    if ends_early(exponent) {
+        out.wrapped("(", exponent, ")");
+    } else {
+        out.script(exponent, Precedence::Power);
+    }
+}
+
+/// Whether only the beginning of `exponent` would be read as one: braces after `^` only group,
+/// and an ordinary name takes no arguments there.
+fn ends_early(mut exponent: &Expr) -> bool {
+    while let Kind::Factorial(base)
+    | Kind::Prime(base, _)
+    | Kind::Subscript(base, _)
+    | Kind::Upper(base, _)
+    | Kind::Pow(base, _) = &exponent.kind
+    {
+        if level(base) < Precedence::Postfix {
+            return false; // it will be in parentheses
+        }
+        exponent = base;
+    }
+    matches!(
+        exponent.kind,
+        Kind::Set(..)
+            | Kind::Brace(..)
+            | Kind::Apply(..)
+            | Kind::Cross(_)
+            | Kind::Derivative { .. }
+            | Kind::At { .. }
+            | Kind::ForAll(..)
+            | Kind::Big { op: BigOp::Limit, .. }
+            | Kind::Matrix(_, Delimiter::Bar)
+    )
+}
+
+/// Whether a parenthesis directly after `expr` makes a call of it.
+fn is_callee(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Apply(..) | Kind::Group(_) => true,
+        Kind::Pow(base, exponent) => is_named(base) && (has_index(base) || is_bare(exponent)),
+        _ => is_named(expr),
+    }
+}
+
+fn is_named(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        Kind::Name(_) | Kind::Subscript(..) | Kind::Prime(..) | Kind::Accent(..) | Kind::Upper(..)
+    )
+}
+
+fn has_index(mut expr: &Expr) -> bool {
+    while let Kind::Prime(base, _) | Kind::Accent(_, base) | Kind::Upper(base, _) = &expr.kind {
+        expr = base;
+    }
+    matches!(expr.kind, Kind::Subscript(..))
+}
+
+fn is_bare(exponent: &Expr) -> bool {
+    match &exponent.kind {
+        Kind::Name(_) => true,
+        Kind::Subscript(base, _) => matches!(base.kind, Kind::Name(_)),
+        _ => false,
+    }
+}
+
+/// `[a, b; c, d]`; the rows may be ragged and cells empty.
+fn matrix<'a>(rows: &'a [Vec<Option<Expr>>], delimiter: Delimiter, out: &mut Pieces<'a>) {
+    out.str(if delimiter == Delimiter::Bar { "det([" } else { "[" });
+    for (i, row) in rows.iter().enumerate() {
+        out.str(if i > 0 { "; " } else { "" });
+        for (j, cell) in row.iter().enumerate() {
+            out.str(if j > 0 { ", " } else { "" });
+            out.list(cell, "", Precedence::Relation);
+        }
+    }
+    // One row without a semicolon is a list, and an empty last row is not counted.
+    let last_is_empty = rows.last().is_none_or(|row| matches!(row.as_slice(), [] | [None]));
+    out.str(if rows.len() == 1 || last_is_empty { ";" } else { "" });
+    out.str(if delimiter == Delimiter::Bar { "])" } else { "]" });
+}
+
+/// `sum(i=0..n, body)`, with further conditions before the body.
+fn big<'a>(op: BigOp, lower: &'a [Expr], upper: Option<&'a Expr>, body: &'a Expr, out: &mut Pieces<'a>) {
+    out.str(match op {
+        BigOp::Sum => "sum(",
+        BigOp::Product => "prod(",
+        BigOp::Max => "max(",
+        BigOp::Min => "min(",
+        BigOp::Union => "union(",
+        BigOp::Intersection => "intersection(",
+        BigOp::Limit => "lim(",
+    });
+    if let Some((index, low, high, conditions)) = shape::bounds(lower, upper) {
+        out.node(index, Precedence::Postfix);
+        // n!=0 would be a relation
+        out.str(if matches!(index.kind, Kind::Factorial(_)) { " = " } else { "=" });
+        out.node(low, Precedence::Sum);
+        out.str("..");
+        out.node(high, Precedence::Sum);
+        for condition in conditions {
+            out.str(", ");
+            out.node(condition, Precedence::Relation);
+        }
+        out.str(", ");
+    } else {
+        out.list(lower, ", ", Precedence::Relation);
+        let between = if upper.is_some() { "; " } else { ", " };
+        out.str(if lower.is_empty() && upper.is_none() { "" } else { between });
+        if let Some(upper) = upper {
+            out.node(upper, Precedence::Relation);
+            out.str("; ");
+        }
+    }
+    // A relation at the end would be one more condition.
+    out.node(body, Precedence::Lambda);
+    out.str(")");
+}
+
+/// `diff(F, t, 2)`; several variables nest, the last innermost; `diff(; t)` is the operator alone.
+fn derivative<'a>(variables: &'a [(Expr, Option<Expr>)], body: Option<&'a Expr>, out: &mut Pieces<'a>) {
+    let with_order = |out: &mut Pieces<'a>, (variable, order): &'a (Expr, Option<Expr>)| {
+        out.node(variable, Precedence::Relation);
+        if let Some(order) = order {
+            out.str(", ");
+            out.node(order, Precedence::Relation);
+        }
+    };
+    let Some(body) = body else {
+        out.str("diff(");
+        for variable in variables {
+            out.str("; ");
+            with_order(out, variable);
+        }
+        return out.str(")");
+    };
+    for _ in variables {
+        out.str("diff(");
+    }
+    out.node(body, Precedence::Relation);
+    for variable in variables.iter().rev() {
+        out.str(", ");
+        with_order(out, variable);
+        out.str(")");
+    }
+}
+
+/// The function that sets the accent.
+fn accent_name(accent: Accent) -> &'static str {
+    match accent {
+        Accent::Hat => "hat",
+        Accent::Bar => "bar",
+        Accent::Vec => "vec",
+        Accent::Tilde => "tilde",
+        Accent::Dot => "dot",
+        Accent::Ddot => "ddot",
+        Accent::Bold => "bold",
+        Accent::Script => "script",
+        Accent::Blackboard => "blackboard",
+    }
+}
+
+/// Words in quotation marks, in one line; there is no escape for the marks themselves.
+fn quoted(words: &str) -> String {
+    let plain = |c: char| {
+        if c == '"' {
+            '\''
+        } else if c.is_control() {
+            ' '
         } else {
-            self.inner(expr);
+            c
         }
-    }
-
-    fn list<'a>(&mut self, items: impl IntoIterator<Item = &'a Expr>, separator: &str) {
-        for (i, item) in items.into_iter().enumerate() {
-            if i > 0 {
-                self.push(separator);
-            }
-            self.write(item, Precedence::Relation);
-        }
-    }
-
-    fn call(&mut self, name: &str, items: &[&Expr]) {
-        self.push(name);
-        self.push("(");
-        self.list(items.iter().copied(), ", ");
-        self.push(")");
-    }
-
-    fn inner(&mut self, expr: &Expr) {
-        match &expr.kind {
-            Kind::Number(q) => self.push(&q.to_string()),
-            Kind::Name(name) => self.name(name),
-            Kind::Subscript(base, indices) => self.subscript(base, indices),
-            Kind::Upper(base, indices) => {
-                self.write(base, Precedence::Postfix);
-                self.push("^{(");
-                self.list(indices, ",");
-                self.push(")}");
-            }
-            Kind::Accent(accent, body) => {
-                let name = match accent {
-                    Accent::Hat => "hat",
-                    Accent::Bar => "bar",
-                    Accent::Vec => "vec",
-                    Accent::Tilde => "tilde",
-                    Accent::Dot => "dot",
-                    Accent::Ddot => "ddot",
-                    Accent::Bold => "bold",
-                    Accent::Script => "script",
-                    Accent::Blackboard => "blackboard",
-                };
-                self.call(name, &[body]);
-            }
-            Kind::Prime(body, order) => {
-                self.write(body, Precedence::Postfix);
-                self.push(&"'".repeat(*order as usize));
-            }
-            Kind::Add(terms) => {
-                for (i, term) in terms.iter().enumerate() {
-                    match (i, term.sign) {
-                        (0, Sign::Plus) if terms.len() > 1 => {}
-                        (0, Sign::Plus) => self.push("+"),
-                        (0, Sign::Minus) => self.push("-"),
-                        (_, Sign::Plus) => self.push(" + "),
-                        (_, Sign::Minus) => self.push(" - "),
-                    }
-                    self.write(&term.expr, Precedence::Product);
-                }
-            }
-            Kind::Mul(factors) => self.product(factors),
-            Kind::Div(left, right, _) => {
-                self.write(left, Precedence::Product);
-                self.push("/");
-                self.write(right, Precedence::Compose);
-            }
-            Kind::Pow(base, exponent) => self.power(base, exponent),
-            Kind::Apply(callee, groups) => {
-                // t^2(…) would read as a product: a callee that is a power needs an index or a name.
-                let family = match &callee.kind {
-                    Kind::Pow(base, exponent) => {
-                        matches!(base.kind, Kind::Subscript(..)) || matches!(exponent.kind, Kind::Name(_))
-                    }
-                    Kind::Upper(..) => true,
-                    _ => false,
-                };
-                self.write(callee, if family { Precedence::Power } else { Precedence::Postfix });
-                self.push("(");
-                for (i, group) in groups.iter().enumerate() {
-                    if i > 0 {
-                        self.push("; ");
-                    }
-                    self.list(group, ", ");
-                }
-                self.push(")");
-            }
-            Kind::Group(body) => {
-                self.push("(");
-                self.write(body, Precedence::Relation);
-                self.push(")");
-            }
-            Kind::Tuple(items) => {
-                self.push("(");
-                self.list(items, ", ");
-                self.push(")");
-            }
-            Kind::List(items) => {
-                self.push("[");
-                self.list(items, ", ");
-                self.push("]");
-            }
-            Kind::Set(items, condition) => {
-                self.push("{");
-                self.list(items, ", ");
-                if let Some(condition) = condition {
-                    self.push(" | ");
-                    self.write(condition, Precedence::Relation);
-                }
-                self.push("}");
-            }
-            Kind::Matrix(rows, _) => {
-                self.push("[");
-                for (i, row) in rows.iter().enumerate() {
-                    if i > 0 {
-                        self.push("; ");
-                    }
-                    for (j, cell) in row.iter().enumerate() {
-                        if j > 0 {
-                            self.push(", ");
-                        }
-                        if let Some(cell) = cell {
-                            self.write(cell, Precedence::Relation);
-                        }
-                    }
-                }
-                // Without it a single row would read as a list.
-                self.push(if rows.len() == 1 { ";]" } else { "]" });
-            }
-            Kind::Binomial(n, k, _) => self.call("binomial", &[n, k]),
-            Kind::Factorial(body) => {
-                self.write(body, Precedence::Postfix);
-                self.push("!");
-            }
-            Kind::Enclosed(enclosure, body) => {
-                let name = match enclosure {
-                    Enclosure::Abs => "abs",
-                    Enclosure::Norm => "norm",
-                    Enclosure::Floor => "floor",
-                    Enclosure::Ceil => "ceil",
-                };
-                self.call(name, &[body]);
-            }
-            Kind::Big { op, lower, upper, body } => self.big(*op, lower, upper.as_deref(), body),
-            Kind::Integral { lower, upper, body, variable } => {
-                self.push("integral(");
-                self.write(body, Precedence::Relation);
-                self.push(", ");
-                self.write(variable, Precedence::Relation);
-                if let (Some(lower), Some(upper)) = (lower, upper) {
-                    self.push("=");
-                    self.write(lower, Precedence::Sum);
-                    self.push("..");
-                    self.write(upper, Precedence::Sum);
-                }
-                self.push(")");
-            }
-            Kind::Derivative { variables, body, .. } => {
-                self.push("diff(");
-                if let Some(body) = body {
-                    self.write(body, Precedence::Relation);
-                }
-                for (variable, order) in variables {
-                    self.push(", ");
-                    self.write(variable, Precedence::Relation);
-                    if let Some(order) = order {
-                        self.push(", ");
-                        self.write(order, Precedence::Relation);
-                    }
-                }
-                self.push(")");
-            }
-            Kind::At { body, lower, .. } => {
-                self.push("subs(");
-                self.write(body, Precedence::Relation);
-                for piece in lower {
-                    self.push(", ");
-                    self.write(piece, Precedence::Relation);
-                }
-                self.push(")");
-            }
-            Kind::Cases(cases) => {
-                self.push("cases(");
-                for (i, (value, condition)) in cases.iter().enumerate() {
-                    if i > 0 {
-                        self.push(", ");
-                    }
-                    self.write(value, Precedence::Lambda);
-                    match condition {
-                        Some(condition) => {
-                            self.push(" if ");
-                            self.write(condition, Precedence::Relation);
-                        }
-                        None => self.push(" otherwise"),
-                    }
-                }
-                self.push(")");
-            }
-            Kind::Ellipsis => self.either("...", "⋯"),
-            Kind::Brace(items, _) => self.list(items, ", "),
-            Kind::Compose(items) => {
-                for (i, item) in items.iter().enumerate() {
-                    if i > 0 {
-                        self.push("∘");
-                    }
-                    self.write(item, Precedence::Power);
-                }
-            }
-            Kind::Cross(items) => {
-                let items: Vec<&Expr> = items.iter().collect();
-                self.call("cross", &items);
-            }
-            Kind::Transpose(body) => self.call("transpose", &[body]),
-            Kind::Range(from, to) => {
-                self.write(from, Precedence::Sum);
-                self.push("..");
-                self.write(to, Precedence::Sum);
-            }
-            Kind::Lambda(parameters, body) => {
-                match parameters.as_slice() {
-                    [one] => self.write(one, Precedence::Postfix),
-                    many => {
-                        self.push("(");
-                        self.list(many, ", ");
-                        self.push(")");
-                    }
-                }
-                self.either(" -> ", " ↦ ");
-                self.write(body, Precedence::Lambda);
-            }
-            Kind::Chain(first, links) => {
-                self.write(first, Precedence::Lambda);
-                for link in links {
-                    let sign = self.relation(link.rel);
-                    self.push(sign);
-                    let inner =
-                        if link.rel == Rel::Define { Precedence::Relation } else { Precedence::Lambda };
-                    self.write(&link.expr, inner);
-                }
-            }
-            Kind::Sequence(items) => self.list(items, ", "),
-            Kind::ForAll(items, body) => {
-                self.either("for all ", "∀ ");
-                self.list(items, ", ");
-                if let Some(body) = body {
-                    self.push(": ");
-                    self.write(body, Precedence::Relation);
-                }
-            }
-            Kind::Text(words) => {
-                self.push("\"");
-                self.push(&words.replace('"', "'"));
-                self.push("\"");
-            }
-            Kind::Unread(raw) => self.push(raw),
-        }
-    }
-
-    fn relation(&self, rel: Rel) -> &'static str {
-        match (rel, self.unicode) {
-            (Rel::Eq, _) => " = ",
-            (Rel::Define, _) => " := ",
-            (Rel::Ne, false) => " != ",
-            (Rel::Ne, true) => " ≠ ",
-            (Rel::Lt, _) => " < ",
-            (Rel::Le, false) => " <= ",
-            (Rel::Le, true) => " ≤ ",
-            (Rel::Gt, _) => " > ",
-            (Rel::Ge, false) => " >= ",
-            (Rel::Ge, true) => " ≥ ",
-            (Rel::Equiv, _) => " ≡ ",
-            (Rel::Approx, _) => " ≈ ",
-            (Rel::In, false) => " in ",
-            (Rel::In, true) => " ∈ ",
-            (Rel::Subset, _) => " ⊆ ",
-            (Rel::To, _) => " → ",
-            (Rel::MapsTo, _) => " ↦ ",
-            (Rel::Implies, _) => " ⇒ ",
-            (Rel::Iff, _) => " ⇔ ",
-            (Rel::Colon, _) => " : ",
-        }
-    }
-
-    fn name(&mut self, name: &str) {
-        match crate::syntax::greek_char(name) {
-            Some(letter) if self.unicode => self.out.push(letter),
-            _ => self.push(name),
-        }
-    }
-
-    fn subscript(&mut self, base: &Expr, indices: &[Expr]) {
-        self.write(base, Precedence::Postfix);
-        if let [index] = indices {
-            if let Some(digits) = digits(index) {
-                if self.unicode
-                    && let Some(low) = script(&digits, SUBSCRIPTS)
-                {
-                    return self.push(&low);
-                }
-                let bare = matches!(&base.kind, Kind::Name(name) if numbered_without_underscore(name));
-                if !bare {
-                    self.push("_");
-                }
-                return self.push(&digits);
-            }
-            if let Kind::Name(name) = &index.kind
-                && name.chars().count() == 1
-                && name.chars().all(char::is_alphabetic)
-            {
-                self.push("_");
-                return self.name(name);
-            }
-        }
-        self.push("_{");
-        self.list(indices, ",");
-        self.push("}");
-    }
-
-    fn power(&mut self, base: &Expr, exponent: &Expr) {
-        self.write(base, Precedence::Postfix);
-        if let Some(digits) = digits(exponent) {
-            if self.unicode
-                && let Some(high) = script(&digits, SUPERSCRIPTS)
-            {
-                return self.push(&high);
-            }
-            self.push("^");
-            return self.push(&digits);
-        }
-        self.push("^");
-        self.write(exponent, Precedence::Postfix);
-    }
-
-    fn product(&mut self, factors: &[Expr]) {
-        for (i, factor) in factors.iter().enumerate() {
-            let context = if i == 0 { Precedence::Product } else { Precedence::Compose };
-            if i == 0 {
-                self.write(factor, context);
-                continue;
-            }
-            let before = self.out.len();
-            self.write(factor, context);
-            let starts_with_digit = self.out[before..].starts_with(|c: char| c.is_ascii_digit() || c == '.');
-            // Subscripts and superscripts end a name, so t₁t₂ needs no space; t u does.
-            let ends_name = self.out[..before].ends_with(|c: char| {
-                let scripts = SUBSCRIPTS.iter().chain(SUPERSCRIPTS);
-                scripts.map(|(_, script)| *script).any(|script| script == c)
-            });
-            let starts_name = self.out[before..].starts_with(char::is_alphabetic);
-            let separator = match (starts_with_digit, self.unicode && ends_name && starts_name) {
-                (true, _) => "*",
-                (_, true) => "",
-                _ => " ",
-            };
-            self.out.insert_str(before, separator);
-        }
-    }
-
-    fn big(&mut self, op: BigOp, lower: &[Expr], upper: Option<&Expr>, body: &Expr) {
-        self.push(match op {
-            BigOp::Sum => "sum(",
-            BigOp::Product => "prod(",
-            BigOp::Max => "max(",
-            BigOp::Min => "min(",
-            BigOp::Union => "union(",
-            BigOp::Intersection => "intersection(",
-            BigOp::Limit => "limit(",
-        });
-        for piece in lower {
-            match (&piece.kind, upper) {
-                (Kind::Chain(name, links), Some(upper)) if links.len() == 1 => {
-                    self.write(name, Precedence::Sum);
-                    self.push("=");
-                    self.write(&links[0].expr, Precedence::Sum);
-                    self.push("..");
-                    self.write(upper, Precedence::Sum);
-                }
-                _ => self.write(piece, Precedence::Relation),
-            }
-            self.push(", ");
-        }
-        self.write(body, Precedence::Relation);
-        self.push(")");
-    }
+    };
+    std::iter::once('"').chain(words.chars().map(plain)).chain(std::iter::once('"')).collect()
 }
