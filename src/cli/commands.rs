@@ -258,9 +258,7 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
 
 /// A step with its reason.
 pub(super) fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
-    let formula = write_expr(&line.formula, output.format).map_err(|error| {
-        Trouble::Problem(Box::new(Diagnostic::error(Code::Unsupported, error.to_string())))
-    })?;
+    let formula = output.written(&line.formula)?;
     Ok(match output.format {
         Format::Latex => format!("{formula} && \\text{{{}}} \\\\", line.reason),
         Format::Json => serde_json::json!({"formula": formula, "reason": line.reason}).to_string(),
