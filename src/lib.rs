@@ -41,7 +41,7 @@
 //! | A_n, raising the degree, change of basis | [`basis`] |
 //! | exact solving, inverse, rank, determinant | [`linalg`] |
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
-//! | reading and writing formulas | [`syntax`], [`latex`], [`write`] |
+//! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
