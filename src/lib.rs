@@ -1,4 +1,61 @@
-//! polarform: exact polynomials and their polar forms (blossoms).
+//! Exact polynomials and their polar forms (blossoms).
+//!
+//! The polar form of a polynomial F of degree at most n is the unique function f of n
+//! arguments that is symmetric, affine in each argument, and has F(t) = f(t, …, t). It is kept
+//! as n + 1 coefficients; what can be done with these is never done on its 2^n monomials.
+//!
+//! ```
+//! use polarform::blossom::{Argument, PolarForm};
+//! use polarform::number::integer;
+//!
+//! // F(t) = t^2 + 2t, whose polar form is f(t1, t2) = t1 t2 + t1 + t2
+//! let f = PolarForm::new([0, 2, 1].map(integer).to_vec());
+//! assert_eq!(f.value_at(&[integer(2), integer(3)])?, integer(11));
+//!
+//! // Vectors give derivatives: F'(3) = 2 f(3, 1̂) = 8
+//! let half = f.value(&[Argument::Point(integer(3)), Argument::Vector(integer(1))])?;
+//! assert_eq!(half * integer(2), integer(8));
+//! # Ok::<(), polarform::blossom::PolarError>(())
+//! ```
+//!
+//! The same in the language of the command line, which also reads symbols and claims:
+//!
+//! ```
+//! use polarform::session::Session;
+//! use polarform::value::{Value, Verdict};
+//!
+//! let mut session = Session::default();
+//! session.run("f := polar(t^2 + 2t)")?;
+//! let answer = session.run("f(r, s) = r s + r + s")?;
+//! let Value::Claim(claim) = answer.outcome.value else { unreachable!() };
+//! assert_eq!(claim.verdict(), Verdict::Proved);
+//! # Ok::<(), Box<polarform::session::Failure>>(())
+//! ```
+//!
+//! # Where to look
+//! | for | see |
+//! | --- | --- |
+//! | numbers: fractions of integers of any size | [`number`] |
+//! | polynomials, fractions of them, symbols | [`poly`] |
+//! | polar forms: in one variable, tensor-product, of total degree | [`blossom`] |
+//! | A_n, raising the degree, change of basis | [`basis`] |
+//! | exact solving, inverse, rank, determinant | [`linalg`] |
+//! | statements, names, claims | [`session`], [`eval`], [`value`] |
+//! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
+//! | limits on time and size | [`budget`] |
+//!
+//! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
+//!
+//! # What is not supported
+//! - floating-point numbers: every number is rational, decimals are read as fractions
+//! - functions that are not rational, such as sin, exp and roots
+//! - solving equations (linear systems apart) and general simplification
+//! - coefficients in finite fields or in algebraic extensions of Q
+//! - splines, interpolation, figures and the checking of whole lecture notes: planned
+//!
+//! # Limits and panics
+//! Library functions work without limits; run them under [`budget::run`] to bound time and
+//! size. Functions that panic say so; what can go wrong with an input is an error.
 pub mod basis;
 pub mod blossom;
 pub mod budget;

@@ -1,0 +1,232 @@
+//! The documentation is run: every console example gives the output it shows, every example
+//! of the function table works, the function reference and the list of tiers are up to date,
+//! and links lead somewhere.
+//!
+//! `UPDATE_DOCS=1 cargo test --test docs` writes the outputs and the reference anew.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use polarform::eval::BUILTINS;
+use polarform::session::Session;
+use polarform::value::{Value, Verdict};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// README.md, CHANGELOG.md and docs/*.md.
+fn pages() -> Vec<PathBuf> {
+    let mut pages = vec![root().join("README.md"), root().join("CHANGELOG.md")];
+    for entry in fs::read_dir(root().join("docs")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "md") {
+            pages.push(path);
+        }
+    }
+    pages.sort();
+    pages
+}
+
+/// The words of a command line: blanks separate, '…' is literal, "…" and \ work as in a shell.
+fn words(line: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut word: Option<String> = None;
+    let mut quote: Option<char> = None;
+    let mut rest = line.chars().peekable();
+    while let Some(c) = rest.next() {
+        match (quote, c) {
+            (Some(q), _) if c == q => quote = None,
+            (Some('"'), '\\') if rest.peek().is_some_and(|next| "\"\\$`".contains(*next)) => {
+                word.get_or_insert_default().extend(rest.next());
+            }
+            (Some(_), _) => word.get_or_insert_default().push(c),
+            (None, '\'' | '"') => {
+                word.get_or_insert_default();
+                quote = Some(c);
+            }
+            (None, '\\') => word.get_or_insert_default().extend(rest.next()),
+            (None, _) if c.is_whitespace() => words.extend(word.take()),
+            (None, _) => word.get_or_insert_default().push(c),
+        }
+    }
+    assert!(quote.is_none(), "unbalanced quotes: {line}");
+    words.extend(word);
+    words
+}
+
+#[test]
+fn words_are_split_as_a_shell_does() {
+    assert_eq!(words(r#"a "b c"  'd"e' "" f\ g"#), ["a", "b c", "d\"e", "", "f g"]);
+    assert_eq!(words(r#""\frac{1}{2}" "\"x\"" '\alpha'"#), [r"\frac{1}{2}", "\"x\"", r"\alpha"]);
+}
+
+/// Runs one command of a console example; gives what it prints, errors last, and its status.
+///
+/// `polarform …`, also as `cargo run --release -- …`, may read a file with `< FILE`;
+/// `echo $?` shows the status of the command before.
+fn output(line: &str, status: i32) -> (String, i32) {
+    if line == "echo $?" {
+        return (format!("{status}\n"), 0);
+    }
+    let words = words(line);
+    let mut arguments: Vec<&str> = words.iter().map(String::as_str).collect();
+    if let Some(rest) = arguments.strip_prefix(&["cargo", "run", "--release", "--"]) {
+        arguments = rest.to_vec();
+    } else if arguments.first() == Some(&"polarform") {
+        arguments.remove(0);
+    } else {
+        panic!("not a command of ours: {line}");
+    }
+    let mut input = Stdio::null();
+    if let [.., "<", file] = arguments[..] {
+        input = fs::File::open(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}")).into();
+        arguments.truncate(arguments.len() - 2);
+    }
+    let ran = Command::new(env!("CARGO_BIN_EXE_polarform"))
+        .args(&arguments)
+        .current_dir(root())
+        .stdin(input)
+        .output()
+        .expect("the binary was built for this test");
+    let mut shown = String::from_utf8(ran.stdout).unwrap();
+    shown.push_str(&String::from_utf8(ran.stderr).unwrap());
+    (shown, ran.status.code().unwrap_or(-1))
+}
+
+/// The page with the outputs in its `console` blocks replaced by the true ones.
+fn filled(page: &str) -> String {
+    let mut result = String::with_capacity(page.len());
+    let mut lines = page.lines().peekable();
+    let mut inside = false;
+    let mut status = 0;
+    while let Some(line) = lines.next() {
+        result.push_str(line);
+        result.push('\n');
+        if line == "```console" {
+            inside = true;
+        } else if line.starts_with("```") {
+            inside = false;
+        } else if inside {
+            let Some(command) = line.strip_prefix("$ ") else { panic!("output before a command: {line}") };
+            let mut command = command.to_owned();
+            while let Some(start) = command.strip_suffix('\\') {
+                let next = lines.next().expect("a continued line goes on");
+                result.push_str(next);
+                result.push('\n');
+                command = start.to_owned() + next.strip_prefix("> ").expect("continuations start with '> '");
+            }
+            while lines.next_if(|next| !next.starts_with("$ ") && *next != "```").is_some() {}
+            let (shown, code) = output(&command, status);
+            status = code;
+            result.push_str(&shown);
+        }
+    }
+    result
+}
+
+/// Compares, or writes when UPDATE_DOCS is set.
+fn settle(path: &Path, right: &str) {
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(path, right).unwrap();
+        return;
+    }
+    let shown = read(path);
+    for (i, (is, should)) in shown.lines().zip(right.lines()).enumerate() {
+        assert_eq!(is, should, "{}:{} (UPDATE_DOCS=1 renews it)", path.display(), i + 1);
+    }
+    assert_eq!(shown, right, "{} (UPDATE_DOCS=1 renews it)", path.display());
+}
+
+#[test]
+fn console_examples_show_what_happens() {
+    for page in pages() {
+        if !page.ends_with("functions.md") {
+            settle(&page, &filled(&read(&page)));
+        }
+    }
+}
+
+#[test]
+fn the_function_reference_is_up_to_date() {
+    let mut page = String::from(
+        "# Functions\n\n\
+         Written from the table in `src/eval/builtins/`, which is also behind `polarform functions`; \
+         to renew it: `UPDATE_DOCS=1 cargo test --test docs`. \
+         What has a notation of its own (`sum`, `prod`, `hat`, `abs`, …) is in [language.md](language.md).\n",
+    );
+    let mut topic = "";
+    for builtin in BUILTINS {
+        if builtin.topic != topic {
+            topic = builtin.topic;
+            write!(page, "\n## {topic}\n").unwrap();
+        }
+        let (name, signature, summary) = (builtin.name, builtin.signature, builtin.summary);
+        assert!(!builtin.example.contains(['"', '\\', '$', '`']), "{name}: the example needs no quoting");
+        write!(
+            page,
+            "\n### {name}\n`{signature}`: {summary}.\n```console\n$ polarform eval \"{}\"\n```\n",
+            builtin.example
+        )
+        .unwrap();
+    }
+    settle(&root().join("docs/functions.md"), &filled(&page));
+}
+
+#[test]
+fn every_example_of_the_table_runs() {
+    for builtin in BUILTINS {
+        let answer = Session::default().run(builtin.example);
+        let answer = answer.unwrap_or_else(|failure| {
+            panic!("{}: {}: {}", builtin.name, builtin.example, failure.problem.message)
+        });
+        if let Value::Claim(claim) = &answer.outcome.value {
+            assert_eq!(claim.verdict(), Verdict::Proved, "{}", builtin.example);
+        }
+    }
+}
+
+/// The words in quotation marks or in `code` of a text.
+fn quoted(text: &str, mark: char) -> Vec<&str> {
+    text.split(mark).skip(1).step_by(2).collect()
+}
+
+#[test]
+fn the_tiers_are_those_of_the_architecture_test() {
+    let test = read(&root().join("tests/architecture.rs"));
+    let tiers: Vec<Vec<&str>> = test
+        .lines()
+        .skip_while(|line| !line.starts_with("const TIERS"))
+        .skip(1)
+        .take_while(|line| !line.starts_with("];"))
+        .map(|line| quoted(line, '"'))
+        .collect();
+    let page = read(&root().join("docs/architecture.md"));
+    let told: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.starts_with("| T"))
+        .map(|line| quoted(line.split('|').nth(2).unwrap_or(""), '`'))
+        .collect();
+    assert!(!tiers.is_empty());
+    assert_eq!(told, tiers);
+}
+
+#[test]
+fn links_lead_somewhere() {
+    for page in pages() {
+        let text = read(&page);
+        for piece in text.split("](").skip(1) {
+            let target = piece.split([')', '#', '\n']).next().unwrap_or("");
+            if !target.is_empty() && !target.contains("://") {
+                let path = page.parent().unwrap().join(target);
+                assert!(path.exists(), "{} links to {target}", page.display());
+            }
+        }
+    }
+}
