@@ -77,7 +77,10 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
         let mut statement = guarded(&limits, || read(file, part)).map_err(fail)?;
-        let outcome = self.evaluate(&mut statement, equals).map_err(fail)?;
+        let statement_span = statement.span;
+        // What exceeds a limit has no place of its own; the statement will do.
+        let outcome =
+            self.evaluate(&mut statement, equals).map_err(|problem| fail(problem.at(statement_span)))?;
         Ok(Answer { statement, outcome, file: file.clone() })
     }
 
@@ -157,7 +160,7 @@ pub(crate) fn stopped(stop: &Stop) -> Diagnostic {
             Diagnostic::error(Code::Timeout, stop.to_string()).hint("allow more time with --timeout SECONDS")
         }
         Stop::Terms { .. } => Diagnostic::error(Code::TooManyTerms, stop.to_string())
-            .hint("allow more with --max-terms N, or print in short form with --notation sigma"),
+            .hint("allow more with --max-terms N; to print a large polar form use --notation sigma"),
         Stop::Bits { .. } => Diagnostic::error(Code::TooManyDigits, stop.to_string()),
         Stop::Interrupted => Diagnostic::error(Code::Interrupted, "interrupted"),
     }

@@ -71,7 +71,7 @@ impl FromStr for Method {
     }
 }
 
-/// A symmetric multi-affine function of m arguments, Σ_k weights[k] e_k(t_1, …, t_m).
+/// A symmetric multi-affine function of m arguments, Σ_k w_k e_k(t_1, …, t_m), as w_0, …, w_m.
 pub type Weights<C> = Vec<C>;
 
 /// One step of a derivation. "Symmetric" entries are weights of elementary symmetric functions.
@@ -243,14 +243,11 @@ fn derivatives<C: Ring>(c: &[C]) -> Vec<Vec<C>> {
 /// weights of symmetric functions. Only power n−k−m of τ goes with e_k.
 fn auxiliary_derivative<C: Ring>(n: usize, m: usize) -> Vec<Weights<C>> {
     let mut by_power = vec![vec![C::zero(); n + 1]; (n + 1).saturating_sub(m).max(1)];
-    for k in 0..=n {
-        let power = n - k;
-        if power < m {
-            continue;
-        }
-        let falling: Int = (power - m + 1..=power).map(Int::from).product();
-        let sign = if power % 2 == 0 { falling } else { -falling };
-        by_power[power - m][k] = C::from_rational(&Rational::from_integer(sign));
+    for (rest, weights) in by_power.iter_mut().enumerate().take((n + 1).saturating_sub(m)) {
+        let power = rest + m;
+        let falling: Int = (rest + 1..=power).map(Int::from).product();
+        let sign = if power.is_multiple_of(2) { falling } else { -falling };
+        weights[n - power] = C::from_rational(&Rational::from_integer(sign));
     }
     by_power
 }

@@ -129,7 +129,7 @@ impl<C: Ring> TensorPolarForm<C> {
         self.in_v(|row| row.reduce(by_v))?.in_u(|column| column.reduce(by_u))
     }
 
-    /// The control net over [a, b] × [c, d]: net[i][j] = f(a^{m−i}, b^i; c^{n−j}, d^j).
+    /// The control net over [a, b] × [c, d]: entry (i, j) is f(a^{m−i}, b^i; c^{n−j}, d^j).
     pub fn bezier_net(&self, (a, b): (&C, &C), (c, d): (&C, &C)) -> Vec<Vec<C>> {
         let rows = self.rows.iter().map(|row| PolarForm::new(row.bezier_points(c, d)));
         let along_v = TensorPolarForm { rows: rows.collect() };

@@ -7,8 +7,8 @@ use std::path::Path;
 use super::Status;
 use super::arguments::{Arguments, Command, Two};
 use super::output::{Output, Trouble};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::eval::{BUILTINS, Equals, builtin, nearest};
+use crate::diagnostic::{Code, Diagnostic, nearest};
+use crate::eval::{BUILTINS, Equals, builtin};
 use crate::expr::{Expr, Kind, Rel};
 use crate::poly::Symbol;
 use crate::session::{Answer, Failure, Session, read};
@@ -143,11 +143,14 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
         Command::Compose(two) => combine(session, output, two, "polar_compose"),
         Command::Matrix { degree, from, to, inverse, interval, raise_to } => {
             let n = Expr::int(i64::try_from(*degree).unwrap_or(i64::MAX));
-            let file = SourceFile::new("<matrix>", "");
+            // Errors are about the interval, if there is one to point at.
+            let text = interval.as_deref().unwrap_or("");
+            let file = SourceFile::new(if text.is_empty() { "<matrix>" } else { "<interval>" }, text);
+            let whole = Span::new(0, text.len());
             let matrix = match raise_to {
                 Some(m) => {
                     let m = Expr::int(i64::try_from(*m).unwrap_or(i64::MAX));
-                    query(session, &file, Span::default(), "raising", vec![n, m], vec![])?
+                    query(session, &file, whole, "raising", vec![n, m], vec![])?
                 }
                 None => {
                     let ends = match interval {
@@ -157,7 +160,7 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
                     let from = basis("<from>", from, &ends)?;
                     let to = basis("<to>", to, &ends)?;
                     let (from, to) = if *inverse { (to, from) } else { (from, to) };
-                    query(session, &file, Span::default(), "change_of_basis", vec![n, from, to], vec![])?
+                    query(session, &file, whole, "change_of_basis", vec![n, from, to], vec![])?
                 }
             };
             output.value(&matrix, None)?;
@@ -415,7 +418,7 @@ pub(super) fn functions(output: &Output, name: Option<&str>) -> Ran {
             None => {
                 let mut problem =
                     Diagnostic::error(Code::UnknownFunction, format!("there is no function '{name}'"));
-                if let Some(best) = nearest(name, BUILTINS.iter().map(|b| b.name.to_owned())) {
+                if let Some(best) = nearest(name, BUILTINS.iter().map(|b| b.name)) {
                     problem = problem.hint(format!("did you mean '{best}'?"));
                 }
                 Err(Box::new(Failure { problem, file: SourceFile::new("<name>", name) }).into())

@@ -15,8 +15,8 @@ use super::commands;
 use super::output::{Output, Trouble};
 use super::repl_helper::Helper;
 use crate::blossom::Method;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::eval::{BUILTINS, Equals, nearest};
+use crate::diagnostic::{Code, Diagnostic, nearest};
+use crate::eval::{BUILTINS, Equals};
 use crate::poly::Symbol;
 use crate::session::Session;
 use crate::source::SourceFile;
@@ -269,7 +269,7 @@ impl Repl<'_> {
             _ => match name.parse::<Format>() {
                 Ok(format) => self.output.format = format,
                 Err(_) => {
-                    let known = COLON_COMMANDS.iter().map(|command| command.name.to_owned());
+                    let known = COLON_COMMANDS.iter().map(|command| command.name);
                     let problem = Diagnostic::error(Code::Usage, format!("there is no command :{name}"));
                     return Err(Trouble::Problem(Box::new(match nearest(name, known) {
                         Some(best) => problem.hint(format!("did you mean :{best}?")),

@@ -95,6 +95,15 @@ codes! {
     /// Example: `F(t) := F(t) + 1`.
     Recursion = "E206": "endless recursion",
 
+    /// A name that is not defined was read with the meaning it has in the literature.
+    ///
+    /// Example: `B_1^3(t)` is a Bernstein polynomial. Define the name to give it another meaning.
+    StandardMeaning = "E207": "read with its standard meaning",
+    /// A new case was added to a function that has other cases.
+    ///
+    /// Example: `F(0) := 1` and then `F(n) := n F(n-1)`. `:forget F` starts anew.
+    MoreCases = "E208": "a further case of a function",
+
     /// Wrong number of arguments.
     ///
     /// Example: a polar form of degree 3 takes exactly 3 arguments.

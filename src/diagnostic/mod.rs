@@ -2,9 +2,11 @@
 
 mod code;
 mod render;
+mod suggest;
 
 pub use code::Code;
 pub use render::{render, render_json};
+pub use suggest::nearest;
 
 use crate::source::Span;
 

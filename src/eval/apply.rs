@@ -54,7 +54,7 @@ impl Machine {
                     .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
                 self.note(
                     Diagnostic::note(
-                        Code::UnknownName,
+                        Code::StandardMeaning,
                         format!("read with its standard meaning, {}", builtin.signature),
                     )
                     .at(callee.span),
@@ -97,15 +97,19 @@ impl Machine {
 
     /// Finds out what stands before a bracket.
     fn callee(&mut self, callee: &Expr) -> Result<Callee, Diagnostic> {
+        // N_0 may have a definition of its own beside those of the family N_i.
+        let symbol = name_of(callee, self);
+        if let Some(symbol) = &symbol
+            && let Some(value) = self.lookup(symbol)
+        {
+            return Ok(Callee::Value(value.clone()));
+        }
         if let Some(found) = self.indexed_callee(callee)? {
             return Ok(found);
         }
-        let Some(symbol) = name_of(callee, self) else {
+        let Some(symbol) = symbol else {
             return self.eval(callee).map(Callee::Value);
         };
-        if let Some(value) = self.lookup(&symbol) {
-            return Ok(Callee::Value(value.clone()));
-        }
         if symbol.is_plain() {
             let name = symbol.base();
             if let Some(builtin) = builtins::builtin(name) {

@@ -2,7 +2,7 @@
 
 use super::wrong_kind;
 use crate::blossom::{Argument, PointArgument, PolarError};
-use crate::diagnostic::{At, Code, Diagnostic};
+use crate::diagnostic::{At, Code, Diagnostic, nearest};
 use crate::expr::{Expr, Kind, Rel};
 use crate::number::Rational;
 use crate::poly::{Fraction, MultiPoly, Symbol};
@@ -94,7 +94,7 @@ impl Arguments {
         names: &[&str],
     ) -> Result<()> {
         if let Some((name, _, span)) = self.named.iter().find(|(name, ..)| !names.contains(&name.as_str())) {
-            let known = super::nearest(name, names.iter().map(|n| (*n).to_owned()));
+            let known = nearest(name, names.iter().copied());
             let error = Diagnostic::error(Code::Arity, format!("there is no argument '{name}'"))
                 .at(*span)
                 .reason(format!("the form is {signature}"));
@@ -245,17 +245,24 @@ pub(super) fn symbol_of(value: &Value) -> Option<Symbol> {
     (*poly == MultiPoly::symbol(variable.clone())).then(|| variable.clone())
 }
 
-/// Parameters by preference, when a formula has several variables.
-const PARAMETERS: &[&str] = &["t", "u", "x", "s", "tau"];
+/// Letters that usually stand for the parameter of a curve, not for a coefficient.
+const PARAMETERS: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
 
-/// The variable of a formula: the one asked for, the only one, or a usual name of a parameter.
+/// The variable of a formula: the one asked for, the only one, t, or the only letter that
+/// usually stands for a parameter.
 pub(super) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<Symbol> {
     if let Some(symbol) = given {
         return Ok(symbol);
     }
     let variables = formula.variables();
-    if let Some(usual) = PARAMETERS.iter().map(|name| Symbol::new(*name)).find(|s| variables.contains(s)) {
-        return Ok(usual);
+    let t = Symbol::new("t");
+    if variables.contains(&t) {
+        return Ok(t);
+    }
+    let usual: Vec<&Symbol> =
+        variables.iter().filter(|s| s.is_plain() && PARAMETERS.contains(&s.base())).collect();
+    if let [one] = usual.as_slice() {
+        return Ok((*one).clone());
     }
     let plain: Vec<&Symbol> = variables.iter().filter(|symbol| symbol.is_plain()).collect();
     match (plain.as_slice(), variables.as_slice()) {

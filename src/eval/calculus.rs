@@ -218,7 +218,9 @@ impl Machine {
                     let sizes = match size {
                         Some(size) => {
                             let size = self.eval_int(size)?;
-                            usize::try_from(size).map(|s| s..=s).unwrap_or(1..=0)
+                            // No subset has a negative size: one beyond the last has none either.
+                            let size = usize::try_from(size).unwrap_or(items.len() + 1);
+                            size..=size
                         }
                         None => 0..=items.len(),
                     };

@@ -33,7 +33,18 @@ impl Machine {
             Kind::Name(_) | Kind::Subscript(..) | Kind::Accent(..) => left,
             _ => return false,
         };
-        // B_i^n(t) and the like are written with a Pow; only a := defines those.
+        // B_i^n(t): the base and the indices count.
+        let (head, indices): (&Expr, Vec<&Expr>) = match &head.kind {
+            Kind::Pow(inner, upper) => match &inner.kind {
+                Kind::Subscript(base, lower) => (base, lower.iter().chain([upper.as_ref()]).collect()),
+                _ => return false,
+            },
+            _ => (head, Vec::new()),
+        };
+        let bare = |index: &Expr| matches!(index.kind, Kind::Name(_) | Kind::Number(_));
+        if !indices.into_iter().all(bare) {
+            return false;
+        }
         let Some(name) = name_of(head, self) else { return false };
         let known = self.lookup(&name).is_some()
             || (name.is_plain() && builtins::builtin(name.base()).is_some())
@@ -173,13 +184,8 @@ impl Machine {
         };
         clauses.retain(|known| pattern(known) != pattern(&clause));
         if !clauses.is_empty() {
-            let count = clauses.len();
             self.note(
-                Diagnostic::note(
-                    Code::BadDefinition,
-                    format!("{name} keeps its {count} other case{}", if count == 1 { "" } else { "s" }),
-                )
-                .at(body.span),
+                Diagnostic::note(Code::MoreCases, format!("this is a further case of {name}")).at(body.span),
             );
         }
         clauses.push(clause);

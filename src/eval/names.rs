@@ -1,7 +1,7 @@
 //! What a written name refers to.
 
 use super::{Evaluated, Machine, builtins};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::expr::{Accent, Expr, Kind};
 use crate::poly::{Index, Symbol};
 use crate::value::Value;
@@ -49,6 +49,9 @@ const GREEK: &[&str] = &[
 
 /// Words that name a basis (`bernstein` is also a function).
 const BASES: &[&str] = &["power", "taylor", "lagrange", "newton", "hermite"];
+
+/// Functions somebody may expect that have no exact rational values.
+const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
 
 /// Whether an undefined name may stand for itself.
 pub(super) fn stands_for_itself(name: &str) -> bool {
@@ -191,63 +194,17 @@ impl Machine {
         let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
             .at(expr.span)
             .reason("unknown name");
-        let known = self
-            .scope
-            .keys()
-            .map(|symbol| symbol.base().to_owned())
-            .chain(builtins::BUILTINS.iter().map(|builtin| builtin.name.to_owned()));
+        let known =
+            self.scope.keys().map(Symbol::base).chain(builtins::BUILTINS.iter().map(|builtin| builtin.name));
         match nearest(name, known) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
-            None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 4 => {
+            None if TRANSCENDENTAL.contains(&name) => error
+                .hint("only polynomials and rational functions with rational coefficients are exact here"),
+            None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 3 => {
                 let spaced: Vec<String> = name.chars().map(String::from).collect();
                 error.hint(format!("for a product of symbols write '{}'", spaced.join(" ")))
             }
             None => error.hint(format!("define it first: {name} := ...")),
         }
-    }
-}
-
-/// The known name closest to `word`, if one is close enough to be a slip of the pen.
-pub fn nearest(word: &str, known: impl IntoIterator<Item = String>) -> Option<String> {
-    let allowed = (word.chars().count() / 3).max(1);
-    known
-        .into_iter()
-        .map(|name| (edit_distance(word, &name), name))
-        .filter(|(distance, name)| *distance <= allowed && *distance < name.chars().count())
-        .min()
-        .map(|(_, name)| name)
-}
-
-/// Insertions, deletions, replacements and swaps of neighbours needed.
-fn edit_distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
-    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
-    for i in 1..=a.len() {
-        let mut row = vec![i];
-        for j in 1..=b.len() {
-            let mut best = (rows[i - 1][j] + 1).min(row[j - 1] + 1);
-            best = best.min(rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]));
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
-            }
-            row.push(best);
-        }
-        rows.push(row);
-    }
-    rows[a.len()][b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slips_are_found() {
-        let known = || ["polar", "product", "elevate"].map(String::from);
-        assert_eq!(nearest("polra", known()).as_deref(), Some("polar"));
-        assert_eq!(nearest("elevat", known()).as_deref(), Some("elevate"));
-        assert_eq!(nearest("zzz", known()), None);
-        assert_eq!(edit_distance("abc", "acb"), 1);
-        assert_eq!(edit_distance("", "abc"), 3);
     }
 }

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::token::{Env, Fence};
+use crate::diagnostic::nearest;
 use crate::expr::{Accent, BigOp, Delimiter, Rel};
 
 /// What the reader does with a command.
@@ -205,36 +206,6 @@ fn glued(name: &str) -> Option<(&str, &str)> {
         .take(16)
         .filter_map(|at| name.split_at_checked(at))
         .find(|(head, _)| lookup(head).is_some_and(Command::is_supported))
-}
-
-fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
-    let allowed = if name.chars().count() <= 4 { 1 } else { 2 };
-    known
-        .filter(|candidate| candidate.len().abs_diff(name.len()) <= allowed)
-        .map(|candidate| (edits(name, candidate), candidate))
-        .filter(|&(distance, _)| distance <= allowed)
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
-}
-
-/// Edit distance with insertions, deletions, replacements and swaps of neighbours
-/// (the restricted Damerau–Levenshtein distance).
-fn edits(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut before: Vec<usize> = Vec::new();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut next = vec![i; b.len() + 1];
-        for j in 1..=b.len() {
-            let replaced = row[j - 1] + usize::from(a[i - 1] != b[j - 1]);
-            next[j] = replaced.min(row[j] + 1).min(next[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                next[j] = next[j].min(before[j - 2] + 1);
-            }
-        }
-        before = std::mem::replace(&mut row, next);
-    }
-    row[b.len()]
 }
 
 /// Words that stand bare in formulas, without `\text`, and are not products of letters.
@@ -653,7 +624,5 @@ mod tests {
         assert_eq!(nearest_command("underbarce"), Some("underbrace"));
         assert_eq!(nearest_command("xyzzy"), None);
         assert_eq!(nearest_environment("algned"), Some("aligned"));
-        assert_eq!(edits("", "abc"), 3);
-        assert_eq!(edits("ab", "ba"), 1);
     }
 }

@@ -10,7 +10,8 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use super::multivariate::{MultiPoly, ring_operators};
+use super::multivariate::MultiPoly;
+use super::ring_ops::ring_operators;
 use super::symbol::Symbol;
 use crate::number::Rational;
 use crate::ring::{Field, Ring};

@@ -4,6 +4,7 @@ mod fraction;
 mod gcd;
 mod multiply;
 mod multivariate;
+mod ring_ops;
 mod symbol;
 
 pub use fraction::{DivisionByZero, Fraction};

@@ -38,7 +38,8 @@ struct Parts {
 /// ```
 /// use polarform::poly::Symbol;
 /// assert!(Symbol::indexed("t", 2) < Symbol::indexed("t", 10));
-/// assert_eq!(Symbol::indexed("t", 2).to_string(), "t_2");
+/// assert_eq!(Symbol::indexed("t", 2).to_string(), "t2");
+/// assert_eq!(Symbol::indexed("c", 2).to_string(), "c_2");
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(Arc<Parts>);
@@ -125,6 +126,12 @@ impl fmt::Display for Symbol {
         }
         match self.indices() {
             [] => {}
+            // The arguments t1, t2, … of polar forms are written as one types them.
+            [Index::Number(i)]
+                if *i >= 0 && matches!(self.base(), "s" | "t" | "u" | "v" | "w" | "x" | "y" | "z") =>
+            {
+                write!(f, "{i}")?;
+            }
             [Index::Number(i)] if *i >= 0 => write!(f, "_{i}")?,
             [Index::Word(word)] if word.chars().count() == 1 => write!(f, "_{word}")?,
             many => {
@@ -168,7 +175,7 @@ mod tests {
         ];
         assert!(ordered.windows(2).all(|pair| pair[0] < pair[1]));
         let texts: Vec<String> = ordered.iter().map(Symbol::to_string).collect();
-        assert_eq!(texts, ["c", "t", "t_1", "t_{1,2}", "t_2", "t_10", "t_i", "hat(t)", "t1"]);
+        assert_eq!(texts, ["c", "t", "t1", "t_{1,2}", "t2", "t10", "t_i", "hat(t)", "t1"]);
         assert_eq!(Symbol::indexed("p", 0).with_upper([Index::Number(3)]).to_string(), "p_0^{(3)}");
         assert_eq!(Symbol::indexed("t", -1).to_string(), "t_{-1}");
     }

@@ -139,7 +139,8 @@ fn numbers_and_names() {
     reads("p_{i,j}", "p[i,j]");
     reads("p_{i+1,j-1}", "p[(+ i 1),(+ j -1)]");
     reads("a_xy", "a[xy]");
-    reads("max_terms", "max[terms]");
+    reads("max_terms", "max_terms");
+    reads("sigma_xy", "sigma[xy]");
     reads("a_t1", "a[t[1]]");
     reads("b_{01}", "b[01]");
     reads("b01", "b[01]");

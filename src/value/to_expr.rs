@@ -282,8 +282,11 @@ fn total_body(form: &TotalDegreePolarForm<Fraction>, points: &[Vec<Expr>], notat
         let mut marks: Vec<usize> = (0..=none).flat_map(|k| vec![k; parts[k]]).collect();
         let mut monomials = Vec::new();
         loop {
-            let factors = marks.iter().enumerate().filter(|(_, mark)| **mark < none);
-            let factors: Vec<Expr> = factors.map(|(j, &k)| points[j][k].clone()).collect();
+            // u's before v's: u1 v2 + u2 v1.
+            let mut chosen: Vec<(usize, usize)> =
+                marks.iter().enumerate().filter(|(_, mark)| **mark < none).map(|(j, &k)| (k, j)).collect();
+            chosen.sort_unstable();
+            let factors: Vec<Expr> = chosen.into_iter().map(|(k, j)| points[j][k].clone()).collect();
             monomials.push(Term { sign: Sign::Plus, expr: Expr::product(factors) });
             if !next_order(&mut marks) {
                 break;

@@ -57,7 +57,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "change_of_basis",
         signature: "change_of_basis(n, from, to)",
-        summary: "the matrix between bases: power, [taylor, a], [bernstein, a, b], [lagrange, t0, ...], ...",
+        summary: "the matrix between bases: power, bernstein, taylor, lagrange, newton, hermite",
         example: "change_of_basis(2, [bernstein, 0, 2], power)",
         topic: TOPIC,
         call: |_, args| {
