@@ -297,6 +297,7 @@ impl MultiPoly {
         if other.is_empty() {
             return self.clone();
         }
+        budget::steps(((self.len() + other.len()) / 16) as u32 + 1);
         let (vars, left, right) = aligned(self, other);
         let (a_factor, b_factor, den) = if self.den == other.den {
             (Int::ONE, Int::ONE, self.den.clone())
@@ -571,6 +572,9 @@ impl Ring for MultiPoly {
     }
     fn as_rational(&self) -> Option<Rational> {
         self.as_constant()
+    }
+    fn size(&self) -> u64 {
+        self.len() as u64
     }
     fn powered(&self, exponent: u32) -> Self {
         self.pow(exponent)
