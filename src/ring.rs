@@ -59,6 +59,11 @@ pub trait Ring:
     /// The rational number this element is, if it is one.
     fn as_rational(&self) -> Option<Rational>;
 
+    /// How many terms it is written with, for limits on memory; 1 for a number.
+    fn size(&self) -> u64 {
+        1
+    }
+
     /// self^exponent by repeated squaring.
     fn powered(&self, exponent: u32) -> Self {
         num_traits::pow(self.clone(), exponent as usize)

@@ -91,7 +91,8 @@ impl Session {
     pub fn evaluate(&mut self, statement: &mut Expr, equals: Equals) -> Result<Outcome, Diagnostic> {
         let mut env = self.env.clone();
         let limits = self.limits.clone();
-        let outcome = guarded(&limits, || eval::evaluate(statement, &mut env, equals))?;
+        let outcome = guarded(&limits, || eval::evaluate(statement, &mut env, equals))
+            .map_err(|problem| complete(problem, statement.span))?;
         if outcome.defined.is_none() {
             env.set(Symbol::new("ans"), outcome.value.clone());
         }
@@ -151,6 +152,34 @@ fn guarded<T>(limits: &Limits, work: impl FnOnce() -> Result<T, Diagnostic>) -> 
         Err(_) => Err(Diagnostic::error(Code::Internal, "polarform met a defect of its own")
             .hint("please report the input that led here")),
     }
+}
+
+/// A problem with a place (the whole statement if nothing smaller is known) and with advice.
+fn complete(problem: Diagnostic, statement: Span) -> Diagnostic {
+    let problem = problem.at(statement);
+    match usual_advice(problem.code) {
+        Some(advice) if problem.hints.is_empty() => problem.hint(advice),
+        _ => problem,
+    }
+}
+
+/// What to do about a problem whose finder had nothing more precise to say.
+fn usual_advice(code: Code) -> Option<&'static str> {
+    Some(match code {
+        Code::Arity => "give as many arguments as it takes; polarform functions shows the forms",
+        Code::Type => "convert it first, or use a function that takes it; polarform functions lists them",
+        Code::DivisionByZero => "leave this value out, or write a symbol and put in values later",
+        Code::DegreeTooSmall => "give a degree that is at least that of the polynomial",
+        Code::Shape => "make the numbers of rows, columns or items agree",
+        Code::Singular => "only matrices of full rank can be inverted; rank(M) tells the rank",
+        Code::NotReducible => "only a form whose highest coefficients are 0 has fewer arguments",
+        Code::Coincident => "choose distinct points",
+        Code::Domain => "choose a value in the range; polarform functions shows the forms",
+        Code::Unsupported => "say it with the functions there are; polarform functions lists them",
+        Code::TooManyTerms => "use smaller sizes; some need no expansion, such as f(0, 1) at numbers",
+        Code::TooManyDigits => "use smaller numbers, or keep a symbol in their place",
+        _ => return None,
+    })
 }
 
 /// The diagnostic for a computation that was stopped.

@@ -108,7 +108,8 @@ impl fmt::Display for PolarError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             PolarError::ArgumentCount { expected, given } => {
-                write!(f, "a polar form of degree {expected} takes {expected} arguments, not {given}")
+                let plural = if *expected == 1 { "" } else { "s" };
+                write!(f, "a polar form of degree {expected} takes {expected} argument{plural}, not {given}")
             }
             PolarError::TooManyArguments { degree, given } => {
                 write!(f, "a polar form of degree {degree} takes at most {degree} arguments, not {given}")
@@ -250,6 +251,7 @@ impl<C: Ring> PolarForm<C> {
                 };
             }
             weights.pop();
+            crate::budget::charge_terms(weights.iter().map(C::size).sum());
         }
         weights
     }

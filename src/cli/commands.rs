@@ -13,8 +13,9 @@ use crate::expr::{Expr, Kind, Rel};
 use crate::poly::Symbol;
 use crate::session::{Answer, Failure, Session, read};
 use crate::source::{SourceFile, Span};
+use crate::syntax;
 use crate::value::{Value, Verdict, polar_steps, symbol_expr};
-use crate::write::Format;
+use crate::write::{Format, text, write_words};
 
 /// Why a command ends before its end.
 pub(super) enum Stop {
@@ -91,7 +92,11 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
             for (i, text) in statements.iter().enumerate() {
                 let name =
                     if statements.len() == 1 { "<expr>".to_owned() } else { format!("<expr {}>", i + 1) };
-                status = status.max(run_all(session, output, &SourceFile::new(name, text.as_str()), true)?);
+                let file = SourceFile::new(name, text.as_str());
+                if syntax::statements(text).is_ok_and(|spans| spans.is_empty()) {
+                    formula(&file)?;
+                }
+                status = status.max(run_all(session, output, &file, true)?);
                 if status == Status::Failed {
                     break;
                 }
@@ -142,16 +147,9 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
         Command::Product(two) => combine(session, output, two, "polar_product"),
         Command::Compose(two) => combine(session, output, two, "polar_compose"),
         Command::Matrix { degree, from, to, inverse, interval, raise_to } => {
-            let n = Expr::int(i64::try_from(*degree).unwrap_or(i64::MAX));
-            // Errors are about the interval, if there is one to point at.
-            let text = interval.as_deref().unwrap_or("");
-            let file = SourceFile::new(if text.is_empty() { "<matrix>" } else { "<interval>" }, text);
-            let whole = Span::new(0, text.len());
-            let matrix = match raise_to {
-                Some(m) => {
-                    let m = Expr::int(i64::try_from(*m).unwrap_or(i64::MAX));
-                    query(session, &file, whole, "raising", vec![n, m], vec![])?
-                }
+            // The query is written out, so that what is wrong is shown in it.
+            let query = match raise_to {
+                Some(m) => format!("raising({degree}, {m})"),
                 None => {
                     let ends = match interval {
                         Some(interval) => list(&SourceFile::new("<interval>", interval.as_str()))?,
@@ -160,9 +158,10 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
                     let from = basis("<from>", from, &ends)?;
                     let to = basis("<to>", to, &ends)?;
                     let (from, to) = if *inverse { (to, from) } else { (from, to) };
-                    query(session, &file, whole, "change_of_basis", vec![n, from, to], vec![])?
+                    format!("change_of_basis({degree}, {}, {})", text(&from), text(&to))
                 }
             };
+            let matrix = operand(session, &SourceFile::new("<matrix>", query))?;
             output.value(&matrix, None)?;
             Ok(Status::Fine)
         }
@@ -262,11 +261,12 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
 /// A step with its reason.
 pub(super) fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
     let formula = output.written(&line.formula)?;
+    let reason = write_words(&line.reason, output.format);
     Ok(match output.format {
-        Format::Latex => format!("{formula} && \\text{{{}}} \\\\", line.reason),
-        Format::Json => serde_json::json!({"formula": formula, "reason": line.reason}).to_string(),
-        Format::Sympy => format!("{formula}  # {}", line.reason),
-        _ => format!("{formula}    [{}]", line.reason),
+        Format::Latex => format!("{formula} && \\text{{{reason}}} \\\\"),
+        Format::Json => serde_json::json!({"formula": formula, "reason": reason}).to_string(),
+        Format::Sympy => format!("{formula}  # {reason}"),
+        _ => format!("{formula}    [{reason}]"),
     })
 }
 
@@ -389,6 +389,7 @@ pub(super) fn explain(output: &Output, code: Option<&str>) -> Ran {
         }
         Err(()) => {
             let problem = Diagnostic::error(Code::Usage, format!("there is no code '{text}'"))
+                .at(Span::new(0, text.len()))
                 .hint("polarform explain lists all codes");
             Err(Box::new(Failure { problem, file: SourceFile::new("<code>", text) }).into())
         }
@@ -417,9 +418,12 @@ pub(super) fn functions(output: &Output, name: Option<&str>) -> Ran {
             }
             None => {
                 let mut problem =
-                    Diagnostic::error(Code::UnknownFunction, format!("there is no function '{name}'"));
+                    Diagnostic::error(Code::UnknownFunction, format!("there is no function '{name}'"))
+                        .at(Span::new(0, name.len()));
                 if let Some(best) = nearest(name, BUILTINS.iter().map(|b| b.name)) {
                     problem = problem.hint(format!("did you mean '{best}'?"));
+                } else {
+                    problem = problem.hint("polarform functions lists all of them");
                 }
                 Err(Box::new(Failure { problem, file: SourceFile::new("<name>", name) }).into())
             }

@@ -211,7 +211,8 @@ pub(super) enum Trouble {
 
 impl Trouble {
     fn problem(message: String) -> Self {
-        Trouble::Problem(Box::new(Diagnostic::error(Code::Unsupported, message)))
+        let problem = Diagnostic::error(Code::Unsupported, message);
+        Trouble::Problem(Box::new(problem.hint("choose another --format or --notation")))
     }
 }
 

@@ -1,5 +1,7 @@
 //! Diagnostics as text with carets, and as JSON.
 
+use std::borrow::Cow;
+
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde_json::{Value, json};
 
@@ -9,6 +11,18 @@ use crate::source::{SourceFile, Span};
 /// A source line longer than this is shown as an excerpt around the place.
 const LONG_LINE: usize = 160;
 
+/// A longer message is shortened in the middle: it quotes something very long.
+const LONG_MESSAGE: usize = 400;
+
+fn shortened(message: &str) -> Cow<'_, str> {
+    if message.len() <= LONG_MESSAGE {
+        return Cow::Borrowed(message);
+    }
+    let head = floor_boundary(message, LONG_MESSAGE / 2);
+    let tail = floor_boundary(message, message.len() - LONG_MESSAGE / 4);
+    Cow::Owned(format!("{} … {}", &message[..head], &message[tail..]))
+}
+
 /// The problem as a person reads it: message, source line with caret, hints.
 pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
     let level = match problem.severity {
@@ -16,7 +30,7 @@ pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
         Severity::Warning => Level::WARNING,
         Severity::Note => Level::NOTE,
     };
-    let title = level.primary_title(&problem.message).id(problem.code.id());
+    let title = level.primary_title(shortened(&problem.message)).id(problem.code.id());
     let mut group = Group::with_title(title);
     let window = problem.span.map(|span| excerpt(file, span));
     let path = problem.span.map(|span| {
@@ -50,7 +64,7 @@ pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
         group = group.element(Level::NOTE.message(note));
     }
     for hint in &problem.hints {
-        group = group.element(Level::HELP.message(hint));
+        group = group.element(Level::HELP.message(shortened(hint)));
     }
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
     renderer.render(&[group])
@@ -94,9 +108,9 @@ pub fn render_json(problem: &Diagnostic, file: &SourceFile) -> Value {
             Severity::Warning => "warning",
             Severity::Note => "note",
         },
-        "message": problem.message,
+        "message": shortened(&problem.message),
         "reason": problem.reason,
         "place": place,
-        "hints": problem.hints,
+        "hints": problem.hints.iter().map(|hint| shortened(hint)).collect::<Vec<_>>(),
     })
 }

@@ -233,7 +233,11 @@ impl Machine {
             let given = values.len().saturating_sub(shape.lower + shape.upper);
             return Err(Diagnostic::error(
                 Code::Arity,
-                format!("{name} takes {} arguments, not {given}", shape.inner),
+                format!(
+                    "{name} takes {} argument{}, not {given}",
+                    shape.inner,
+                    if shape.inner == 1 { "" } else { "s" }
+                ),
             )
             .at(span));
         }

@@ -232,6 +232,9 @@ impl Arguments {
 fn size_of(value: &Value, span: Span) -> Result<usize> {
     value.as_int().and_then(|k| usize::try_from(k).ok()).filter(|&k| k <= u32::MAX as usize).ok_or_else(
         || match value.as_rational() {
+            Some(q) if q.is_integer() && q > Rational::from_integer(0.into()) => {
+                Diagnostic::error(Code::TooManyTerms, "this number is too large here").at(span)
+            }
             Some(_) => Diagnostic::error(Code::Domain, "expected an integer that is 0 or more").at(span),
             None => wrong_kind("an integer that is 0 or more", value).at(span),
         },

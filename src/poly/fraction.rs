@@ -236,6 +236,10 @@ impl Ring for Fraction {
         )
     }
 
+    fn size(&self) -> u64 {
+        self.numerator.size() + self.denominator.size() - 1
+    }
+
     fn scaled(&self, q: &Rational) -> Self {
         if q.is_zero() {
             return Fraction::zero();

@@ -19,6 +19,7 @@ const MOST_CELLS: u64 = 1 << 24;
 
 /// a · b. Cost: one coefficient product for each pair of terms.
 pub(super) fn product(a: &MultiPoly, b: &MultiPoly) -> MultiPoly {
+    budget::steps(((a.len() + b.len()) / 16) as u32 + 1);
     let (vars, left, right) = aligned(a, b);
     if left.is_empty() || right.is_empty() {
         return MultiPoly::zero();

@@ -294,6 +294,7 @@ impl MultiPoly {
         if other.is_empty() {
             return self.clone();
         }
+        budget::steps(((self.len() + other.len()) / 16) as u32 + 1);
         let (vars, left, right) = aligned(self, other);
         let (a_factor, b_factor, den) = if self.den == other.den {
             (Int::ONE, Int::ONE, self.den.clone())

@@ -40,6 +40,9 @@ impl Ring for MultiPoly {
     fn as_rational(&self) -> Option<Rational> {
         self.as_constant()
     }
+    fn size(&self) -> u64 {
+        self.len() as u64
+    }
     fn powered(&self, exponent: u32) -> Self {
         self.pow(exponent)
     }

@@ -14,7 +14,7 @@ use num_traits::{One, Zero};
 pub struct Line {
     /// The formula, usually an equation.
     pub formula: Expr,
-    /// Why it holds.
+    /// Why it holds. Formulas stand between backticks, in plain notation.
     pub reason: String,
 }
 
@@ -96,11 +96,15 @@ pub fn polar_steps(polar: &Polar, method: Method) -> Vec<Line> {
 fn closing(method: Method) -> &'static str {
     match method {
         Method::Elementary | Method::Probability => "put together",
-        Method::Taylor => "the sum of all terms; tau drops out",
-        Method::Parts => "the sum does not depend on tau, so tau = 0 will do",
-        Method::Laguerre => "after all n polars tau is gone",
+        Method::Taylor => "the sum of all terms; `tau` drops out",
+        Method::Parts => "the sum does not depend on `tau`, so `tau = 0` will do",
+        Method::Laguerre => "after all `n` polars `tau` is gone",
         Method::Bezier => "the sum over all Bézier points",
     }
+}
+
+fn mean_of(count: &Int) -> String {
+    if count.is_one() { "the only product".to_owned() } else { format!("the mean of {count} products") }
 }
 
 fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line> {
@@ -121,10 +125,7 @@ fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line>
                 return None;
             }
             let mean = unit(*i, constant(&Rational::new(Int::ONE, subsets.clone())));
-            line(
-                equation(sigma(*i, n), mean),
-                format!("replaces {variable}^{i}: the mean of {subsets} products"),
-            )
+            line(equation(sigma(*i, n), mean), format!("replaces `{variable}^{i}`: {}", mean_of(subsets)))
         }
         Step::Expect { size, coefficient, probability, .. } => {
             if coefficient.is_zero() || *size == 0 {
@@ -134,7 +135,7 @@ fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line>
             line(
                 Expr::relation(power(*size), Rel::MapsTo, mean),
                 format!(
-                    "expected product of {size} of {n} arguments drawn at random, each set with probability {probability}"
+                    "expected product of {size} of {n} arguments drawn at random, each set with probability `{probability}`"
                 ),
             )
         }
@@ -151,7 +152,7 @@ fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line>
             line(
                 equation(Expr::product(factors), symmetric(term, variable)),
                 format!(
-                    "term i = {order}: (-1)^{}/{n}! Phi^({})(tau) F^({order})(tau)",
+                    "term `i = {order}`: `(-1)^{}/{n}! Phi^{{({})}}(tau) F^{{({order})}}(tau)`",
                     n - order,
                     n - order
                 ),
@@ -179,13 +180,18 @@ fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line>
             let parts = Kind::Sequence(vec![tau(left), tau(right)]).into();
             line(
                 parts,
-                format!(
-                    "d/dtau of term i = {order}, in two parts; the second cancels the first of i = {}",
-                    order + 1
-                ),
+                if *order < n {
+                    format!(
+                        "the derivative by `tau` of term `i = {order}`, in two parts; the second cancels the first of `i = {}`",
+                        order + 1
+                    )
+                } else {
+                    format!("the derivative by `tau` of term `i = {order}`, in two parts; the second is 0")
+                },
             )
         }
         Step::Polar { argument, degree, result } => {
+            let point = variable.numbered(*argument as i64);
             let name = Kind::Subscript(Box::new(Expr::name("p")), vec![Expr::int(*argument as i64)]).into();
             let terms: Vec<Term> = result
                 .iter()
@@ -206,9 +212,7 @@ fn step_line(step: &Step<Fraction>, n: usize, variable: &Symbol) -> Option<Line>
                 .collect();
             line(
                 equation(Expr::apply(name, vec![Expr::name("tau")]), Expr::sum(terms)),
-                format!(
-                    "the polar by {variable}{argument}: p(tau) + ({variable}{argument} - tau)/{degree} p'(tau)"
-                ),
+                format!("the polar by `{point}`: `p(tau) + ({point} - tau)/{degree} p'(tau)`"),
             )
         }
         Step::BezierTerm { index, point, blossom } => {
@@ -239,8 +243,8 @@ pub fn combination_steps(name: &str, f: &Polar, g: &Polar, result: &Polar) -> Ve
     };
     let (f, g) = (renamed(left), renamed(right));
     let mut lines = vec![
-        line(f.equation(Expr::name("f"), Notation::Grouped), "the polar form of F"),
-        line(g.equation(Expr::name("g"), Notation::Grouped), "the polar form of G"),
+        line(f.equation(Expr::name("f"), Notation::Grouped), "the polar form of `F`"),
+        line(g.equation(Expr::name("g"), Notation::Grouped), "the polar form of `G`"),
     ];
     let argument = |k: usize| symbol_expr(&t.numbered(k as i64));
     let (m, n) = (left.degree(), right.degree());
@@ -275,7 +279,7 @@ pub fn combination_steps(name: &str, f: &Polar, g: &Polar, result: &Polar) -> Ve
             if let Ok(value) = left.value_at(&inner) {
                 lines.push(line(
                     equation(Expr::apply(Expr::name("f"), calls), scalar(&value)),
-                    "g with distinct arguments put into f; then symmetrise",
+                    "`g` with distinct arguments put into `f`; then symmetrise",
                 ));
             }
         }

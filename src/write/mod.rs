@@ -37,6 +37,7 @@ mod sympy;
 mod text;
 mod unicode;
 mod walk;
+mod words;
 
 #[cfg(test)]
 mod tests;
@@ -48,6 +49,7 @@ pub use latex::{latex, write_latex};
 pub use sympy::{WriteError, sympy, write_sympy};
 pub use text::{text, write_text};
 pub use unicode::{unicode, write_unicode};
+pub use words::write_words;
 
 use crate::expr::Expr;
 

@@ -374,6 +374,7 @@ fn elementary(list: &[Fraction], i: usize) -> Fraction {
         for k in (1..=i).rev() {
             e[k] = e[k].plus(&e[k - 1].times(u));
         }
+        crate::budget::charge_terms(e.iter().map(Ring::size).sum());
     }
     e.swap_remove(i)
 }

@@ -1,0 +1,281 @@
+//! The contract of the command line: exit status, streams, scripts, limits.
+
+mod common;
+
+use std::fs;
+use std::io::Read;
+use std::path::PathBuf;
+use std::process::Stdio;
+use std::time::Duration;
+
+use common::{command, run, run_with};
+
+/// A file that is removed at the end of the test.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str, content: &[u8]) -> Self {
+        let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-{name}", std::process::id()));
+        fs::write(&path, content).expect("the test directory is writable");
+        Scratch(path)
+    }
+
+    fn path(&self) -> &str {
+        self.0.to_str().expect("the path is UTF-8")
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+#[test]
+fn exit_status_tells_how_it_went() {
+    for (arguments, status) in [
+        (&["polar", "t^2"][..], 0),
+        (&["check", "1 + 1 = 2"], 0),
+        (&["check", "1 + 1 = 2 = 4 - 2"], 0),
+        (&["check", "1 + 1 = 3"], 1),
+        (&["check", "1 + 1 = 2 = 3"], 1),
+        (&["eval", "1 = 2"], 1),
+        (&["check", "x > 0"], 2),
+        (&["check", "t + 1"], 2),
+        (&["check", "1 +"], 2),
+        (&["polar", "1/t"], 2),
+        (&["eval", "1/0"], 2),
+        (&["nonsense"], 2),
+        (&["polar"], 2),
+        (&["polar", "t", "--format", "pdf"], 2),
+        (&["polar", "t", "--method", "magic"], 2),
+        (&["polar", "t", "--degree", "-1"], 2),
+        (&["--help"], 0),
+        (&["--version"], 0),
+        (&["polar", "--help"], 0),
+        (&["explain"], 0),
+        (&["explain", "E304"], 0),
+        (&["explain", "E000"], 2),
+        (&["functions"], 0),
+        (&["functions", "polar"], 0),
+        (&["functions", "polra"], 2),
+    ] {
+        assert_eq!(run(arguments).status, Some(status), "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_worst_statement_decides_the_status() {
+    for (statements, status) in
+        [(&["1 = 1", "1 = 2", "1 = 1"][..], 1), (&["1 = 2", "1/0"], 2), (&["1/0", "1 = 2"], 2)]
+    {
+        assert_eq!(run(&[&["eval"], statements].concat()).status, Some(status), "{statements:?}");
+    }
+}
+
+#[test]
+fn results_on_one_stream_and_messages_on_the_other() {
+    let good = run(&["polar", "t^2"]);
+    assert_eq!((good.out.as_str(), good.err.as_str()), ("f(t1, t2) = t1 t2\n", ""));
+    let bad = run(&["polar", "t^2 +"]);
+    assert_eq!(bad.out, "");
+    assert!(bad.err.contains("error[E103]"), "{}", bad.err);
+    // A verdict is a result, not a message.
+    let refuted = run(&["check", "1 = 2"]);
+    assert!(refuted.out.starts_with("false\n") && refuted.err.is_empty());
+    let mixed = run(&["eval", "1 + 1; 1/0"]);
+    assert_eq!(mixed.out, "2\n");
+    assert!(mixed.err.contains("error[E303]"), "{}", mixed.err);
+    let usage = run(&["polar"]);
+    assert!(usage.out.is_empty() && usage.err.contains("Usage"), "{}", usage.err);
+}
+
+#[test]
+fn messages_as_data() {
+    let bad = run(&["polar", "1/t", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&bad.err).expect("one JSON value");
+    assert_eq!(json["code"], "E304");
+    assert_eq!(bad.status, Some(2));
+    let refuted = run(&["check", "2t = 3t", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&refuted.out).expect("one JSON value");
+    assert!(json.to_string().contains("refuted"), "{json}");
+    assert_eq!(refuted.status, Some(1));
+}
+
+#[test]
+fn definitions_are_given_in_order() {
+    let ran = run(&["check", "f(0, 1) = 1/2", "--given", "F(t) := t^2 + t", "--given", "f := polar(F)"]);
+    assert_eq!((ran.status, ran.out.as_str()), (Some(0), "true\n"));
+    // Several in one option.
+    let ran = run(&["check", "f(0, 1) = 1/2", "--given", "F(t) := t^2 + t; f := polar(F)"]);
+    assert_eq!(ran.status, Some(0), "{}", ran.err);
+    // What is wrong with a definition is shown in the definition.
+    let ran = run(&["check", "f(0, 1) = 1/2", "--given", "a := 1", "--given", "f := polar(1/t)"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.err.contains("<given 2>:1:"), "{}", ran.err);
+    // Out of order, the first one misses the second.
+    let ran = run(&["check", "a = 1", "--given", "a := later(1)", "--given", "later(x) := x"]);
+    assert_eq!(ran.status, Some(2));
+}
+
+#[test]
+fn operands_may_be_equations() {
+    let plain = run(&["polar", "t^2 + 2t"]).out;
+    assert_eq!(run(&["polar", "F(t) = t^2 + 2t"]).out, plain);
+    assert_eq!(run(&["polar", "F(t) := t^2 + 2t"]).out, plain);
+}
+
+#[test]
+fn values_at_arguments() {
+    // f = t1 t2 + t1 + t2, elevated: e_2/3 + 2 e_1/3 at (0, 1/2, 1^): (0 + 0 + 1/2)/3 + 2/3.
+    let ran = run(&["polar", "t^2 + 2t", "--degree", "3", "--at", "0, 1/2, hat(1)"]);
+    assert_eq!(ran.out, "f(0, 1/2, hat(1)) = 5/6\n");
+    let ran = run(&["polar", "t^2 + 2t", "--at", "-1,-1"]);
+    assert_eq!(ran.out, "f(-1, -1) = -1\n");
+    let ran = run(&["polar", "t^2", "--at", "1"]);
+    assert_eq!(ran.status, Some(2));
+    assert!(ran.err.contains("error[E301]"), "{}", ran.err);
+}
+
+const SCRIPT: &str = "# a parabola\nF(t) := t^2 + 2t\nf := polar(F); f(0, 1)\n\nf(t, t) = F(t)\n";
+const SCRIPT_RESULT: &str = "F(t) := t^2 + 2 t\nf(t1, t2) = t1 t2 + (t1 + t2)\n1\ntrue\n";
+
+#[test]
+fn a_piped_script_runs() {
+    for arguments in [&[][..], &["run", "-"]] {
+        let ran = run_with(arguments, SCRIPT.as_bytes());
+        assert_eq!(ran.out, SCRIPT_RESULT);
+        assert_eq!((ran.status, ran.err.as_str()), (Some(0), ""));
+    }
+    assert_eq!(run_with(&[], b"").status, Some(0));
+    assert_eq!(run_with(&[], b"# nothing but a remark\n").status, Some(0));
+    let endings = SCRIPT.replace('\n', "\r\n");
+    assert_eq!(run_with(&[], endings.as_bytes()).out, SCRIPT_RESULT);
+}
+
+#[test]
+fn a_script_goes_on_after_an_error_unless_told_to_stop() {
+    let script = b"1 + 1\n(2\n2 + 2\n";
+    let ran = run_with(&["run", "-"], script);
+    assert_eq!((ran.status, ran.out.as_str()), (Some(2), "2\n4\n"));
+    assert!(ran.err.contains("<stdin>:2:"), "{}", ran.err);
+    let ran = run_with(&["run", "-", "--stop"], script);
+    assert_eq!((ran.status, ran.out.as_str()), (Some(2), "2\n"));
+}
+
+#[test]
+fn files_that_can_be_run_and_files_that_cannot() {
+    let good = Scratch::new("good.pf", SCRIPT.as_bytes());
+    assert_eq!(run(&["run", good.path()]).out, SCRIPT_RESULT);
+    let windows = Scratch::new("windows.pf", SCRIPT.replace('\n', "\r\n").as_bytes());
+    assert_eq!(run(&["run", windows.path()]).out, SCRIPT_RESULT);
+    let marked = Scratch::new("marked.pf", format!("\u{feff}{SCRIPT}").as_bytes());
+    assert_eq!(run(&["run", marked.path()]).out, SCRIPT_RESULT);
+    let empty = Scratch::new("empty.pf", b"");
+    assert_eq!(run(&["run", empty.path()]).status, Some(0));
+
+    let binary = Scratch::new("binary.pf", b"1 + 1\n\xff\xfe\n");
+    let directory = env!("CARGO_TARGET_TMPDIR");
+    for (path, words) in
+        [("no/such/file.pf", "no/such/file.pf"), (directory, "directory"), (binary.path(), "UTF-8")]
+    {
+        let ran = run(&["run", path]);
+        assert_eq!((ran.status, ran.out.as_str()), (Some(2), ""), "{path}");
+        assert!(ran.err.contains("error[E501]") && ran.err.contains(words), "{}", ran.err);
+    }
+}
+
+#[test]
+fn places_count_from_the_start_of_the_script() {
+    let ran = run_with(&[], "a := 1\nb := 2; ü := 3\nc := a + b + whoknows\n".as_bytes());
+    assert!(ran.err.contains("<stdin>:3:14"), "{}", ran.err);
+}
+
+/// Starts the program, reads some of its output, and hangs up.
+fn hang_up_after(arguments: &[&str], bytes: usize) -> (Option<i32>, String) {
+    let mut child = command(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut stdout = child.stdout.take().expect("standard output is piped");
+    let mut buffer = vec![0; bytes];
+    stdout.read_exact(&mut buffer).expect("there is that much output");
+    drop(stdout);
+    let output = child.wait_with_output().expect("the program ends");
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[test]
+fn a_closed_pipe_ends_it_quietly() {
+    let long = ["polar", "t^14 + 1", "--degree", "14", "--notation", "expanded"];
+    for arguments in [&long[..], &["functions"], &["eval", "0..100000"]] {
+        let (status, messages) = hang_up_after(arguments, 1);
+        assert_eq!((status, messages.as_str()), (Some(0), ""), "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_limit_on_terms_is_honoured() {
+    for arguments in [
+        &["eval", "(t1 + t2 + t3)^20"][..],
+        &["eval", "0..1000"],
+        &["eval", "identity(40)"],
+        &["polar", "(t + 1)^12", "--notation", "expanded"],
+        &["polar", "t^12 + t^6"],
+        &["matrix", "--degree", "40"],
+    ] {
+        let small = run(&[arguments, &["--max-terms", "100"]].concat());
+        assert_eq!(small.status, Some(2), "{arguments:?}: {}", small.out);
+        assert!(small.err.contains("error[E402]"), "{arguments:?}: {}", small.err);
+        assert!(small.err.contains("--max-terms"), "the hint names the option: {}", small.err);
+        let large = run(&[arguments, &["--max-terms", "10000"]].concat());
+        assert_eq!(large.status, Some(0), "{arguments:?}: {}", large.err);
+    }
+}
+
+#[test]
+fn the_limit_on_time_is_honoured() {
+    let sums = "sum(i=1..100000, (t + i)^20)";
+    for heavy in [
+        "symmetrize((t1 + t2 + t3 + t4 + t5 + t6)^14, [t1, t2, t3, t4, t5, t6])",
+        "(t1 + t2 + t3 + t4 + t5 + 1)^24",
+        "polar((t + 1/3)^4000)",
+        sums,
+    ] {
+        let ran = run(&["eval", heavy, "--timeout", "0.2", "--max-terms", "1000000000"]);
+        assert_eq!(ran.status, Some(2), "{heavy}: {}", &ran.out[..ran.out.len().min(200)]);
+        assert!(ran.err.contains("error[E401]"), "{heavy}: {}", ran.err);
+        assert!(ran.err.contains("--timeout"), "the hint names the option: {}", ran.err);
+        assert!(ran.time < Duration::from_secs(3), "{heavy}: stopped after {:?}", ran.time);
+    }
+    // Each statement has its own time, and no limit is no limit.
+    for timeout in ["0", "60"] {
+        let ran = run(&["eval", "1 + 1; 2 + 2", "--timeout", timeout]);
+        assert_eq!(ran.out, "2\n4\n");
+    }
+}
+
+#[test]
+fn color_when_asked_for() {
+    let escape = '\u{1b}';
+    let colored = run(&["eval", "1/0", "--color", "always"]);
+    assert!(colored.err.contains(escape));
+    for arguments in [&["eval", "1/0", "--color", "never"][..], &["eval", "1/0"]] {
+        assert!(!run(arguments).err.contains(escape));
+    }
+    // Results stay plain: they go into files.
+    assert!(!run(&["polar", "t^2", "--color", "always"]).out.contains(escape));
+    assert_eq!(run(&["eval", "1/0", "--color", "sometimes"]).status, Some(2));
+}
+
+#[test]
+fn every_code_and_function_is_explained() {
+    for line in run(&["explain"]).out.lines() {
+        let code = line.split_whitespace().next().expect("a code");
+        let ran = run(&["explain", code]);
+        assert_eq!(ran.status, Some(0), "{code}");
+        assert!(ran.out.lines().count() > 2, "{code}: {}", ran.out);
+    }
+}

@@ -1,0 +1,90 @@
+//! A real renderer accepts the LaTeX that is written.
+
+mod common;
+
+use common::expressions::{any_polar, samples, shared, statement, value};
+use katex::Opts;
+use polarform::blossom::Method;
+use polarform::eval::BUILTINS;
+use polarform::session::Session;
+use polarform::value::{Notation, Value, polar_steps};
+use polarform::write::latex;
+
+const NOTATIONS: [Notation; 4] = [Notation::Grouped, Notation::Expanded, Notation::Sigma, Notation::Ellipsis];
+
+/// The LaTeX of a value in every notation, and of all steps that lead to a polar form.
+fn write_down(formulas: &mut Vec<String>, value: &Value) {
+    formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.to_expr_in(notation))));
+    if let Value::Polar(polar) = value {
+        let lines = Method::ALL.iter().flat_map(|&method| polar_steps(polar, method));
+        formulas.extend(lines.map(|line| latex(&line.formula)));
+    }
+}
+
+/// One test for everything: starting the renderer is what takes time.
+#[test]
+fn everything_written_is_accepted() {
+    let mut formulas: Vec<String> = Vec::new();
+    for builtin in BUILTINS {
+        let answer = Session::default().run(builtin.example).expect("the examples run");
+        write_down(&mut formulas, &answer.outcome.value);
+    }
+    let mut session = Session::default();
+    for statement in [
+        "F(t) := c_0 + c_1 t + c_2 t^2 + c_3 t^3",
+        "f := polar(F)",
+        "f(t, t, 1) - f(t, t, 0)",
+        "[f(0, 0, 0), f(0, 0, 1), f(0, 1, 1), f(1, 1, 1)]",
+        "bezier_points(f, r, s)",
+        "polar(t^3 + 3t^2 + 5t + 1)",
+        "polar_product(t^2 + 2t, t^3 + 1)",
+        "polar_compose(t^2 + 2t, t^3 + 1)",
+        "polar_total(u v, [u, v], degree=2)",
+        "polar_tensor(u v, u, v, 2, 2)",
+        "power_to_bernstein(3)",
+        "change_of_basis(2, [bernstein, r, s], power)",
+        "B(i, n, t) := binomial(n, i) t^i (1 - t)^(n - i)",
+        "G := x -> x/(1 + x)",
+        "hat(1/2)",
+        "-t_1^2/alpha_1 + p_{1,2}",
+        "polar(7)",
+        "polar(0)",
+        "F' = 3",
+    ] {
+        let answer = session.run(statement).unwrap_or_else(|f| panic!("{statement}: {:?}", f.problem));
+        write_down(&mut formulas, &answer.outcome.value);
+        formulas.push(latex(&answer.statement));
+    }
+    samples(&value(), 60).iter().for_each(|value| write_down(&mut formulas, value));
+    samples(&any_polar(), 12).into_iter().map(shared).for_each(|polar| write_down(&mut formulas, &polar));
+    formulas.extend(samples(&statement(), 250).iter().map(latex));
+    formulas.sort();
+    formulas.dedup();
+
+    // The tables of steps, as the program prints them.
+    for method in Method::ALL {
+        let arguments =
+            ["polar", "c_0 + c_1 t + c_2 t^2", "--format", "latex", "--steps", "--method", method.name()];
+        let table = common::run(&arguments).out;
+        formulas.push(format!("\\begin{{aligned}}\n{table}\\end{{aligned}}"));
+    }
+    for command in ["sum", "product", "compose"] {
+        let table = common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out;
+        formulas.push(format!("\\begin{{aligned}}\n{table}\\end{{aligned}}"));
+    }
+
+    let options = Opts::builder()
+        .display_mode(true)
+        .throw_on_error(true)
+        .output_type(katex::OutputType::Mathml)
+        .build()
+        .expect("all options have defaults");
+    assert!(katex::render_with_opts(r"\frac{1}{", &options).is_err(), "the renderer is strict");
+    assert!(katex::render_with_opts(r"\nonsense", &options).is_err(), "the renderer is strict");
+    for formula in &formulas {
+        if let Err(error) = katex::render_with_opts(formula, &options) {
+            panic!("{formula}: {error}");
+        }
+    }
+    assert!(formulas.len() > 500, "only {} formulas", formulas.len());
+}
