@@ -65,16 +65,27 @@ pub struct Limits {
     pub terms: u64,
     /// Number of bits a single integer may have.
     pub bits: u64,
+    /// How deeply functions may call each other.
+    pub depth: usize,
     /// Set by somebody else to stop the computation.
     pub interrupt: Arc<AtomicBool>,
 }
 
 impl Default for Limits {
-    /// No time limit, 4 million terms, 32 million bits (about 10 million digits).
+    /// No time limit, 4 million terms, 32 million bits (about 10 million digits), 400 nested calls.
     fn default() -> Self {
-        Limits { time: None, terms: 4_000_000, bits: 1 << 25, interrupt: Arc::new(AtomicBool::new(false)) }
+        Limits {
+            time: None,
+            terms: 4_000_000,
+            bits: 1 << 25,
+            depth: DEFAULT_DEPTH,
+            interrupt: Arc::new(AtomicBool::new(false)),
+        }
     }
 }
+
+/// Nested calls allowed where nothing else is said, also outside of [`run`].
+const DEFAULT_DEPTH: usize = 400;
 
 struct Active {
     limits: Limits,
@@ -153,6 +164,11 @@ pub fn steps(count: u32) {
     if let Some(reason) = reason {
         stop(reason);
     }
+}
+
+/// How deeply functions may call each other here.
+pub fn depth() -> usize {
+    ACTIVE.with(|slot| slot.borrow().as_ref().map_or(DEFAULT_DEPTH, |active| active.limits.depth))
 }
 
 /// Asks for room for a value of `count` terms.

@@ -180,6 +180,40 @@ fn the_function_reference_is_up_to_date() {
 }
 
 #[test]
+fn the_list_of_latex_commands_is_up_to_date() {
+    let mut page = String::from(
+        "# LaTeX that can be read\n\n\
+         Written from the table in `src/latex/commands.rs`; to renew it: `UPDATE_DOCS=1 cargo test --test docs`. \
+         Formulas are read as they stand between dollars; text with a command such as `\\frac` or with a `$` \
+         counts as LaTeX everywhere a formula is expected:\n\
+         ```console\n$ polarform eval '\\frac{5}{3}(t_1 + t_2)' 'f := polar(t^3)' 'f(t, t, \\hat{1})'\n```\n",
+    );
+    let mut groups: Vec<&str> = Vec::new();
+    for command in polarform::latex::commands() {
+        if !groups.contains(&command.group()) {
+            groups.push(command.group());
+        }
+    }
+    for group in groups {
+        write!(page, "\n## {}\n| command | meaning |\n| --- | --- |\n", capitalized(group)).unwrap();
+        for command in polarform::latex::commands().iter().filter(|command| command.group() == group) {
+            let meaning = command.meaning().replace('|', "\\|");
+            writeln!(page, "| `\\{}` | {meaning} |", command.name().replace('|', "\\|")).unwrap();
+        }
+    }
+    page.push_str("\n## Environments\n| environment | meaning |\n| --- | --- |\n");
+    for (name, meaning) in polarform::latex::environments() {
+        writeln!(page, "| `{name}` | {meaning} |").unwrap();
+    }
+    settle(&root().join("docs/latex.md"), &filled(&page));
+}
+
+fn capitalized(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+}
+
+#[test]
 fn every_example_of_the_table_runs() {
     for builtin in BUILTINS {
         let answer = Session::default().run(builtin.example);

@@ -49,6 +49,9 @@ pub(super) struct Global {
     /// Number of terms a value may have
     #[arg(long, global = true, default_value_t = 4_000_000, value_name = "N")]
     pub max_terms: u64,
+    /// How deeply functions may call each other
+    #[arg(long, global = true, default_value_t = 400, value_name = "N")]
+    pub max_depth: usize,
 }
 
 fn parse_format(text: &str) -> Result<Format, String> {
@@ -65,7 +68,7 @@ impl Global {
         let time = (self.timeout > 0.0 && self.timeout.is_finite())
             .then(|| Duration::try_from_secs_f64(self.timeout).ok())
             .flatten();
-        Limits { time, terms: self.max_terms, ..Limits::default() }
+        Limits { time, terms: self.max_terms, depth: self.max_depth, ..Limits::default() }
     }
 
     /// The notation for polar forms.

@@ -10,7 +10,7 @@ use crate::expr::Expr;
 use crate::number::Rational;
 use crate::session::Failure;
 use crate::source::SourceFile;
-use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, symbol_expr};
+use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
 use crate::write::{Format, claim_json, text, value_json, write_expanded, write_expr};
 
 /// Where results and messages go, and how.
@@ -77,6 +77,14 @@ impl Output {
         let line = self.limited(|| -> Result<String, Trouble> {
             if self.format == Format::Json {
                 return Ok(value_json(value, self.notation).to_string());
+            }
+            if let Value::List(items) = value
+                && self.format != Format::Sympy
+            {
+                let own = name.clone().unwrap_or_else(|| Expr::name("f"));
+                if let Some(curve) = curve_expr(items, own, self.notation) {
+                    return self.written(&curve);
+                }
             }
             let body = self.written(&value.to_expr_in(self.notation))?;
             // Functions print as their own definition, and SymPy wants the bare expression.

@@ -52,6 +52,11 @@ pub(super) const COLON_COMMANDS: &[ColonCommand] = &[
     ColonCommand { name: "time", usage: ":time", summary: "show how long statements take, on or off" },
     ColonCommand { name: "timeout", usage: ":timeout SECONDS", summary: "time allowed (0: no limit)" },
     ColonCommand { name: "max-terms", usage: ":max-terms N", summary: "terms a value may have" },
+    ColonCommand {
+        name: "max-depth",
+        usage: ":max-depth N",
+        summary: "how deeply functions may call each other",
+    },
     ColonCommand { name: "vars", usage: ":vars", summary: "the names defined here" },
     ColonCommand { name: "forget", usage: ":forget NAME", summary: "forget a name" },
     ColonCommand { name: "reset", usage: ":reset", summary: "forget everything" },
@@ -235,6 +240,9 @@ impl Repl<'_> {
             }
             "max-terms" => {
                 self.session.limits.terms = rest.parse().map_err(|_| usage(":max-terms N"))?;
+            }
+            "max-depth" => {
+                self.session.limits.depth = rest.parse().map_err(|_| usage(":max-depth N"))?;
             }
             "vars" => self.vars()?,
             "forget" => {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::arguments::{self, Arguments};
 use super::names::{name_of, stands_for_itself};
-use super::{CALL_DEPTH, Evaluated, Machine, arithmetic, builtins, wrong_kind};
+use super::{Evaluated, Machine, arithmetic, builtins, wrong_kind};
 use crate::blossom::Argument;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::expr::{Expr, Kind, Quotient};
@@ -39,6 +39,15 @@ impl Machine {
                     let values = self.arguments(groups)?;
                     self.call(&function, values, whole.span)
                 }
+                // A curve is a list of functions or polar forms, one for each coordinate.
+                Value::List(items) if is_curve(&items) => {
+                    let values = self.arguments(groups)?;
+                    items
+                        .iter()
+                        .map(|item| self.coordinate(item, &values, whole.span))
+                        .collect::<Result<_, _>>()
+                        .map(Value::List)
+                }
                 scalar => self.bracket_product(scalar, callee, groups, whole.span),
             },
             Callee::Indexed(function, mut values) => {
@@ -64,6 +73,21 @@ impl Machine {
         }
     }
 
+    /// One coordinate of a curve at the given arguments.
+    fn coordinate(&mut self, item: &Value, values: &[(Value, Span)], span: Span) -> Evaluated {
+        match item {
+            Value::Function(function) => self.call(function, values.to_vec(), span),
+            Value::Polar(polar) => {
+                let PolarKind::Univariate(form) = &polar.kind else {
+                    return Err(wrong_kind("a polar form of a curve", item).at(span));
+                };
+                let list: Result<Vec<_>, _> = values.iter().cloned().map(to_argument).collect();
+                form.value(&list?).map(Value::Scalar).map_err(arguments::polar).at(span)
+            }
+            other => Err(wrong_kind("a function", other).at(span)),
+        }
+    }
+
     /// Whether `callee(…)` is a product: its callee has a scalar value.
     fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
         let Kind::Apply(callee, groups) = &expr.kind else { return Ok(false) };
@@ -72,7 +96,8 @@ impl Machine {
         }
         Ok(match self.callee(callee)? {
             Callee::Value(value) => {
-                !matches!(value, Value::Function(_) | Value::Polar(_) | Value::Builtin(_))
+                !matches!(&value, Value::Function(_) | Value::Polar(_) | Value::Builtin(_))
+                    && !matches!(&value, Value::List(items) if is_curve(items))
             }
             _ => false,
         })
@@ -217,6 +242,13 @@ impl Machine {
                 }
             }
         }
+        if builtins::COORDINATEWISE.contains(&builtin.name)
+            && let Some(Value::List(items)) = all.values().next()
+        {
+            let items = items.clone();
+            let each = items.into_iter().map(|item| (builtin.call)(self, &all.with_first(item)));
+            return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
+        }
         (builtin.call)(self, &all).at(span)
     }
 
@@ -291,14 +323,12 @@ impl Machine {
                     .at(span);
             }
         }
-        if self.depth >= CALL_DEPTH {
-            return Err(Diagnostic::error(
-                Code::Recursion,
-                format!("calls nested more than {CALL_DEPTH} deep"),
-            )
-            .at(span)
-            .reason("this refers to itself without end")
-            .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
+        let deepest = crate::budget::depth();
+        if self.depth >= deepest {
+            return Err(Diagnostic::error(Code::Recursion, format!("calls nested more than {deepest} deep"))
+                .at(span)
+                .reason("this refers to itself without end")
+                .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
         }
         // The body sees the names of its definition and its parameters, nothing of the caller.
         let caller =
@@ -325,11 +355,6 @@ impl Machine {
         callee: &Expr,
         span: Span,
     ) -> Evaluated {
-        let to_argument = |(value, place): (Value, Span)| match value {
-            Value::Scalar(u) => Ok(Argument::Point(u)),
-            Value::Vector(v) => Ok(Argument::Vector(v)),
-            other => Err(wrong_kind("a number, symbol or vector argument", &other).at(place)),
-        };
         match &polar.kind {
             PolarKind::Univariate(form) => {
                 let values = self.polar_arguments(groups, form.degree())?;
@@ -456,6 +481,46 @@ impl Machine {
         }
         let value = self.eval(body)?;
         arithmetic::factorial(&value).at(body.span)
+    }
+}
+
+/// The coordinates of a curve as polar forms of one degree, the largest.
+fn levelled(list: Vec<Value>) -> Vec<Value> {
+    let degree = |value: &Value| match value {
+        Value::Polar(polar) => match &polar.kind {
+            PolarKind::Univariate(form) => Some(form.degree()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let Some(top) = list.iter().map(degree).collect::<Option<Vec<usize>>>().and_then(|d| d.into_iter().max())
+    else {
+        return list;
+    };
+    list.into_iter()
+        .map(|value| match &value {
+            Value::Polar(polar) => match &polar.kind {
+                PolarKind::Univariate(form) => Value::Polar(Arc::new(Polar {
+                    kind: PolarKind::Univariate(form.elevate(top - form.degree())),
+                    variables: polar.variables.clone(),
+                })),
+                _ => value,
+            },
+            _ => value,
+        })
+        .collect()
+}
+
+fn is_curve(items: &[Value]) -> bool {
+    !items.is_empty() && items.iter().all(|item| matches!(item, Value::Function(_) | Value::Polar(_)))
+}
+
+/// A value as an argument of a polar form.
+fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
+    match value {
+        Value::Scalar(u) => Ok(Argument::Point(u)),
+        Value::Vector(v) => Ok(Argument::Vector(v)),
+        other => Err(wrong_kind("a number, symbol or vector argument", &other).at(place)),
     }
 }
 

@@ -76,6 +76,15 @@ impl Arguments {
         self.named.push((name, value, span));
     }
 
+    /// The same arguments with another first one.
+    pub(super) fn with_first(&self, value: Value) -> Self {
+        let mut other = self.clone();
+        if let Some(first) = other.positional.first_mut() {
+            first.0 = value;
+        }
+        other
+    }
+
     /// Number of arguments given by place.
     pub fn len(&self) -> usize {
         self.positional.len()

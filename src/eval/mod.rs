@@ -33,9 +33,6 @@ use crate::source::Span;
 use crate::value::{Claim, Scope, Value};
 use nalgebra::DMatrix;
 
-/// How deeply functions may call each other.
-const CALL_DEPTH: usize = 400;
-
 /// Room on the stack below which a new segment is taken, and its size.
 const RED_ZONE: usize = 256 * 1024;
 const SEGMENT: usize = 4 * 1024 * 1024;
@@ -285,10 +282,10 @@ impl Machine {
                 {
                     return Ok(value.clone());
                 }
-                match self.eval(body)? {
-                    Value::Scalar(v) => Ok(Value::Vector(v)),
-                    other => Err(wrong_kind("a number or symbol under the hat", &other).at(body.span)),
-                }
+                let value = self.eval(body)?;
+                vector(value).map_err(|other| {
+                    wrong_kind("a number, symbol or point under the hat", &other).at(body.span)
+                })
             }
             Accent::Dot => {
                 let value = self.eval(body)?;
@@ -447,6 +444,15 @@ impl Machine {
     fn eval_int(&mut self, expr: &Expr) -> Result<i64, Diagnostic> {
         let value = self.eval(expr)?;
         value.as_int().ok_or_else(|| wrong_kind("an integer", &value).at(expr.span))
+    }
+}
+
+/// The vector with the given coordinates; anything else comes back.
+fn vector(value: Value) -> Result<Value, Value> {
+    match value {
+        Value::Scalar(v) => Ok(Value::Vector(v)),
+        Value::List(items) => items.into_iter().map(vector).collect::<Result<_, _>>().map(Value::List),
+        other => Err(other),
     }
 }
 

@@ -15,7 +15,7 @@ pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use polar::{Notation, Polar, PolarKind};
 pub use steps::{Line, combination_steps, polar_steps};
-pub use to_expr::{exact_term, polynomial_expr, symbol_expr};
+pub use to_expr::{curve_expr, exact_term, polynomial_expr, symbol_expr};
 
 use std::sync::Arc;
 

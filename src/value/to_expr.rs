@@ -405,6 +405,9 @@ impl Value {
             Value::Function(function) => function_expr(function),
             Value::Builtin(name) => Expr::name(*name),
             Value::List(items) => {
+                if let Some(curve) = curve_expr(items, Expr::name("f"), notation) {
+                    return curve;
+                }
                 Kind::List(items.iter().map(|item| item.to_expr_in(notation)).collect()).into()
             }
             Value::Matrix(matrix) => matrix_expr(matrix),
@@ -412,6 +415,26 @@ impl Value {
             Value::Text(text) => Kind::Text(text.clone()).into(),
         }
     }
+}
+
+/// `f(t1, t2) = [x, y]` for the polar forms of the coordinates of a curve.
+pub fn curve_expr(items: &[Value], name: Expr, notation: Notation) -> Option<Expr> {
+    let polars: Option<Vec<&Polar>> = items
+        .iter()
+        .map(|item| match item {
+            Value::Polar(polar) if matches!(polar.kind, PolarKind::Univariate(_)) => Some(&**polar),
+            _ => None,
+        })
+        .collect();
+    let polars = polars?;
+    let first = polars.first()?;
+    let alike =
+        polars.iter().all(|polar| polar.arity() == first.arity() && polar.variables == first.variables);
+    if !alike {
+        return None;
+    }
+    let bodies = polars.iter().map(|polar| polar.body(notation)).collect();
+    Some(Expr::relation(first.call(name), Rel::Eq, Kind::List(bodies).into()))
 }
 
 fn function_expr(function: &super::Function) -> Expr {

@@ -52,6 +52,11 @@ pub static BUILTINS: &[&Builtin] = &{
     all::<COUNT>([polar::TABLE, polynomials::TABLE, matrices::TABLE, numbers::TABLE])
 };
 
+/// Functions that work on a curve coordinate by coordinate when their first argument is a list
+/// of polynomials, functions or polar forms.
+pub(super) const COORDINATEWISE: &[&str] =
+    &["polar", "elevate", "reduce", "partial", "diagonal", "derivative", "diff"];
+
 /// The function of that name.
 pub fn builtin(name: &str) -> Option<&'static Builtin> {
     BUILTINS.iter().copied().find(|builtin| builtin.name == name)

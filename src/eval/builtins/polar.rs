@@ -189,9 +189,17 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             args.expect("bezier_points(f, a, b)", 1..=3, &[])?;
-            let form = univariate_form(args, 0)?;
             let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
             let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            if let Value::List(coordinates) = args.value(0)? {
+                let mut columns = Vec::with_capacity(coordinates.len());
+                for item in coordinates {
+                    let (form, _) = univariate_form(&args.with_first(item.clone()), 0)?;
+                    columns.push(form.bezier_points(&a, &b));
+                }
+                return Ok(Value::List(points_of(&columns)));
+            }
+            let form = univariate_form(args, 0)?;
             Ok(Value::List(form.0.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
         },
     },
@@ -203,9 +211,17 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             args.expect("from_bezier([b_0, ..., b_n], a, b)", 1..=3, &[])?;
-            let points = args.scalars(0)?;
             let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
             let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            if let Some(columns) = coordinates_of(args.value(0)?) {
+                let forms = columns.iter().map(|column| {
+                    PolarForm::from_bezier_points_over(column, &a, &b)
+                        .map(|form| univariate(form, Symbol::new("t")))
+                        .map_err(arguments::polar)
+                });
+                return forms.collect::<Result<_>>().map(Value::List);
+            }
+            let points = args.scalars(0)?;
             let form = PolarForm::from_bezier_points_over(&points, &a, &b).map_err(arguments::polar)?;
             Ok(univariate(form, Symbol::new("t")))
         },
@@ -337,6 +353,38 @@ fn combine(
     let (f, variable) = univariate_form(args, 0)?;
     let (g, _) = univariate_form(args, 1)?;
     Ok(univariate(operation(&f, &g), variable))
+}
+
+/// Points with coordinates, as one list for each coordinate; `None` if the value is not a list of
+/// points of one dimension.
+fn coordinates_of(value: &Value) -> Option<Vec<Vec<Fraction>>> {
+    let Value::List(points) = value else { return None };
+    let mut columns: Vec<Vec<Fraction>> = Vec::new();
+    for point in points {
+        let Value::List(coordinates) = point else { return None };
+        if columns.is_empty() {
+            columns.resize(coordinates.len(), Vec::new());
+        }
+        if columns.len() != coordinates.len() {
+            return None;
+        }
+        for (column, x) in columns.iter_mut().zip(coordinates) {
+            column.push(x.as_scalar()?.clone());
+        }
+    }
+    (!columns.is_empty()).then_some(columns)
+}
+
+/// The points whose coordinates stand in the given lists.
+fn points_of(columns: &[Vec<Fraction>]) -> Vec<Value> {
+    let count = columns.iter().map(Vec::len).max().unwrap_or(0);
+    (0..count)
+        .map(|i| {
+            let coordinate =
+                |column: &Vec<Fraction>| Value::Scalar(column.get(i).cloned().unwrap_or_else(Fraction::zero));
+            Value::List(columns.iter().map(coordinate).collect())
+        })
+        .collect()
 }
 
 fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {

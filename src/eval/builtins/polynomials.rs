@@ -40,7 +40,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "coefficients",
         signature: "coefficients(F, t)",
-        summary: "the coefficients of 1, t, t^2, ...",
+        summary: "the list of coefficients, the constant first",
         example: "coefficients(t^3 + 3t^2 + 5t + 1)",
         topic: TOPIC,
         call: |_, args| {
