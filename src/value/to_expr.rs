@@ -221,7 +221,11 @@ fn univariate_body(form: &PolarForm<Fraction>, arguments: &[Expr], notation: Not
             }
         }
     }
-    Expr::sum(terms)
+    // A single sum needs no brackets around it.
+    match Expr::sum(terms) {
+        Expr { kind: Kind::Group(body), .. } => *body,
+        sum => sum,
+    }
 }
 
 /// Nested products run together: (5/3) · (a · b) is written 5/3 a b.
