@@ -107,7 +107,7 @@ fn wrong_queries_of_every_command() {
         (&["functions", "polra"], "E202"),
         (&["matrix", "--degree", "2", "--interval", "1,1"], "E311"),
         (&["matrix", "--degree", "2", "--from", "whoknows"], "E201"),
-        (&["matrix", "--degree", "3", "--raise-to", "2"], "E312"),
+        (&["matrix", "--degree", "3", "--raise-to", "2"], "E307"),
     ] {
         assert_clear(&format!("{arguments:?}"), &run(arguments), code);
     }
