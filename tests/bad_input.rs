@@ -57,6 +57,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::File,
         Code::Usage,
         Code::Internal,
+        Code::StandardMeaning,
+        Code::MoreCases,
     ];
     let missing: Vec<_> =
         Code::ALL.iter().filter(|code| !codes.contains(code) && !elsewhere.contains(code)).collect();

@@ -38,23 +38,26 @@ fn evaluated(session: &mut Session, expr: &Expr) -> Result<Value, String> {
 
 /// The formula printed in every notation that can be read, and what was read.
 fn readings(expr: &Expr) -> Result<Vec<(String, Expr)>, TestCaseError> {
-    let plain = [text(expr), unicode(expr)].map(|printed| (parse(&printed), printed));
-    let printed = latex(expr);
-    let math = (!lists_one(expr)).then(|| (polarform::latex::read(&printed), printed));
-    plain
-        .into_iter()
-        .chain(math)
-        .map(|(read, printed)| match read {
-            Ok(read) => Ok((printed, read)),
-            Err(problem) => Err(TestCaseError::fail(format!("{printed}: {problem:?}"))),
-        })
-        .collect()
+    let mut printed = vec![(text(expr), parse as fn(&str) -> _)];
+    // Matrices in Unicode stand on several lines, for the eye only.
+    if !holds(expr, &|kind| matches!(kind, Kind::Matrix(..))) {
+        printed.push((unicode(expr), parse));
+    }
+    // LaTeX cannot tell a list of one item from a formula in square brackets.
+    if !holds(expr, &|kind| matches!(kind, Kind::List(items) if items.len() == 1)) {
+        printed.push((latex(expr), polarform::latex::read));
+    }
+    let all = printed.into_iter().map(|(printed, read)| (read(&printed), printed));
+    all.map(|(read, printed)| match read {
+        Ok(read) => Ok((printed, read)),
+        Err(problem) => Err(TestCaseError::fail(format!("{printed}: {problem:?}"))),
+    })
+    .collect()
 }
 
-/// Whether it has a list of one item, which LaTeX cannot tell from a formula in square brackets.
-fn lists_one(expr: &Expr) -> bool {
-    let mut found = matches!(&expr.kind, Kind::List(items) if items.len() == 1);
-    expr.for_each_child(&mut |child| found |= lists_one(child));
+fn holds(expr: &Expr, wanted: &dyn Fn(&Kind) -> bool) -> bool {
+    let mut found = wanted(&expr.kind);
+    expr.for_each_child(&mut |child| found |= holds(child, wanted));
     found
 }
 
