@@ -57,6 +57,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::File,
         Code::Usage,
         Code::Internal,
+        Code::StandardMeaning,
+        Code::MoreCases,
     ];
     let missing: Vec<_> =
         Code::ALL.iter().filter(|code| !codes.contains(code) && !elsewhere.contains(code)).collect();
@@ -107,7 +109,7 @@ fn wrong_queries_of_every_command() {
         (&["functions", "polra"], "E202"),
         (&["matrix", "--degree", "2", "--interval", "1,1"], "E311"),
         (&["matrix", "--degree", "2", "--from", "whoknows"], "E201"),
-        (&["matrix", "--degree", "3", "--raise-to", "2"], "E312"),
+        (&["matrix", "--degree", "3", "--raise-to", "2"], "E307"),
     ] {
         assert_clear(&format!("{arguments:?}"), &run(arguments), code);
     }

@@ -386,7 +386,7 @@ fn degenerate_forms() {
         let form = PolarForm::new(vec![constant.clone()]);
         assert_eq!(form.degree(), 0);
         assert_eq!(form.value_at(none), Ok(constant.clone()));
-        assert_eq!(form.bezier_points(&integer(0), &integer(1)), [constant.clone()]);
+        assert_eq!(form.bezier_points(&integer(0), &integer(1)), vec![constant.clone()]);
         assert_eq!(form.elevate(4).value_at(&[1, 2, 3, 4].map(integer)), Ok(constant.clone()));
         assert_eq!(form.derivative(1).diagonal(), none);
         for method in Method::ALL {

@@ -12,7 +12,7 @@ use polarform::poly::Symbol;
 use polarform::session::Session;
 use polarform::syntax::parse;
 use polarform::value::{Claim, Notation, PolarKind, Value, Verdict};
-use polarform::write::{Format, text, unicode, write_expr};
+use polarform::write::{Format, latex, text, unicode, write_expr};
 use proptest::prelude::*;
 
 fn cases(count: u32) -> ProptestConfig {
@@ -34,6 +34,31 @@ fn session() -> Session {
 fn evaluated(session: &mut Session, expr: &Expr) -> Result<Value, String> {
     let outcome: Result<Outcome, _> = session.evaluate(&mut expr.clone(), Equals::Claims);
     outcome.map(|outcome| outcome.value).map_err(|problem| problem.code.id().to_owned())
+}
+
+/// The formula printed in every notation that can be read, and what was read.
+fn readings(expr: &Expr) -> Result<Vec<(String, Expr)>, TestCaseError> {
+    let mut printed = vec![(text(expr), parse as fn(&str) -> _)];
+    // Matrices in Unicode stand on several lines, for the eye only.
+    if !holds(expr, &|kind| matches!(kind, Kind::Matrix(..))) {
+        printed.push((unicode(expr), parse));
+    }
+    // LaTeX cannot tell a list of one item from a formula in square brackets.
+    if !holds(expr, &|kind| matches!(kind, Kind::List(items) if items.len() == 1)) {
+        printed.push((latex(expr), polarform::latex::read));
+    }
+    let all = printed.into_iter().map(|(printed, read)| (read(&printed), printed));
+    all.map(|(read, printed)| match read {
+        Ok(read) => Ok((printed, read)),
+        Err(problem) => Err(TestCaseError::fail(format!("{printed}: {problem:?}"))),
+    })
+    .collect()
+}
+
+fn holds(expr: &Expr, wanted: &dyn Fn(&Kind) -> bool) -> bool {
+    let mut found = wanted(&expr.kind);
+    expr.for_each_child(&mut |child| found |= holds(child, wanted));
+    found
 }
 
 /// Claims without the words about them.
@@ -67,8 +92,7 @@ proptest! {
         let right = evaluated(&mut session, &expr);
         // What passes the limits passes them in another shape a little sooner or later.
         prop_assume!(!matches!(&right, Err(code) if code.starts_with("E4")));
-        for printed in [text(&expr), unicode(&expr)] {
-            let read = parse(&printed).map_err(|p| TestCaseError::fail(format!("{printed}: {p:?}")))?;
+        for (printed, read) in readings(&expr)? {
             let found = evaluated(&mut session, &read);
             let same = match (&right, &found) {
                 (Ok(a), Ok(b)) => essence(a) == essence(b),
@@ -83,13 +107,9 @@ proptest! {
     fn values_read_back(value in value()) {
         let mut session = Session::default();
         let expr = value.to_expr();
-        let mut forms = vec![text(&expr)];
-        if !holds_matrix(&value) {
-            forms.push(unicode(&expr));
-        }
-        for printed in forms {
-            let read = parse(&printed).map_err(|p| TestCaseError::fail(format!("{printed}: {p:?}")))?;
-            let found = evaluated(&mut session, &read).map_err(|e| TestCaseError::fail(format!("{printed}: {e}")))?;
+        for (printed, read) in readings(&expr)? {
+            let found = evaluated(&mut session, &read)
+                .map_err(|e| TestCaseError::fail(format!("{printed}: {e}")))?;
             prop_assert_eq!(&found, &value, "{}", printed);
         }
     }
@@ -104,15 +124,6 @@ proptest! {
         let quotient = format!("{digits}{decimals}/1{}", "0".repeat(decimals.len()));
         let claim = parse(&format!("{decimal} = {quotient}")).expect("a claim");
         prop_assert_eq!(verdict(evaluated(&mut session, &claim)), Some(Verdict::Proved));
-    }
-}
-
-/// Matrices in Unicode stand on several lines, for reading only.
-fn holds_matrix(value: &Value) -> bool {
-    match value {
-        Value::Matrix(_) => true,
-        Value::List(items) => items.iter().any(holds_matrix),
-        _ => false,
     }
 }
 
@@ -137,8 +148,7 @@ proptest! {
             }
             let equation = polar.equation(Expr::name("f"), notation);
             let constant = matches!(&equation.kind, Kind::Chain(left, _) if matches!(left.kind, Kind::Name(_)));
-            for printed in [text(&equation), unicode(&equation)] {
-                let read = parse(&printed).map_err(|p| TestCaseError::fail(format!("{printed}: {p:?}")))?;
+            for (printed, read) in readings(&equation)? {
                 // Of no arguments there is nothing to apply the form to.
                 if constant {
                     continue;

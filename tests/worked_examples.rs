@@ -66,12 +66,29 @@ fn generic_polynomials() {
 #[test]
 fn derivative_by_differences_of_the_polar_form() {
     let (f, polar) = (format!("F(t) := {}", GENERIC[3]), "f := polar(F)");
-    let right = "F'(t) = 3 (f(t, t, 1) - f(t, t, 0)) = 3 f(t, t, hat(1)) = 3c_3 t^2 + 2c_2 t + c_1";
+    let right = "F'(t) = 3 [f(t, t, 1) - f(t, t, 0)] = 3 f(t, t, hat(1)) = 3c_3 t^2 + 2c_2 t + c_1";
     let wrong = "F'(t) = 2 (f(t, t, 1) - f(t, t, 0))";
     assert_snapshot!(transcripts([
         vec!["check", right, "--given", &f, "--given", polar],
         vec!["check", wrong, "--given", &f, "--given", polar],
-        vec!["eval", &f, polar, "diff(F(t), t)", "3 (f(t, t, 1) - f(t, t, 0))"],
+        vec!["eval", &f, polar, "diff(F(t), t)", "3[f(t, t, 1) - f(t, t, 0)]"],
+    ]));
+}
+
+#[test]
+fn pasted_latex() {
+    assert_snapshot!(transcripts([
+        vec!["polar", r"F(t) = t^3 + 3t^2 + 5t + 1"],
+        vec!["polar", r"$\frac{1}{2} t^2 + c_{0}$"],
+        vec!["product", r"t^{2} + 2\,t", r"\left(t^3 + 1\right)"],
+        vec![
+            "check",
+            r"f(t_1,t_2,t_3) = t_1t_2t_3 + (t_1t_2+t_1t_3+t_2t_3) + \frac{5}{3}(t_1+t_2+t_3) + 1",
+            "--given",
+            r"f := polar(t^3 + 3t^2 + 5t + 1)",
+        ],
+        vec!["check", r"f(t,t,\hat{1}) = \frac{1}{3} F'(t)", "--given", "F(t) := t^3 + t; f := polar(F)"],
+        vec!["polar", "t^2 + 2t", "--degree", "3", "--at", r"0, \frac{1}{2}, \hat{1}", "--format", "latex"],
     ]));
 }
 

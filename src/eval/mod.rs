@@ -189,7 +189,11 @@ impl Machine {
             Kind::Mul(factors) => {
                 let mut product: Option<Value> = None;
                 for factor in factors {
-                    let value = self.eval(factor)?;
+                    // In a product, square brackets around one formula are parentheses: 3 [a - b].
+                    let value = match &factor.kind {
+                        Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+                        _ => self.eval(factor)?,
+                    };
                     product = Some(match product {
                         None => value,
                         Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
