@@ -103,7 +103,7 @@ fn wrong_queries_of_every_command() {
         (&["polar", "t^2", "--at", "0,1,2"], "E301"),
         (&["eval", "polar(t^2)(0)"], "E301"),
         (&["eval", "polar()"], "E301"),
-        (&["polar", "[1, 2]"], "E302"),
+        (&["polar", "[1, 2; 3, 4]"], "E302"),
         (&["check", "t + 1"], "E502"),
         (&["explain", "E000"], "E502"),
         (&["functions", "polra"], "E202"),

@@ -118,10 +118,17 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
             session.env.set(Symbol::new("F"), value);
             let whole = Span::new(0, polynomial.len());
             let polar = query(session, &file, whole, "polar", vec![Expr::name("F")], named)?;
-            let Value::Polar(form) = &polar else { return Ok(Status::Failed) };
             if *steps {
-                for line in output.limited(|| polar_steps(form, *method))? {
-                    output.line(&written(output, &line)?)?;
+                // A curve is derived coordinate by coordinate.
+                let coordinates = match &polar {
+                    Value::List(items) => items.as_slice(),
+                    one => std::slice::from_ref(one),
+                };
+                for item in coordinates {
+                    let Value::Polar(form) = item else { continue };
+                    for line in output.limited(|| polar_steps(form, *method))? {
+                        output.line(&written(output, &line)?)?;
+                    }
                 }
                 if at.is_none() {
                     return Ok(Status::Fine);

@@ -280,7 +280,7 @@ pub(super) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
     match (plain.as_slice(), variables.as_slice()) {
         ([one], _) => Ok((*one).clone()),
         ([], []) => Ok(Symbol::new("t")),
-        ([], [one]) => Ok(one.clone()),
+        ([], [one]) if one.base() == "t" || PARAMETERS.contains(&one.base()) => Ok(one.clone()),
         ([], _) if variables.iter().all(|symbol| !symbol.is_plain()) => Ok(Symbol::new("t")),
         _ => {
             let names: Vec<String> = variables.iter().map(Symbol::to_string).collect();

@@ -77,7 +77,14 @@ pub(super) fn negate(value: Value) -> Result<Value> {
 
 pub(super) fn multiply(left: Value, right: Value) -> Result<Value> {
     match (left, right) {
-        (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(a * b)),
+        (Value::Scalar(a), Value::Scalar(b)) => {
+            // Repeated products of numbers must stay within the limit on digits, too.
+            if let (Some(x), Some(y)) = (a.as_rational(), b.as_rational()) {
+                let bits = |q: &Rational| q.numer().bits().max(q.denom().bits());
+                budget::charge_bits(bits(&x).saturating_add(bits(&y)));
+            }
+            Ok(Value::Scalar(a * b))
+        }
         (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
             Ok(Value::Vector(a * b))
         }

@@ -351,6 +351,9 @@ fn polar_difference(a: &Polar, b: &Polar) -> String {
 /// Small values to try, simple ones first.
 const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
 
+/// Beyond this degree only the simplest values are tried.
+const HIGHEST_DEGREE: u32 = 2000;
+
 /// Values of the symbols at which `wanted(left, right)` holds, checked by substitution.
 pub(super) fn find_witness(
     a: &Fraction,
@@ -361,17 +364,21 @@ pub(super) fn find_witness(
     symbols.extend(b.variables());
     symbols.sort();
     symbols.dedup();
-    for round in 0..TRIALS.len() * 8 {
+    // Powers of large degree are tried at 0, 1 and −1 only, where they stay small.
+    let degree = |f: &Fraction| f.numerator().total_degree().max(f.denominator().total_degree());
+    let high = degree(a).max(degree(b)).is_some_and(|d| d > HIGHEST_DEGREE);
+    let trials: &[i64] = if high { &[0, 1, -1] } else { &TRIALS };
+    for round in 0..trials.len() * 8 {
         crate::budget::steps(16);
         // Round 0 is all zeros; later rounds walk through the trial values at different speeds.
         let assignment: Vec<(Symbol, Rational)> = symbols
             .iter()
             .enumerate()
             .map(|(i, symbol)| {
-                let value = if round < TRIALS.len() {
-                    TRIALS[round]
-                } else {
-                    TRIALS[(round * (i + 1) + i * i) % TRIALS.len()] + (round / TRIALS.len()) as i64
+                let value = match trials.get(round) {
+                    Some(&value) => value,
+                    None if high => trials[(round * (i + 1) + i * i) % trials.len()],
+                    None => trials[(round * (i + 1) + i * i) % trials.len()] + (round / trials.len()) as i64,
                 };
                 (symbol.clone(), integer(value))
             })

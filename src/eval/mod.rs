@@ -165,7 +165,10 @@ impl Machine {
     fn eval_kind(&mut self, expr: &Expr) -> Evaluated {
         let span = expr.span;
         match &expr.kind {
-            Kind::Number(q) => Ok(Value::number(q.clone())),
+            Kind::Number(q) => {
+                crate::budget::charge_bits(q.numer().bits().max(q.denom().bits()));
+                Ok(Value::number(q.clone()))
+            }
             Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => self.eval_name(expr),
             Kind::Accent(accent, body) => self.eval_accent(*accent, body, expr),
             Kind::Group(body) => self.eval(body),
@@ -234,6 +237,12 @@ impl Machine {
             }
             Kind::Prime(body, order) => {
                 let value = self.eval(body)?;
+                // The derivative of an undefined F is not that of a variable F.
+                if let Kind::Name(name) = &body.kind
+                    && arguments::symbol_of(&value).is_some_and(|symbol| symbol == Symbol::new(name))
+                {
+                    return Err(self.unknown_name(name, body));
+                }
                 calculus::derivative_of_function(&value, *order as usize).at(body.span)
             }
             Kind::Transpose(body) => {
