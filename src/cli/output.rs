@@ -11,7 +11,10 @@ use crate::number::Rational;
 use crate::session::Failure;
 use crate::source::SourceFile;
 use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
-use crate::write::{Format, claim_json, text, value_json, write_expanded, write_expr};
+use crate::write::{Format, claim_json, text, value_json, write_expanded, write_expr, write_grouped};
+
+/// Polar forms of a larger degree are written out without building the formula.
+const STREAM_ABOVE: usize = 6;
 
 /// Where results and messages go, and how.
 pub(super) struct Output {
@@ -100,9 +103,11 @@ impl Output {
     }
 
     fn polar(&self, polar: &Arc<Polar>, name: Option<Expr>) -> Result<(), Trouble> {
-        if self.notation == Notation::Expanded
+        // What is short enough is printed as any formula; the result is the same.
+        if matches!(self.notation, Notation::Expanded | Notation::Grouped)
             && self.format != Format::Json
             && let PolarKind::Univariate(form) = &polar.kind
+            && form.degree() > STREAM_ABOVE
             && let Some(form) = rational(form)
         {
             return self.stream(polar, &form, name);
@@ -118,7 +123,7 @@ impl Output {
         Ok(self.line(&line)?)
     }
 
-    /// The expanded form, written without being built.
+    /// A form written out without being built.
     fn stream(&self, polar: &Polar, form: &PolarForm<Rational>, name: Option<Expr>) -> Result<(), Trouble> {
         let names: Result<Vec<String>, Trouble> =
             polar.arguments()[0].iter().map(|argument| self.written(&symbol_expr(&argument[0]))).collect();
@@ -128,7 +133,10 @@ impl Output {
         let mut out = io::stdout().lock();
         self.limited(|| {
             out.write_all(head.as_bytes())?;
-            write_expanded(&mut out, form, &names, self.format)?;
+            match self.notation {
+                Notation::Grouped => write_grouped(&mut out, form, &names, self.format)?,
+                _ => write_expanded(&mut out, form, &names, self.format)?,
+            }
             out.write_all(b"\n")
         })?
         .map_err(Trouble::Output)

@@ -172,7 +172,7 @@ fn elementary_expr(arguments: &[Expr], k: usize, notation: Notation) -> Option<E
         let middle = Expr::from(Kind::Ellipsis);
         return Some(Expr::sum(vec![plus(product(&first)), plus(middle), plus(product(&last))]).grouped());
     }
-    budget::charge_terms(count as u64);
+    budget::charge_terms((count as u64).saturating_mul(k as u64 + 1));
     let terms = Combinations::new(n, k).map(|chosen| plus(product(&chosen))).collect();
     Some(Expr::sum(terms).grouped())
 }
@@ -204,7 +204,7 @@ fn univariate_body(form: &PolarForm<Fraction>, arguments: &[Expr], notation: Not
         match notation {
             Notation::Expanded => {
                 let count = binomial(n, k).to_u64().unwrap_or(u64::MAX);
-                budget::charge_terms(count.saturating_add(terms.len() as u64));
+                budget::charge_terms(count.saturating_add(terms.len() as u64).saturating_mul(k as u64 + 1));
                 for chosen in Combinations::new(n, k) {
                     let factors: Vec<Expr> = chosen.iter().map(|&i| arguments[i].clone()).collect();
                     let body = (k > 0).then(|| Expr::product(factors));

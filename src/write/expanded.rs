@@ -1,4 +1,4 @@
-//! Fully expanded polar forms, streamed: 2^n monomials without building any of them.
+//! Polar forms written out, streamed: 2^n monomials without building any of them.
 //!
 //! f = Σ_k w_k e_k(t_1, …, t_n) has one coefficient for all monomials of a degree, so a
 //! monomial costs no more than copying its letters. Degrees descend, and within a degree
@@ -55,6 +55,39 @@ pub fn write_expanded(
     names: &[String],
     format: Format,
 ) -> io::Result<()> {
+    stream(out, form, names, format, false)
+}
+
+/// The same with the monomials of each degree in brackets behind their common coefficient, as
+/// the formula of a polar form in grouped notation is printed.
+///
+/// # Errors
+/// Those of the output.
+///
+/// ```
+/// use polarform::{blossom::PolarForm, number::integer, write::{Format, write_grouped}};
+/// let f = PolarForm::new([1, 2, 0, 3].map(integer).to_vec());
+/// let names = ["t1", "t2", "t3"].map(String::from);
+/// let mut out = Vec::new();
+/// write_grouped(&mut out, &f, &names, Format::Text).unwrap();
+/// assert_eq!(out, b"3 t1 t2 t3 + 2/3 (t1 + t2 + t3) + 1");
+/// ```
+pub fn write_grouped(
+    out: &mut dyn Write,
+    form: &PolarForm<Rational>,
+    names: &[String],
+    format: Format,
+) -> io::Result<()> {
+    stream(out, form, names, format, true)
+}
+
+fn stream(
+    out: &mut dyn Write,
+    form: &PolarForm<Rational>,
+    names: &[String],
+    format: Format,
+    grouped: bool,
+) -> io::Result<()> {
     let n = form.degree();
     assert_eq!(names.len(), n, "one name for each argument");
     budget::charge_terms(expanded_terms(form));
@@ -65,22 +98,32 @@ pub fn write_expanded(
     };
     let names: Vec<&[u8]> = names.iter().map(|name| name.as_bytes()).collect();
     let mut sink = Sink { out, buffer: Vec::with_capacity(2 * CHUNK) };
+    let weights = form.weights();
+    // A single sum needs no brackets.
+    let alone = weights.iter().filter(|w| !w.is_zero()).count() == 1 && weights.iter().any(One::is_one);
     let mut first = true;
-    for (k, w) in form.weights().iter().enumerate().rev() {
+    for (k, w) in weights.iter().enumerate().rev() {
         if w.is_zero() {
             continue;
         }
-        let lead = coefficient(&w.abs(), k == 0, format);
+        let bracket = grouped && k > 0 && k < n;
+        let lead = coefficient(&w.abs(), k == 0, bracket, format);
         let separator: &[u8] = if w.is_negative() { b" - " } else { b" + " };
         let mut prefix = separator.to_vec();
         prefix.extend_from_slice(lead.as_bytes());
+        let mut skip = 0;
         if first {
-            let sign: &[u8] = if w.is_negative() { b"-" } else { b"" };
-            sink.buffer.extend_from_slice(sign);
-            sink.monomials(&prefix, separator.len(), k, &names, times)?;
+            sink.buffer.extend_from_slice(if w.is_negative() { b"-" } else { b"" });
+            skip = separator.len();
             first = false;
+        }
+        if bracket {
+            sink.buffer.extend_from_slice(&prefix[skip..]);
+            sink.buffer.extend_from_slice(if alone { b"" } else { b"(" });
+            sink.monomials(b" + ", 3, k, &names, times)?;
+            sink.buffer.extend_from_slice(if alone { b"" } else { b")" });
         } else {
-            sink.monomials(&prefix, 0, k, &names, times)?;
+            sink.monomials(&prefix, skip, k, &names, times)?;
         }
     }
     if first {
@@ -90,7 +133,7 @@ pub fn write_expanded(
 }
 
 /// The magnitude before a monomial, with what separates it from the first name.
-fn coefficient(w: &Rational, alone: bool, format: Format) -> String {
+fn coefficient(w: &Rational, alone: bool, bracket: bool, format: Format) -> String {
     if w.is_one() && !alone {
         return String::new();
     }
@@ -103,6 +146,8 @@ fn coefficient(w: &Rational, alone: bool, format: Format) -> String {
     match (alone, format) {
         (true, _) => number,
         (false, Format::Sympy) => number + "*",
+        // 4t₁t₂, but 4 (t₁ + t₂) and 1/2 t₁.
+        (false, Format::Unicode) if !bracket && w.denom().is_one() => number,
         (false, _) => number + " ",
     }
 }
@@ -208,6 +253,38 @@ mod tests {
                 let c = (0..=n as i64).map(|i| rational((seed * i * i - 7 * i + seed) % 9, 1 + i % 3));
                 let form = PolarForm::new(c.collect());
                 assert_eq!(written(&form, Format::Text), joined(&form), "n = {n}, seed {seed}");
+            }
+        }
+    }
+
+    #[test]
+    fn grouped_as_the_formula_is_printed() {
+        use crate::poly::{Fraction, Symbol};
+        use crate::value::{Notation, Polar, PolarKind, symbol_expr};
+        use crate::write::write_expr;
+        for n in 0..7usize {
+            for seed in 0..8i64 {
+                let c = (0..=n as i64).map(|i| match seed {
+                    7 => integer(i64::from(i == 1) * n as i64),
+                    _ => rational((seed * i * i - 7 * i + seed) % 5, 1 + i % 3),
+                });
+                let form = PolarForm::new(c.collect::<Vec<Rational>>());
+                let polar = Polar {
+                    kind: PolarKind::Univariate(form.map(|c| Fraction::from(c.clone()))),
+                    variables: vec![Symbol::new("t")],
+                };
+                for format in [Format::Text, Format::Unicode, Format::Latex, Format::Sympy] {
+                    let names: Vec<String> = polar.arguments()[0]
+                        .iter()
+                        .map(|argument| write_expr(&symbol_expr(&argument[0]), format).unwrap())
+                        .collect();
+                    for (notation, grouped) in [(Notation::Grouped, true), (Notation::Expanded, false)] {
+                        let mut out = Vec::new();
+                        stream(&mut out, &form, &names, format, grouped).unwrap();
+                        let printed = write_expr(&polar.body(notation), format).unwrap();
+                        assert_eq!(String::from_utf8(out).unwrap(), printed, "{form:?} {format}");
+                    }
+                }
             }
         }
     }

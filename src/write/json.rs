@@ -58,6 +58,9 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
     }
 }
 
+/// Forms of a larger degree are written with σ_{i,n} in JSON.
+const LONGEST_WRITTEN_OUT: usize = 12;
+
 fn polar_json(polar: &Polar, notation: Notation) -> Json {
     let groups: Vec<Json> = polar
         .arguments()
@@ -87,7 +90,9 @@ fn polar_json(polar: &Polar, notation: Notation) -> Json {
             ("total", json!(terms))
         }
     };
-    let body = polar.body(notation);
+    // The coefficients say all; the formula is not written out at length beside them.
+    let long = polar.arity().iter().any(|&n| n > LONGEST_WRITTEN_OUT);
+    let body = polar.body(if long { Notation::Sigma } else { notation });
     json!({"kind": "polar", "form": form, "degree": polar.arity(), "arguments": groups,
         "coefficients": coefficients, "text": text(&body), "latex": latex(&body)})
 }

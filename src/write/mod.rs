@@ -42,7 +42,7 @@ mod words;
 #[cfg(test)]
 mod tests;
 
-pub use expanded::{expanded_terms, write_expanded};
+pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
 pub use latex::{latex, write_latex};
