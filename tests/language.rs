@@ -1,0 +1,134 @@
+//! Expressions as they are typed in lectures, with the value each of them must have, and a
+//! whole session, line by line.
+//!
+//! A file of `tests/corpus/expressions` holds lines `expression  ==>  result`; lines
+//! `given: definition` hold for all of the file, `#` starts a comment. The result is
+//!
+//! - of a value: its plain text, a polar form with its arguments as f(t1, …, tn) = …;
+//! - of a claim: one word, `true`, `false` or `undecided`; of a chain, `false` if any of its
+//!   relations is refuted, else `undecided` if any is.
+//!
+//! Every result was worked out without this program.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use polarform::session::Session;
+use polarform::value::{Value, Verdict};
+use polarform::write;
+
+/// What stands between an expression and its result.
+const ARROW: &str = "  ==>  ";
+
+fn files(folder: &str) -> Vec<(PathBuf, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
+    let mut paths: Vec<PathBuf> =
+        fs::read_dir(&folder).expect("the folder is there").map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "txt"));
+    paths.sort();
+    assert!(!paths.is_empty(), "no files in {}", folder.display());
+    paths
+        .into_iter()
+        .map(|path| {
+            let text = fs::read_to_string(&path).unwrap();
+            (path, text)
+        })
+        .collect()
+}
+
+/// The result as the corpus gives it.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Claim(claim) => match claim.verdict() {
+            Verdict::Proved => "true".to_owned(),
+            Verdict::Refuted => "false".to_owned(),
+            Verdict::Undecided => "undecided".to_owned(),
+        },
+        value => write::text(&value.to_expr()),
+    }
+}
+
+#[test]
+fn expressions_are_read_as_meant() {
+    let (mut count, mut wrong) = (0, String::new());
+    for (path, text) in files("corpus/expressions") {
+        let mut given = Session::default();
+        for (at, line) in text.lines().enumerate().map(|(i, line)| (i + 1, line)) {
+            let place = format!("{}:{at}", path.file_name().unwrap_or_default().to_string_lossy());
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            if let Some(definition) = line.strip_prefix("given: ") {
+                let done = given.run(definition);
+                let defined = done.unwrap_or_else(|failure| panic!("{place}: {:?}", failure.problem));
+                assert!(defined.outcome.defined.is_some(), "{place} defines nothing");
+                continue;
+            }
+            let Some((expression, wanted)) = line.split_once(ARROW) else {
+                panic!("{place}: no result is given")
+            };
+            count += 1;
+            let found = match given.clone().run(expression) {
+                Ok(answer) => match answer.outcome.defined {
+                    Some(name) => format!("(a definition of {name})"),
+                    None => shown(&answer.outcome.value),
+                },
+                Err(failure) => format!("({:?})", failure.problem),
+            };
+            if found != wanted {
+                let _ = writeln!(wrong, "{place}: {expression}\n  wanted {wanted}\n  found  {found}");
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+    assert!(count >= 200, "only {count} expressions");
+}
+
+#[test]
+fn no_expression_is_there_twice() {
+    for (path, text) in files("corpus/expressions") {
+        let mut lines: Vec<&str> = text.lines().filter_map(|line| line.split(ARROW).next()).collect();
+        lines.retain(|line| !line.is_empty());
+        let count = lines.len();
+        lines.sort_unstable();
+        lines.dedup();
+        assert_eq!(lines.len(), count, "{}", path.display());
+    }
+}
+
+/// What the program prints for a session typed so far: results, then problems and remarks.
+fn printed(typed: &str) -> (String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_polarform")).write_stdin(typed).output().unwrap();
+    (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// In a transcript lines that start with `> ` are typed; what is printed follows each of them.
+///
+/// Piped input shows no prompts, so the answer to a line is what the session prints with it
+/// and does not print without it.
+#[test]
+fn transcripts_come_out_as_written() {
+    for (path, text) in files("transcripts") {
+        let (mut typed, mut before) = (String::new(), (String::new(), String::new()));
+        let mut found = String::new();
+        for line in text.lines() {
+            if line.starts_with('#') || line.is_empty() {
+                found += line;
+                found.push('\n');
+            }
+            let Some(input) = line.strip_prefix("> ") else { continue };
+            typed += input;
+            typed.push('\n');
+            let after = printed(&typed);
+            let _ = writeln!(found, "{line}");
+            for (before, after) in [(&before.0, &after.0), (&before.1, &after.1)] {
+                let new = after.strip_prefix(before.as_str()).expect("earlier answers do not change");
+                found += new;
+            }
+            before = after;
+        }
+        assert_eq!(found, text, "{}", path.display());
+    }
+}
