@@ -95,7 +95,7 @@ impl Machine {
         for parameter in parameters {
             names.push(self.binder(parameter)?);
         }
-        let clause = self.clause(names.iter().cloned().map(Parameter::Name).collect(), body);
+        let clause = self.clause(names.iter().cloned().map(Parameter::Name).collect(), body)?;
         Ok(Value::Function(Arc::new(Function {
             name: None,
             shape: Shape::plain(names.len()),
@@ -103,8 +103,9 @@ impl Machine {
         })))
     }
 
-    /// A clause with the value of its body, if that exists for symbolic parameters.
-    pub(super) fn clause(&mut self, parameters: Vec<Parameter>, body: &Expr) -> Clause {
+    /// A clause with the value of its body, if that exists for symbolic parameters. Unknown words in
+    /// the body are reported where they are written, not when the function is called.
+    pub(super) fn clause(&mut self, parameters: Vec<Parameter>, body: &Expr) -> Result<Clause, Diagnostic> {
         let symbols: Vec<(Symbol, Value)> = parameters
             .iter()
             .filter_map(|parameter| match parameter {
@@ -115,6 +116,9 @@ impl Machine {
         let notes = self.notes.len();
         let formula = match self.with_locals(symbols, |machine| machine.eval(body)) {
             Ok(Value::Scalar(formula)) => Some(formula),
+            Err(error) if matches!(error.code, Code::UnknownName | Code::UnknownFunction) => {
+                return Err(error);
+            }
             _ => None,
         };
         self.notes.truncate(notes);
@@ -122,7 +126,7 @@ impl Machine {
         for (name, value) in &self.locals {
             Arc::make_mut(&mut scope).insert(name.clone(), value.clone());
         }
-        Clause { parameters, body: body.clone(), formula, scope }
+        Ok(Clause { parameters, body: body.clone(), formula, scope })
     }
 
     pub(super) fn eval_big(

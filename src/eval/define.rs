@@ -162,10 +162,8 @@ impl Machine {
         // While its body is looked at, the function is known but has no cases.
         let placeholder =
             Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses: Vec::new() }));
-        let mut clause = self.with_locals([(name.clone(), placeholder)], |machine| {
-            machine.check_names(&list, body)?;
-            Ok(machine.clause(list, body))
-        })?;
+        let mut clause =
+            self.with_locals([(name.clone(), placeholder)], |machine| machine.clause(list, body))?;
         // The scope must not keep the placeholder: calls bind the function itself.
         Arc::make_mut(&mut clause.scope).remove(name);
         let mut clauses = match self.lookup(name) {
@@ -190,25 +188,6 @@ impl Machine {
         }
         clauses.push(clause);
         Ok(Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses })))
-    }
-
-    /// Unknown words in the body of a function are reported where they are written, not when
-    /// the function is called.
-    fn check_names(&mut self, parameters: &[Parameter], body: &Expr) -> Result<(), Diagnostic> {
-        let symbols: Vec<(Symbol, Value)> = parameters
-            .iter()
-            .filter_map(|parameter| match parameter {
-                Parameter::Name(symbol) => Some((symbol.clone(), Value::symbol(symbol.clone()))),
-                Parameter::Exactly(_) => None,
-            })
-            .collect();
-        let notes = self.notes.len();
-        let result = self.with_locals(symbols, |machine| machine.eval(body));
-        self.notes.truncate(notes);
-        match result {
-            Err(error) if matches!(error.code, Code::UnknownName | Code::UnknownFunction) => Err(error),
-            _ => Ok(()),
-        }
     }
 }
 

@@ -76,20 +76,7 @@ pub fn name_of(expr: &Expr, machine: &mut Machine) -> Option<Symbol> {
         Kind::Accent(Accent::Bold, body) | Kind::Group(body) if !matches!(body.kind, Kind::Group(_)) => {
             name_of(body, machine)
         }
-        Kind::Accent(accent, body) => {
-            let mark = match accent {
-                Accent::Hat => "hat",
-                Accent::Bar => "bar",
-                Accent::Vec => "vec",
-                Accent::Tilde => "tilde",
-                Accent::Dot => "dot",
-                Accent::Ddot => "ddot",
-                Accent::Script => "mathcal",
-                Accent::Blackboard => "mathbb",
-                Accent::Bold => "",
-            };
-            Some(name_of(body, machine)?.with_accent(mark))
-        }
+        Kind::Accent(accent, body) => Some(name_of(body, machine)?.with_accent(accent.name())),
         _ => None,
     }
 }

@@ -67,6 +67,36 @@ pub enum Accent {
     Blackboard,
 }
 
+impl Accent {
+    /// Every accent.
+    pub const ALL: [Accent; 9] = [
+        Accent::Hat,
+        Accent::Bar,
+        Accent::Vec,
+        Accent::Tilde,
+        Accent::Dot,
+        Accent::Ddot,
+        Accent::Bold,
+        Accent::Script,
+        Accent::Blackboard,
+    ];
+
+    /// The function of the plain notation that sets it, as in `hat(v)`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Accent::Hat => "hat",
+            Accent::Bar => "bar",
+            Accent::Vec => "vec",
+            Accent::Tilde => "tilde",
+            Accent::Dot => "dot",
+            Accent::Ddot => "ddot",
+            Accent::Bold => "bold",
+            Accent::Script => "script",
+            Accent::Blackboard => "blackboard",
+        }
+    }
+}
+
 /// How a binomial coefficient was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinomialStyle {

@@ -18,17 +18,7 @@ const ELLIPSIS_ABOVE: usize = 4;
 /// A symbol as a formula: base, accent, indices.
 pub fn symbol_expr(symbol: &Symbol) -> Expr {
     let mut expr = Expr::name(symbol.base());
-    let accent = match symbol.accent() {
-        "hat" => Some(Accent::Hat),
-        "bar" => Some(Accent::Bar),
-        "vec" => Some(Accent::Vec),
-        "tilde" => Some(Accent::Tilde),
-        "dot" => Some(Accent::Dot),
-        "ddot" => Some(Accent::Ddot),
-        "mathcal" => Some(Accent::Script),
-        "mathbb" => Some(Accent::Blackboard),
-        _ => None,
-    };
+    let accent = Accent::ALL.into_iter().find(|accent| accent.name() == symbol.accent());
     if let Some(accent) = accent {
         expr = Kind::Accent(accent, Box::new(expr)).into();
     }

@@ -2,6 +2,8 @@
 
 use serde_json::{Value as Json, json};
 
+use super::plain::Plain;
+use super::text::Text;
 use super::{latex, text};
 use crate::expr::Rel;
 use crate::poly::{Fraction, Symbol};
@@ -112,7 +114,7 @@ pub fn claim_json(claim: &Claim) -> Json {
                 json!({"at": at, "left": witness.left.to_string(), "right": witness.right.to_string()})
             });
             json!({
-                "relation": relation(judgement.rel),
+                "relation": <Text as Plain>::relation(rel_of_claim(judgement.rel)).trim(),
                 "verdict": judgement.verdict.word(),
                 "left": text(&judgement.left.to_expr()),
                 "right": text(&judgement.right.to_expr()),
@@ -125,22 +127,7 @@ pub fn claim_json(claim: &Claim) -> Json {
     json!({"kind": "claim", "verdict": claim.verdict().word(), "relations": relations})
 }
 
-fn relation(rel: Rel) -> &'static str {
-    match rel {
-        Rel::Eq | Rel::Define => "=",
-        Rel::Ne => "!=",
-        Rel::Lt => "<",
-        Rel::Le => "<=",
-        Rel::Gt => ">",
-        Rel::Ge => ">=",
-        Rel::Equiv => "≡",
-        Rel::Approx => "≈",
-        Rel::In => "in",
-        Rel::Subset => "⊆",
-        Rel::To => "→",
-        Rel::MapsTo => "↦",
-        Rel::Implies => "⇒",
-        Rel::Iff => "⇔",
-        Rel::Colon => ":",
-    }
+/// A definition that is checked claims equality.
+fn rel_of_claim(rel: Rel) -> Rel {
+    if rel == Rel::Define { Rel::Eq } else { rel }
 }

@@ -10,7 +10,7 @@ use num_traits::Signed;
 use super::decimal;
 use super::shape;
 use super::walk::{Notation, Pieces};
-use crate::expr::{Accent, BigOp, Delimiter, Enclosure, Expr, Kind, Precedence, Rel, Sign, Term};
+use crate::expr::{BigOp, Delimiter, Enclosure, Expr, Kind, Precedence, Rel, Sign, Term};
 
 /// The signs in which the two differ.
 pub(super) trait Plain: Notation {
@@ -70,7 +70,7 @@ pub(super) fn expand<'a, P: Plain>(expr: &'a Expr, out: &mut Pieces<'a>) {
             out.str(")}");
         }
         Kind::Accent(accent, body) => {
-            out.str(accent_name(*accent));
+            out.str(accent.name());
             out.wrapped("(", body, ")");
         }
         Kind::Prime(body, count) => {
@@ -406,21 +406,6 @@ fn derivative<'a>(variables: &'a [(Expr, Option<Expr>)], body: Option<&'a Expr>,
         out.str(", ");
         with_order(out, variable);
         out.str(")");
-    }
-}
-
-/// The function that sets the accent.
-fn accent_name(accent: Accent) -> &'static str {
-    match accent {
-        Accent::Hat => "hat",
-        Accent::Bar => "bar",
-        Accent::Vec => "vec",
-        Accent::Tilde => "tilde",
-        Accent::Dot => "dot",
-        Accent::Ddot => "ddot",
-        Accent::Bold => "bold",
-        Accent::Script => "script",
-        Accent::Blackboard => "blackboard",
     }
 }
 

@@ -32,7 +32,7 @@ pub fn write_text(out: &mut dyn fmt::Write, expr: &Expr) -> fmt::Result {
     walk(&Text, expr, Precedence::Sequence, out)
 }
 
-struct Text;
+pub(super) struct Text;
 
 impl Plain for Text {
     const ARROW: &'static str = " -> ";

@@ -18,17 +18,7 @@ pub fn sexpr(expr: &Expr) -> String {
         Kind::Subscript(base, indices) => format!("(_ {} {})", sexpr(base), list(indices)),
         Kind::Upper(base, indices) => format!("(upper {} {})", sexpr(base), list(indices)),
         Kind::Accent(accent, body) => {
-            let name = match accent {
-                Accent::Hat => "hat",
-                Accent::Bar => "bar",
-                Accent::Vec => "vec",
-                Accent::Tilde => "tilde",
-                Accent::Dot => "dot",
-                Accent::Ddot => "ddot",
-                Accent::Bold => "bold",
-                Accent::Script => "script",
-                Accent::Blackboard => "bb",
-            };
+            let name = if *accent == Accent::Blackboard { "bb" } else { accent.name() };
             format!("({name} {})", sexpr(body))
         }
         Kind::Prime(body, count) => format!("({} {})", "'".repeat(*count as usize), sexpr(body)),
