@@ -12,6 +12,7 @@
 use super::polar_form::{PolarError, PolarForm};
 use crate::budget;
 use crate::number::{Int, Rational, binomial, binomial_row};
+use crate::poly::Poly;
 use crate::ring::Ring;
 
 impl<C: Ring> PolarForm<C> {
@@ -34,6 +35,11 @@ impl<C: Ring> PolarForm<C> {
     ///
     /// Cost: (m + 1)(n + 1) ring operations.
     pub fn product(&self, other: &Self) -> Self {
+        if self.degree() * other.degree() > FEW_PRODUCTS
+            && let (Some(f), Some(g)) = (polynomial(self), polynomial(other))
+        {
+            return from_polynomial(&(&f * &g), self.degree() + other.degree());
+        }
         PolarForm::new(multiply(self.coefficients(), other.coefficients()))
     }
 
@@ -68,10 +74,13 @@ impl<C: Ring> PolarForm<C> {
 
     /// The polar form of F ∘ G, of degree m n, by composing the diagonals (Horner).
     ///
-    /// Cost: O(m² n²) ring operations.
+    /// Cost: O(m² n²) ring operations; with numbers as coefficients that of [`Poly::compose`].
     pub fn compose(&self, inner: &Self) -> Self {
         let size = self.degree() * inner.degree() + 1;
         budget::charge_terms(size as u64);
+        if let (Some(f), Some(g)) = (polynomial(self), polynomial(inner)) {
+            return from_polynomial(&f.compose(&g), size - 1);
+        }
         let mut result: Vec<C> = vec![C::zero()];
         for c in self.coefficients().iter().rev() {
             result = multiply(&result, inner.coefficients());
@@ -139,6 +148,21 @@ impl<C: Ring> PolarForm<C> {
             .collect();
         PolarForm::new(coefficients)
     }
+}
+
+/// Up to this many products of coefficients the plain way is as good as any.
+const FEW_PRODUCTS: usize = 64;
+
+/// The diagonal as a polynomial over Q, if all coefficients are numbers.
+fn polynomial<C: Ring>(form: &PolarForm<C>) -> Option<Poly> {
+    let list: Option<Vec<Rational>> = form.coefficients().iter().map(Ring::as_rational).collect();
+    list.map(Poly::from_coefficients)
+}
+
+fn from_polynomial<C: Ring>(diagonal: &Poly, degree: usize) -> PolarForm<C> {
+    let mut list: Vec<C> = diagonal.coefficients().iter().map(C::from_rational).collect();
+    list.resize(degree + 1, C::zero());
+    PolarForm::new(list)
 }
 
 /// Product of two coefficient lists.

@@ -11,7 +11,9 @@ use crate::number::Rational;
 use crate::session::Failure;
 use crate::source::SourceFile;
 use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
-use crate::write::{Format, claim_json, text, value_json, write_expanded, write_expr, write_grouped};
+use crate::write::{
+    Format, claim_json, expanded_terms, text, value_json, write_expanded, write_expr, write_grouped,
+};
 
 /// Polar forms of a larger degree are written out without building the formula.
 const STREAM_ABOVE: usize = 6;
@@ -132,6 +134,8 @@ impl Output {
         let head = if self.format == Format::Sympy { String::new() } else { self.written(&left)? + " = " };
         let mut out = io::stdout().lock();
         self.limited(|| {
+            // What is too long is refused before its first line is out.
+            crate::budget::charge_terms(expanded_terms(form));
             out.write_all(head.as_bytes())?;
             match self.notation {
                 Notation::Grouped => write_grouped(&mut out, form, &names, self.format)?,
