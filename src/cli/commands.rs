@@ -314,7 +314,7 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
     output.value(&answer.outcome.value, name)?;
     Ok(match &answer.outcome.value {
         Value::Claim(claim) => match claim.verdict() {
-            Verdict::Proved => Status::Fine,
+            Verdict::Proved | Verdict::Sampled => Status::Fine,
             Verdict::Refuted => Status::Refuted,
             Verdict::Undecided => Status::Failed,
         },

@@ -164,7 +164,7 @@ impl Output {
         }
         if self.format == Format::Sympy {
             let word = match claim.verdict() {
-                Verdict::Proved => "True",
+                Verdict::Proved | Verdict::Sampled => "True",
                 Verdict::Refuted => "False",
                 Verdict::Undecided => "None",
             };
@@ -175,6 +175,7 @@ impl Output {
             let start = if several { format!("relation {}: ", i + 1) } else { String::new() };
             let word = match judgement.verdict {
                 Verdict::Proved => "true",
+                Verdict::Sampled => "true as far as tried",
                 Verdict::Refuted => "false",
                 Verdict::Undecided => "undecided",
             };

@@ -1,7 +1,7 @@
 //! Claims: is `a = b` so for all values of its symbols, and if not, why?
 
 use super::arithmetic;
-use super::{Machine, builtins};
+use super::{Machine, builtins, family};
 use crate::blossom::laws::{self, Arrangement};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Expr, Kind, Link, Rel};
@@ -12,8 +12,20 @@ use crate::value::{Function, Judgement, Polar, PolarKind, Value, Verdict, Witnes
 use num_traits::Zero;
 
 impl Machine {
-    /// Judges each relation of a chain.
+    /// Judges each relation of a chain; a chain with integer names without values by its instances.
     pub(super) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
+        match self.judge_plainly(first, links) {
+            Err(error) if family::may_be_family(&error) => self.judge_family(first, links).ok_or(error),
+            result => result,
+        }
+    }
+
+    /// Judges each relation of a chain as it stands.
+    pub(super) fn judge_plainly(
+        &mut self,
+        first: &Expr,
+        links: &[Link],
+    ) -> Result<Vec<Judgement>, Diagnostic> {
         let mut judgements = Vec::with_capacity(links.len());
         let (mut left_expr, mut left) = (first, self.eval(first)?);
         for link in links {
@@ -258,8 +270,8 @@ fn each(
                 judgement.witness = part.witness;
                 return Ok(());
             }
-            Verdict::Undecided => {
-                judgement.verdict = Verdict::Undecided;
+            Verdict::Sampled | Verdict::Undecided => {
+                judgement.verdict = part.verdict;
                 judgement.reasons = part.reasons;
             }
         }

@@ -16,6 +16,7 @@ mod builtins;
 mod calculus;
 mod claim;
 mod define;
+mod family;
 mod names;
 
 use std::collections::BTreeMap;

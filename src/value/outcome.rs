@@ -10,6 +10,8 @@ use crate::poly::Symbol;
 pub enum Verdict {
     /// An exact identity, for all values of its symbols.
     Proved,
+    /// A family in integer names: exact for every instance tried.
+    Sampled,
     /// Wrong, with a counterexample.
     Refuted,
     /// Read, but not decidable as it stands.
@@ -21,6 +23,7 @@ impl Verdict {
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Proved => "proved",
+            Verdict::Sampled => "sampled",
             Verdict::Refuted => "refuted",
             Verdict::Undecided => "undecided",
         }
@@ -65,13 +68,15 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Refuted if any relation is, else undecided if any is, else proved.
+    /// Refuted if any relation is, else undecided if any is, else sampled if any is, else proved.
     pub fn verdict(&self) -> Verdict {
         let any = |verdict| self.judgements.iter().any(|judgement| judgement.verdict == verdict);
         if any(Verdict::Refuted) {
             Verdict::Refuted
         } else if any(Verdict::Undecided) {
             Verdict::Undecided
+        } else if any(Verdict::Sampled) {
+            Verdict::Sampled
         } else {
             Verdict::Proved
         }
