@@ -103,6 +103,76 @@ impl Machine {
         })
     }
 
+    /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
+    /// that follows it: (F + G)(t), F^2(t).
+    pub(super) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
+        let mut product: Option<Value> = None;
+        let mut rest = factors.iter().peekable();
+        while let Some(factor) = rest.next() {
+            // In a product, square brackets around one formula are parentheses: 3 [a - b].
+            let mut value = match &factor.kind {
+                Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+                _ => self.eval(factor)?,
+            };
+            if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
+                && let Some(next) = rest.peek()
+                && let Some(result) = self.apply_to_group(&value, factor, next)?
+            {
+                value = result;
+                rest.next();
+            }
+            product = Some(match product {
+                None => value,
+                Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
+            });
+        }
+        product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
+    }
+
+    /// The value of a function at what stands in the parenthesis `next`, which may have a power:
+    /// (F + G)(t)^2. `None` if it is a product after all.
+    fn apply_to_group(
+        &mut self,
+        function: &Value,
+        callee: &Expr,
+        next: &Expr,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let (bracket, exponent) = match &next.kind {
+            Kind::Pow(base, exponent) => (base.as_ref(), Some(exponent)),
+            _ => (next, None),
+        };
+        let group = match &bracket.kind {
+            Kind::Group(inner) => vec![inner.as_ref().clone()],
+            Kind::Tuple(items) => items.clone(),
+            _ => return Ok(None),
+        };
+        let span = callee.span.to(bracket.span);
+        let value = match function {
+            Value::Polar(polar) => self.call_polar(polar, &[group], callee, span)?,
+            Value::Function(function) => {
+                let values = self.arguments(&[group])?;
+                if values.iter().any(|(value, _)| matches!(value, Value::Function(_) | Value::Polar(_))) {
+                    return Ok(None);
+                }
+                self.call(function, values, span)?
+            }
+            _ => return Ok(None),
+        };
+        match exponent {
+            None => Ok(Some(value)),
+            Some(exponent) => {
+                let exponent_value = self.eval(exponent)?;
+                arithmetic::power(value, &exponent_value).map(Some).at(exponent.span)
+            }
+        }
+    }
+
+    /// Whether this is a member of a standard family with numbers as indices, such as B_1^3.
+    pub(super) fn is_standard(&mut self, callee: &Expr) -> bool {
+        matches!(self.indexed_callee(callee), Ok(Some(Callee::Family(_, indices)))
+            if indices.iter().all(|(index, _)| index.as_rational().is_some()))
+    }
+
     fn bracket_product(
         &mut self,
         scalar: Value,
@@ -409,6 +479,11 @@ impl Machine {
         degree: usize,
     ) -> Result<Vec<(Value, Span)>, Diagnostic> {
         let [group] = groups else { return self.arguments(groups) };
+        if let [item] = group.as_slice()
+            && let Some(values) = self.powers_as_arguments(item, degree)?
+        {
+            return Ok(values);
+        }
         let Some(at) = group.iter().position(|e| e.kind == Kind::Ellipsis) else {
             return self.arguments(groups);
         };
@@ -428,6 +503,34 @@ impl Machine {
             values.push((self.eval(item)?, item.span));
         }
         Ok(values)
+    }
+
+    /// The arguments in f(0^{n-i} 1^i), where powers are repetitions: only if nothing but powers
+    /// is multiplied and the exponents add up to the number of arguments.
+    fn powers_as_arguments(
+        &mut self,
+        item: &Expr,
+        degree: usize,
+    ) -> Result<Option<Vec<(Value, Span)>>, Diagnostic> {
+        let Kind::Mul(factors) = &item.kind else { return Ok(None) };
+        let mut repeated = Vec::with_capacity(factors.len());
+        let mut total = 0_usize;
+        for factor in factors {
+            let Kind::Pow(base, exponent) = &factor.kind else { return Ok(None) };
+            let count = self.eval(exponent)?.as_int().and_then(|count| usize::try_from(count).ok());
+            let Some(count) = count else { return Ok(None) };
+            total = total.saturating_add(count);
+            repeated.push((base, count));
+        }
+        if total != degree || degree < 2 {
+            return Ok(None);
+        }
+        let mut values = Vec::with_capacity(degree);
+        for (base, count) in repeated {
+            let value = self.eval(base)?;
+            values.extend(std::iter::repeat_n((value, base.span), count));
+        }
+        Ok(Some(values))
     }
 
     pub(super) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
