@@ -17,6 +17,7 @@ mod calculus;
 mod claim;
 mod define;
 mod names;
+mod products;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
