@@ -7,7 +7,7 @@ use super::names::{name_of, stands_for_itself};
 use super::{Evaluated, Machine, arithmetic, builtins, wrong_kind};
 use crate::blossom::Argument;
 use crate::diagnostic::{At, Code, Diagnostic};
-use crate::expr::{Expr, Kind, Quotient};
+use crate::expr::{Expr, Kind};
 use crate::number::Rational;
 use crate::poly::{Fraction, Symbol};
 use crate::source::Span;
@@ -89,7 +89,7 @@ impl Machine {
     }
 
     /// Whether `callee(…)` is a product: its callee has a scalar value.
-    fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
+    pub(super) fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
         let Kind::Apply(callee, groups) = &expr.kind else { return Ok(false) };
         if groups.len() != 1 || groups[0].len() != 1 {
             return Ok(false);
@@ -101,6 +101,12 @@ impl Machine {
             }
             _ => false,
         })
+    }
+
+    /// Whether this is a member of a standard family with numbers as indices, such as B_1^3.
+    pub(super) fn is_standard(&mut self, callee: &Expr) -> bool {
+        matches!(self.indexed_callee(callee), Ok(Some(Callee::Family(_, indices)))
+            if indices.iter().all(|(index, _)| index.as_rational().is_some()))
     }
 
     fn bracket_product(
@@ -199,7 +205,7 @@ impl Machine {
     }
 
     /// The arguments of a call, groups run together.
-    fn arguments(&mut self, groups: &[Vec<Expr>]) -> Result<Vec<(Value, Span)>, Diagnostic> {
+    pub(super) fn arguments(&mut self, groups: &[Vec<Expr>]) -> Result<Vec<(Value, Span)>, Diagnostic> {
         let mut values = Vec::new();
         for group in groups {
             let span = group.iter().map(|e| e.span).reduce(Span::to).unwrap_or_default();
@@ -348,7 +354,7 @@ impl Machine {
         })
     }
 
-    fn call_polar(
+    pub(super) fn call_polar(
         &mut self,
         polar: &Arc<Polar>,
         groups: &[Vec<Expr>],
@@ -409,6 +415,11 @@ impl Machine {
         degree: usize,
     ) -> Result<Vec<(Value, Span)>, Diagnostic> {
         let [group] = groups else { return self.arguments(groups) };
+        if let [item] = group.as_slice()
+            && let Some(values) = self.powers_as_arguments(item, degree)?
+        {
+            return Ok(values);
+        }
         let Some(at) = group.iter().position(|e| e.kind == Kind::Ellipsis) else {
             return self.arguments(groups);
         };
@@ -430,44 +441,32 @@ impl Machine {
         Ok(values)
     }
 
-    pub(super) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
-        if let Kind::Name(mark) = &exponent.kind
-            && (mark == "T" || mark == "top")
-            && self.lookup(&Symbol::new(mark)).is_none()
-        {
+    /// The arguments in f(0^{n-i} 1^i), where powers are repetitions: only if nothing but powers
+    /// is multiplied and the exponents add up to the number of arguments.
+    fn powers_as_arguments(
+        &mut self,
+        item: &Expr,
+        degree: usize,
+    ) -> Result<Option<Vec<(Value, Span)>>, Diagnostic> {
+        let Kind::Mul(factors) = &item.kind else { return Ok(None) };
+        let mut repeated = Vec::with_capacity(factors.len());
+        let mut total = 0_usize;
+        for factor in factors {
+            let Kind::Pow(base, exponent) = &factor.kind else { return Ok(None) };
+            let count = self.eval(exponent)?.as_int().and_then(|count| usize::try_from(count).ok());
+            let Some(count) = count else { return Ok(None) };
+            total = total.saturating_add(count);
+            repeated.push((base, count));
+        }
+        if total != degree || degree < 2 {
+            return Ok(None);
+        }
+        let mut values = Vec::with_capacity(degree);
+        for (base, count) in repeated {
             let value = self.eval(base)?;
-            if !matches!(value, Value::Scalar(_)) {
-                return arithmetic::transpose(value).at(span);
-            }
+            values.extend(std::iter::repeat_n((value, base.span), count));
         }
-        // c(t + 1)^2 with a scalar c is c · (t + 1)^2.
-        if let Kind::Apply(callee, groups) = &base.kind
-            && self.is_product(base)?
-        {
-            let factor = self.eval(callee)?;
-            let inner = self.eval(&groups[0][0])?;
-            let exponent_value = self.eval(exponent)?;
-            let power = arithmetic::power(inner, &exponent_value).at(span)?;
-            return arithmetic::multiply(factor, power).at(span);
-        }
-        let value = self.eval(base)?;
-        let exponent_value = self.eval(exponent)?;
-        arithmetic::power(value, &exponent_value).map_err(|error| {
-            let place = if error.code == Code::DivisionByZero { base.span } else { exponent.span };
-            error.at(place)
-        })
-    }
-
-    pub(super) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
-        if style == Quotient::Slash && self.is_product(right)? {
-            return Err(Diagnostic::error(Code::AmbiguousProduct, "how far does the denominator go?")
-                .at(right.span)
-                .reason("a product after '/'")
-                .hint("write a/(b (c)) or (a/b) (c)"));
-        }
-        let numerator = self.eval(left)?;
-        let denominator = self.eval(right)?;
-        arithmetic::divide(numerator, denominator).at(right.span)
+        Ok(Some(values))
     }
 
     pub(super) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {

@@ -158,6 +158,17 @@ impl Arguments {
             .or_else(|| self.positional.get(i).map(|(value, span)| (value, *span)))
     }
 
+    /// The arguments given as t=value, if there are any.
+    pub fn substitutions(&self) -> Result<Vec<(Symbol, Fraction)>> {
+        self.named
+            .iter()
+            .map(|(name, value, span)| match value {
+                Value::Scalar(value) => Ok((Symbol::new(name), value.clone())),
+                other => Err(wrong_kind("a number or formula", other).at(*span)),
+            })
+            .collect()
+    }
+
     /// A scalar.
     pub fn scalar(&self, i: usize) -> Result<Fraction> {
         let value = self.value(i)?;

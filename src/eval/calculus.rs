@@ -9,7 +9,7 @@ use super::{Evaluated, Machine, unsupported, wrong_kind};
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::expr::{BigOp, Expr, Kind, Rel};
 use crate::number::{Combinations, Int, Rational};
-use crate::poly::{Fraction, Symbol};
+use crate::poly::{Fraction, MultiPoly, Symbol};
 use crate::ring::Ring;
 use crate::source::Span;
 use crate::value::{Clause, Function, Parameter, Polar, PolarKind, Shape, Value};
@@ -114,8 +114,10 @@ impl Machine {
             })
             .collect();
         let notes = self.notes.len();
+        // In b_i the parameter i chooses a name; there is no formula to put its value into.
+        let chooses = symbols.iter().any(|(name, _)| is_index_in(name, body));
         let formula = match self.with_locals(symbols, |machine| machine.eval(body)) {
-            Ok(Value::Scalar(formula)) => Some(formula),
+            Ok(Value::Scalar(formula)) if !chooses => Some(formula),
             Err(error) if matches!(error.code, Code::UnknownName | Code::UnknownFunction) => {
                 return Err(error);
             }
@@ -300,13 +302,16 @@ impl Machine {
     }
 
     /// Fills `a_1, ..., a_5` or `1, ..., n`: what stands before is already in `values`.
+    ///
+    /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
+    /// ends are t_1, and two for i = 1, when there is nothing at all.
     pub(super) fn fill_ellipsis(
         &mut self,
         before: &Expr,
         after: &Expr,
         values: &mut Vec<Value>,
         span: Span,
-    ) -> Result<(), Diagnostic> {
+    ) -> Result<usize, Diagnostic> {
         let unclear = || {
             unsupported("what the ellipsis stands for is not clear")
                 .at(span)
@@ -319,7 +324,7 @@ impl Machine {
             let step = previous.map_or(1, |p| a - p).max(1);
             crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
             values.extend((a + step..b).step_by(usize::try_from(step).unwrap_or(1)).map(Value::int));
-            return Ok(());
+            return Ok(0);
         }
         let (Kind::Subscript(base, from), Kind::Subscript(_, to)) = (&before.kind, &after.kind) else {
             return Err(unclear());
@@ -332,7 +337,11 @@ impl Machine {
             indices[place] = Expr::int(i);
             values.push(self.eval(&Kind::Subscript(base.clone(), indices).into())?);
         }
-        Ok(())
+        let literal = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        if literal(&from[place]) && literal(&to[place]) {
+            return Ok(0);
+        }
+        Ok(usize::try_from(a.saturating_sub(b).saturating_add(1)).unwrap_or(0).min(2))
     }
 
     pub(super) fn eval_integral(
@@ -403,8 +412,8 @@ impl Machine {
         upper: Option<&Expr>,
         span: Span,
     ) -> Evaluated {
-        if upper.is_some() {
-            return Err(unsupported("a bar with two bounds").at(span).hint("write F(b) - F(a)"));
+        if let Some(upper) = upper {
+            return self.eval_between(body, lower, upper, span);
         }
         let mut names = Vec::new();
         for piece in lower {
@@ -422,8 +431,36 @@ impl Machine {
         }
         let own: Vec<(Symbol, Value)> =
             names.iter().map(|(name, _)| (name.clone(), Value::symbol(name.clone()))).collect();
-        let formula = self.with_locals(own, |machine| machine.eval_scalar(body))?;
+        let formula = self.with_locals(own, |machine| match machine.eval(body)? {
+            // dF/dt is a function; its variable is the one at the bar
+            Value::Function(function) => match (function.as_formula(), names.as_slice()) {
+                (Some((own, formula)), [(name, _)]) => formula
+                    .substitute(&[(own.clone(), Fraction::from(MultiPoly::symbol(name.clone())))])
+                    .map_err(|_| arithmetic::division_by_zero()),
+                _ => Err(wrong_kind("a formula", &Value::Function(function))),
+            },
+            Value::Scalar(formula) => Ok(formula),
+            other => Err(wrong_kind("a number or formula", &other)),
+        });
+        let formula = formula.at(body.span)?;
         formula.substitute(&names).map(Value::Scalar).map_err(|_| arithmetic::division_by_zero()).at(span)
+    }
+
+    /// [F(t)]_a^b = F(b) - F(a).
+    fn eval_between(&mut self, body: &Expr, lower: &[Expr], upper: &Expr, span: Span) -> Evaluated {
+        let [from] = lower else {
+            return Err(unsupported("several lower bounds at a bar").at(span));
+        };
+        let (given, from) = match &from.kind {
+            Kind::Chain(left, links) => (Some(self.binder(left)?), &links[links.len() - 1].expr),
+            _ => (None, from),
+        };
+        let (a, b) = (self.eval_scalar(from)?, self.eval_scalar(upper)?);
+        let own = given.iter().map(|name| (name.clone(), Value::symbol(name.clone())));
+        let formula = self.with_locals(own.collect::<Vec<_>>(), |machine| machine.eval_scalar(body))?;
+        let variable = variable_of(&formula, given).at(body.span)?;
+        let at = |x| formula.substitute(&[(variable.clone(), x)]).map_err(|_| arithmetic::division_by_zero());
+        Ok(Value::Scalar(at(b).at(span)?.minus(&at(a).at(span)?)))
     }
 
     /// F ∘ G.
@@ -452,6 +489,24 @@ impl Machine {
             other => Err(wrong_kind("a number or formula", &other).at(expr.span)),
         }
     }
+}
+
+/// Whether a name occurs within the index of another: i in b_i, n - i in p_{n-i}.
+fn is_index_in(name: &Symbol, expr: &Expr) -> bool {
+    fn search(name: &Symbol, expr: &Expr, within: bool) -> bool {
+        match &expr.kind {
+            Kind::Name(other) => within && *name == Symbol::new(other),
+            Kind::Subscript(base, indices) | Kind::Upper(base, indices) => {
+                search(name, base, within) || indices.iter().any(|index| search(name, index, true))
+            }
+            _ => {
+                let mut found = false;
+                expr.for_each_child(&mut |child| found = found || search(name, child, within));
+                found
+            }
+        }
+    }
+    search(name, expr, false)
 }
 
 fn pick(a: Value, b: Value, larger: bool) -> Evaluated {

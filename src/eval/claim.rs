@@ -185,6 +185,13 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => {
             equal_scalars(judgement, a, b);
         }
+        // A row times a column is a number.
+        (Value::Matrix(a), Value::Scalar(b)) if a.shape() == (1, 1) => {
+            equal_scalars(judgement, &a[(0, 0)], b)
+        }
+        (Value::Scalar(a), Value::Matrix(b)) if b.shape() == (1, 1) => {
+            equal_scalars(judgement, a, &b[(0, 0)])
+        }
         (Value::List(a), Value::List(b)) => {
             if a.len() != b.len() {
                 judgement.verdict = Verdict::Refuted;

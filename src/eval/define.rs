@@ -25,6 +25,10 @@ impl Machine {
                 let names: Option<Vec<Symbol>> = items.iter().map(|item| name_of(item, self)).collect();
                 let Some(names) = names else { return false };
                 let distinct = names.iter().enumerate().all(|(i, name)| !names[..i].contains(name));
+                // B_1^3(t) = 3t(1-t)^2 is a claim; B_i^n(t) = ... defines the family.
+                if self.is_standard(callee) {
+                    return false;
+                }
                 if !distinct || names.is_empty() || names.iter().any(|name| self.lookup(name).is_some()) {
                     return false;
                 }

@@ -18,6 +18,7 @@ mod claim;
 mod define;
 mod family;
 mod names;
+mod products;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -190,21 +191,7 @@ impl Machine {
                 }
                 sum.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty sum").at(span))
             }
-            Kind::Mul(factors) => {
-                let mut product: Option<Value> = None;
-                for factor in factors {
-                    // In a product, square brackets around one formula are parentheses: 3 [a - b].
-                    let value = match &factor.kind {
-                        Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
-                        _ => self.eval(factor)?,
-                    };
-                    product = Some(match product {
-                        None => value,
-                        Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
-                    });
-                }
-                product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
-            }
+            Kind::Mul(factors) => self.eval_product(factors, span),
             Kind::Div(left, right, style) => self.eval_quotient(left, right, *style),
             Kind::Pow(base, exponent) => self.eval_power(base, exponent, span),
             Kind::Apply(callee, groups) => self.eval_apply(callee, groups, expr),
@@ -290,11 +277,11 @@ impl Machine {
         match accent {
             Accent::Bold => self.eval(body),
             Accent::Hat => {
-                // A defined name with a hat (or one that has its own definition) keeps it.
+                // v̂ := p - q defines a name of its own, whose value is a vector.
                 if let Some(name) = name_of(whole, self)
                     && let Some(value) = self.lookup(&name)
                 {
-                    return Ok(value.clone());
+                    return Ok(vector(value.clone()).unwrap_or_else(|other| other));
                 }
                 let value = self.eval(body)?;
                 vector(value).map_err(|other| {
@@ -321,7 +308,11 @@ impl Machine {
     /// Items of a list, with `a_1, ..., a_n` and underbraces written out.
     fn expand_items(&mut self, items: &[Expr]) -> Result<Vec<Value>, Diagnostic> {
         let mut values = Vec::with_capacity(items.len());
+        let mut skip = false;
         for (at, item) in items.iter().enumerate() {
+            if std::mem::take(&mut skip) {
+                continue;
+            }
             match &item.kind {
                 Kind::Ellipsis => {
                     let (Some(before), Some(after)) =
@@ -331,7 +322,11 @@ impl Machine {
                             .at(item.span)
                             .hint("write the first and the last item: t1, ..., t5"));
                     };
-                    self.fill_ellipsis(before, after, &mut values, item.span)?;
+                    let too_many = self.fill_ellipsis(before, after, &mut values, item.span)?;
+                    skip = too_many > 0;
+                    if too_many > 1 {
+                        values.pop();
+                    }
                 }
                 Kind::Brace(list, label) => {
                     let label = label.as_deref();

@@ -80,9 +80,13 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "subs(t^2 + c_0, t, 3)",
         topic: TOPIC,
         call: |_, args| {
-            args.expect("subs(F, t, value)", 3..=3, &[])?;
-            let (formula, symbol, value) = (args.scalar(0)?, args.symbol(1)?, args.scalar(2)?);
-            formula.substitute(&[(symbol, value)]).map(Value::Scalar).map_err(|_| division_by_zero())
+            let formula = args.scalar(0)?;
+            let mut values = args.substitutions()?;
+            if values.is_empty() {
+                args.expect("subs(F, t, value)", 3..=3, &[])?;
+                values.push((args.symbol(1)?, args.scalar(2)?));
+            }
+            formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
         },
     },
     Builtin {

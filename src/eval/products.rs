@@ -1,0 +1,117 @@
+//! Products, quotients and powers of written factors.
+//!
+//! What is multiplied and what is applied depends on the values: (F + G)(t) is a value of
+//! F + G when F and G are functions, and a product when they are numbers.
+
+use super::{Evaluated, Machine, arithmetic};
+use crate::diagnostic::{At, Code, Diagnostic};
+use crate::expr::{Expr, Kind, Quotient};
+use crate::poly::Symbol;
+use crate::source::Span;
+use crate::value::Value;
+
+impl Machine {
+    /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
+    /// that follows it: (F + G)(t), F^2(t).
+    pub(super) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
+        let mut product: Option<Value> = None;
+        let mut rest = factors.iter().peekable();
+        while let Some(factor) = rest.next() {
+            // In a product, square brackets around one formula are parentheses: 3 [a - b].
+            let mut value = match &factor.kind {
+                Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+                _ => self.eval(factor)?,
+            };
+            if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
+                && let Some(next) = rest.peek()
+                && let Some(result) = self.apply_to_group(&value, factor, next)?
+            {
+                value = result;
+                rest.next();
+            }
+            product = Some(match product {
+                None => value,
+                Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
+            });
+        }
+        product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
+    }
+
+    /// The value of a function at what stands in the parenthesis `next`, which may have a power:
+    /// (F + G)(t)^2. `None` if it is a product after all.
+    fn apply_to_group(
+        &mut self,
+        function: &Value,
+        callee: &Expr,
+        next: &Expr,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let (bracket, exponent) = match &next.kind {
+            Kind::Pow(base, exponent) => (base.as_ref(), Some(exponent)),
+            _ => (next, None),
+        };
+        let group = match &bracket.kind {
+            Kind::Group(inner) => vec![inner.as_ref().clone()],
+            Kind::Tuple(items) => items.clone(),
+            _ => return Ok(None),
+        };
+        let span = callee.span.to(bracket.span);
+        let value = match function {
+            Value::Polar(polar) => self.call_polar(polar, &[group], callee, span)?,
+            Value::Function(function) => {
+                let values = self.arguments(&[group])?;
+                if values.iter().any(|(value, _)| matches!(value, Value::Function(_) | Value::Polar(_))) {
+                    return Ok(None);
+                }
+                self.call(function, values, span)?
+            }
+            _ => return Ok(None),
+        };
+        match exponent {
+            None => Ok(Some(value)),
+            Some(exponent) => {
+                let exponent_value = self.eval(exponent)?;
+                arithmetic::power(value, &exponent_value).map(Some).at(exponent.span)
+            }
+        }
+    }
+
+    pub(super) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
+        if let Kind::Name(mark) = &exponent.kind
+            && (mark == "T" || mark == "top")
+            && self.lookup(&Symbol::new(mark)).is_none()
+        {
+            let value = self.eval(base)?;
+            if !matches!(value, Value::Scalar(_)) {
+                return arithmetic::transpose(value).at(span);
+            }
+        }
+        // c(t + 1)^2 with a scalar c is c · (t + 1)^2.
+        if let Kind::Apply(callee, groups) = &base.kind
+            && self.is_product(base)?
+        {
+            let factor = self.eval(callee)?;
+            let inner = self.eval(&groups[0][0])?;
+            let exponent_value = self.eval(exponent)?;
+            let power = arithmetic::power(inner, &exponent_value).at(span)?;
+            return arithmetic::multiply(factor, power).at(span);
+        }
+        let value = self.eval(base)?;
+        let exponent_value = self.eval(exponent)?;
+        arithmetic::power(value, &exponent_value).map_err(|error| {
+            let place = if error.code == Code::DivisionByZero { base.span } else { exponent.span };
+            error.at(place)
+        })
+    }
+
+    pub(super) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
+        if style == Quotient::Slash && self.is_product(right)? {
+            return Err(Diagnostic::error(Code::AmbiguousProduct, "how far does the denominator go?")
+                .at(right.span)
+                .reason("a product after '/'")
+                .hint("write a/(b (c)) or (a/b) (c)"));
+        }
+        let numerator = self.eval(left)?;
+        let denominator = self.eval(right)?;
+        arithmetic::divide(numerator, denominator).at(right.span)
+    }
+}
