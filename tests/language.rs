@@ -43,6 +43,7 @@ fn shown(value: &Value) -> String {
     match value {
         Value::Claim(claim) => match claim.verdict() {
             Verdict::Proved => "true".to_owned(),
+            Verdict::Sampled => "sampled".to_owned(),
             Verdict::Refuted => "false".to_owned(),
             Verdict::Undecided => "undecided".to_owned(),
         },

@@ -16,6 +16,9 @@ use crate::value::{Clause, Function, Parameter, Polar, PolarKind, Value};
 /// Letters that are read as functions when they have no value: `f(t + 1)` is then a question.
 const FUNCTION_LETTERS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
 
+/// Letters that are read as families of functions when they have indices but no value.
+const FAMILY_LETTERS: &[&str] = &["B", "N", "L", "H", "T"];
+
 /// What stands before the bracket.
 enum Callee {
     Value(Value),
@@ -162,6 +165,20 @@ impl Machine {
                 .hint(format!("define it, for example {name}(t) := t^2 or {name} := polar(t^2)"))
                 .hint(format!("or write {name} * (...) for the product")));
             }
+        }
+        if !symbol.indices().is_empty()
+            && (FAMILY_LETTERS.contains(&symbol.base()) || FUNCTION_LETTERS.contains(&symbol.base()))
+        {
+            let mut error = Diagnostic::error(
+                Code::AmbiguousProduct,
+                format!("'{symbol}' has no value here: is this a value of a family or a product?"),
+            )
+            .at(callee.span)
+            .reason("not defined");
+            if symbol.base() == "B" {
+                error = error.hint("the Bernstein polynomial is written B_i^n(t), or bernstein(n, i, t)");
+            }
+            return Err(error.hint(format!("define it first, or write {symbol} * (...) for the product")));
         }
         self.eval(callee).map(Callee::Value)
     }

@@ -88,6 +88,12 @@ fn index_of(expr: &Expr, machine: &mut Machine) -> Option<Index> {
     {
         return Some(Index::Word(name.clone()));
     }
+    // An index such as π(1) is not a product: without a value for π it says nothing.
+    if let Kind::Apply(callee, _) = &expr.kind
+        && name_of(callee, machine).is_some_and(|name| machine.lookup(&name).is_none())
+    {
+        return None;
+    }
     match machine.eval(expr).ok()? {
         Value::Scalar(value) => match Value::Scalar(value.clone()).as_int() {
             Some(i) => Some(Index::Number(i)),
@@ -116,8 +122,11 @@ impl Machine {
         if let Some(value) = self.indexed_value(expr)? {
             return Ok(value);
         }
-        if !symbol.is_plain() || stands_for_itself(symbol.base()) {
+        if stands_for_itself(symbol.base()) || !symbol.accent().is_empty() {
             return Ok(Value::symbol(symbol));
+        }
+        if !symbol.is_plain() {
+            return Err(self.unknown_name(symbol.base(), expr));
         }
         if BASES.contains(&symbol.base()) {
             return Ok(Value::Text(symbol.base().to_owned()));

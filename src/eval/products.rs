@@ -18,6 +18,17 @@ impl Machine {
         let mut rest = factors.iter().peekable();
         while let Some(factor) = rest.next() {
             // In a product, square brackets around one formula are parentheses: 3 [a - b].
+            if let Some(order) = self.difference_order(factor)?
+                && let Some(next) = rest.peek()
+                && let Some(value) = self.forward_difference(order, next)?
+            {
+                rest.next();
+                product = Some(match product {
+                    None => value,
+                    Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
+                });
+                continue;
+            }
             let mut value = match &factor.kind {
                 Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
                 _ => self.eval(factor)?,
@@ -35,6 +46,48 @@ impl Machine {
             });
         }
         product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
+    }
+
+    /// k for an undefined Δ or Δ^k.
+    fn difference_order(&mut self, factor: &Expr) -> Result<Option<i64>, Diagnostic> {
+        let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "Delta");
+        let order = match &factor.kind {
+            Kind::Pow(base, exponent) if delta(base) => exponent,
+            _ if delta(factor) => return Ok(self.lookup(&Symbol::new("Delta")).is_none().then_some(1)),
+            _ => return Ok(None),
+        };
+        if self.lookup(&Symbol::new("Delta")).is_some() {
+            return Ok(None);
+        }
+        self.eval_int(order).map(Some)
+    }
+
+    /// The forward difference Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j}, in the first index.
+    fn forward_difference(&mut self, order: i64, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
+        let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
+        let (Ok(k), [first, others @ ..]) = (usize::try_from(order), indices.as_slice()) else {
+            return Ok(None);
+        };
+        crate::budget::charge_terms(k as u64);
+        let mut sum: Option<Value> = None;
+        for (j, count) in crate::number::binomial_row(k).into_iter().enumerate() {
+            let plus = |expr: Expr| crate::expr::Term { sign: crate::expr::Sign::Plus, expr };
+            let shifted = match j {
+                0 => first.clone(),
+                _ => Expr::new(Kind::Add(vec![plus(first.clone()), plus(Expr::int(j as i64))]), first.span),
+            };
+            let mut list = vec![shifted];
+            list.extend_from_slice(others);
+            let value = self.eval(&Expr::new(Kind::Subscript(base.clone(), list), operand.span))?;
+            let count = if (k - j).is_multiple_of(2) { count } else { -count };
+            let weight = Value::number(crate::number::Rational::from_integer(count));
+            let term = arithmetic::multiply(weight, value).at(operand.span)?;
+            sum = Some(match sum {
+                None => term,
+                Some(sum) => arithmetic::add(sum, term).at(operand.span)?,
+            });
+        }
+        Ok(sum)
     }
 
     /// The value of a function at what stands in the parenthesis `next`, which may have a power:
