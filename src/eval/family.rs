@@ -40,7 +40,6 @@ impl Machine {
         let mut tallies: Vec<Tally> = links.iter().map(|_| Tally::default()).collect();
         let mut count = 0;
         let mut values = vec![0i64; names.len()];
-        let notes = self.notes.len();
         loop {
             crate::budget::steps(64);
             let bound: Vec<(Symbol, Value)> =
@@ -61,7 +60,6 @@ impl Machine {
                 break;
             }
         }
-        self.notes.truncate(notes);
         if count < FEWEST {
             return None;
         }
