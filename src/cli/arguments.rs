@@ -128,6 +128,7 @@ pub(super) enum Command {
         polarform polar \"c_0 + c_1 t + c_2 t^2\" --method taylor --steps")]
     Polar {
         /// The polynomial, in plain notation or LaTeX
+        #[arg(allow_hyphen_values = true)]
         polynomial: String,
         /// The number of arguments (the degree of the polynomial if not given)
         #[arg(long, short = 'n', value_name = "N")]
@@ -183,6 +184,7 @@ pub(super) enum Command {
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
     Check {
         /// The claim, in plain notation or LaTeX
+        #[arg(allow_hyphen_values = true)]
         claim: String,
         /// Definitions the claim uses, in order
         #[arg(long, value_name = "DEF")]
@@ -204,8 +206,10 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct Two {
     /// The first polynomial
+    #[arg(allow_hyphen_values = true)]
     pub f: String,
     /// The second polynomial
+    #[arg(allow_hyphen_values = true)]
     pub g: String,
     /// Show the steps
     #[arg(long)]

@@ -125,6 +125,21 @@ impl Machine {
         let [factor] = group.as_slice() else {
             return Err(not_a_function(&scalar).at(callee.span));
         };
+        if let Kind::Name(name) = &callee.kind
+            && scalar.as_rational().is_none()
+            && (name.chars().next().is_some_and(char::is_uppercase)
+                || FUNCTION_LETTERS.contains(&name.as_str()))
+            && self.lookup(&Symbol::new(name)).is_some()
+        {
+            return Err(Diagnostic::error(
+                Code::AmbiguousProduct,
+                format!("{name} is a formula, not a function: is this its value or a product?"),
+            )
+            .at(callee.span)
+            .reason(format!("{name} was defined without an argument"))
+            .hint(format!("define it as a function: {name}(t) := ..."))
+            .hint(format!("or write {name} * (...) for the product")));
+        }
         let factor_value = self.eval(factor)?;
         arithmetic::multiply(scalar, factor_value).at(span)
     }

@@ -267,10 +267,20 @@ impl Machine {
             let mut kept = Vec::with_capacity(assignments.len());
             for names in assignments {
                 let value = self.with_locals(names.clone(), |machine| machine.eval(filter))?;
-                if let Value::Claim(claim) = &value
-                    && claim.verdict() == crate::value::Verdict::Proved
-                {
-                    kept.push(names);
+                let Value::Claim(claim) = &value else {
+                    return Err(wrong_kind("a condition", &value).at(filter.span));
+                };
+                match super::claim::decided(claim) {
+                    Some(true) => kept.push(names),
+                    Some(false) => {}
+                    None => {
+                        return Err(Diagnostic::error(
+                            Code::Undecided,
+                            "whether this condition holds depends on symbols",
+                        )
+                        .at(filter.span)
+                        .hint("give the names in it a value first"));
+                    }
                 }
             }
             assignments = kept;

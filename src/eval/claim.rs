@@ -49,6 +49,11 @@ impl Machine {
         right_expr: &Expr,
         right: &Value,
     ) -> Result<Vec<String>, Diagnostic> {
+        let calls = [self.polar_at_symbols(left_expr)?, self.polar_at_symbols(right_expr)?];
+        if calls.iter().all(Option::is_some) {
+            // Two values of polar forms: neither is a proposed polar form.
+            return Ok(Vec::new());
+        }
         for (call, claim) in [(left_expr, right), (right_expr, left)] {
             if let Some((polar, arrangement)) = self.polar_at_symbols(call)?
                 && let Value::Scalar(claim) = claim
@@ -149,6 +154,16 @@ pub(super) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, 
         judgement.reasons.push("it depends on the values of the symbols".to_owned());
     }
     Ok(judgement)
+}
+
+/// Whether a condition holds; `None` if that depends on symbols.
+pub(super) fn decided(claim: &crate::value::Claim) -> Option<bool> {
+    let constant = |j: &Judgement| j.left.as_rational().is_some() && j.right.as_rational().is_some();
+    match claim.verdict() {
+        Verdict::Proved => Some(true),
+        Verdict::Refuted if claim.judgements.iter().all(constant) => Some(false),
+        _ => None,
+    }
 }
 
 fn numbers(left: &Value, right: &Value) -> Option<(Rational, Rational)> {

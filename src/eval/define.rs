@@ -62,6 +62,7 @@ impl Machine {
         let (name, value) = match self.target(left)? {
             Target::Name(name) => {
                 self.not_reserved(&name, left)?;
+                self.not_a_sequence(left, body)?;
                 let value = match self.eval(body)? {
                     Value::Function(function) => Value::Function(Arc::new(Function {
                         name: Some(name.clone()),
@@ -101,6 +102,26 @@ impl Machine {
             .at(left.span)
             .reason("cannot be defined anew")
             .hint("choose another name"));
+        }
+        Ok(())
+    }
+
+    /// `a_i := i^2` would define one symbol named a_i, which nobody means.
+    fn not_a_sequence(&mut self, left: &Expr, body: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Subscript(base, indices) = &left.kind else { return Ok(()) };
+        for index in indices {
+            let Kind::Name(_) = &index.kind else { continue };
+            let Some(name) = name_of(index, self) else { continue };
+            if self.lookup(&name).is_none() && mentions(body, &name, self) {
+                let base = name_of(base, self).map_or("a".to_owned(), |base| base.to_string());
+                return Err(Diagnostic::error(
+                    Code::BadDefinition,
+                    format!("this would define the one symbol named with the letter {name}"),
+                )
+                .at(left.span)
+                .reason("an index, not an argument")
+                .hint(format!("define a function of {name}: {base}({name}) := ...")));
+            }
         }
         Ok(())
     }

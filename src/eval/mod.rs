@@ -196,8 +196,7 @@ impl Machine {
             Kind::Pow(base, exponent) => self.eval_power(base, exponent, span),
             Kind::Apply(callee, groups) => self.eval_apply(callee, groups, expr),
             Kind::Tuple(items) | Kind::List(items) | Kind::Sequence(items) => {
-                let items: Result<Vec<Value>, _> = self.expand_items(items)?.into_iter().map(Ok).collect();
-                items.map(Value::List)
+                self.expand_items(items).and_then(|values| together(values).at(span))
             }
             Kind::Matrix(rows, delimiter) => self.eval_matrix(rows, *delimiter, span),
             Kind::Binomial(n, k, _) => {
@@ -225,6 +224,12 @@ impl Machine {
             }
             Kind::Prime(body, order) => {
                 let value = self.eval(body)?;
+                if value.as_rational().is_some() {
+                    return Err(Diagnostic::error(Code::Type, "a number has no derivative")
+                        .at(span)
+                        .reason("the prime belongs to this number")
+                        .hint("write (t^2)' or diff(t^2, t) for the derivative of a power"));
+                }
                 // The derivative of an undefined F is not that of a variable F.
                 if let Kind::Name(name) = &body.kind
                     && arguments::symbol_of(&value).is_some_and(|symbol| symbol == Symbol::new(name))
@@ -421,23 +426,10 @@ impl Machine {
             let holds = match condition {
                 None => true,
                 Some(condition) => match self.eval(condition)? {
-                    Value::Claim(claim) => match claim.verdict() {
-                        crate::value::Verdict::Proved => true,
-                        crate::value::Verdict::Refuted
-                            if claim.judgements.iter().all(|j| {
-                                j.left.as_rational().is_some() && j.right.as_rational().is_some()
-                            }) =>
-                        {
-                            false
-                        }
-                        _ => {
-                            return Err(Diagnostic::error(
-                                Code::Undecided,
-                                "whether this case holds depends on symbols",
-                            )
-                            .at(condition.span));
-                        }
-                    },
+                    Value::Claim(claim) => claim::decided(&claim).ok_or_else(|| {
+                        Diagnostic::error(Code::Undecided, "whether this case holds depends on symbols")
+                            .at(condition.span)
+                    })?,
                     Value::Text(_) => true,
                     other => return Err(wrong_kind("a condition", &other).at(condition.span)),
                 },
@@ -454,6 +446,25 @@ impl Machine {
         let value = self.eval(expr)?;
         value.as_int().ok_or_else(|| wrong_kind("an integer", &value).at(expr.span))
     }
+}
+
+/// A list of values; several claims side by side are one claim with all their relations.
+fn together(values: Vec<Value>) -> Evaluated {
+    let claims = values.iter().filter(|value| matches!(value, Value::Claim(_))).count();
+    if claims == 0 {
+        return Ok(Value::List(values));
+    }
+    let words = values.iter().filter(|value| matches!(value, Value::Text(_))).count();
+    if claims + words < values.len() {
+        return Err(unsupported("a claim among other things").hint(
+            "give claims one at a time; a condition such as i = 0 goes before them: --given \"i := 0\"",
+        ));
+    }
+    let judgements = values.into_iter().flat_map(|value| match value {
+        Value::Claim(claim) => claim.judgements.clone(),
+        _ => Vec::new(),
+    });
+    Ok(Value::Claim(Arc::new(Claim { judgements: judgements.collect() })))
 }
 
 /// The vector with the given coordinates; anything else comes back.

@@ -192,8 +192,11 @@ impl Machine {
             .reason("unknown name");
         let known =
             self.scope.keys().map(Symbol::base).chain(builtins::BUILTINS.iter().map(|builtin| builtin.name));
-        match nearest(name, known) {
+        match nearest(name, known).filter(|_| name != "minus" && name != "plus") {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
+            None if name == "minus" || name == "plus" => {
+                error.hint("an exponent of several characters needs braces: t^{-1}")
+            }
             None if TRANSCENDENTAL.contains(&name) => error
                 .hint("only polynomials and rational functions with rational coefficients are exact here"),
             None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 3 => {

@@ -51,6 +51,11 @@ impl Machine {
     /// k for an undefined Δ or Δ^k.
     fn difference_order(&mut self, factor: &Expr) -> Result<Option<i64>, Diagnostic> {
         let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "Delta");
+        if matches!(&factor.kind, Kind::Name(name) if name == "nabla") {
+            return Err(Diagnostic::error(Code::Unsupported, "backward differences are not evaluated")
+                .at(factor.span)
+                .hint("write b_i - b_{i-1}, or use the forward difference \\Delta b_{i-1}"));
+        }
         let order = match &factor.kind {
             Kind::Pow(base, exponent) if delta(base) => exponent,
             _ if delta(factor) => return Ok(self.lookup(&Symbol::new("Delta")).is_none().then_some(1)),
@@ -64,6 +69,11 @@ impl Machine {
 
     /// The forward difference Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j}, in the first index.
     fn forward_difference(&mut self, order: i64, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
+        if let Kind::Apply(..) = &operand.kind {
+            return Err(Diagnostic::error(Code::Unsupported, "differences are taken of indexed names only")
+                .at(operand.span)
+                .hint("write it out: F(1) - F(0)"));
+        }
         let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
         let (Ok(k), [first, others @ ..]) = (usize::try_from(order), indices.as_slice()) else {
             return Ok(None);

@@ -335,7 +335,23 @@ fn wrap(kind: PolarKind, variables: Vec<Symbol>) -> Value {
 }
 
 fn univariate(form: PolarForm<Fraction>, variable: Symbol) -> Value {
+    let variable = unused(&form, variable);
     wrap(PolarKind::Univariate(form), vec![variable])
+}
+
+/// The variable, or another letter if a coefficient contains one of the arguments t1, t2, … that
+/// would be named after it.
+fn unused(form: &PolarForm<Fraction>, variable: Symbol) -> Symbol {
+    let symbols: Vec<Symbol> = form.coefficients().iter().flat_map(Fraction::variables).collect();
+    if symbols.is_empty() {
+        return variable;
+    }
+    let taken = |letter: &Symbol| {
+        (1..=form.degree()).any(|i| symbols.contains(&letter.numbered(i as i64)))
+            || (*letter != variable && symbols.contains(letter))
+    };
+    let letters = ["u", "s", "x", "v", "w", "y", "z"].map(Symbol::new);
+    std::iter::once(variable.clone()).chain(letters).find(|letter| !taken(letter)).unwrap_or(variable)
 }
 
 /// A polar form, or a polynomial standing for its polar form.
@@ -351,7 +367,16 @@ fn combine(
 ) -> Evaluated {
     args.expect(signature, 2..=2, &[])?;
     let (f, variable) = univariate_form(args, 0)?;
-    let (g, _) = univariate_form(args, 1)?;
+    let (g, other) = univariate_form(args, 1)?;
+    let formula = |i: usize| args.value(i).is_ok_and(|value| matches!(value, Value::Scalar(_)));
+    if variable != other && f.degree() > 0 && g.degree() > 0 && formula(0) && formula(1) {
+        return Err(Diagnostic::error(
+            Code::AmbiguousVariable,
+            format!("one polynomial is in {variable}, the other in {other}"),
+        )
+        .at(args.span(1))
+        .hint("write both in the same variable"));
+    }
     Ok(univariate(operation(&f, &g), variable))
 }
 
