@@ -447,8 +447,10 @@ impl Machine {
         degree: usize,
     ) -> Result<Vec<(Value, Span)>, Diagnostic> {
         let [group] = groups else { return self.arguments(groups) };
-        if let [item] = group.as_slice()
-            && let Some(values) = self.powers_as_arguments(item, degree)?
+        let written_out = group.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)));
+        if !written_out
+            && group.len() != degree
+            && let Some(values) = self.powers_as_arguments(group, degree)?
         {
             return Ok(values);
         }
@@ -473,24 +475,29 @@ impl Machine {
         Ok(values)
     }
 
-    /// The arguments in f(0^{n-i} 1^i), where powers are repetitions: only if nothing but powers
-    /// is multiplied and the exponents add up to the number of arguments.
+    /// The arguments in f(0^{n-i} 1^i) or f(0^2, t), where powers are repetitions: only if there
+    /// would be a wrong number of arguments otherwise, and this way there is the right one.
     fn powers_as_arguments(
         &mut self,
-        item: &Expr,
+        group: &[Expr],
         degree: usize,
     ) -> Result<Option<Vec<(Value, Span)>>, Diagnostic> {
-        let Kind::Mul(factors) = &item.kind else { return Ok(None) };
-        let mut repeated = Vec::with_capacity(factors.len());
+        let factors = group.iter().flat_map(|item| match &item.kind {
+            Kind::Mul(factors) => factors.as_slice(),
+            _ => std::slice::from_ref(item),
+        });
+        let mut repeated = Vec::new();
         let mut total = 0_usize;
         for factor in factors {
-            let Kind::Pow(base, exponent) = &factor.kind else { return Ok(None) };
-            let count = self.eval(exponent)?.as_int().and_then(|count| usize::try_from(count).ok());
-            let Some(count) = count else { return Ok(None) };
+            let (base, count) = match &factor.kind {
+                Kind::Pow(base, exponent) => (base.as_ref(), self.eval(exponent)?.as_int()),
+                _ => (factor, Some(1)),
+            };
+            let Some(count) = count.and_then(|count| usize::try_from(count).ok()) else { return Ok(None) };
             total = total.saturating_add(count);
             repeated.push((base, count));
         }
-        if total != degree || degree < 2 {
+        if total != degree {
             return Ok(None);
         }
         let mut values = Vec::with_capacity(degree);
