@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::arguments::{Color, Global};
 use crate::blossom::PolarForm;
 use crate::diagnostic::{Code, Diagnostic, render, render_json};
-use crate::expr::Expr;
+use crate::expr::{Expr, Kind};
 use crate::number::Rational;
 use crate::session::Failure;
 use crate::source::SourceFile;
@@ -91,7 +91,16 @@ impl Output {
                     return self.written(&curve);
                 }
             }
-            let body = self.written(&value.to_expr_in(self.notation))?;
+            let expr = value.to_expr_in(self.notation);
+            // The cases of a function stand on lines of their own, as they are typed.
+            if let (Value::Function(_), Kind::Sequence(cases), Format::Text | Format::Unicode) =
+                (value, &expr.kind, self.format)
+            {
+                let lines: Result<Vec<String>, Trouble> =
+                    cases.iter().map(|case| self.written(case)).collect();
+                return Ok(lines?.join("\n"));
+            }
+            let body = self.written(&expr)?;
             // Functions print as their own definition, and SymPy wants the bare expression.
             match name {
                 Some(name) if !matches!(value, Value::Function(_)) && self.format != Format::Sympy => {

@@ -167,6 +167,10 @@ impl Machine {
             if !stands_for_itself(name) {
                 let mut error = self.unknown_name(name, callee);
                 error.code = Code::UnknownFunction;
+                error.hints.retain(|hint| !hint.starts_with("for a product"));
+                if error.hints.is_empty() {
+                    error = error.hint(format!("define it first: {name}(t) := ..."));
+                }
                 return Err(error);
             }
             let capital = name.chars().next().is_some_and(char::is_uppercase);

@@ -53,7 +53,12 @@ impl Machine {
         let known = self.lookup(&name).is_some()
             || (name.is_plain() && builtins::builtin(name.base()).is_some())
             || self.lookup(&Symbol::new(name.base())).is_some();
-        !known && !mentions(right, &name, self)
+        // A function may have its control points called like itself: b_i^0(t) = b_i.
+        let refers = match left.kind {
+            Kind::Apply(..) => calls(right, &name, self),
+            _ => mentions(right, &name, self),
+        };
+        !known && !refers
     }
 
     /// Carries out `left := right (= further …)`.
@@ -224,4 +229,16 @@ fn mentions(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
     let mut children = Vec::new();
     expr.for_each_child(&mut |child| children.push(child));
     children.into_iter().any(|child| mentions(child, name, machine))
+}
+
+/// Whether the name, with any indices, is called in the expression.
+fn calls(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+    if let Kind::Apply(callee, _) = &expr.kind
+        && mentions(callee, name, machine)
+    {
+        return true;
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().any(|child| calls(child, name, machine))
 }
