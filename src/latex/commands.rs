@@ -311,7 +311,7 @@ const COMMANDS: &[Command] = table! {
     "imath" "dotless i" Role::Symbol("imath");
     "jmath" "dotless j" Role::Symbol("jmath");
     "infty" "∞" Role::Symbol("infty");
-    "nabla" "∇; also the backward difference" Role::Symbol("nabla");
+    "nabla" "∇ (differences with it are read, not evaluated)" Role::Symbol("nabla");
     "partial" "∂" Role::Symbol("partial");
     "part" "∂" Role::Symbol("partial");
     "emptyset" "∅" Role::Symbol("emptyset");
@@ -462,7 +462,7 @@ const COMMANDS: &[Command] = table! {
     "dbinom" "binomial coefficient" Role::Binomial;
     "tbinom" "binomial coefficient" Role::Binomial;
     "choose" "binomial coefficient of the two parts of a group" Role::Infix(Infix::Choose);
-    "sqrt" "square root, or the root in brackets" Role::Root;
+    "sqrt" "root (read, not evaluated)" Role::Root;
 
     "underbrace" "items with a count or remark below" Role::Brace;
     "overbrace" "items with a count or remark above" Role::Brace;
@@ -487,7 +487,7 @@ const COMMANDS: &[Command] = table! {
     "rfloor" "rounding down" Role::Close(Fence::Floor);
     "lceil" "rounding up" Role::Open(Fence::Ceil);
     "rceil" "rounding up" Role::Close(Fence::Ceil);
-    "langle" "inner product" Role::Open(Fence::Angle);
+    "langle" "left angle bracket of an inner product (read, not evaluated)" Role::Open(Fence::Angle);
     "rangle" "inner product" Role::Close(Fence::Angle);
     "|" "norm" Role::DoubleBar;
     "vert" "absolute value" Role::Bar;
