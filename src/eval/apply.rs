@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::arguments::{self, Arguments};
+use super::curves::{is_curve, levelled};
 use super::names::{name_of, stands_for_itself};
 use super::{Evaluated, Machine, arithmetic, builtins, wrong_kind};
 use crate::blossom::Argument;
@@ -73,21 +74,6 @@ impl Machine {
                 );
                 (builtin.call)(self, &all).at(whole.span)
             }
-        }
-    }
-
-    /// One coordinate of a curve at the given arguments.
-    fn coordinate(&mut self, item: &Value, values: &[(Value, Span)], span: Span) -> Evaluated {
-        match item {
-            Value::Function(function) => self.call(function, values.to_vec(), span),
-            Value::Polar(polar) => {
-                let PolarKind::Univariate(form) = &polar.kind else {
-                    return Err(wrong_kind("a polar form of a curve", item).at(span));
-                };
-                let list: Result<Vec<_>, _> = values.iter().cloned().map(to_argument).collect();
-                form.value(&list?).map(Value::Scalar).map_err(arguments::polar).at(span)
-            }
-            other => Err(wrong_kind("a function", other).at(span)),
         }
     }
 
@@ -526,39 +512,8 @@ impl Machine {
     }
 }
 
-/// The coordinates of a curve as polar forms of one degree, the largest.
-fn levelled(list: Vec<Value>) -> Vec<Value> {
-    let degree = |value: &Value| match value {
-        Value::Polar(polar) => match &polar.kind {
-            PolarKind::Univariate(form) => Some(form.degree()),
-            _ => None,
-        },
-        _ => None,
-    };
-    let Some(top) = list.iter().map(degree).collect::<Option<Vec<usize>>>().and_then(|d| d.into_iter().max())
-    else {
-        return list;
-    };
-    list.into_iter()
-        .map(|value| match &value {
-            Value::Polar(polar) => match &polar.kind {
-                PolarKind::Univariate(form) => Value::Polar(Arc::new(Polar {
-                    kind: PolarKind::Univariate(form.elevate(top - form.degree())),
-                    variables: polar.variables.clone(),
-                })),
-                _ => value,
-            },
-            _ => value,
-        })
-        .collect()
-}
-
-fn is_curve(items: &[Value]) -> bool {
-    !items.is_empty() && items.iter().all(|item| matches!(item, Value::Function(_) | Value::Polar(_)))
-}
-
 /// A value as an argument of a polar form.
-fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
+pub(super) fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
     match value {
         Value::Scalar(u) => Ok(Argument::Point(u)),
         Value::Vector(v) => Ok(Argument::Vector(v)),

@@ -15,6 +15,7 @@ mod arithmetic;
 mod builtins;
 mod calculus;
 mod claim;
+mod curves;
 mod define;
 mod family;
 mod names;
