@@ -55,6 +55,18 @@ pub(super) const TABLE: &[Builtin] = &[
         },
     },
     Builtin {
+        name: "lowering",
+        signature: "lowering(n, m)",
+        summary: "a left inverse of raising(m, n): exact for polynomials of degree at most m",
+        example: "lowering(3, 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("lowering(n, m)", 2..=2, &[])?;
+            let (n, m) = (sized(args, 0)?, sized(args, 1)?);
+            basis::lowering(n, m).map(|matrix| lifted(&matrix)).map_err(basis_error)
+        },
+    },
+    Builtin {
         name: "change_of_basis",
         signature: "change_of_basis(n, from, to)",
         summary: "the matrix between bases: power, bernstein, taylor, lagrange, newton, hermite",
@@ -101,6 +113,17 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("rank(M)", 1..=1, &[])?;
             Ok(Value::int(linalg::rank(&args.matrix(0)?) as i64))
+        },
+    },
+    Builtin {
+        name: "null_space",
+        signature: "null_space(M)",
+        summary: "a basis of the x with M x = 0, as columns",
+        example: "null_space([1, 2; 2, 4])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("null_space(M)", 1..=1, &[])?;
+            Ok(Value::Matrix(linalg::null_space(&args.matrix(0)?)))
         },
     },
     Builtin {

@@ -190,6 +190,29 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| divided(args, "remainder(F, G, t)").map(|(_, r)| Value::Scalar(r)),
     },
     Builtin {
+        name: "count_roots",
+        signature: "count_roots(F, a, b)",
+        summary: "how many different real roots a polynomial has in (a, b], exactly (Sturm)",
+        example: "count_roots(t^3 - t, 0, 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("count_roots(F, a, b)", 3..=3, &[])?;
+            let given = args.univariate(0, usize::MAX)?;
+            let list: Option<Vec<crate::number::Rational>> =
+                given.coefficients.iter().map(Fraction::as_rational).collect();
+            let list = list.ok_or_else(|| {
+                Diagnostic::error(Code::Type, "roots are counted for numbers as coefficients only")
+                    .at(args.span(0))
+            })?;
+            let roots = crate::poly::Poly::from_coefficients(list)
+                .count_roots(&args.rational(1)?, &args.rational(2)?);
+            match roots {
+                Some(count) => Ok(Value::int(count as i64)),
+                None => Err(Diagnostic::error(Code::Domain, "every number is a root of 0").at(args.span(0))),
+            }
+        },
+    },
+    Builtin {
         name: "numerator",
         signature: "numerator(R)",
         summary: "the numerator in lowest terms",
