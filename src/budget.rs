@@ -72,12 +72,12 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// No time limit, 4 million terms, 1 million bits (about 300 000 digits), 400 nested calls.
+    /// No time limit, 4 million terms, 262 144 bits (about 79 000 digits), 400 nested calls.
     fn default() -> Self {
         Limits {
             time: None,
             terms: 4_000_000,
-            bits: 1 << 20,
+            bits: 1 << 18,
             depth: DEFAULT_DEPTH,
             interrupt: Arc::new(AtomicBool::new(false)),
         }
