@@ -3,6 +3,9 @@
 //! What is multiplied and what is applied depends on the values: (F + G)(t) is a value of
 //! F + G when F and G are functions, and a product when they are numbers.
 
+use std::iter::Peekable;
+use std::slice::Iter;
+
 use super::{Evaluated, Machine, arithmetic};
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::expr::{Expr, Kind, Quotient};
@@ -17,35 +20,37 @@ impl Machine {
         let mut product: Option<Value> = None;
         let mut rest = factors.iter().peekable();
         while let Some(factor) = rest.next() {
-            // In a product, square brackets around one formula are parentheses: 3 [a - b].
-            if let Some(order) = self.difference_order(factor)?
-                && let Some(next) = rest.peek()
-                && let Some(value) = self.forward_difference(order, next)?
-            {
-                rest.next();
-                product = Some(match product {
-                    None => value,
-                    Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
-                });
-                continue;
-            }
-            let mut value = match &factor.kind {
-                Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
-                _ => self.eval(factor)?,
-            };
-            if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
-                && let Some(next) = rest.peek()
-                && let Some(result) = self.apply_to_group(&value, factor, next)?
-            {
-                value = result;
-                rest.next();
-            }
+            let value = self.eval_factor(factor, &mut rest)?;
             product = Some(match product {
                 None => value,
                 Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
             });
         }
         product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
+    }
+
+    /// The value of a factor, together with the one after it where the two belong together.
+    fn eval_factor(&mut self, factor: &Expr, rest: &mut Peekable<Iter<'_, Expr>>) -> Evaluated {
+        if let Some(order) = self.difference_order(factor)?
+            && let Some(next) = rest.peek()
+            && let Some(value) = self.forward_difference(order, next)?
+        {
+            rest.next();
+            return Ok(value);
+        }
+        let value = match &factor.kind {
+            // In a product, square brackets around one formula are parentheses: 3 [a - b].
+            Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+            _ => self.eval(factor)?,
+        };
+        if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
+            && let Some(next) = rest.peek()
+            && let Some(result) = self.apply_to_group(&value, factor, next)?
+        {
+            rest.next();
+            return Ok(result);
+        }
+        Ok(value)
     }
 
     /// k for an undefined Δ or Δ^k.

@@ -432,8 +432,8 @@ pub(super) fn is_separator(kind: Tok) -> bool {
     matches!(kind, Tok::Comma | Tok::Semicolon | Tok::Period | Tok::Gap)
 }
 
-/// Whether an operand is still to come after this token.
-pub(super) fn waits(kind: Tok) -> bool {
+/// Whether this token stands between two operands.
+fn joins(kind: Tok) -> bool {
     matches!(
         kind,
         Tok::Rel(_)
@@ -445,33 +445,20 @@ pub(super) fn waits(kind: Tok) -> bool {
             | Tok::Circ
             | Tok::Slash
             | Tok::Binary(_)
-            | Tok::Open(_)
-            | Tok::Left(_)
-            | Tok::Command(_)
             | Tok::Sub
             | Tok::Sup
     )
 }
 
+/// Whether an operand is still to come after this token.
+pub(super) fn waits(kind: Tok) -> bool {
+    joins(kind) || matches!(kind, Tok::Open(_) | Tok::Left(_) | Tok::Command(_))
+}
+
 /// Whether this token goes on with what stands before it.
 pub(super) fn continues(kind: Tok) -> bool {
-    matches!(
-        kind,
-        Tok::Rel(_)
-            | Tok::Plus
-            | Tok::Minus
-            | Tok::Dot
-            | Tok::Star
-            | Tok::Cross
-            | Tok::Circ
-            | Tok::Slash
-            | Tok::Binary(_)
-            | Tok::Close(_)
-            | Tok::Right(_)
-            | Tok::Sub
-            | Tok::Sup
-            | Tok::Command(Role::Stacked | Role::LongArrow)
-    )
+    joins(kind)
+        || matches!(kind, Tok::Close(_) | Tok::Right(_) | Tok::Command(Role::Stacked | Role::LongArrow))
 }
 
 /// The beginning of a long text.
