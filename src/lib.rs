@@ -65,6 +65,7 @@ pub mod eval;
 pub mod expr;
 pub mod latex;
 pub mod linalg;
+pub mod notes;
 pub mod number;
 pub mod poly;
 pub mod ring;

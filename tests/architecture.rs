@@ -14,6 +14,7 @@ const TIERS: &[&[&str]] = &[
     &["write"],
     &["eval"],
     &["session"],
+    &["notes"],
     &["cli"],
 ];
 
