@@ -19,7 +19,7 @@ fn mismatch(operation: &str, left: &Value, right: &Value) -> Diagnostic {
 }
 
 /// The diagnostic for an error of linear algebra.
-pub(super) fn linalg(error: LinalgError) -> Diagnostic {
+pub(crate) fn linalg(error: LinalgError) -> Diagnostic {
     let code = match error {
         LinalgError::Singular { .. } => Code::Singular,
         _ => Code::Shape,
@@ -27,7 +27,8 @@ pub(super) fn linalg(error: LinalgError) -> Diagnostic {
     Diagnostic::error(code, error.to_string())
 }
 
-pub(super) fn add(left: Value, right: Value) -> Result<Value> {
+/// The sum of two values.
+pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
     match (left, right) {
         (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(a + b)),
         (Value::Vector(a), Value::Vector(b)) => Ok(Value::Vector(a + b)),
@@ -67,7 +68,8 @@ fn add_polar(a: &Polar, b: &Polar) -> Result<Value> {
     Ok(Value::Polar(Arc::new(Polar { kind, variables: a.variables.clone() })))
 }
 
-pub(super) fn negate(value: Value) -> Result<Value> {
+/// The negative of a value.
+pub(crate) fn negate(value: Value) -> Result<Value> {
     match value {
         Value::Scalar(a) => Ok(Value::Scalar(-a)),
         Value::Vector(a) => Ok(Value::Vector(-a)),
@@ -75,7 +77,8 @@ pub(super) fn negate(value: Value) -> Result<Value> {
     }
 }
 
-pub(super) fn multiply(left: Value, right: Value) -> Result<Value> {
+/// The product of two values.
+pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
     match (left, right) {
         (Value::Scalar(a), Value::Scalar(b)) => {
             // Repeated products of numbers must stay within the limit on digits, too.
@@ -161,7 +164,8 @@ fn column(items: &[Value]) -> Result<Value> {
     Ok(Value::Matrix(DMatrix::from_vec(entries.len(), 1, entries)))
 }
 
-pub(super) fn divide(left: Value, right: Value) -> Result<Value> {
+/// The quotient of two values.
+pub(crate) fn divide(left: Value, right: Value) -> Result<Value> {
     match (left, right) {
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "divided", quotient),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "divided", quotient),
@@ -177,14 +181,15 @@ fn quotient(a: Fraction, b: Fraction) -> Result<Fraction> {
     Ok(a * b.inverse().ok_or_else(division_by_zero)?)
 }
 
-pub(super) fn division_by_zero() -> Diagnostic {
+pub(crate) fn division_by_zero() -> Diagnostic {
     Diagnostic::error(Code::DivisionByZero, "division by zero").reason("this is 0")
 }
 
 /// Largest exponent accepted; products of that size are stopped by other limits long before.
 const MAX_EXPONENT: i64 = i32::MAX as i64;
 
-pub(super) fn power(base: Value, exponent: &Value) -> Result<Value> {
+/// A power, or a power of a matrix.
+pub(crate) fn power(base: Value, exponent: &Value) -> Result<Value> {
     let Some(k) = exponent.as_rational() else {
         return Err(Diagnostic::error(
             Code::BadExponent,
@@ -249,7 +254,8 @@ fn matrix_power(m: DMatrix<Fraction>, k: i64) -> Result<Value> {
     Ok(Value::Matrix(result))
 }
 
-pub(super) fn transpose(value: Value) -> Result<Value> {
+/// The transpose of a matrix; a list is a row.
+pub(crate) fn transpose(value: Value) -> Result<Value> {
     match value {
         Value::Matrix(m) => Ok(Value::Matrix(m.transpose())),
         Value::List(items) => match column(&items)? {
@@ -263,7 +269,7 @@ pub(super) fn transpose(value: Value) -> Result<Value> {
 }
 
 /// The cross product of two points in space, or an ordinary product of scalars.
-pub(super) fn cross(left: Value, right: Value) -> Result<Value> {
+pub(crate) fn cross(left: Value, right: Value) -> Result<Value> {
     let coordinates = |value: &Value| -> Option<Vec<Fraction>> {
         match value {
             Value::List(items) if items.len() == 3 => {
@@ -283,7 +289,7 @@ pub(super) fn cross(left: Value, right: Value) -> Result<Value> {
 
 /// C(n, k): for integers the number of subsets (0 outside 0 ≤ k ≤ n), for symbolic n and
 /// a number k ≥ 0 the polynomial n(n−1)…(n−k+1)/k!.
-pub(super) fn binomial(n: &Value, k: &Value) -> Result<Value> {
+pub(crate) fn binomial(n: &Value, k: &Value) -> Result<Value> {
     let (Some(top), Some(lower)) = (n.as_scalar(), k.as_int()) else {
         return Err(Diagnostic::error(
             Code::Type,
@@ -315,7 +321,7 @@ pub(super) fn binomial(n: &Value, k: &Value) -> Result<Value> {
     Ok(Value::Scalar(product))
 }
 
-pub(super) fn factorial(n: &Value) -> Result<Value> {
+pub(crate) fn factorial(n: &Value) -> Result<Value> {
     match n.as_int() {
         Some(n) if n >= 0 => {
             let bits = (n as u64).saturating_mul(64 - u64::from(n.leading_zeros()));
@@ -360,7 +366,7 @@ fn pointwise(
 }
 
 /// The function variable ↦ formula.
-pub(super) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
+pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
     Value::Function(Arc::new(Function {
         name: None,
         shape: Shape::plain(1),

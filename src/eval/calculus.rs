@@ -44,7 +44,7 @@ pub(super) fn derivative_of_function(value: &Value, order: usize) -> Result<Valu
 }
 
 /// d^k/dt^k.
-pub(super) fn nth_derivative(formula: &Fraction, variable: &Symbol, order: usize) -> Fraction {
+pub(crate) fn nth_derivative(formula: &Fraction, variable: &Symbol, order: usize) -> Fraction {
     let mut result = formula.clone();
     for _ in 0..order {
         if num_traits::Zero::is_zero(&result) {

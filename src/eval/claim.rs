@@ -113,7 +113,7 @@ pub(super) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrange
 }
 
 /// Judges one relation between two values.
-pub(super) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
+pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
     let mut judgement = Judgement {
         rel,
         left: left.clone(),
@@ -389,7 +389,7 @@ const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
 const HIGHEST_DEGREE: u32 = 2000;
 
 /// Values of the symbols at which `wanted(left, right)` holds, checked by substitution.
-pub(super) fn find_witness(
+pub(crate) fn find_witness(
     a: &Fraction,
     b: &Fraction,
     wanted: impl Fn(&Rational, &Rational) -> bool,

@@ -11,7 +11,7 @@
 
 mod apply;
 mod arguments;
-mod arithmetic;
+pub(crate) mod arithmetic;
 mod builtins;
 mod calculus;
 mod claim;
@@ -22,10 +22,13 @@ mod names;
 mod products;
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 use std::sync::Arc;
 
 pub use arguments::Arguments;
 pub use builtins::{BUILTINS, Builtin, builtin};
+pub(crate) use calculus::nth_derivative;
+pub(crate) use claim::{find_witness, judge};
 pub use names::name_of;
 
 use crate::diagnostic::{At, Code, Diagnostic};
@@ -103,8 +106,31 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals) -> Result<Outcome, D
     Ok(Outcome { value, defined, notes: machine.notes })
 }
 
+/// A way of understanding formulas that goes before the usual one: it may give names, calls and
+/// notations a meaning that they do not have in the language. Lecture notes are read like this.
+pub trait Reading {
+    /// The value of a formula, or `None` to leave it to the language. Parts of it are evaluated
+    /// with [`Machine::eval`], which asks this reading again.
+    fn eval(&self, machine: &mut Machine, expr: &Expr) -> Option<Result<Value, Diagnostic>>;
+}
+
+/// The value of a formula under a reading, with some names bound.
+///
+/// # Errors
+/// A [`Diagnostic`] with its place.
+pub fn evaluate_reading(
+    expr: &Expr,
+    reading: Rc<dyn Reading>,
+    names: impl IntoIterator<Item = (Symbol, Value)>,
+) -> Result<Value, Diagnostic> {
+    let mut machine = Machine::new(Scope::default());
+    machine.reading = Some(reading);
+    machine.with_locals(names, |machine| machine.eval(expr))
+}
+
 /// The state of one evaluation.
 pub struct Machine {
+    reading: Option<Rc<dyn Reading>>,
     scope: Scope,
     /// Local names, innermost last.
     locals: Vec<(Symbol, Value)>,
@@ -118,17 +144,27 @@ type Evaluated = Result<Value, Diagnostic>;
 
 impl Machine {
     fn new(scope: Scope) -> Self {
-        Machine { scope, locals: Vec::new(), depth: 0, notes: Vec::new(), memo: BTreeMap::new() }
+        Machine {
+            reading: None,
+            scope,
+            locals: Vec::new(),
+            depth: 0,
+            notes: Vec::new(),
+            memo: BTreeMap::new(),
+        }
     }
 
     /// The value of a name where we are.
-    fn lookup(&self, name: &Symbol) -> Option<&Value> {
+    pub fn lookup(&self, name: &Symbol) -> Option<&Value> {
         let local = self.locals.iter().rev().find(|(n, _)| n == name).map(|(_, value)| value);
         local.or_else(|| self.scope.get(name))
     }
 
     /// Runs `work` with some names bound.
-    fn with_locals<T>(
+    ///
+    /// # Errors
+    /// Those of the work.
+    pub fn with_locals<T>(
         &mut self,
         names: impl IntoIterator<Item = (Symbol, Value)>,
         work: impl FnOnce(&mut Self) -> Result<T, Diagnostic>,
@@ -160,9 +196,19 @@ impl Machine {
     }
 
     /// The value of an expression.
-    fn eval(&mut self, expr: &Expr) -> Evaluated {
+    ///
+    /// # Errors
+    /// A [`Diagnostic`] with its place.
+    pub fn eval(&mut self, expr: &Expr) -> Evaluated {
         crate::budget::step();
-        stacker::maybe_grow(RED_ZONE, SEGMENT, || self.eval_kind(expr))
+        stacker::maybe_grow(RED_ZONE, SEGMENT, || {
+            if let Some(reading) = self.reading.clone()
+                && let Some(result) = reading.eval(self, expr)
+            {
+                return result;
+            }
+            self.eval_kind(expr)
+        })
     }
 
     fn eval_kind(&mut self, expr: &Expr) -> Evaluated {
@@ -443,7 +489,10 @@ impl Machine {
     }
 
     /// The integer an expression denotes.
-    fn eval_int(&mut self, expr: &Expr) -> Result<i64, Diagnostic> {
+    ///
+    /// # Errors
+    /// What is wrong with the expression, or that its value is no integer.
+    pub fn eval_int(&mut self, expr: &Expr) -> Result<i64, Diagnostic> {
         let value = self.eval(expr)?;
         value.as_int().ok_or_else(|| wrong_kind("an integer", &value).at(expr.span))
     }

@@ -168,25 +168,23 @@ impl Expr {
         }
     }
 
+    /// Replaces every span of the tree.
+    pub fn map_spans(&mut self, map: &dyn Fn(Span) -> Span) {
+        self.span = map(self.span);
+        if let Kind::Chain(_, links) = &mut self.kind {
+            links.iter_mut().for_each(|link| link.span = map(link.span));
+        }
+        self.for_each_child_mut(&mut |child| child.map_spans(map));
+    }
+
     /// Moves every span of the tree `offset` bytes further on (a formula inside a larger text).
     pub fn shift(&mut self, offset: usize) {
-        self.span = self.span.shifted(offset);
-        if let Kind::Chain(_, links) = &mut self.kind {
-            links.iter_mut().for_each(|link| link.span = link.span.shifted(offset));
-        }
-        self.for_each_child_mut(&mut |child| child.shift(offset));
+        self.map_spans(&|span| span.shifted(offset));
     }
 
     /// The same tree with all spans empty, for comparing structure.
     pub fn without_spans(mut self) -> Self {
-        fn clear(expr: &mut Expr) {
-            expr.span = Span::default();
-            if let Kind::Chain(_, links) = &mut expr.kind {
-                links.iter_mut().for_each(|link| link.span = Span::default());
-            }
-            expr.for_each_child_mut(&mut clear);
-        }
-        clear(&mut self);
+        self.map_spans(&|_| Span::default());
         self
     }
 

@@ -1,4 +1,8 @@
 //! Checking lecture notes: every formula of a file gets a verdict.
 
+mod context;
 pub mod document;
 pub mod finding;
+mod model;
+mod names;
+mod statement;

@@ -1,0 +1,499 @@
+//! From the formulas of a document to statements: chains of relations with what is said of them.
+//!
+//! A display may hold several chains, a chain may run over several rows, displays or pieces in a
+//! line, and conditions follow the formula they belong to: in it, after a comma, or after words
+//! such as "where".
+
+use super::document::{Document, Enclosure, Formula, Item, Style};
+use crate::diagnostic::Diagnostic;
+use crate::expr::{Expr, Kind, Link, Rel};
+use crate::source::Span;
+use crate::{latex, syntax};
+
+/// Where a statement stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The sections, quotations and environments around it, outermost first.
+    pub scope: Vec<u32>,
+    /// Formulas with the same number stand in one paragraph or list.
+    pub group: u32,
+    /// The number of the formula.
+    pub formula: usize,
+}
+
+impl Place {
+    /// Whether what was said there holds here, as far as the layout tells.
+    pub fn sees(&self, earlier: &Place) -> bool {
+        self.scope.starts_with(&earlier.scope)
+    }
+}
+
+/// One side of a relation.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// The formula, with spans in the file.
+    pub expr: Expr,
+    /// As written.
+    pub latex: String,
+}
+
+impl Side {
+    /// Whether some part of it could not be read.
+    pub fn is_unread(&self) -> bool {
+        fn unread(expr: &Expr) -> bool {
+            if matches!(expr.kind, Kind::Unread(_)) {
+                return true;
+            }
+            let mut found = false;
+            expr.for_each_child(&mut |child| found = found || unread(child));
+            found
+        }
+        unread(&self.expr)
+    }
+}
+
+/// A chain of relations.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// At least two sides.
+    pub sides: Vec<Side>,
+    /// The relations between them, with their places.
+    pub relations: Vec<(Rel, Span)>,
+    /// Conditions said with it.
+    pub conditions: Vec<Expr>,
+    /// Whether it is itself said as a condition of another one ("where a = b").
+    pub given: bool,
+    /// Why parts could not be read.
+    pub problems: Vec<Diagnostic>,
+}
+
+/// What a formula says.
+#[derive(Clone, Debug)]
+pub enum Said {
+    /// Relations.
+    Chain(Chain),
+    /// A condition: a range, a membership, a sum of weights.
+    Condition(Side),
+    /// A formula without a relation.
+    Bare(Side, Vec<Diagnostic>),
+    /// A declaration by comment.
+    Declaration(String, Span),
+}
+
+/// A statement with its surroundings.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// What is said.
+    pub said: Said,
+    /// Where.
+    pub place: Place,
+    /// The words of the paragraph before the formula.
+    pub before: String,
+    /// The words between the formula before and this one.
+    pub gap: String,
+}
+
+/// Words after which conditions follow.
+const CONDITION_WORDS: &[&str] = &[
+    "where",
+    "with",
+    "for",
+    "for all",
+    "if",
+    "when",
+    "provided",
+    "such that",
+    "s.t.",
+    "given",
+    "and",
+    "wo",
+    "mit",
+    "für",
+    "où",
+    "avec",
+    "pour",
+    "其中",
+    "且",
+    "当",
+    "若",
+    "对",
+    "对任意",
+    "对于",
+    "满足",
+];
+
+/// The statements of a document in order.
+pub fn statements(document: &Document) -> Vec<Statement> {
+    let mut reader = Reader {
+        document,
+        statements: Vec::new(),
+        sections: Vec::new(),
+        enclosures: Vec::new(),
+        next_scope: 0,
+        group: 0,
+        before: String::new(),
+        gap: String::new(),
+        formula: 0,
+    };
+    for item in &document.items {
+        reader.item(item);
+    }
+    let mut statements = reader.statements;
+    attach(&mut statements);
+    statements
+}
+
+struct Reader<'a> {
+    document: &'a Document,
+    statements: Vec<Statement>,
+    /// Level and number of the open sections.
+    sections: Vec<(u8, u32)>,
+    enclosures: Vec<(Enclosure, u32)>,
+    next_scope: u32,
+    group: u32,
+    before: String,
+    gap: String,
+    formula: usize,
+}
+
+impl Reader<'_> {
+    fn item(&mut self, item: &Item) {
+        match item {
+            Item::Heading { level, span } => {
+                self.sections.retain(|(known, _)| known < level);
+                self.next_scope += 1;
+                self.sections.push((*level, self.next_scope));
+                self.new_group();
+                self.before.push_str(self.document.file.slice(*span));
+            }
+            Item::Words(span) => {
+                let words = self.document.file.slice(*span);
+                self.before.push_str(words);
+                self.gap.push_str(words);
+            }
+            Item::Break => {
+                // Words that announce a display belong to it, and so do those of a list.
+                let list = self.enclosures.iter().any(|(e, _)| matches!(e, Enclosure::Item | Enclosure::Row));
+                let announced = self.gap.trim_end().ends_with([':', '：', ',', '，']);
+                let open = self.gap.trim().chars().count() < 60;
+                if !list && !announced && !open {
+                    self.new_group();
+                } else {
+                    self.before.push('\n');
+                }
+            }
+            Item::Enter(enclosure) => {
+                self.next_scope += 1;
+                self.enclosures.push((*enclosure, self.next_scope));
+                if matches!(enclosure, Enclosure::Quotation | Enclosure::Environment) {
+                    self.new_group();
+                }
+            }
+            Item::Leave(enclosure) => {
+                if let Some(at) = self.enclosures.iter().rposition(|(known, _)| known == enclosure) {
+                    self.enclosures.truncate(at);
+                }
+                if matches!(enclosure, Enclosure::Quotation | Enclosure::Environment) {
+                    self.new_group();
+                }
+            }
+            Item::Declaration { text, span } => {
+                let said = Said::Declaration(text.clone(), *span);
+                self.push(said);
+            }
+            Item::Formula(formula) => {
+                self.formula += 1;
+                self.formula(formula);
+                self.gap.clear();
+            }
+        }
+    }
+
+    fn new_group(&mut self) {
+        self.group += 1;
+        self.before.clear();
+    }
+
+    fn place(&self) -> Place {
+        let enclosing = self
+            .enclosures
+            .iter()
+            .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment));
+        let sections = self.sections.iter().map(|(_, scope)| *scope);
+        Place {
+            scope: sections.chain(enclosing.map(|(_, scope)| *scope)).collect(),
+            group: self.group,
+            formula: self.formula,
+        }
+    }
+
+    fn push(&mut self, said: Said) {
+        let statement =
+            Statement { said, place: self.place(), before: self.before.clone(), gap: self.gap.clone() };
+        self.statements.push(statement);
+    }
+
+    fn formula(&mut self, formula: &Formula) {
+        let rows = match formula.style {
+            Style::Plain => match syntax::parse(&formula.text) {
+                Ok(expr) => vec![latex::Row {
+                    span: Span::new(0, formula.text.len()),
+                    leading: None,
+                    expr,
+                    problems: Vec::new(),
+                }],
+                Err(_) => Vec::new(),
+            },
+            _ => latex::read_rows(&formula.text),
+        };
+        let first = self.statements.len();
+        let mut words = false;
+        for row in rows {
+            let mut expr = row.expr;
+            expr.map_spans(&|span| formula.in_file(span));
+            let latex = |span: Span| -> String {
+                // Derived spans lead back into the text only where it stands in the file.
+                let text = self.document.file.slice(span);
+                text.to_owned()
+            };
+            let items = match expr.kind {
+                Kind::Sequence(items) => items,
+                Kind::ForAll(mut items, body) => {
+                    items.extend(body.map(|body| *body));
+                    items
+                }
+                _ => vec![expr],
+            };
+            let items = regrouped(items);
+            for (at, item) in items.into_iter().enumerate() {
+                let side = Side { latex: clean(&latex(item.span)), expr: item };
+                match (&side.expr.kind, at, row.leading) {
+                    (Kind::Text(text), ..) => words = is_condition_word(text),
+                    (_, 0, Some((rel, sign))) => {
+                        let sign = formula.in_file(sign);
+                        if !self.go_on(rel, sign, side.clone(), &row.problems) {
+                            self.push(Said::Bare(side, row.problems.clone()));
+                        }
+                    }
+                    _ if is_condition(&side.expr, words || at > 0) => self.push(Said::Condition(side)),
+                    (Kind::Chain(..), ..) => {
+                        let mut chain = chain(side, &latex, &row.problems);
+                        chain.given = words;
+                        self.push(Said::Chain(chain));
+                    }
+                    _ => self.push(Said::Bare(side, row.problems.clone())),
+                }
+            }
+        }
+        // What is given comes before what it is given for.
+        let all = self.statements.split_off(first);
+        let (given, rest): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|s| matches!(&s.said, Said::Chain(chain) if chain.given));
+        self.statements.extend(given);
+        self.statements.extend(rest);
+    }
+
+    /// Adds a side to the chain before, if there is one.
+    fn go_on(&mut self, rel: Rel, sign: Span, side: Side, problems: &[Diagnostic]) -> bool {
+        let place = self.place();
+        let near = self.gap.trim().is_empty();
+        let Some(last) = self.statements.last_mut() else { return false };
+        let same = last.place.formula == place.formula || (near && last.place.group == place.group);
+        if !same {
+            return false;
+        }
+        let mut more = match &side.expr.kind {
+            Kind::Chain(first, links) => {
+                let mut sides = vec![part(first, &side.latex, self.document)];
+                sides.extend(links.iter().map(|link| part(&link.expr, "", self.document)));
+                (sides, links.iter().map(|link| (link.rel, link.span)).collect::<Vec<_>>())
+            }
+            _ => (vec![side], Vec::new()),
+        };
+        match &mut last.said {
+            Said::Chain(chain) => {
+                chain.relations.push((rel, sign));
+                chain.relations.append(&mut more.1);
+                chain.sides.append(&mut more.0);
+                chain.problems.extend_from_slice(problems);
+                true
+            }
+            Said::Bare(first, known) => {
+                let mut sides = vec![first.clone()];
+                sides.append(&mut more.0);
+                let mut relations = vec![(rel, sign)];
+                relations.append(&mut more.1);
+                let mut all = std::mem::take(known);
+                all.extend_from_slice(problems);
+                last.said = Said::Chain(Chain {
+                    sides,
+                    relations,
+                    conditions: Vec::new(),
+                    given: false,
+                    problems: all,
+                });
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+fn part(expr: &Expr, latex: &str, document: &Document) -> Side {
+    let text = document.file.slice(expr.span);
+    Side { expr: expr.clone(), latex: clean(if text.is_empty() { latex } else { text }) }
+}
+
+fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) -> Chain {
+    let Kind::Chain(first, links) = side.expr.kind else {
+        return Chain {
+            sides: vec![side],
+            relations: Vec::new(),
+            conditions: Vec::new(),
+            given: false,
+            problems: Vec::new(),
+        };
+    };
+    let one = |expr: &Expr| Side { latex: clean(&latex(expr.span)), expr: expr.clone() };
+    Chain {
+        sides: std::iter::once(one(&first)).chain(links.iter().map(|link| one(&link.expr))).collect(),
+        relations: links.iter().map(|link| (link.rel, link.span)).collect(),
+        conditions: Vec::new(),
+        given: false,
+        problems: problems.to_vec(),
+    }
+}
+
+/// The text of a formula without marks of quotations and alignment at its ends.
+fn clean(latex: &str) -> String {
+    let lines: Vec<&str> = latex.lines().map(|line| line.trim_start_matches(['>', ' ']).trim_end()).collect();
+    let text = lines.join("\n");
+    text.trim().trim_start_matches('&').trim_end_matches('&').trim_end_matches("\\\\").trim().to_owned()
+}
+
+fn is_condition_word(text: &str) -> bool {
+    let text = text.trim().trim_matches([',', '，', '(', ':', '：']).trim().to_lowercase();
+    CONDITION_WORDS.contains(&text.as_str())
+}
+
+/// Whether the words before a formula say that it is a condition of what stands before them.
+fn announces_condition(gap: &str) -> bool {
+    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim().to_lowercase();
+    let chinese = ["其中", "且", "当", "若", "对任意", "对于", "满足", "这里"];
+    chinese.iter().any(|word| gap.starts_with(word) && gap.chars().count() <= 8)
+        || CONDITION_WORDS.iter().any(|word| gap == *word)
+        || ["for all", "where", "with", "for every", "for each", "such that", "provided that"]
+            .iter()
+            .any(|word| gap.starts_with(word) && gap.len() < 24)
+}
+
+/// Conditions in one formula belong to the relations before them in it, and conditions after words
+/// such as "where" to the formula before.
+fn attach(statements: &mut [Statement]) {
+    for at in 0..statements.len() {
+        let condition = match &statements[at].said {
+            Said::Condition(side) => side.expr.clone(),
+            _ => continue,
+        };
+        let (formula, group) = (statements[at].place.formula, statements[at].place.group);
+        let words = announces_condition(&statements[at].gap);
+        let gap_is_short = statements[at].gap.trim().chars().count() <= 3;
+        let mut reach = formula;
+        for before in (0..statements.len()).rev() {
+            let other = &mut statements[before];
+            let same = other.place.formula == formula;
+            let earlier = before < at
+                && other.place.formula < formula
+                && (words || (gap_is_short && other.place.group == group))
+                && (reach == formula || other.place.formula == reach);
+            if !same && !earlier {
+                continue;
+            }
+            if let Said::Chain(chain) = &mut other.said {
+                if !same {
+                    reach = other.place.formula;
+                }
+                chain.conditions.push(condition.clone());
+            }
+        }
+    }
+}
+
+/// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.
+fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
+    let mut result: Vec<Expr> = Vec::with_capacity(items.len());
+    let mut rest = items.into_iter().peekable();
+    while let Some(item) = rest.next() {
+        if let Kind::Chain(left, links) = &item.kind
+            && let [Link { rel: Rel::Eq, span, expr: from }] = links.as_slice()
+            && matches!(left.kind, Kind::Name(_))
+            && rest.peek().is_some_and(|next| {
+                matches!(next.kind, Kind::Ellipsis | Kind::Number(_) | Kind::Add(_) | Kind::Name(_))
+            })
+        {
+            let mut taken = Vec::new();
+            while let Some(next) = rest.next_if(|next| {
+                matches!(next.kind, Kind::Ellipsis | Kind::Number(_) | Kind::Add(_) | Kind::Name(_))
+            }) {
+                taken.push(next);
+            }
+            let dots = taken.iter().any(|e| e.kind == Kind::Ellipsis);
+            if let (true, Some(last)) = (dots, taken.last())
+                && last.kind != Kind::Ellipsis
+            {
+                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
+                let range = Expr::new(range, from.span.to(last.span));
+                let link = Link { rel: Rel::Eq, span: *span, expr: range };
+                let whole = item.span.to(last.span);
+                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
+                continue;
+            }
+            result.push(item);
+            result.extend(taken);
+            continue;
+        }
+        match item.kind {
+            Kind::Tuple(inner) if inner.iter().any(|e| matches!(e.kind, Kind::Chain(..))) => {
+                result.extend(regrouped(inner));
+            }
+            Kind::Group(inner) if matches!(inner.kind, Kind::Chain(..)) => result.push(*inner),
+            _ => result.push(item),
+        }
+    }
+    result
+}
+
+/// Whether a relation restricts names instead of stating something.
+fn is_condition(expr: &Expr, follows: bool) -> bool {
+    let Kind::Chain(left, links) = &expr.kind else { return false };
+    let bare = |expr: &Expr| match &expr.kind {
+        Kind::Name(_) => true,
+        Kind::Subscript(base, _) => matches!(base.kind, Kind::Name(_)),
+        _ => false,
+    };
+    let size = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_));
+    let sides: Vec<&Expr> =
+        std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
+    let ordered = |link: &Link| matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt);
+    match links.as_slice() {
+        [Link { rel: Rel::In | Rel::Subset, .. }] => true,
+        [Link { rel: Rel::Eq, expr, .. }] if matches!(expr.kind, Kind::Range(..)) => bare(left),
+        // a ≤ i ≤ b
+        [one, two] if ordered(one) && ordered(two) => bare(sides[1]),
+        [one] if ordered(one) && follows => bare(sides[0]) || bare(sides[1]),
+        [one] if ordered(one) => bare(sides[0]) && size(sides[1]) || size(sides[0]) && bare(sides[1]),
+        many if many.len() > 1 && many.iter().all(ordered) => {
+            sides.iter().all(|side| bare(side) || size(side))
+        }
+        [Link { rel: Rel::Ne, .. }] => bare(left),
+        // i + j + k = n, α + β + γ = 1
+        [Link { rel: Rel::Eq, expr, .. }] => {
+            let names = matches!(&left.kind, Kind::Add(terms) if terms.iter().all(|term| bare(&term.expr)));
+            let weights =
+                matches!(&left.kind, Kind::Big { op: crate::expr::BigOp::Sum, body, .. } if bare(body));
+            let one = matches!(&expr.kind, Kind::Number(_));
+            (names && (one || follows && bare(expr))) || (weights && one)
+        }
+        _ => false,
+    }
+}
