@@ -1,4 +1,5 @@
 //! Checking lecture notes: every formula of a file gets a verdict.
 
 pub mod document;
+pub mod extract;
 pub mod finding;
