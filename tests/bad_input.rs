@@ -59,6 +59,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::Internal,
         Code::StandardMeaning,
         Code::MoreCases,
+        Code::UnclosedFormula,
+        Code::UnclosedBlock,
     ];
     let missing: Vec<_> =
         Code::ALL.iter().filter(|code| !codes.contains(code) && !elsewhere.contains(code)).collect();

@@ -158,6 +158,15 @@ codes! {
     Usage = "E502": "bad usage",
     /// A defect of polarform itself. Please report it.
     Internal = "E599": "internal error",
+
+    /// A formula of a file of notes begins and never ends.
+    ///
+    /// Example: `$t^2 is convex`. Write the closing sign; a currency is written `\$`.
+    UnclosedFormula = "E601": "unclosed formula",
+    /// A block, comment or environment of a file of notes begins and never ends, or the other way round.
+    ///
+    /// Example: a line of three backquotes without a second one. What follows it is not checked.
+    UnclosedBlock = "E602": "unclosed block",
 }
 
 impl fmt::Display for Code {

@@ -95,30 +95,54 @@ impl Formula {
 /// stretches that come from one place (an expanded macro).
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Places {
-    /// (first byte in the text, its place in the file, whether the run goes on byte by byte),
-    /// in increasing order of the first.
-    runs: Vec<(usize, usize, bool)>,
+    /// In increasing order of their first byte in the text.
+    runs: Vec<Run>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Run {
+    /// First byte in the text.
+    text: usize,
+    /// Its place in the file.
+    file: usize,
+    /// How many bytes of the file all of the run stands for; 0 if it goes on byte by byte.
+    width: usize,
 }
 
 impl Places {
     /// The text stands in the file as it is, from `start` on.
     pub fn plain(start: usize) -> Self {
-        Places { runs: vec![(0, start, true)] }
+        Places { runs: vec![Run { text: 0, file: start, width: 0 }] }
     }
 
     /// From `text` on, the text is that of the file from `file` on; or, if not `moving`, all of it
     /// comes from the one place `file`.
     pub fn push(&mut self, text: usize, file: usize, moving: bool) {
-        self.runs.retain(|run| run.0 < text);
-        self.runs.push((text, file, moving));
+        self.push_run(Run { text, file, width: usize::from(!moving) });
+    }
+
+    /// From `text` on, all of the text stands for the bytes `file`, such as the call of a macro.
+    pub fn push_whole(&mut self, text: usize, file: Span) {
+        self.push_run(Run { text, file: file.start, width: file.len().max(1) });
+    }
+
+    fn push_run(&mut self, run: Run) {
+        while self.runs.last().is_some_and(|last| last.text >= run.text) {
+            self.runs.pop();
+        }
+        self.runs.push(run);
+    }
+
+    fn run(&self, text: usize) -> Option<Run> {
+        let at = self.runs.partition_point(|run| run.text <= text);
+        at.checked_sub(1).map(|at| self.runs[at])
     }
 
     /// The place in the file of a byte of the text.
     pub fn byte(&self, text: usize) -> usize {
-        let at = self.runs.partition_point(|run| run.0 <= text);
-        match at.checked_sub(1).map(|at| self.runs[at]) {
-            Some((start, file, true)) => file + (text - start),
-            Some((_, file, false)) => file,
+        match self.run(text) {
+            Some(Run { text: start, file, width: 0 }) => file + (text - start),
+            Some(run) => run.file,
             None => text,
         }
     }
@@ -126,8 +150,11 @@ impl Places {
     /// The span in the file of a span of the text.
     pub fn span(&self, part: Span) -> Span {
         let start = self.byte(part.start);
-        let end = if part.is_empty() { start } else { self.byte(part.end - 1) + 1 };
-        Span::new(start, end)
+        if part.is_empty() {
+            return Span::new(start, start);
+        }
+        let width = self.run(part.end - 1).map_or(1, |run| run.width.max(1));
+        Span::new(start, self.byte(part.end - 1) + width)
     }
 }
 
@@ -145,5 +172,8 @@ mod tests {
         assert_eq!(places.byte(9), 46);
         assert_eq!(places.span(Span::new(2, 9)), Span::new(12, 46));
         assert_eq!(places.span(Span::new(3, 3)), Span::new(13, 13));
+        places.push_whole(12, Span::new(50, 57));
+        assert_eq!(places.span(Span::new(12, 14)), Span::new(50, 57));
+        assert_eq!(places.span(Span::new(11, 13)), Span::new(48, 57));
     }
 }

@@ -2,6 +2,7 @@
 
 mod context;
 pub mod document;
+pub mod extract;
 pub mod finding;
 mod model;
 mod names;

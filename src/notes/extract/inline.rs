@@ -1,0 +1,392 @@
+//! What stands within a paragraph of Markdown: words, formulas, comments, code, tags, links.
+
+use std::collections::BTreeMap;
+
+use super::collect::Collector;
+use super::signs::{
+    braced_name, display_end, inline_end, is_currency, is_math_environment, line_at, reads_as_prose,
+};
+use crate::notes::document::{Item, Style};
+use crate::source::Span;
+
+/// Takes the text of a paragraph apart; it stands at byte `start` of the file.
+pub(super) fn paragraph(text: &str, start: usize, out: &mut Collector) {
+    Inline { text, start, out, words: true, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
+        .scan();
+}
+
+/// The formulas of a heading.
+pub(super) fn heading(text: &str, start: usize, out: &mut Collector) {
+    Inline { text, start, out, words: false, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
+        .scan();
+}
+
+/// The end of the code span that opens at `at`, or of the backquotes there.
+pub(super) fn code_span(text: &str, at: usize) -> usize {
+    let run = run_of(text, at, b'`');
+    closing_run(text, at + run, run).unwrap_or(at + run)
+}
+
+fn run_of(text: &str, at: usize, mark: u8) -> usize {
+    text.as_bytes()[at..].iter().take_while(|&&byte| byte == mark).count()
+}
+
+/// The end of the next run of exactly `run` backquotes.
+fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
+    let mut at = from;
+    loop {
+        at += text[at..].bytes().position(|byte| byte == b'`')?;
+        let len = run_of(text, at, b'`');
+        at += len;
+        if len == run {
+            return Some(at);
+        }
+    }
+}
+
+/// Whether `\[ … \]` or `\( … \)` holds a formula: Markdown also writes brackets like that.
+pub(super) fn is_bracketed_formula(content: &str) -> bool {
+    let content = content.trim();
+    let letter = content.chars().count() == 1 && content.chars().all(char::is_alphabetic);
+    letter || (content.contains(['\\', '=', '^', '_', '+', '<', '>', '(', '/']) && !reads_as_prose(content))
+}
+
+struct Inline<'a> {
+    text: &'a str,
+    start: usize,
+    out: &'a mut Collector,
+    /// Whether the words count: those of a heading do not.
+    words: bool,
+    /// Up to where everything was said.
+    said: usize,
+    /// For each number of backquotes, from where on no such run stands.
+    no_code: BTreeMap<usize, usize>,
+    /// From where on no comment ends.
+    no_comment: usize,
+}
+
+impl Inline<'_> {
+    fn scan(mut self) {
+        let mut at = 0;
+        while let Some(&byte) = self.text.as_bytes().get(at) {
+            at = match byte {
+                b'\\' => self.command(at),
+                b'`' => self.code(at),
+                b'<' => self.angle(at),
+                b'$' => self.dollar(at),
+                b'!' | b']' => self.link(at),
+                b'h' | b'w' => self.address(at),
+                _ => at + 1,
+            };
+        }
+        self.say(self.text.len());
+    }
+
+    /// The words up to `at`.
+    fn say(&mut self, at: usize) {
+        if self.words && self.said < at {
+            self.out.words(&self.text[self.said..at], self.start + self.said);
+        }
+        self.said = self.said.max(at);
+    }
+
+    /// Passes what is neither words nor formula.
+    fn skip(&mut self, from: usize, to: usize) -> usize {
+        self.say(from);
+        self.said = to;
+        to
+    }
+
+    /// The formula `text`, with the signs around it `from..to`.
+    fn formula(&mut self, style: Style, text: Span, from: usize, to: usize) -> usize {
+        self.say(from);
+        self.out.formula(style, &self.text[text.range()], self.start + text.start);
+        self.said = to;
+        to
+    }
+
+    fn command(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        for (open, close, style) in [(r"\[", r"\]", Style::Display), (r"\(", r"\)", Style::Inline)] {
+            if rest.starts_with(open)
+                && let Ok(end) = display_end(self.text, at + 2, close)
+                && is_bracketed_formula(&self.text[at + 2..end])
+            {
+                return self.formula(style, Span::new(at + 2, end), at, end + 2);
+            }
+        }
+        if rest.starts_with(r"\begin")
+            && let Some((name, after)) = braced_name(self.text, at + 6)
+            && is_math_environment(name)
+        {
+            let closing = format!(r"\end{{{name}}}");
+            return match display_end(self.text, after, &closing) {
+                Ok(end) => {
+                    let end = end + closing.len();
+                    self.formula(Style::Display, Span::new(at, end), at, end)
+                }
+                Err(_) => {
+                    self.out.unclosed(&rest[..after - at], self.start + at, &closing);
+                    after
+                }
+            };
+        }
+        at + 1 + rest[1..].chars().next().map_or(0, char::len_utf8)
+    }
+
+    fn code(&mut self, at: usize) -> usize {
+        let run = run_of(self.text, at, b'`');
+        if self.no_code.get(&run).is_some_and(|&from| at >= from) {
+            return at + run;
+        }
+        match closing_run(self.text, at + run, run) {
+            Some(end) => self.skip(at, end),
+            None => {
+                self.no_code.insert(run, at);
+                at + run
+            }
+        }
+    }
+
+    fn angle(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        if rest.starts_with("<!--") && at < self.no_comment {
+            return match rest[4..].find("-->") {
+                Some(len) => {
+                    self.say(at);
+                    self.comment(at + 4, at + 4 + len);
+                    self.skip(at, at + 4 + len + 3)
+                }
+                None => {
+                    self.no_comment = at;
+                    at + 4
+                }
+            };
+        }
+        match tag(rest) {
+            Some((len, raw)) => {
+                let hidden = raw.and_then(|name| {
+                    let close = format!("</{name}>");
+                    self.text[at + len..].find(&close).map(|found| found + close.len())
+                });
+                self.skip(at, at + len + hidden.unwrap_or(0))
+            }
+            None => at + 1,
+        }
+    }
+
+    /// `<!-- polarform: … -->`.
+    fn comment(&mut self, from: usize, to: usize) {
+        let Some(colon) = self.text[from..to].trim_start().strip_prefix("polarform:") else { return };
+        let text = colon.trim();
+        let start = to - colon.len() + (colon.len() - colon.trim_start().len());
+        let span = Span::new(start, start + text.len()).shifted(self.start);
+        self.out.items.push(Item::Declaration { text: text.to_owned(), span });
+    }
+
+    fn dollar(&mut self, at: usize) -> usize {
+        let run = run_of(self.text, at, b'$');
+        if run >= 2 {
+            return self.dollars(at);
+        }
+        if let Some(code) = self.text[at..].strip_prefix("$`")
+            && let Some(len) = line_at(code, 0).find("`$")
+        {
+            let text = Span::new(at + 2, at + 2 + len);
+            return self.formula(Style::Inline, text, at, text.end + 2);
+        }
+        match inline_end(self.text, at) {
+            Some(end) => self.formula(Style::Inline, Span::new(at + 1, end), at, end + 1),
+            None => {
+                if !is_currency(self.text, at) && !self.ends_cell(at) {
+                    self.out.unclosed("$", self.start + at, "$");
+                }
+                self.skip(at, at + 1)
+            }
+        }
+    }
+
+    /// Whether the `$` closes a cell, after a tab, that was opened without one: `$b_0 = c$⇥= d$`.
+    fn ends_cell(&self, at: usize) -> bool {
+        let ends_line = line_at(self.text, at + 1).trim().is_empty();
+        ends_line && self.text[self.said..at].starts_with('\t')
+    }
+
+    fn dollars(&mut self, at: usize) -> usize {
+        match display_end(self.text, at + 2, "$$") {
+            Ok(end) if !self.text[at + 2..end].trim().is_empty() => {
+                self.formula(Style::Display, Span::new(at + 2, end), at, end + 2)
+            }
+            Ok(end) => self.skip(at, end + 2),
+            Err(_) => {
+                self.out.unclosed("$$", self.start + at, "$$");
+                let rest = &self.text[at + 2..];
+                if !rest.contains('$') && rest.contains('\\') && !rest.lines().any(reads_as_prose) {
+                    return self.formula(
+                        Style::Display,
+                        Span::new(at + 2, self.text.len()),
+                        at,
+                        self.text.len(),
+                    );
+                }
+                self.skip(at, at + 2)
+            }
+        }
+    }
+
+    /// The address of a link or an image.
+    fn link(&mut self, at: usize) -> usize {
+        let rest = line_at(self.text, at);
+        let label = match rest.strip_prefix("![") {
+            Some(label) => match label.find("](") {
+                Some(len) => len + 2,
+                None => return at + 1,
+            },
+            None if rest.starts_with("](") && self.text[..at].contains('[') => 0,
+            None => return at + 1,
+        };
+        let mut depth = 0_usize;
+        for (i, byte) in rest.bytes().enumerate().skip(label + 1) {
+            match byte {
+                b'(' => depth += 1,
+                b')' if depth == 1 => return self.skip(at, at + i + 1),
+                b')' => depth -= 1,
+                _ => {}
+            }
+        }
+        at + 1
+    }
+
+    /// A web address in the text.
+    fn address(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        if !["https://", "http://", "www."].iter().any(|begin| rest.starts_with(begin)) {
+            return at + 1;
+        }
+        let stop = |c: char| c.is_whitespace() || matches!(c, '<' | '>' | ')' | '|') || !c.is_ascii();
+        let len = rest.find(stop).unwrap_or(rest.len());
+        self.skip(at, at + len)
+    }
+}
+
+/// Names of tags that may be taken for one: `<b` also begins a relation.
+const TAGS: &[&str] = &[
+    "a",
+    "abbr",
+    "article",
+    "aside",
+    "audio",
+    "b",
+    "blockquote",
+    "body",
+    "br",
+    "button",
+    "caption",
+    "center",
+    "cite",
+    "code",
+    "col",
+    "colgroup",
+    "dd",
+    "del",
+    "details",
+    "dfn",
+    "div",
+    "dl",
+    "dt",
+    "em",
+    "embed",
+    "figcaption",
+    "figure",
+    "font",
+    "footer",
+    "form",
+    "h1",
+    "h2",
+    "h3",
+    "h4",
+    "h5",
+    "h6",
+    "head",
+    "header",
+    "hr",
+    "html",
+    "i",
+    "iframe",
+    "img",
+    "input",
+    "ins",
+    "kbd",
+    "label",
+    "legend",
+    "li",
+    "link",
+    "main",
+    "mark",
+    "meta",
+    "nav",
+    "noscript",
+    "ol",
+    "option",
+    "p",
+    "picture",
+    "pre",
+    "q",
+    "s",
+    "samp",
+    "script",
+    "section",
+    "select",
+    "small",
+    "source",
+    "span",
+    "strike",
+    "strong",
+    "style",
+    "sub",
+    "summary",
+    "sup",
+    "svg",
+    "table",
+    "tbody",
+    "td",
+    "textarea",
+    "tfoot",
+    "th",
+    "thead",
+    "title",
+    "tr",
+    "tt",
+    "u",
+    "ul",
+    "var",
+    "video",
+];
+
+/// The length of the tag or address in angle brackets at the beginning, and its name if what it
+/// encloses is no text.
+fn tag(rest: &str) -> Option<(usize, Option<&str>)> {
+    let inner = rest.get(1..)?;
+    let close = inner.bytes().take(2000).position(|byte| matches!(byte, b'>' | b'<'))?;
+    if inner.as_bytes()[close] == b'<' {
+        return None;
+    }
+    let content = &inner[..close];
+    let len = close + 2;
+    let address = content.contains("://") || content.starts_with("mailto:");
+    if address && !content.contains(char::is_whitespace) {
+        return Some((len, None));
+    }
+    let name = content.trim_start_matches('/');
+    let name = &name[..name.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(name.len())];
+    if !TAGS.iter().any(|tag| tag.eq_ignore_ascii_case(name)) {
+        return None;
+    }
+    let attributes = content.trim_start_matches('/')[name.len()..].trim_end_matches('/').trim();
+    let plausible = attributes.is_empty()
+        || (attributes.contains('=') && attributes.starts_with(|c: char| c.is_ascii_alphabetic()))
+        || name.len() > 2;
+    let raw = ["code", "pre", "script", "style", "svg", "kbd", "samp", "tt", "textarea"];
+    let hidden = !content.starts_with('/') && !content.ends_with('/') && raw.contains(&name);
+    plausible.then_some((len, hidden.then_some(name)))
+}

@@ -1,0 +1,51 @@
+//! A file of lecture notes, taken apart.
+//!
+//! **Definition.** A *document* is the sequence of the headings, words, formulas and declarations
+//! of a file, in its order, with what encloses them: quotations, list items, rows of tables,
+//! environments of LaTeX.
+//!
+//! **Invariants.** All spans are bytes of the file, on character boundaries. Items do not overlap
+//! and follow each other in the order of the file. What is wrong with a file (a formula that is
+//! never closed) is a problem of the document; the rest of the file is still taken apart. Any text
+//! whatever is taken apart, in time linear in its length.
+//!
+//! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc.
+
+mod blocks;
+mod collect;
+mod cursor;
+mod inline;
+mod signs;
+
+use super::document::Document;
+use crate::source::SourceFile;
+use collect::Collector;
+
+/// How the formulas stand in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Container {
+    /// Markdown, also plain text.
+    Markdown,
+}
+
+/// Takes a text apart.
+///
+/// Cost: linear in the length of the text.
+///
+/// ```
+/// use polarform::notes::document::{Item, Style};
+/// use polarform::notes::extract::{Container, document};
+/// use polarform::source::SourceFile;
+/// let notes = document(SourceFile::new("a.md", "Let $F(t) = t^2$.\n"), Container::Markdown);
+/// let Item::Formula(formula) = &notes.items[1] else { unreachable!() };
+/// assert_eq!((formula.text.as_str(), formula.style), ("F(t) = t^2", Style::Inline));
+/// assert_eq!(notes.file.line_column(formula.span.start), (1, 6));
+/// ```
+pub fn document(file: SourceFile, kind: Container) -> Document {
+    let mut out = Collector::default();
+    match kind {
+        Container::Markdown => blocks::scan(file.text(), &mut out),
+    }
+    Document { file, items: out.items, problems: out.problems }
+}
+

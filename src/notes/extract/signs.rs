@@ -1,0 +1,210 @@
+//! The signs around formulas: `$`, `$$`, `\(`, `\[` and environments, and where they end.
+//!
+//! One slip of the author, a display that is never closed, must not turn the rest of the file
+//! inside out. So the search for the closing sign stops at what cannot stand in a formula: a
+//! heading, a fence, a formula set with single `$`, a paragraph of prose.
+
+/// The environments that are displays of their own.
+const ENVIRONMENTS: &[&str] = &[
+    "equation",
+    "align",
+    "alignat",
+    "flalign",
+    "gather",
+    "multline",
+    "eqnarray",
+    "dmath",
+    "dgroup",
+    "displaymath",
+    "math",
+    "xalignat",
+    "xxalignat",
+    "IEEEeqnarray",
+];
+
+/// Whether `\begin{name}` opens a display outside of any other sign.
+pub(super) fn is_math_environment(name: &str) -> bool {
+    ENVIRONMENTS.contains(&name.strip_suffix('*').unwrap_or(name))
+}
+
+/// The name in braces at `at`: `{equation*}`, and the byte after the brace.
+pub(super) fn braced_name(text: &str, at: usize) -> Option<(&str, usize)> {
+    let rest = text.get(at..)?;
+    let inner = rest.strip_prefix('{')?;
+    let len = inner.bytes().take(40).position(|byte| byte == b'}')?;
+    let name = inner.get(..len)?;
+    let plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'*' || byte == b'@');
+    (plain && !name.is_empty()).then_some((name, at + len + 2))
+}
+
+/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `\]`
+/// or `\end{…}`; else the byte where the search stopped.
+pub(super) fn display_end(text: &str, from: usize, closing: &str) -> Result<usize, usize> {
+    let bytes = text.as_bytes();
+    let mut at = from;
+    // Whether each open brace belongs to \text or the like, where $…$ may stand.
+    let mut braces: Vec<bool> = Vec::new();
+    let mut after_blank = false;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'\\' if text[at..].starts_with(closing) => return Ok(at),
+            b'\\' => {
+                at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
+                continue;
+            }
+            b'$' if text[at..].starts_with(closing) => return Ok(at),
+            b'$' if !braces.contains(&true) => return Err(at),
+            b'{' => braces.push(opens_text(&text[..at])),
+            b'}' => {
+                braces.pop();
+            }
+            b'\n' => {
+                let line = line_at(text, at + 1);
+                let bare = line.trim_start_matches([' ', '\t', '>']).trim_end();
+                if is_heading(bare) || is_fence(bare) || (after_blank && reads_as_prose(bare)) {
+                    return Err(at);
+                }
+                after_blank = bare.is_empty();
+                if after_blank && closing.starts_with(r"\end") {
+                    return Err(at);
+                }
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    Err(text.len())
+}
+
+/// The line that starts at `at`, without its end.
+pub(super) fn line_at(text: &str, at: usize) -> &str {
+    let rest = &text[at..];
+    &rest[..rest.bytes().position(|byte| byte == b'\n').unwrap_or(rest.len())]
+}
+
+fn is_heading(line: &str) -> bool {
+    let marks = line.bytes().take_while(|&byte| byte == b'#').count();
+    (1..=6).contains(&marks) && line[marks..].starts_with([' ', '\t'])
+}
+
+fn is_fence(line: &str) -> bool {
+    line.starts_with("```") || line.starts_with("~~~")
+}
+
+/// Whether the text before an opening brace is a command whose argument is text.
+fn opens_text(before: &str) -> bool {
+    let before = before.trim_end_matches([' ', '*']);
+    let name = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    name.ends_with('\\')
+        && (before[name.len()..].starts_with("text")
+            || matches!(&before[name.len()..], "mbox" | "hbox" | "intertext" | "shortintertext" | "tag"))
+}
+
+/// Whether a line outside of signs is a sentence rather than a formula: four words in a row, or
+/// six ideographs.
+pub(super) fn reads_as_prose(line: &str) -> bool {
+    let mut depth = 0_usize;
+    let mut words = 0;
+    let mut ideographs = 0;
+    for word in line.split_whitespace() {
+        let plain = word.trim_matches(|c: char| matches!(c, ',' | '.' | ';' | ':' | '(' | ')'));
+        let is_word = depth == 0 && plain.len() > 1 && plain.chars().all(|c| c.is_ascii_alphabetic());
+        words = if is_word || (words > 0 && plain == "a") { words + 1 } else { 0 };
+        for c in word.chars() {
+            match c {
+                '{' => depth += 1,
+                '}' => depth = depth.saturating_sub(1),
+                c if depth == 0 && is_ideograph(c) => ideographs += 1,
+                _ => {}
+            }
+        }
+        if words >= 4 || ideographs >= 6 {
+            return true;
+        }
+    }
+    false
+}
+
+fn is_ideograph(c: char) -> bool {
+    matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}')
+}
+
+/// Where the formula opened by the single `$` at `open` ends: the byte of the closing `$`.
+pub(super) fn inline_end(text: &str, open: usize) -> Option<usize> {
+    let close = next_dollar(text, open + 1, true).or_else(|| next_dollar(text, open + 1, false))?;
+    let content = &text[open + 1..close];
+    let after = text.as_bytes().get(close + 1);
+    (!is_money(content, after) && !is_between_formulas(content)).then_some(close)
+}
+
+/// The next `$` that can close a formula; with `nested`, those inside \text{…} are passed over.
+fn next_dollar(text: &str, from: usize, nested: bool) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let mut braces: Vec<bool> = Vec::new();
+    let mut at = from;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'\\' => at += 1,
+            b'{' if nested => braces.push(opens_text(&text[from..at])),
+            b'}' if nested => {
+                braces.pop();
+            }
+            b'$' if !braces.contains(&true) => {
+                // `$a$$b$` are two formulas; in `$5 and $$x$$` the first sign is a currency.
+                let run = bytes[at..].iter().take_while(|&&byte| byte == b'$').count();
+                let closes = run == 1
+                    || (run == 2
+                        && line_at(text, at + 2).bytes().position(|byte| byte == b'$').is_some_and(|next| {
+                            !line_at(text, at + 2)[next..].starts_with("$$")
+                                && !is_between_formulas(&text[from..at])
+                        }));
+                return closes.then_some(at);
+            }
+            _ => {}
+        }
+        at += 1;
+    }
+    None
+}
+
+/// `$5 and $6`: both signs are currencies.
+fn is_money(content: &str, after: Option<&u8>) -> bool {
+    content.starts_with(|c: char| c.is_ascii_digit())
+        && after.is_some_and(u8::is_ascii_digit)
+        && !content.contains(['\\', '^', '_', '='])
+}
+
+/// Whether what stands between two `$` is the text between two formulas, so that the first `$`
+/// closes one or stands alone.
+fn is_between_formulas(content: &str) -> bool {
+    if content.trim().is_empty() {
+        return true;
+    }
+    let outside = content.chars();
+    let ideographs = outside.clone().filter(|&c| is_ideograph(c)).count();
+    let marks = outside.filter(|c| matches!(c, '，' | '。' | '；' | '：' | '、' | '？' | '！')).count();
+    let in_text = content.contains("\\text") || content.contains("\\mbox");
+    if ideographs >= 2 && marks >= 1 && !in_text {
+        return true;
+    }
+    let open = content.starts_with(char::is_whitespace);
+    let close = content.ends_with(char::is_whitespace);
+    let words = content.split_whitespace().filter(|word| {
+        word.len() > 1 && word.trim_matches([',', '.', ';', ':']).chars().all(|c| c.is_ascii_alphabetic())
+    });
+    let words = words.count();
+    let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
+    words >= 4 && !in_text || (words >= 1 && (open || close) && !signs) || (open != close && words >= 2)
+}
+
+/// A sign that amounts to a currency: `$5`, `US$`.
+pub(super) fn is_currency(text: &str, at: usize) -> bool {
+    let rest = line_at(text, at + 1);
+    let digits = rest.bytes().take_while(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',')).count();
+    let after = rest[digits..].chars().next();
+    (digits > 0
+        && after
+            .is_none_or(|c| c.is_whitespace() || c.is_ascii_punctuation() && !matches!(c, '^' | '_' | '\\')))
+        || (rest.starts_with(|c: char| c.is_whitespace() || c == ')')
+            && text[..at].ends_with(|c: char| c.is_ascii_digit()))
+}
