@@ -128,6 +128,16 @@ pub fn evaluate_reading(
     machine.with_locals(names, |machine| machine.eval(expr))
 }
 
+/// Runs `work` with a fresh evaluator in which some names are bound.
+pub fn with_machine<T>(
+    names: impl IntoIterator<Item = (Symbol, Value)>,
+    work: impl FnOnce(&mut Machine) -> T,
+) -> T {
+    let mut machine = Machine::new(Scope::default());
+    machine.locals.extend(names);
+    work(&mut machine)
+}
+
 /// The state of one evaluation.
 pub struct Machine {
     reading: Option<Rc<dyn Reading>>,

@@ -1,9 +1,18 @@
 //! Checking lecture notes: every formula of a file gets a verdict.
 
+mod check;
+mod compare;
 mod context;
+mod declare;
 pub mod document;
 pub mod extract;
 pub mod finding;
+mod lint;
 mod model;
 mod names;
+mod refute;
+mod repair;
 mod statement;
+mod trial;
+
+pub use check::{Options, check_document, listing};

@@ -48,4 +48,3 @@ pub fn document(file: SourceFile, kind: Container) -> Document {
     }
     Document { file, items: out.items, problems: out.problems }
 }
-

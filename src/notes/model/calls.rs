@@ -39,6 +39,7 @@ impl Model {
             return Some(values.and_then(|values| self.apply(machine, callee, &values, expr)));
         }
         let mut values = Vec::with_capacity(groups.len());
+        self.flexible.set(false);
         for group in groups {
             let arity = self.arity(callee, groups.len());
             match self.arguments(machine, group, arity, expr) {

@@ -341,7 +341,8 @@ impl Model {
         }
         if let Some(place) = flexible {
             let arity = arity.unwrap_or_else(|| {
-                self.record.borrow_mut().wants_degree = true;
+                self.record.borrow_mut().flexible = true;
+                self.flexible.set(true);
                 values.len()
             });
             // Both ends of t, …, t are one item if there is room for one only.

@@ -10,6 +10,8 @@ mod dots;
 mod families;
 mod polynomials;
 
+pub use polynomials::capital_of;
+
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -65,6 +67,24 @@ pub struct Record {
     pub mixed: bool,
     /// Whether an infinite sum was cut.
     pub infinite: bool,
+    /// Whether a polar form had dots without a count among its arguments.
+    pub flexible: bool,
+}
+
+impl Record {
+    /// Adds what happened in another evaluation.
+    pub fn merge(&mut self, other: &Record) {
+        self.arities.extend(&other.arities);
+        self.definitions.extend(&other.definitions);
+        self.unknown.extend(other.unknown.iter().cloned());
+        self.paired.extend(other.paired.iter().cloned());
+        self.standard.extend(other.standard.iter().cloned());
+        self.ambiguous.extend(&other.ambiguous);
+        self.wants_degree |= other.wants_degree;
+        self.mixed |= other.mixed;
+        self.infinite |= other.infinite;
+        self.flexible |= other.flexible;
+    }
 }
 
 /// A notation with several readings.
@@ -104,6 +124,8 @@ pub struct Model {
     pub(super) interval: Option<i64>,
     /// Capital letters whose small ones are their polar forms in this statement.
     pairs: BTreeSet<String>,
+    /// Whether the arguments just read had dots without a count.
+    flexible: Cell<bool>,
     depth: Cell<usize>,
     record: RefCell<Record>,
 }
@@ -121,6 +143,7 @@ impl Model {
             opaque: false,
             interval: None,
             pairs: BTreeSet::new(),
+            flexible: Cell::new(false),
             depth: Cell::new(0),
             record: RefCell::default(),
         }
@@ -156,9 +179,9 @@ impl Model {
         self
     }
 
-    /// What happened so far.
-    pub fn record(&self) -> Record {
-        self.record.borrow().clone()
+    /// What happened since this was asked last.
+    pub fn take_record(&self) -> Record {
+        self.record.take()
     }
 
     fn note(&self, meaning: impl Into<String>) {
@@ -276,6 +299,24 @@ impl Model {
 
     fn index(&self, machine: &mut Machine, expr: &Expr) -> Option<Index> {
         match &expr.kind {
+            // An arbitrary permutation: the one that exchanges the first two will do, since all are
+            // made of such exchanges.
+            Kind::Apply(callee, groups)
+                if matches!(&callee.kind, Kind::Name(name) if name == "pi")
+                    && machine.lookup(&Symbol::new("pi")).is_none() =>
+            {
+                let [group] = groups.as_slice() else { return None };
+                let [place] = group.as_slice() else { return None };
+                let place = machine.eval(place).ok()?.as_int()?;
+                let alone = ["n", "d", "m"].iter().any(|name| {
+                    machine.lookup(&Symbol::new(*name)).and_then(Value::as_int).is_some_and(|size| size < 2)
+                });
+                Some(Index::Number(match place {
+                    1 if !alone => 2,
+                    2 if !alone => 1,
+                    other => other,
+                }))
+            }
             Kind::Name(name) if machine.lookup(&Symbol::new(name)).is_none() => {
                 Some(Index::Word(name.clone()))
             }

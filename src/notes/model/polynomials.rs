@@ -181,7 +181,9 @@ impl Model {
         if let Some(result) = self.affine_by_definition(machine, head, arguments, expr) {
             return result;
         }
-        self.record.borrow_mut().arities.insert(arguments.len());
+        if !self.flexible.get() {
+            self.record.borrow_mut().arities.insert(arguments.len());
+        }
         if self.discovering {
             return Ok(Value::int(0));
         }

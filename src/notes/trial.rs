@@ -1,0 +1,492 @@
+//! Trying a chain of relations on all small instances.
+//!
+//! An instance gives values to the integers of the chain (and to the degree of functions that are
+//! not defined). In an instance each side is evaluated exactly; a side that makes no sense there,
+//! such as a binomial of a negative number, makes the instance invalid for its relations only.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use super::compare::{self, Outcome};
+use super::context::Context;
+use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
+use super::names::{Head, integer_names, own_names, walk};
+use super::statement::Place;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::eval::evaluate_reading;
+use crate::expr::{Expr, Kind, Rel};
+use crate::poly::Symbol;
+use crate::value::Value;
+
+/// Degrees tried for functions without a definition.
+const DEGREES: std::ops::RangeInclusive<usize> = 0..=4;
+
+/// The largest value tried for an integer, by the number of integers.
+const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
+
+/// More instances than this are not tried.
+const MOST: usize = 260;
+
+/// What is tried.
+pub struct Trial<'a> {
+    /// The sides of the chain.
+    pub sides: Vec<&'a Expr>,
+    /// The relations between them.
+    pub relations: Vec<Rel>,
+    /// Conditions said with the chain.
+    pub conditions: Vec<Expr>,
+    /// Conditions said before, that may be needed.
+    pub earlier: Vec<Expr>,
+    /// What is known.
+    pub context: Rc<Context>,
+    /// Where the chain stands.
+    pub place: &'a Place,
+    /// The curve that the sentence speaks of.
+    pub curve: Option<Curve>,
+    /// How ambiguous notations are read.
+    pub choices: Choices,
+}
+
+/// A failed instance.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// Values of the integers.
+    pub integers: Vec<(String, i64)>,
+    /// The degree of functions without definition, if it was chosen.
+    pub degree: Option<usize>,
+    /// The knot interval of B-splines, if there are any.
+    pub interval: Option<i64>,
+    /// Whether nothing in it is extreme: indices neither at the ends nor outside.
+    pub inner: bool,
+    /// How the sides differ.
+    pub outcome: Outcome,
+    /// The values of the sides.
+    pub left: Value,
+    /// The values of the sides.
+    pub right: Value,
+}
+
+/// How the instances of one relation went.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Instances in which it holds.
+    pub holds: usize,
+    /// Those among them in which nothing is extreme.
+    pub holds_inner: usize,
+    /// Instances in which it fails.
+    pub fails: Vec<Failure>,
+    /// Why instances could not be compared.
+    pub unclear: Vec<String>,
+    /// Errors in evaluating.
+    pub errors: Vec<Diagnostic>,
+    /// Whether an earlier condition was needed.
+    pub condition: Option<usize>,
+    /// What happened in the evaluations of its sides.
+    pub record: Record,
+}
+
+/// How all instances went.
+pub struct Outcomes {
+    /// For each relation.
+    pub tallies: Vec<Tally>,
+    /// The integers that were given values.
+    pub integers: Vec<String>,
+    /// Their largest values tried.
+    pub largest: i64,
+    /// Whether degrees were tried.
+    pub degrees: bool,
+    /// How many instances made sense.
+    pub instances: usize,
+}
+
+/// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
+/// or f has several arguments.
+pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
+    let mut called: BTreeMap<String, usize> = BTreeMap::new();
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, groups) = &part.kind
+                && let Some(head) = Head::of(callee)
+            {
+                let count = groups.iter().flatten().count();
+                let most = called.entry(head.base).or_insert(0);
+                *most = (*most).max(count);
+            }
+        });
+    }
+    let mut found = BTreeSet::new();
+    for (base, count) in &called {
+        if base.chars().next().is_some_and(char::is_lowercase) {
+            let capital = super::model::capital_of(base);
+            if *count > 1 || called.contains_key(&capital) {
+                found.insert(capital);
+            }
+        }
+    }
+    found
+}
+
+/// Whether divided differences f[x_0, x_1] occur.
+pub fn has_divided_differences(sides: &[&Expr]) -> bool {
+    let mut found = false;
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Mul(factors) = &part.kind {
+                found = found
+                    || factors.windows(2).any(|pair| {
+                        matches!(&pair[0].kind, Kind::Name(name) if matches!(name.as_str(), "f" | "g" | "F" | "p"))
+                            && matches!(&pair[1].kind, Kind::List(_))
+                    });
+            }
+        });
+    }
+    found
+}
+
+fn has_splines(sides: &[&Expr]) -> bool {
+    let mut found = false;
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, _) = &part.kind
+                && let Some(head) = Head::of(callee)
+            {
+                found = found || head.base == "N" && head.lower.len() + head.upper.len() == 2;
+            }
+        });
+    }
+    found
+}
+
+impl Trial<'_> {
+    /// The integers of the chain.
+    pub fn integers(&self) -> Vec<String> {
+        let mut names: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            names.extend(integer_names(side));
+        }
+        for condition in &self.conditions {
+            // i = 0, …, n: its bound is an integer, too
+            let own = integer_names(condition);
+            let ranges = matches!(&condition.kind, Kind::Chain(_, links)
+                if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))));
+            if ranges {
+                names.extend(own);
+            }
+        }
+        // A name that is a variable of a function on a side is no integer.
+        let mut arguments: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                if let Kind::Derivative { variables, .. } = &part.kind {
+                    arguments.extend(variables.iter().filter_map(|(v, _)| Head::of(v)).map(|head| head.base));
+                }
+                if let Kind::Apply(callee, groups) = &part.kind
+                    && Head::of(callee).is_some_and(|head| self.context.letters.is_function(&head.base))
+                {
+                    for argument in groups.iter().flatten() {
+                        if let Kind::Name(name) = &argument.kind {
+                            arguments.insert(name.clone());
+                        }
+                    }
+                }
+            });
+        }
+        names.retain(|name| !arguments.contains(name) && name != "e");
+        names.into_iter().collect()
+    }
+
+    /// Tries all small instances.
+    pub fn run(&self) -> Outcomes {
+        let integers = self.integers();
+        let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
+        let mut outcomes = Outcomes {
+            tallies: self.relations.iter().map(|_| Tally::default()).collect(),
+            integers: integers.clone(),
+            largest,
+            degrees: false,
+            instances: 0,
+        };
+        if integers.len() > 8 {
+            return outcomes;
+        }
+        let splines = has_splines(&self.sides);
+        // Indices of knots start anywhere, so negative ones need not be tried.
+        let mut values = vec![0i64; integers.len()];
+        let mut tried = 0;
+        loop {
+            let bound: Vec<(String, i64)> = integers.iter().cloned().zip(values.iter().copied()).collect();
+            if self.allows(&bound) {
+                tried += 1;
+                self.instance(&bound, splines, &mut outcomes);
+            }
+            if tried >= MOST || !advance(&mut values, largest) {
+                break;
+            }
+        }
+        outcomes
+    }
+
+    /// Whether the conditions on integers hold.
+    fn allows(&self, bound: &[(String, i64)]) -> bool {
+        if self.conditions.is_empty() {
+            return true;
+        }
+        let names: Vec<(Symbol, Value)> =
+            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        self.conditions.iter().all(|condition| {
+            // Conditions on other names than integers are used when sides are compared.
+            crate::eval::with_machine(names.clone(), |machine| holds(machine, condition)) != Some(false)
+        })
+    }
+
+    fn model(&self, degree: Option<usize>, interval: Option<i64>) -> Model {
+        Model::new(self.context.clone(), self.place.clone(), self.choices, self.curve.clone())
+            .with_degree(degree)
+            .with_pairs(pairs(&self.sides))
+            .opaque(has_divided_differences(&self.sides))
+            .on_interval(interval)
+    }
+
+    fn evaluate(
+        &self,
+        model: Model,
+        bound: &[(String, i64)],
+    ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
+        let reading = Rc::new(model);
+        let mut records = Vec::with_capacity(self.sides.len());
+        let mut values = Vec::with_capacity(self.sides.len());
+        for side in &self.sides {
+            let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+            values.push(evaluate_reading(side, reading.clone(), names));
+            records.push(reading.take_record());
+        }
+        (values, records)
+    }
+
+    fn instance(&self, bound: &[(String, i64)], splines: bool, outcomes: &mut Outcomes) {
+        crate::budget::steps(64);
+        // First the degrees: a polar form with m arguments is one of degree m.
+        let polar = !pairs(&self.sides).is_empty() || self.curve.is_some();
+        let mut degrees: Vec<Option<usize>> = vec![None];
+        let probe = if polar {
+            let (_, records) = self.evaluate(self.model(None, None).discovering(), bound);
+            Some(records)
+        } else {
+            None
+        };
+        let arities: BTreeSet<usize> =
+            probe.iter().flatten().flat_map(|record| record.arities.iter().copied()).collect();
+        let wanted = probe.iter().flatten().any(|record| record.wants_degree || record.flexible)
+            || probe.is_none() && {
+                let (_, records) = self.evaluate(self.model(None, Some(0)), bound);
+                records.iter().any(|record| record.wants_degree || record.flexible)
+            };
+        if let Some(&least) = arities.first() {
+            degrees = vec![Some(least)];
+        } else if wanted {
+            let size = ["n", "d", "m", "N"]
+                .iter()
+                .find_map(|name| bound.iter().find(|(own, _)| own == name).map(|(_, value)| *value));
+            degrees = match size {
+                Some(size) => usize::try_from(size).ok().map(Some).into_iter().collect(),
+                None => DEGREES.map(Some).collect(),
+            };
+        }
+        if degrees.len() > 1 {
+            outcomes.degrees = true;
+        }
+        for degree in degrees {
+            let intervals: Vec<Option<i64>> = if splines { (0..=4).map(Some).collect() } else { vec![None] };
+            let mut valid = false;
+            for interval in intervals {
+                let (values, records) = self.evaluate(self.model(degree, interval), bound);
+                valid |= self.compare(bound, degree, interval, &values, &records, outcomes);
+            }
+            outcomes.instances += usize::from(valid);
+        }
+    }
+
+    /// Compares neighbouring sides; says whether any two could be compared.
+    fn compare(
+        &self,
+        bound: &[(String, i64)],
+        degree: Option<usize>,
+        interval: Option<i64>,
+        values: &[Result<Value, Diagnostic>],
+        records: &[Record],
+        outcomes: &mut Outcomes,
+    ) -> bool {
+        let inner = is_inner(bound) && degree != Some(0);
+        let mut valid = false;
+        for (at, rel) in self.relations.iter().enumerate() {
+            let tally = &mut outcomes.tallies[at];
+            // A side that makes no sense is skipped: the next is compared with the one before.
+            let left_at = (0..=at).rev().find(|&i| values[i].is_ok());
+            let (left, right) = match (left_at.map(|i| &values[i]), &values[at + 1]) {
+                (Some(Ok(left)), Ok(right)) if left_at == Some(at) || !may_skip(&values[at]) => (left, right),
+                (_, Err(error)) | (Some(Err(error)), _) => {
+                    note_error(tally, error);
+                    continue;
+                }
+                _ => {
+                    if let Err(error) = &values[at] {
+                        note_error(tally, error);
+                    }
+                    continue;
+                }
+            };
+            tally.record.merge(&records[left_at.unwrap_or(at)]);
+            tally.record.merge(&records[at + 1]);
+            let conditions = Conditions { own: &self.conditions, earlier: &self.earlier };
+            let outcome = conditions.compare(self, *rel, left, right, bound, degree, tally);
+            match outcome {
+                Outcome::Holds => {
+                    valid = true;
+                    tally.holds += 1;
+                    tally.holds_inner += usize::from(inner);
+                }
+                Outcome::Fails(_) => {
+                    valid = true;
+                    tally.fails.push(Failure {
+                        integers: bound.to_vec(),
+                        degree,
+                        interval,
+                        inner,
+                        outcome,
+                        left: left.clone(),
+                        right: right.clone(),
+                    });
+                }
+                Outcome::Unclear(why) => {
+                    if !tally.unclear.contains(&why) {
+                        tally.unclear.push(why);
+                    }
+                }
+            }
+        }
+        valid
+    }
+
+    /// The value of a condition's sides in an instance.
+    pub(super) fn condition_values(
+        &self,
+        condition: &Expr,
+        bound: &[(String, i64)],
+        degree: Option<usize>,
+    ) -> Option<(Value, Value)> {
+        let Kind::Chain(left, links) = &condition.kind else { return None };
+        let [link] = links.as_slice() else { return None };
+        if link.rel != Rel::Eq || matches!(link.expr.kind, Kind::Range(..)) {
+            return None;
+        }
+        let reading = Rc::new(self.model(degree, None));
+        let names = || bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+        let left = evaluate_reading(left, reading.clone(), names()).ok()?;
+        let right = evaluate_reading(&link.expr, reading, names()).ok()?;
+        Some((left, right))
+    }
+}
+
+/// The conditions at hand, those said with the chain first.
+struct Conditions<'a> {
+    own: &'a [Expr],
+    earlier: &'a [Expr],
+}
+
+impl Conditions<'_> {
+    #[allow(clippy::too_many_arguments)]
+    fn compare(
+        &self,
+        trial: &Trial,
+        rel: Rel,
+        left: &Value,
+        right: &Value,
+        bound: &[(String, i64)],
+        degree: Option<usize>,
+        tally: &mut Tally,
+    ) -> Outcome {
+        let plain = compare::relation(rel, left, right, self.own);
+        if !matches!(plain, Outcome::Fails(_)) {
+            return plain;
+        }
+        let mut solved: Vec<(Symbol, crate::poly::Fraction)> = Vec::new();
+        for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
+            // A sum of weights runs as far as the weights do that occur.
+            let bound = match &condition.kind {
+                Kind::Chain(sum, _) => with_upper_bound(sum, bound, left, right),
+                _ => bound.to_vec(),
+            };
+            let Some((a, b)) = trial.condition_values(condition, &bound, degree) else { continue };
+            let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
+            solved.push((symbol, value));
+            let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
+            if let (Some(l), Some(r)) = (l, r) {
+                let outcome = compare::relation(rel, &l, &r, self.own);
+                if matches!(outcome, Outcome::Holds) {
+                    if at >= self.own.len() {
+                        tally.condition = Some(at - self.own.len());
+                    }
+                    return outcome;
+                }
+            }
+        }
+        plain
+    }
+}
+
+/// The upper bound of a sum of weights, where the instance does not fix it: the largest index of
+/// the weights in the sides.
+fn with_upper_bound(sum: &Expr, bound: &[(String, i64)], left: &Value, right: &Value) -> Vec<(String, i64)> {
+    let mut bound = bound.to_vec();
+    let Kind::Big { upper, body, lower, .. } = &sum.kind else { return bound };
+    let Some(Kind::Name(end)) = upper.as_ref().map(|upper| &upper.kind) else { return bound };
+    if bound.iter().any(|(name, _)| name == end) || own_names(lower).is_empty() {
+        return bound;
+    }
+    let Some(head) = Head::of(body) else { return bound };
+    let most = compare::symbols(left)
+        .into_iter()
+        .chain(compare::symbols(right))
+        .filter(|symbol| symbol.base() == head.base)
+        .filter_map(|symbol| match symbol.indices() {
+            [crate::poly::Index::Number(i)] => Some(*i),
+            _ => None,
+        })
+        .max();
+    bound.push((end.clone(), most.unwrap_or(FREE_TERMS)));
+    bound
+}
+
+/// Whether a side could not be read or evaluated at all, so that the one before may take its place.
+fn may_skip(value: &Result<Value, Diagnostic>) -> bool {
+    // A side that makes no sense for these integers makes the instance invalid.
+    matches!(value, Err(error) if matches!(error.code, Code::Domain | Code::Arity | Code::DivisionByZero))
+}
+
+fn note_error(tally: &mut Tally, error: &Diagnostic) {
+    if !tally.errors.iter().any(|known| known.message == error.message) {
+        tally.errors.push(error.clone());
+    }
+}
+
+/// Whether no index is at an end of its range, as far as names tell: sizes at least 2, indices
+/// between 1 and the least size minus 1.
+fn is_inner(bound: &[(String, i64)]) -> bool {
+    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M" | "p" | "q");
+    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
+    bound.iter().all(|(name, value)| {
+        if size(name) { *value >= 2 } else { *value >= 1 && least.is_none_or(|least| *value < least.max(2)) }
+    })
+}
+
+/// The next combination of values, the last one fastest; false after the last combination.
+fn advance(values: &mut [i64], largest: i64) -> bool {
+    for value in values.iter_mut().rev() {
+        if *value < largest {
+            *value += 1;
+            return true;
+        }
+        *value = 0;
+    }
+    false
+}
