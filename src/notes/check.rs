@@ -178,8 +178,8 @@ impl Checker {
         };
         if let Some(at) = chain.relations.iter().position(|(rel, _)| !checkable(*rel)) {
             for (i, finding) in findings.iter_mut().enumerate() {
-                if finding.verdict != Verdict::Unread {
-                    let (rel, _) = chain.relations[i];
+                let (rel, _) = chain.relations[i];
+                if finding.verdict != Verdict::Unread && !checkable(rel) {
                     let declares = matches!(rel, Rel::In | Rel::Subset | Rel::Colon | Rel::To | Rel::MapsTo);
                     finding.verdict = if declares { Verdict::Definition } else { Verdict::Undecided };
                     finding.reason = Some(
@@ -192,7 +192,20 @@ impl Checker {
                     );
                 }
             }
-            let _ = at;
+            // What stands before and after it is judged by itself.
+            for (from, to) in [(0, at), (at + 1, chain.relations.len())] {
+                if from < to {
+                    let part = Chain {
+                        sides: chain.sides[from..=to].to_vec(),
+                        relations: chain.relations[from..to].to_vec(),
+                        ..chain.clone()
+                    };
+                    for (mut finding, place) in self.chain(&part, statement).into_iter().zip(from..to) {
+                        finding.relation = place + 1;
+                        findings[place] = finding;
+                    }
+                }
+            }
             return findings;
         }
         let curve = refute::curve_spoken_of(&statement.before);
@@ -224,6 +237,12 @@ impl Checker {
         finding.verdict = Verdict::Definition;
         finding.reason = Some(format!("introduces {}", head.base));
         finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
+        if head.parenthesized && head.arguments.is_some()
+            || lint::missing_argument(head, &body.expr).is_some()
+        {
+            return;
+        }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
     }
 
@@ -249,6 +268,9 @@ impl Checker {
         if defined {
             return true;
         }
+        if curve.as_ref().is_some_and(|curve| curve.points == head.base) && head.arguments.is_none() {
+            return true;
+        }
         let derived = head.parenthesized || matches!(head.base.as_str(), base if base.starts_with("dot"));
         if derived && head.arguments.is_some() {
             return true;
@@ -259,7 +281,9 @@ impl Checker {
         let right = bases(body);
         if head.arguments.is_some() && capital != head.base {
             let of_known = self.context.visible(&capital, place).any(|(_, definition, _)| {
-                definition.head.flat().len() == 1 && definition.head.lower.is_empty()
+                definition.head.flat().len() == 1
+                    && definition.head.lower.is_empty()
+                    && definition.head.upper.is_empty()
             });
             let polar = count > 1 || curve.is_some();
             if polar
@@ -305,6 +329,11 @@ impl Checker {
         let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
         let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
         let best = self.attempts(&sides, &relations, chain, place, curve.clone());
+        if let (Some(head), 0) = (head, start)
+            && !refute::is_standard(Some(head))
+        {
+            findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
+        }
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
             let at = start + i;
             if findings[at].verdict == Verdict::Unread {
@@ -315,7 +344,12 @@ impl Checker {
             match verdict {
                 Judged::Verdict(finding) => {
                     let old = &findings[at];
+                    let warning = match finding.verdict {
+                        Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
+                        _ => finding.warning.clone().or(old.warning.clone()),
+                    };
                     findings[at] = Finding {
+                        warning,
                         span: old.span,
                         mark: old.mark,
                         latex: old.latex.clone(),
@@ -327,6 +361,11 @@ impl Checker {
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
                         self.definition(chain, head, place, &mut findings[at]);
+                        if let Some(why) = tally.unclear.first().or(tally.errors.first().map(|e| &e.message))
+                            && let Some(reason) = &mut findings[at].reason
+                        {
+                            reason.push_str(&format!(" (not computed: {why})"));
+                        }
                         if warning.is_some() {
                             findings[at].warning = warning;
                         }
@@ -416,7 +455,25 @@ impl Checker {
                 options.iter().map(|choices| Choices { near_only: true, ..*choices }).collect();
             options.extend(more);
         }
+        // A formula with integers in it speaks of functions in general.
+        let general = !first.outcomes.integers.is_empty()
+            || first.outcomes.tallies.iter().any(|tally| tally.record.infinite);
+        let examples = |attempt: &Attempt| {
+            attempt.outcomes.tallies.iter().any(|tally| !tally.record.definitions.is_empty())
+        };
         let mut best = first;
+        if general && examples(&best) {
+            let attempt = run(Choices { general: true, ..Choices::default() });
+            if good(&attempt) + bad(&attempt) > 0 {
+                best = attempt;
+                for choices in &mut options {
+                    choices.general = true;
+                }
+                if bad(&best) == 0 {
+                    return best;
+                }
+            }
+        }
         for choices in options.into_iter().skip(1) {
             let attempt = run(choices);
             if bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
@@ -502,6 +559,19 @@ impl Checker {
             }
             return Judged::Verdict(Box::new(finding));
         }
+        // Wrong only where an integer is 0: meant for positive ones.
+        let positive = |integers: &[(String, i64)]| integers.iter().all(|(_, value)| *value > 0);
+        if tally.holds_inner >= 2
+            && !outcomes.integers.is_empty()
+            && tally.fails.iter().all(|failure| !positive(&failure.integers))
+            && chain.conditions.is_empty()
+            && tally.fails.len() < tally.holds
+        {
+            finding.verdict = Verdict::Sampled;
+            finding.reason = Some("true for positive integers".to_owned());
+            finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
+            return Judged::Verdict(Box::new(finding));
+        }
         finding.verdict = Verdict::Undecided;
         if tally.fails.is_empty() {
             let reason = tally
@@ -578,7 +648,9 @@ enum Judged {
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
 fn definable(expr: &Expr) -> Option<Head> {
     let head = Head::of(expr)?;
-    let simple = |index: &Expr| matches!(index.kind, Kind::Name(_) | Kind::Number(_) | Kind::Text(_));
+    let simple = |index: &Expr| {
+        matches!(index.kind, Kind::Name(_) | Kind::Number(_) | Kind::Text(_) | Kind::Accent(..))
+    };
     if !head.lower.iter().chain(&head.upper).all(simple) {
         return None;
     }

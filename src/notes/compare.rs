@@ -138,9 +138,8 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
                 return Outcome::Holds;
             }
             // > on the open interval
-            let open = f
-                .count_roots(&from, &to)
-                .is_some_and(|roots| roots == usize::from(f.eval(&to).is_zero()));
+            let open =
+                f.count_roots(&from, &to).is_some_and(|roots| roots == usize::from(f.eval(&to).is_zero()));
             return if open && f.eval(&middle).is_positive() {
                 Outcome::Holds
             } else {
@@ -222,6 +221,14 @@ pub fn substituted(value: &Value, by: &[(Symbol, Fraction)]) -> Option<Value> {
         }
         _ => return None,
     })
+}
+
+/// Whether an equation between numbers is false.
+pub fn contradicts(a: &Value, b: &Value) -> bool {
+    match (plain(a).as_rational(), plain(b).as_rational()) {
+        (Some(a), Some(b)) => a != b,
+        _ => false,
+    }
 }
 
 /// Solves a condition a = b for one of the symbols that occur in the two sides: the last one in

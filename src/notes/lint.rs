@@ -96,7 +96,7 @@ fn unbound_index(head: &Head, body: &Expr, given: &BTreeSet<String>) -> Option<S
 }
 
 /// f(t) = … in t_1, …, t_n
-fn missing_argument(head: &Head, body: &Expr) -> Option<String> {
+pub fn missing_argument(head: &Head, body: &Expr) -> Option<String> {
     let arguments = head.flat();
     let [argument] = arguments.as_slice() else { return None };
     let Kind::Name(name) = &argument.kind else { return None };
@@ -140,7 +140,7 @@ pub fn unknowns(
         a.iter().filter(|symbol| !b.contains(symbol)).cloned().collect()
     };
     let sides = [only(&sr, &sl), only(&sl, &sr)];
-    let new = sides.into_iter().find(|list| {
+    let mut lists = sides.into_iter().filter(|list| {
         !list.is_empty()
             && list.iter().all(|symbol| {
                 !symbol.indices().is_empty()
@@ -148,7 +148,13 @@ pub fn unknowns(
                     && !symbol.base().starts_with('[')
                     && context.visible(symbol.base(), place).all(|(_, _, near)| !near)
             })
-    })?;
+    });
+    lists.find_map(|new| solved_for(new, left, right))
+}
+
+/// The values of the new symbols by comparing coefficients, if the equations are as many.
+fn solved_for(new: Vec<Symbol>, left: &Value, right: &Value) -> Option<Vec<(Symbol, Fraction)>> {
+    let (sl, sr) = (compare::symbols(left), compare::symbols(right));
     if new.len() < 2 {
         return None;
     }

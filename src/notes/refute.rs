@@ -183,11 +183,18 @@ pub fn decide(
             );
             return Decision::Redefinition(Some(warning));
         }
-        if has_cue(&words, DEFINITION_CUES) && !standard && !own.contains(&head.base) {
+        let again = checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
+            definition.head.flat().len() == head.flat().len()
+                && definition.head.lower.len() == head.lower.len()
+                && definition.head.upper.len() == head.upper.len()
+        });
+        let cue =
+            has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
+        if cue && again && !standard && !own.contains(&head.base) {
             return Decision::Redefinition(None);
         }
     }
-    if first && !standard && has_cue(&words, CONDITION_CUES) {
+    if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.before).is_none() {
         return Decision::Open("a condition, by the words before it".to_owned());
     }
     let known = !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
@@ -216,6 +223,7 @@ pub fn decide(
         if !(identity || differences && sl == sr && !sl.is_empty()) {
             return Decision::Open(format!("a condition on {name}, or it needs to be known what {name} is"));
         }
+        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
     } else if !unknown.is_empty() {
         // F and its polar form: both sides must speak of them.
         let names: Vec<String> =
@@ -302,6 +310,15 @@ pub fn decide(
         let defined = checker.context.visible(&head.base, &statement.place).find(|(_, definition, near)| {
             *near && definition.head.arguments.is_some() == head.arguments.is_some()
         });
+        let elsewhere = defined.is_none()
+            && checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
+                definition.head.flat().len() == head.flat().len()
+                    && definition.head.lower.len() == head.lower.len()
+                    && definition.head.arguments.is_some() == head.arguments.is_some()
+            });
+        if elsewhere {
+            return Decision::Redefinition(None);
+        }
         if let Some((_, definition, _)) = defined
             && !bases(right).contains(&head.base)
             && definition.place.group != statement.place.group
@@ -397,7 +414,7 @@ fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<Fai
     }
     let inner: Vec<&Failure> = tally.fails.iter().filter(|failure| failure.inner).collect();
     let holds = tally.holds_inner;
-    let wrong = !inner.is_empty() && inner.len() > holds;
+    let wrong = !inner.is_empty() && inner.len() * 2 >= holds;
     let enough = wrong || (explicit && !inner.is_empty()) || (holds == 0 && tally.fails.len() > tally.holds);
     if !enough {
         return None;

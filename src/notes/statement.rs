@@ -131,6 +131,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         enclosures: Vec::new(),
         next_scope: 0,
         group: 0,
+        ended: false,
         before: String::new(),
         gap: String::new(),
         formula: 0,
@@ -151,6 +152,8 @@ struct Reader<'a> {
     enclosures: Vec<(Enclosure, u32)>,
     next_scope: u32,
     group: u32,
+    /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
+    ended: bool,
     before: String,
     gap: String,
     formula: usize,
@@ -168,19 +171,16 @@ impl Reader<'_> {
             }
             Item::Words(span) => {
                 let words = self.document.file.slice(*span);
+                if self.ended && !words.trim().is_empty() {
+                    self.new_group();
+                }
                 self.before.push_str(words);
                 self.gap.push_str(words);
             }
             Item::Break => {
-                // Words that announce a display belong to it, and so do those of a list.
                 let list = self.enclosures.iter().any(|(e, _)| matches!(e, Enclosure::Item | Enclosure::Row));
-                let announced = self.gap.trim_end().ends_with([':', '：', ',', '，']);
-                let open = self.gap.trim().chars().count() < 60;
-                if !list && !announced && !open {
-                    self.new_group();
-                } else {
-                    self.before.push('\n');
-                }
+                self.ended = !list;
+                self.before.push('\n');
             }
             Item::Enter(enclosure) => {
                 self.next_scope += 1;
@@ -211,6 +211,7 @@ impl Reader<'_> {
 
     fn new_group(&mut self) {
         self.group += 1;
+        self.ended = false;
         self.before.clear();
     }
 
@@ -390,6 +391,7 @@ fn announces_condition(gap: &str) -> bool {
 /// Conditions in one formula belong to the relations before them in it, and conditions after words
 /// such as "where" to the formula before.
 fn attach(statements: &mut [Statement]) {
+    give_first(statements);
     for at in 0..statements.len() {
         let condition = match &statements[at].said {
             Said::Condition(side) => side.expr.clone(),
@@ -416,6 +418,34 @@ fn attach(statements: &mut [Statement]) {
                 chain.conditions.push(condition.clone());
             }
         }
+    }
+}
+
+/// "where v_i = p_i − q_i" after a formula is known in it: such definitions go before it.
+fn give_first(statements: &mut [Statement]) {
+    let mut at = 1;
+    while at < statements.len() {
+        let formula = statements[at].place.formula;
+        let defines = match &statements[at].said {
+            Said::Chain(chain) => {
+                announces_condition(&statements[at].gap)
+                    && chain.relations.first().is_some_and(|(rel, _)| matches!(rel, Rel::Eq | Rel::Define))
+                    && super::names::Head::of(&chain.sides[0].expr).is_some()
+            }
+            _ => false,
+        };
+        if defines && statements[at - 1].place.formula + 1 == formula {
+            let start = (0..at).rev().take_while(|&i| statements[i].place.formula + 1 == formula).last();
+            let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
+            if let (Some(start), Some(end)) = (start, end) {
+                if let Said::Chain(chain) = &mut statements[at].said {
+                    chain.given = true;
+                }
+                statements[start..=end].rotate_left(at - start);
+                at = end;
+            }
+        }
+        at += 1;
     }
 }
 

@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::compare::{self, Outcome};
-use super::context::Context;
+use super::context::{Context, is_variable};
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
-use super::names::{Head, integer_names, own_names, walk};
+use super::names::{Head, implied_index, integer_names, own_names, walk};
 use super::statement::Place;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::evaluate_reading;
@@ -247,16 +247,34 @@ impl Trial<'_> {
             .on_interval(interval)
     }
 
+    /// The variables of the function on the left: in F(u) = … the name u stands for itself, whatever
+    /// it meant before.
+    fn variables(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        if let Some(Kind::Apply(_, groups)) = self.sides.first().map(|side| &side.kind) {
+            for argument in groups.iter().flatten() {
+                if let Kind::Name(name) = &argument.kind
+                    && is_variable(name)
+                {
+                    found.push(name.clone());
+                }
+            }
+        }
+        found
+    }
+
     fn evaluate(
         &self,
         model: Model,
         bound: &[(String, i64)],
     ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
         let reading = Rc::new(model);
+        let variables = self.variables();
         let mut records = Vec::with_capacity(self.sides.len());
         let mut values = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
-            let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+            let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
+            let names = free.chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
             values.push(evaluate_reading(side, reading.clone(), names));
             records.push(reading.take_record());
         }
@@ -266,21 +284,18 @@ impl Trial<'_> {
     fn instance(&self, bound: &[(String, i64)], splines: bool, outcomes: &mut Outcomes) {
         crate::budget::steps(64);
         // First the degrees: a polar form with m arguments is one of degree m.
-        let polar = !pairs(&self.sides).is_empty() || self.curve.is_some();
         let mut degrees: Vec<Option<usize>> = vec![None];
-        let probe = if polar {
-            let (_, records) = self.evaluate(self.model(None, None).discovering(), bound);
-            Some(records)
-        } else {
-            None
-        };
+        let first = splines.then_some(0);
+        let (values, probe) = self.evaluate(self.model(None, first).discovering(), bound);
         let arities: BTreeSet<usize> =
-            probe.iter().flatten().flat_map(|record| record.arities.iter().copied()).collect();
-        let wanted = probe.iter().flatten().any(|record| record.wants_degree || record.flexible)
-            || probe.is_none() && {
-                let (_, records) = self.evaluate(self.model(None, Some(0)), bound);
-                records.iter().any(|record| record.wants_degree || record.flexible)
-            };
+            probe.iter().flat_map(|record| record.arities.iter().copied()).collect();
+        let wanted = probe.iter().any(|record| record.wants_degree || record.flexible);
+        if arities.is_empty() && !wanted && !splines {
+            // Nothing depends on a degree: the values are those already.
+            let valid = self.compare(bound, None, None, &values, &probe, outcomes);
+            outcomes.instances += usize::from(valid);
+            return;
+        }
         if let Some(&least) = arities.first() {
             degrees = vec![Some(least)];
         } else if wanted {
@@ -412,11 +427,17 @@ impl Conditions<'_> {
         let mut solved: Vec<(Symbol, crate::poly::Fraction)> = Vec::new();
         for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
             // A sum of weights runs as far as the weights do that occur.
-            let bound = match &condition.kind {
-                Kind::Chain(sum, _) => with_upper_bound(sum, bound, left, right),
-                _ => bound.to_vec(),
-            };
-            let Some((a, b)) = trial.condition_values(condition, &bound, degree) else { continue };
+            let exactly =
+                if is_bounded(condition) { trial.condition_values(condition, bound, degree) } else { None };
+            let extended = with_upper_bound(condition, left, right);
+            let usable = exactly.filter(|(a, b)| {
+                compare::solved(a, b, &solved, left, right).is_some() || compare::contradicts(a, b)
+            });
+            let values = usable.or_else(|| trial.condition_values(&extended, bound, degree));
+            let Some((a, b)) = values else { continue };
+            if compare::contradicts(&a, &b) && at < self.own.len() + 3 {
+                return Outcome::Unclear("the condition cannot hold".to_owned());
+            }
             let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
             solved.push((symbol, value));
             let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
@@ -434,16 +455,21 @@ impl Conditions<'_> {
     }
 }
 
+/// Whether a condition is no sum, or one with both bounds.
+fn is_bounded(condition: &Expr) -> bool {
+    match &condition.kind {
+        Kind::Chain(sum, _) => !matches!(&sum.kind, Kind::Big { upper: None, .. }),
+        _ => false,
+    }
+}
+
 /// The upper bound of a sum of weights, where the instance does not fix it: the largest index of
 /// the weights in the sides.
-fn with_upper_bound(sum: &Expr, bound: &[(String, i64)], left: &Value, right: &Value) -> Vec<(String, i64)> {
-    let mut bound = bound.to_vec();
-    let Kind::Big { upper, body, lower, .. } = &sum.kind else { return bound };
-    let Some(Kind::Name(end)) = upper.as_ref().map(|upper| &upper.kind) else { return bound };
-    if bound.iter().any(|(name, _)| name == end) || own_names(lower).is_empty() {
-        return bound;
-    }
-    let Some(head) = Head::of(body) else { return bound };
+fn with_upper_bound(condition: &Expr, left: &Value, right: &Value) -> Expr {
+    let Kind::Chain(sum, links) = &condition.kind else { return condition.clone() };
+    let Kind::Big { op, body, lower, .. } = &sum.kind else { return condition.clone() };
+    let index = own_names(lower).into_iter().next().or_else(|| implied_index(body));
+    let (Some(index), Some(head)) = (index, Head::of(body)) else { return condition.clone() };
     let most = compare::symbols(left)
         .into_iter()
         .chain(compare::symbols(right))
@@ -453,8 +479,17 @@ fn with_upper_bound(sum: &Expr, bound: &[(String, i64)], left: &Value, right: &V
             _ => None,
         })
         .max();
-    bound.push((end.clone(), most.unwrap_or(FREE_TERMS)));
-    bound
+    let least = match lower.first().map(|piece| &piece.kind) {
+        Some(Kind::Chain(_, from)) => from[0].expr.clone(),
+        _ => Expr::int(1),
+    };
+    let sum = Kind::Big {
+        op: *op,
+        lower: vec![Expr::relation(Expr::name(index), Rel::Eq, least)],
+        upper: Some(Box::new(Expr::int(most.unwrap_or(FREE_TERMS)))),
+        body: body.clone(),
+    };
+    Kind::Chain(Box::new(sum.into()), links.clone()).into()
 }
 
 /// Whether a side could not be read or evaluated at all, so that the one before may take its place.
@@ -472,7 +507,7 @@ fn note_error(tally: &mut Tally, error: &Diagnostic) {
 /// Whether no index is at an end of its range, as far as names tell: sizes at least 2, indices
 /// between 1 and the least size minus 1.
 fn is_inner(bound: &[(String, i64)]) -> bool {
-    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M" | "p" | "q");
+    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
     let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
     bound.iter().all(|(name, value)| {
         if size(name) { *value >= 2 } else { *value >= 1 && least.is_none_or(|least| *value < least.max(2)) }

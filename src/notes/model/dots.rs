@@ -137,7 +137,7 @@ impl Model {
         }
         for (name, end) in names {
             let symbol = Symbol::new(&name);
-            let mut term = |machine: &mut Machine, j: i64| {
+            let term = |machine: &mut Machine, j: i64| {
                 machine.with_locals([(symbol.clone(), Value::int(j))], |machine| machine.eval(last)).ok()
             };
             // The terms before the dots must be those of consecutive indices.
@@ -406,7 +406,7 @@ impl Model {
                 let Some(missing) = count.checked_sub(values.len()) else {
                     // Fewer than are written: the repeated ones go first.
                     let surplus = values.len() - count;
-                    if surplus < dots.max(1) + 1 && count > 0 {
+                    if surplus <= dots + 1 {
                         values.drain(..surplus);
                         return Ok(values);
                     }

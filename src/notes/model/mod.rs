@@ -44,6 +44,9 @@ pub struct Choices {
     pub near_only: bool,
     /// N_i^k has degree k, not order k.
     pub spline_degree: bool,
+    /// The formula is about functions in general: those defined elsewhere by one formula are not
+    /// meant.
+    pub general: bool,
 }
 
 /// What happened during an evaluation.
@@ -250,6 +253,9 @@ impl Model {
         if let Some(result) = self.standard_name(machine, &head, expr) {
             return Some(result);
         }
+        if let Some(result) = self.without_arguments(machine, &head, expr) {
+            return Some(result);
+        }
         let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
         let greek = crate::syntax::greek_char(word).is_some();
         if word.chars().count() > 1 && !greek && word != "ell" {
@@ -368,7 +374,7 @@ impl Model {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         for (number, definition, near) in context.visible(&head.base, &self.place) {
-            if self.choices.near_only && !near {
+            if self.choices.near_only && !near || self.choices.general && self.is_example(definition) {
                 continue;
             }
             if let Some((_, _, best_near, _)) = &best
@@ -388,6 +394,18 @@ impl Model {
         let definition = &context.definitions[number];
         self.record.borrow_mut().definitions.insert((number, near));
         Some(self.unfold(machine, definition, bound))
+    }
+
+    /// Whether a definition is of one function elsewhere: F(t) = t^3 + 1.
+    pub(super) fn is_example(&self, definition: &Definition) -> bool {
+        let head = &definition.head;
+        let Body::Formula(body) = &definition.body else { return false };
+        definition.place.group != self.place.group
+            && head.arguments.is_some()
+            && head.lower.is_empty()
+            && head.upper.is_empty()
+            && !head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis)
+            && integer_names(body).is_empty()
     }
 
     fn unfold(&self, machine: &mut Machine, definition: &Definition, bound: Bound) -> Evaluated {
@@ -430,8 +448,18 @@ impl Model {
         values: Option<&[Vec<Value>]>,
     ) -> Option<(Bound, usize)> {
         let own = &definition.head;
-        if own.lower.len() != head.lower.len() || own.upper.len() != head.upper.len() {
+        if own.upper.len() != head.upper.len() {
             return None;
+        }
+        if own.lower.len() != head.lower.len() {
+            // Φ for a Φ_i whose formula does not depend on i
+            let Body::Formula(body) = &definition.body else { return None };
+            let free = integer_names(body);
+            let idle =
+                own.lower.iter().all(|index| matches!(&index.kind, Kind::Name(name) if !free.contains(name)));
+            if !head.lower.is_empty() || !idle {
+                return None;
+            }
         }
         let mut bound = Bound::new();
         let mut exact = 0;
@@ -669,7 +697,7 @@ impl Model {
                 return Some(Err(Diagnostic::error(Code::Undecided, "an infinite sum").at(expr.span)));
             };
             self.record.borrow_mut().infinite = true;
-            let end = Expr::int(degree as i64 + 2);
+            let end = Expr::int(degree.max(4) as i64 + 4);
             let big = Kind::Big {
                 op,
                 lower: lower.to_vec(),

@@ -47,6 +47,30 @@ impl Model {
         }
     }
 
+    /// f alone, where F is known: the polar form of degree 0.
+    pub(super) fn without_arguments(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let capital = capital_of(&head.base);
+        if !head.lower.is_empty()
+            || !head.upper.is_empty()
+            || capital == head.base
+            || !self.context.letters.is_function(&head.base)
+        {
+            return None;
+        }
+        let known = self.context.visible(&capital, &self.place).any(|(_, definition, _)| {
+            definition.head.flat().len() == 1
+                && definition.head.lower.is_empty()
+                && definition.head.upper.is_empty()
+        });
+        self.flexible.set(false);
+        known.then(|| self.polar(machine, &capital, head, &[], expr))
+    }
+
     /// Whether a small letter is the polar form of a function with the capital one.
     fn is_paired(&self, machine: &mut Machine, head: &Head) -> bool {
         if self.curve.is_some() {
@@ -111,7 +135,7 @@ impl Model {
         let (_, definition, near) = context.visible(small, &self.place).find(|(_, definition, _)| {
             definition.head.lower.is_empty() && definition.head.flat().len() > 1
         })?;
-        if !near {
+        if !near || self.choices.general && self.is_example(definition) {
             return None;
         }
         let count = definition.head.flat().iter().filter(|e| e.kind != Kind::Ellipsis).count();
