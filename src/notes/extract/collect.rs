@@ -1,5 +1,6 @@
 //! Where the readers of containers put what they find.
 
+use super::plain;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Enclosure, Formula, Item, Places, Style};
 use crate::source::Span;
@@ -27,22 +28,31 @@ impl Collector {
         }));
     }
 
-    /// Words on one or several lines.
-    pub(super) fn words(&mut self, text: &str, start: usize) {
-        let mut at = start;
-        for line in text.split('\n') {
-            let trimmed = line.trim();
-            if !trimmed.is_empty() {
-                let begin = at + (line.len() - line.trim_start().len());
-                self.items.push(Item::Words(Span::new(begin, begin + trimmed.len())));
+    /// Words among which formulas in plain notation may stand; `continues` a formula before them.
+    pub(super) fn prose(&mut self, text: &str, start: usize, continues: bool) {
+        for (i, (line, at)) in lines(text, start).enumerate() {
+            let mut said = 0;
+            for found in plain::find(line, continues && i == 0) {
+                self.line(&line[said..found.range.start], at + said);
+                said = found.range.end;
+                self.formula(Style::Plain, &found.text, at + found.range.start);
             }
-            at += line.len() + 1;
+            self.line(&line[said..], at + said);
+        }
+    }
+
+    fn line(&mut self, line: &str, at: usize) {
+        let begin = at + (line.len() - line.trim_start().len());
+        let len = line.trim().len();
+        if len > 0 {
+            self.items.push(Item::Words(Span::new(begin, begin + len)));
         }
     }
 
     /// The end of a paragraph, unless nothing was said since the last one.
     pub(super) fn end_paragraph(&mut self) {
-        if !matches!(self.items.last(), None | Some(Item::Break | Item::Enter(_) | Item::Leave(_))) {
+        let last = self.items.iter().rev().find(|item| !matches!(item, Item::Declaration { .. }));
+        if !matches!(last, None | Some(Item::Break | Item::Enter(_) | Item::Leave(_))) {
             self.items.push(Item::Break);
         }
     }
@@ -66,4 +76,14 @@ impl Collector {
             problem.hint(format!("write {closing} after the formula"))
         });
     }
+}
+
+/// The lines of a text with the bytes where they start.
+fn lines(text: &str, start: usize) -> impl Iterator<Item = (&str, usize)> {
+    let mut at = start;
+    text.split('\n').map(move |line| {
+        let begin = at;
+        at += line.len() + 1;
+        (line, begin)
+    })
 }

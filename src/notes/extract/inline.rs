@@ -11,14 +11,12 @@ use crate::source::Span;
 
 /// Takes the text of a paragraph apart; it stands at byte `start` of the file.
 pub(super) fn paragraph(text: &str, start: usize, out: &mut Collector) {
-    Inline { text, start, out, words: true, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
-        .scan();
+    Inline::new(text, start, true, out).scan();
 }
 
 /// The formulas of a heading.
 pub(super) fn heading(text: &str, start: usize, out: &mut Collector) {
-    Inline { text, start, out, words: false, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
-        .scan();
+    Inline::new(text, start, false, out).scan();
 }
 
 /// The end of the code span that opens at `at`, or of the backquotes there.
@@ -57,6 +55,8 @@ struct Inline<'a> {
     out: &'a mut Collector,
     /// Whether the words count: those of a heading do not.
     words: bool,
+    /// Whether what comes next directly follows a formula.
+    after_formula: bool,
     /// Up to where everything was said.
     said: usize,
     /// For each number of backquotes, from where on no such run stands.
@@ -65,7 +65,20 @@ struct Inline<'a> {
     no_comment: usize,
 }
 
-impl Inline<'_> {
+impl<'a> Inline<'a> {
+    fn new(text: &'a str, start: usize, words: bool, out: &'a mut Collector) -> Self {
+        Inline {
+            text,
+            start,
+            out,
+            words,
+            after_formula: false,
+            said: 0,
+            no_code: BTreeMap::new(),
+            no_comment: usize::MAX,
+        }
+    }
+
     fn scan(mut self) {
         let mut at = 0;
         while let Some(&byte) = self.text.as_bytes().get(at) {
@@ -85,9 +98,11 @@ impl Inline<'_> {
     /// The words up to `at`.
     fn say(&mut self, at: usize) {
         if self.words && self.said < at {
-            self.out.words(&self.text[self.said..at], self.start + self.said);
+            let words = &self.text[self.said..at];
+            self.out.prose(words, self.start + self.said, self.after_formula);
         }
         self.said = self.said.max(at);
+        self.after_formula = false;
     }
 
     /// Passes what is neither words nor formula.
@@ -102,6 +117,7 @@ impl Inline<'_> {
         self.say(from);
         self.out.formula(style, &self.text[text.range()], self.start + text.start);
         self.said = to;
+        self.after_formula = true;
         to
     }
 

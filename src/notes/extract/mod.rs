@@ -15,6 +15,7 @@ mod blocks;
 mod collect;
 mod cursor;
 mod inline;
+mod plain;
 mod signs;
 
 use super::document::Document;
@@ -49,3 +50,5 @@ pub fn document(file: SourceFile, kind: Container) -> Document {
     Document { file, items: out.items, problems: out.problems }
 }
 
+#[cfg(test)]
+mod tests;

@@ -125,7 +125,8 @@ pub(super) fn reads_as_prose(line: &str) -> bool {
     false
 }
 
-fn is_ideograph(c: char) -> bool {
+/// A character of Chinese, Japanese or Korean.
+pub(super) fn is_ideograph(c: char) -> bool {
     matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}')
 }
 
@@ -194,7 +195,9 @@ fn is_between_formulas(content: &str) -> bool {
     });
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
-    words >= 4 && !in_text || (words >= 1 && (open || close) && !signs) || (open != close && words >= 2)
+    words >= 4 && !in_text
+        || (words >= 1 && !signs && (open || close || content.starts_with(|c: char| c.is_ascii_digit())))
+        || (open != close && words >= 2)
 }
 
 /// A sign that amounts to a currency: `$5`, `US$`.
