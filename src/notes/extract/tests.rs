@@ -34,11 +34,14 @@ fn markdown(text: &str) -> Document {
 }
 
 fn formulas(notes: &Document) -> Vec<&Formula> {
-    let formula = |item| match item {
-        Item::Formula(formula) => Some(formula),
-        _ => None,
-    };
-    notes.items.iter().filter_map(formula).collect()
+    notes
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Formula(formula) => Some(formula),
+            _ => None,
+        })
+        .collect()
 }
 
 /// The formulas of a Markdown text, without problems.
