@@ -15,6 +15,7 @@ mod blocks;
 mod collect;
 mod cursor;
 mod inline;
+mod macros;
 mod plain;
 mod signs;
 
