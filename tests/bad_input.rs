@@ -61,6 +61,11 @@ fn errors_have_a_place_and_a_hint() {
         Code::MoreCases,
         Code::UnclosedFormula,
         Code::UnclosedBlock,
+        Code::HalfDefinition,
+        Code::MacroTooLarge,
+        Code::Include,
+        Code::Encoding,
+        Code::BrokenNotebook,
     ];
     let missing: Vec<_> =
         Code::ALL.iter().filter(|code| !codes.contains(code) && !elsewhere.contains(code)).collect();

@@ -167,6 +167,26 @@ codes! {
     ///
     /// Example: a line of three backquotes without a second one. What follows it is not checked.
     UnclosedBlock = "E602": "unclosed block",
+    /// A definition of a macro in a file of notes cannot be read.
+    ///
+    /// Example: `\newcommand{\x}[1]{a` without the last brace. Its calls stay as they are.
+    HalfDefinition = "E603": "unreadable definition of a macro",
+    /// What a macro of a file of notes stands for has no end, or is very long.
+    ///
+    /// Example: `\newcommand{\x}{\x + 1}`. Give one of the two another name.
+    MacroTooLarge = "E604": "endless macro",
+    /// A file that a LaTeX file includes is missing, or includes itself.
+    ///
+    /// Example: `\input{chapter2}` without a file chapter2.tex. The rest is checked.
+    Include = "E605": "included file",
+    /// The file holds no text, or its characters are not in UTF-8.
+    ///
+    /// Other encodings are guessed. Save the file as UTF-8 to be sure.
+    Encoding = "E606": "not UTF-8",
+    /// A Jupyter notebook that is not made as notebooks are.
+    ///
+    /// Example: half of a file. Open and save it with Jupyter.
+    BrokenNotebook = "E607": "broken notebook",
 }
 
 impl fmt::Display for Code {

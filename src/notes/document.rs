@@ -138,6 +138,32 @@ impl Places {
         at.checked_sub(1).map(|at| self.runs[at])
     }
 
+    /// From `text` on, the text is the part `part` of another text, whose places are `from`.
+    pub(super) fn append(&mut self, text: usize, from: &Places, part: Span) {
+        let first = from.runs.partition_point(|run| run.text <= part.start).saturating_sub(1);
+        for run in from.runs[first..].iter().take_while(|run| run.text < part.end.max(part.start + 1)) {
+            let begin = run.text.max(part.start);
+            let moved = if run.width == 0 { begin - run.text } else { 0 };
+            let file = run.file + moved;
+            self.push_run(Run { text: text + (begin - part.start), file, width: run.width });
+        }
+    }
+
+    /// The same places, if the file they lead to is itself a derived text with places in `outer`.
+    /// `len` is the length of the text.
+    pub(super) fn through(&self, len: usize, outer: &Places) -> Places {
+        let mut places = Places::default();
+        for (i, run) in self.runs.iter().enumerate() {
+            let end = self.runs.get(i + 1).map_or(len, |next| next.text).max(run.text);
+            if run.width == 0 {
+                places.append(run.text, outer, Span::new(run.file, run.file + (end - run.text)));
+            } else {
+                places.push_whole(run.text, outer.span(Span::new(run.file, run.file + run.width)));
+            }
+        }
+        places
+    }
+
     /// The place in the file of a byte of the text.
     pub fn byte(&self, text: usize) -> usize {
         match self.run(text) {
@@ -175,5 +201,22 @@ mod tests {
         places.push_whole(12, Span::new(50, 57));
         assert_eq!(places.span(Span::new(12, 14)), Span::new(50, 57));
         assert_eq!(places.span(Span::new(11, 13)), Span::new(48, 57));
+    }
+
+    #[test]
+    fn places_of_parts_and_of_texts_of_texts() {
+        // Bytes 0..4 at 10..14, 4..6 for 20..25, from 6 on at 30.
+        let mut outer = Places::plain(10);
+        outer.push_whole(4, Span::new(20, 25));
+        outer.push(6, 30, true);
+        let mut part = Places::plain(0);
+        part.append(3, &outer, Span::new(2, 8));
+        assert_eq!((2..9).map(|at| part.byte(at)).collect::<Vec<_>>(), [2, 12, 13, 20, 20, 30, 31]);
+        // A text whose bytes 0..2 stand at 3..5 of the text above, and the rest for its 5..7.
+        let mut inner = Places::plain(3);
+        inner.push_whole(2, Span::new(5, 7));
+        let both = inner.through(4, &outer);
+        assert_eq!((0..4).map(|at| both.byte(at)).collect::<Vec<_>>(), [13, 20, 20, 20]);
+        assert_eq!(both.span(Span::new(2, 4)), Span::new(20, 31));
     }
 }

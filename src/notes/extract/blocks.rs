@@ -7,7 +7,6 @@
 //! until the next line of `$$`.) Time and space are linear in the length of the text.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
 use super::collect::Collector;
 use super::cursor::Cursor;
@@ -20,7 +19,7 @@ use crate::source::Span;
 /// Takes the Markdown text apart.
 pub(super) fn scan(text: &str, out: &mut Collector) {
     let mut blocks =
-        Blocks { text, out, open: Vec::new(), code: None, lines: Vec::new(), searches: BTreeMap::new() };
+        Blocks { text, out, open: Vec::new(), code: None, lines: Vec::new(), no_comment: usize::MAX };
     let mut at = front_matter(text);
     while at < text.len() {
         at = blocks.line(at);
@@ -74,13 +73,6 @@ struct Fence {
     math: Option<Vec<Span>>,
 }
 
-/// The last search for a closing sign: it began at `from` and ended at `to`.
-struct Search {
-    from: usize,
-    to: usize,
-    found: bool,
-}
-
 struct Blocks<'a> {
     text: &'a str,
     out: &'a mut Collector,
@@ -88,8 +80,8 @@ struct Blocks<'a> {
     code: Option<Fence>,
     /// The lines of the paragraph, without the marks of what encloses it.
     lines: Vec<Span>,
-    /// By closing sign; so that many opening signs without a closing one cost one search.
-    searches: BTreeMap<String, Search>,
+    /// From where on no comment ends.
+    no_comment: usize,
 }
 
 impl Blocks<'_> {
@@ -319,11 +311,12 @@ impl Blocks<'_> {
                     }
                     at += 2;
                 }
-                b'<' if self.text[at..].starts_with("<!--") => match self.search(at + 4, "-->") {
+                b'<' if self.text[at..].starts_with("<!--") => match self.comment_end(at + 4) {
                     Some(close) => return Some(close + 3),
                     None => at += 4,
                 },
-                b'$' if bytes.get(at + 1) == Some(&b'$') => match self.search(at + 2, "$$") {
+                b'$' if bytes.get(at + 1) == Some(&b'$') => match display_end(self.text, at + 2, "$$", false)
+                {
                     Some(close) => return Some(close + 2),
                     None => at += 2,
                 },
@@ -337,7 +330,7 @@ impl Blocks<'_> {
     fn opening_command(&mut self, at: usize) -> Option<usize> {
         let rest = &self.text[at..];
         if rest.starts_with(r"\[") {
-            let found = self.search(at + 2, r"\]")?;
+            let found = display_end(self.text, at + 2, r"\]", false)?;
             return inline::is_bracketed_formula(&self.text[at + 2..found]).then_some(found + 2);
         }
         let (name, after) = braced_name(self.text, at + rest.strip_prefix(r"\begin").map(|_| 6)?)?;
@@ -345,21 +338,18 @@ impl Blocks<'_> {
             return None;
         }
         let closing = format!(r"\end{{{name}}}");
-        self.search(after, &closing).map(|found| found + closing.len())
+        display_end(self.text, after, &closing, false).map(|found| found + closing.len())
     }
 
-    /// Where the closing sign stands.
-    fn search(&mut self, from: usize, closing: &str) -> Option<usize> {
-        let text = self.text;
-        if !self.searches.get(closing).is_some_and(|search| (search.from..=search.to).contains(&from)) {
-            let end = match closing {
-                "-->" => text[from..].find("-->").map(|found| from + found).ok_or(text.len()),
-                _ => display_end(text, from, closing),
-            };
-            let (Ok(to) | Err(to)) = end;
-            self.searches.insert(closing.to_owned(), Search { from, to, found: end.is_ok() });
+    fn comment_end(&mut self, from: usize) -> Option<usize> {
+        if from >= self.no_comment {
+            return None;
         }
-        self.searches.get(closing).filter(|search| search.found).map(|search| search.to)
+        let found = self.text[from..].find("-->").map(|found| from + found);
+        if found.is_none() {
+            self.no_comment = from;
+        }
+        found
     }
 
     fn end_paragraph(&mut self) {

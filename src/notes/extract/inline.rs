@@ -3,22 +3,18 @@
 use std::collections::BTreeMap;
 
 use super::collect::Collector;
-use super::signs::{
-    braced_name, display_end, inline_end, is_currency, is_math_environment, line_at, reads_as_prose,
-};
+use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
 use crate::notes::document::{Item, Style};
 use crate::source::Span;
 
 /// Takes the text of a paragraph apart; it stands at byte `start` of the file.
 pub(super) fn paragraph(text: &str, start: usize, out: &mut Collector) {
-    Inline { text, start, out, words: true, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
-        .scan();
+    Inline::new(text, start, true, out).scan();
 }
 
 /// The formulas of a heading.
 pub(super) fn heading(text: &str, start: usize, out: &mut Collector) {
-    Inline { text, start, out, words: false, said: 0, no_code: BTreeMap::new(), no_comment: usize::MAX }
-        .scan();
+    Inline::new(text, start, false, out).scan();
 }
 
 /// The end of the code span that opens at `at`, or of the backquotes there.
@@ -31,10 +27,23 @@ fn run_of(text: &str, at: usize, mark: u8) -> usize {
     text.as_bytes()[at..].iter().take_while(|&&byte| byte == mark).count()
 }
 
+/// Code spans and addresses are this long at most; it keeps looking for their ends linear.
+const NEARBY: usize = 1 << 12;
+
+/// The rest of the line, but not more of it than is worth looking at.
+fn nearby(text: &str) -> &str {
+    let mut end = text.len().min(NEARBY);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let text = &text[..end];
+    text.split('\n').next().unwrap_or(text)
+}
+
 /// The end of the next run of exactly `run` backquotes.
 fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
     let mut at = from;
-    loop {
+    while at < from + 16 * NEARBY {
         at += text[at..].bytes().position(|byte| byte == b'`')?;
         let len = run_of(text, at, b'`');
         at += len;
@@ -42,6 +51,7 @@ fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
             return Some(at);
         }
     }
+    None
 }
 
 /// Whether `\[ … \]` or `\( … \)` holds a formula: Markdown also writes brackets like that.
@@ -57,15 +67,36 @@ struct Inline<'a> {
     out: &'a mut Collector,
     /// Whether the words count: those of a heading do not.
     words: bool,
+    /// Whether what comes next directly follows a formula.
+    after_formula: bool,
     /// Up to where everything was said.
     said: usize,
+    /// Whether a bracket was opened.
+    bracket: bool,
+    /// Tags without a closing tag from here on.
+    no_close: Vec<String>,
     /// For each number of backquotes, from where on no such run stands.
     no_code: BTreeMap<usize, usize>,
     /// From where on no comment ends.
     no_comment: usize,
 }
 
-impl Inline<'_> {
+impl<'a> Inline<'a> {
+    fn new(text: &'a str, start: usize, words: bool, out: &'a mut Collector) -> Self {
+        Inline {
+            text,
+            start,
+            out,
+            words,
+            after_formula: false,
+            said: 0,
+            bracket: false,
+            no_close: Vec::new(),
+            no_code: BTreeMap::new(),
+            no_comment: usize::MAX,
+        }
+    }
+
     fn scan(mut self) {
         let mut at = 0;
         while let Some(&byte) = self.text.as_bytes().get(at) {
@@ -75,6 +106,10 @@ impl Inline<'_> {
                 b'<' => self.angle(at),
                 b'$' => self.dollar(at),
                 b'!' | b']' => self.link(at),
+                b'[' => {
+                    self.bracket = true;
+                    at + 1
+                }
                 b'h' | b'w' => self.address(at),
                 _ => at + 1,
             };
@@ -85,9 +120,11 @@ impl Inline<'_> {
     /// The words up to `at`.
     fn say(&mut self, at: usize) {
         if self.words && self.said < at {
-            self.out.words(&self.text[self.said..at], self.start + self.said);
+            let words = &self.text[self.said..at];
+            self.out.prose(words, self.start + self.said, self.after_formula);
         }
         self.said = self.said.max(at);
+        self.after_formula = false;
     }
 
     /// Passes what is neither words nor formula.
@@ -102,6 +139,7 @@ impl Inline<'_> {
         self.say(from);
         self.out.formula(style, &self.text[text.range()], self.start + text.start);
         self.said = to;
+        self.after_formula = true;
         to
     }
 
@@ -109,7 +147,7 @@ impl Inline<'_> {
         let rest = &self.text[at..];
         for (open, close, style) in [(r"\[", r"\]", Style::Display), (r"\(", r"\)", Style::Inline)] {
             if rest.starts_with(open)
-                && let Ok(end) = display_end(self.text, at + 2, close)
+                && let Some(end) = display_end(self.text, at + 2, close, false)
                 && is_bracketed_formula(&self.text[at + 2..end])
             {
                 return self.formula(style, Span::new(at + 2, end), at, end + 2);
@@ -120,12 +158,12 @@ impl Inline<'_> {
             && is_math_environment(name)
         {
             let closing = format!(r"\end{{{name}}}");
-            return match display_end(self.text, after, &closing) {
-                Ok(end) => {
+            return match display_end(self.text, after, &closing, false) {
+                Some(end) => {
                     let end = end + closing.len();
                     self.formula(Style::Display, Span::new(at, end), at, end)
                 }
-                Err(_) => {
+                None => {
                     self.out.unclosed(&rest[..after - at], self.start + at, &closing);
                     after
                 }
@@ -165,13 +203,25 @@ impl Inline<'_> {
         }
         match tag(rest) {
             Some((len, raw)) => {
-                let hidden = raw.and_then(|name| {
-                    let close = format!("</{name}>");
-                    self.text[at + len..].find(&close).map(|found| found + close.len())
-                });
-                self.skip(at, at + len + hidden.unwrap_or(0))
+                let hidden = raw.map_or(0, |name| self.hidden(at + len, name));
+                self.skip(at, at + len + hidden)
             }
             None => at + 1,
+        }
+    }
+
+    /// How many bytes from `at` on are no text, up to the end of the tag.
+    fn hidden(&mut self, at: usize, name: &str) -> usize {
+        let close = format!("</{name}>");
+        if self.no_close.contains(&close) {
+            return 0;
+        }
+        match self.text[at..].find(&close) {
+            Some(found) => found + close.len(),
+            None => {
+                self.no_close.push(close);
+                0
+            }
         }
     }
 
@@ -185,12 +235,11 @@ impl Inline<'_> {
     }
 
     fn dollar(&mut self, at: usize) -> usize {
-        let run = run_of(self.text, at, b'$');
-        if run >= 2 {
+        if self.text[at..].starts_with("$$") {
             return self.dollars(at);
         }
         if let Some(code) = self.text[at..].strip_prefix("$`")
-            && let Some(len) = line_at(code, 0).find("`$")
+            && let Some(len) = nearby(code).find("`$")
         {
             let text = Span::new(at + 2, at + 2 + len);
             return self.formula(Style::Inline, text, at, text.end + 2);
@@ -208,17 +257,17 @@ impl Inline<'_> {
 
     /// Whether the `$` closes a cell, after a tab, that was opened without one: `$b_0 = c$⇥= d$`.
     fn ends_cell(&self, at: usize) -> bool {
-        let ends_line = line_at(self.text, at + 1).trim().is_empty();
-        ends_line && self.text[self.said..at].starts_with('\t')
+        let rest = self.text[at + 1..].trim_start_matches([' ', '\t', '\r']);
+        (rest.is_empty() || rest.starts_with('\n')) && self.text[self.said..at].starts_with('\t')
     }
 
     fn dollars(&mut self, at: usize) -> usize {
-        match display_end(self.text, at + 2, "$$") {
-            Ok(end) if !self.text[at + 2..end].trim().is_empty() => {
+        match display_end(self.text, at + 2, "$$", false) {
+            Some(end) if !self.text[at + 2..end].trim().is_empty() => {
                 self.formula(Style::Display, Span::new(at + 2, end), at, end + 2)
             }
-            Ok(end) => self.skip(at, end + 2),
-            Err(_) => {
+            Some(end) => self.skip(at, end + 2),
+            None => {
                 self.out.unclosed("$$", self.start + at, "$$");
                 let rest = &self.text[at + 2..];
                 if !rest.contains('$') && rest.contains('\\') && !rest.lines().any(reads_as_prose) {
@@ -236,13 +285,13 @@ impl Inline<'_> {
 
     /// The address of a link or an image.
     fn link(&mut self, at: usize) -> usize {
-        let rest = line_at(self.text, at);
+        let rest = nearby(&self.text[at..]);
         let label = match rest.strip_prefix("![") {
             Some(label) => match label.find("](") {
                 Some(len) => len + 2,
                 None => return at + 1,
             },
-            None if rest.starts_with("](") && self.text[..at].contains('[') => 0,
+            None if rest.starts_with("](") && self.bracket => 0,
             None => return at + 1,
         };
         let mut depth = 0_usize;

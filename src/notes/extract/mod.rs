@@ -15,6 +15,8 @@ mod blocks;
 mod collect;
 mod cursor;
 mod inline;
+mod macros;
+mod plain;
 mod signs;
 
 use super::document::Document;
@@ -48,3 +50,6 @@ pub fn document(file: SourceFile, kind: Container) -> Document {
     }
     Document { file, items: out.items, problems: out.problems }
 }
+
+#[cfg(test)]
+mod tests;

@@ -37,43 +37,55 @@ pub(super) fn braced_name(text: &str, at: usize) -> Option<(&str, usize)> {
     (plain && !name.is_empty()).then_some((name, at + len + 2))
 }
 
-/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `\]`
-/// or `\end{…}`; else the byte where the search stopped.
-pub(super) fn display_end(text: &str, from: usize, closing: &str) -> Result<usize, usize> {
+/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `\]`,
+/// `\)` or `\end{…}`. In a LaTeX file comments are passed over and a blank line ends the search.
+pub(super) fn display_end(text: &str, from: usize, closing: &str, latex: bool) -> Option<usize> {
     let bytes = text.as_bytes();
+    // The same sign once more: the first was not closed. It also keeps repeated searches linear.
+    let again = match closing {
+        r"\]" => r"\[".to_owned(),
+        r"\)" => r"\(".to_owned(),
+        _ => closing.replacen(r"\end", r"\begin", 1),
+    };
     let mut at = from;
     // Whether each open brace belongs to \text or the like, where $…$ may stand.
     let mut braces: Vec<bool> = Vec::new();
+    let mut texts = 0;
     let mut after_blank = false;
     while let Some(&byte) = bytes.get(at) {
         match byte {
-            b'\\' if text[at..].starts_with(closing) => return Ok(at),
+            b'\\' if text[at..].starts_with(closing) => return Some(at),
+            b'\\' if text[at..].starts_with(&again) => return None,
             b'\\' => {
                 at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
                 continue;
             }
-            b'$' if text[at..].starts_with(closing) => return Ok(at),
-            b'$' if !braces.contains(&true) => return Err(at),
-            b'{' => braces.push(opens_text(&text[..at])),
-            b'}' => {
-                braces.pop();
+            b'$' if text[at..].starts_with(closing) => return Some(at),
+            b'$' if texts == 0 => return None,
+            b'{' => {
+                let opens = opens_text(&text[..at]);
+                texts += usize::from(opens);
+                braces.push(opens);
             }
+            b'}' => texts -= usize::from(braces.pop() == Some(true)),
+            b'%' if latex => at += line_at(text, at).len() - 1,
             b'\n' => {
                 let line = line_at(text, at + 1);
                 let bare = line.trim_start_matches([' ', '\t', '>']).trim_end();
-                if is_heading(bare) || is_fence(bare) || (after_blank && reads_as_prose(bare)) {
-                    return Err(at);
+                if latex {
+                    if line.trim().is_empty() {
+                        return None;
+                    }
+                } else if is_heading(bare) || is_fence(bare) || (after_blank && reads_as_prose(bare)) {
+                    return None;
                 }
                 after_blank = bare.is_empty();
-                if after_blank && closing.starts_with(r"\end") {
-                    return Err(at);
-                }
             }
             _ => {}
         }
         at += 1;
     }
-    Err(text.len())
+    None
 }
 
 /// The line that starts at `at`, without its end.
@@ -125,7 +137,8 @@ pub(super) fn reads_as_prose(line: &str) -> bool {
     false
 }
 
-fn is_ideograph(c: char) -> bool {
+/// A character of Chinese, Japanese or Korean.
+pub(super) fn is_ideograph(c: char) -> bool {
     matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}')
 }
 
@@ -137,34 +150,50 @@ pub(super) fn inline_end(text: &str, open: usize) -> Option<usize> {
     (!is_money(content, after) && !is_between_formulas(content)).then_some(close)
 }
 
+/// Within how many bytes a `$` inside \text{…} is looked for.
+const NESTED: usize = 2000;
+
 /// The next `$` that can close a formula; with `nested`, those inside \text{…} are passed over.
 fn next_dollar(text: &str, from: usize, nested: bool) -> Option<usize> {
     let bytes = text.as_bytes();
     let mut braces: Vec<bool> = Vec::new();
+    let mut texts = 0;
     let mut at = from;
     while let Some(&byte) = bytes.get(at) {
         match byte {
             b'\\' => at += 1,
-            b'{' if nested => braces.push(opens_text(&text[from..at])),
-            b'}' if nested => {
-                braces.pop();
+            b'{' if nested => {
+                let opens = opens_text(&text[from..at]);
+                texts += usize::from(opens);
+                braces.push(opens);
             }
-            b'$' if !braces.contains(&true) => {
-                // `$a$$b$` are two formulas; in `$5 and $$x$$` the first sign is a currency.
-                let run = bytes[at..].iter().take_while(|&&byte| byte == b'$').count();
-                let closes = run == 1
-                    || (run == 2
-                        && line_at(text, at + 2).bytes().position(|byte| byte == b'$').is_some_and(|next| {
-                            !line_at(text, at + 2)[next..].starts_with("$$")
-                                && !is_between_formulas(&text[from..at])
-                        }));
-                return closes.then_some(at);
-            }
+            b'}' if nested => texts -= usize::from(braces.pop() == Some(true)),
+            b'$' if texts == 0 => return closes(text, from, at).then_some(at),
+            b'$' if at > from + NESTED => return None,
             _ => {}
         }
         at += 1;
     }
     None
+}
+
+/// Whether the `$` at `at` closes the formula that begins at `from`. In `$a$$b$` it does, there
+/// are two formulas; in `$5 and $$x$$` the first sign is a currency.
+fn closes(text: &str, from: usize, at: usize) -> bool {
+    let rest = &text.as_bytes()[at..];
+    match rest.iter().take(3).take_while(|&&byte| byte == b'$').count() {
+        1 => true,
+        2 => {
+            let next = rest[2..]
+                .iter()
+                .take(NESTED)
+                .take_while(|&&byte| byte != b'\n')
+                .position(|&byte| byte == b'$');
+            next.is_some_and(|next| rest.get(next + 3) != Some(&b'$'))
+                && !is_between_formulas(&text[from..at])
+        }
+        _ => false,
+    }
 }
 
 /// `$5 and $6`: both signs are currencies.
@@ -194,12 +223,14 @@ fn is_between_formulas(content: &str) -> bool {
     });
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
-    words >= 4 && !in_text || (words >= 1 && (open || close) && !signs) || (open != close && words >= 2)
+    words >= 4 && !in_text
+        || (words >= 1 && !signs && (open || close || content.starts_with(|c: char| c.is_ascii_digit())))
+        || (open != close && words >= 2)
 }
 
 /// A sign that amounts to a currency: `$5`, `US$`.
 pub(super) fn is_currency(text: &str, at: usize) -> bool {
-    let rest = line_at(text, at + 1);
+    let rest = &text[at + 1..];
     let digits = rest.bytes().take_while(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',')).count();
     let after = rest[digits..].chars().next();
     (digits > 0
