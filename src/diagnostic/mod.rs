@@ -5,6 +5,7 @@ mod render;
 mod suggest;
 
 pub use code::Code;
+pub(crate) use render::shortened;
 pub use render::{render, render_json};
 pub use suggest::nearest;
 

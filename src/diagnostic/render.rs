@@ -6,7 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde_json::{Value, json};
 
 use super::{Diagnostic, Severity};
-use crate::source::{SourceFile, Span};
+use crate::source::{SourceFile, Span, floor_boundary};
 
 /// A source line longer than this is shown as an excerpt around the place.
 const LONG_LINE: usize = 160;
@@ -14,7 +14,8 @@ const LONG_LINE: usize = 160;
 /// A longer message is shortened in the middle: it quotes something very long.
 const LONG_MESSAGE: usize = 400;
 
-fn shortened(message: &str) -> Cow<'_, str> {
+/// The message, without its middle if it is very long.
+pub(crate) fn shortened(message: &str) -> Cow<'_, str> {
     if message.len() <= LONG_MESSAGE {
         return Cow::Borrowed(message);
     }
@@ -83,14 +84,6 @@ fn excerpt(file: &SourceFile, span: Span) -> (usize, &str) {
     let start = floor_boundary(text, at.saturating_sub(LONG_LINE / 2).max(line_start));
     let end = floor_boundary(text, (start + LONG_LINE).min(line_end));
     (start, &text[start..end])
-}
-
-fn floor_boundary(text: &str, mut at: usize) -> usize {
-    at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
 }
 
 /// The problem as one JSON object.

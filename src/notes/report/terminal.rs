@@ -1,0 +1,163 @@
+//! Findings for a person at a terminal: what is wrong with a caret under it, then the numbers.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str};
+use unicode_width::UnicodeWidthStr;
+
+use super::excerpt::{Excerpt, fitting};
+use super::place::Locator;
+use super::table::render_summary;
+use crate::diagnostic::shortened;
+use crate::notes::finding::{FileReport, Finding, Verdict};
+use crate::source::SourceFile;
+
+const RED: &str = "\x1b[1;31m";
+const GREEN: &str = "\x1b[32m";
+const YELLOW: &str = "\x1b[33m";
+const BLUE: &str = "\x1b[34m";
+const MAGENTA: &str = "\x1b[35m";
+pub(super) const BOLD: &str = "\x1b[1m";
+const FAINT: &str = "\x1b[2m";
+const PLAIN: &str = "\x1b[0m";
+
+/// Formulas are shown on one line of at most this many columns.
+const FORMULA: usize = 64;
+
+/// How to write for a terminal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TextOptions {
+    /// With colors.
+    pub color: bool,
+    /// A line for every finding, not only for those a person should look at.
+    pub verbose: bool,
+}
+
+/// The report for a terminal: a snippet for each refuted or suspicious finding, then a summary.
+/// Problems of the files themselves are only counted; [`crate::diagnostic::render`] shows them.
+pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
+    let mut out = String::new();
+    for report in reports {
+        if options.verbose && !report.findings.is_empty() {
+            lines(&mut out, report, options.color);
+            out.push('\n');
+        }
+        for finding in report.findings.iter().filter(|finding| finding.is_suspicious()) {
+            out.push_str(&snippet(finding, &report.file, options.color));
+            out.push_str("\n\n");
+        }
+    }
+    out.push_str(&render_summary(reports, options.color));
+    out
+}
+
+/// One line for each finding: the verdict, where, the formula, why.
+fn lines(out: &mut String, report: &FileReport, color: bool) {
+    out.push_str(&painted(&plain(report.file.name()), BOLD, color));
+    out.push('\n');
+    let mut locator = Locator::new(&report.file);
+    let places: Vec<String> = report
+        .findings
+        .iter()
+        .map(|finding| {
+            let start = locator.region(finding.span).start;
+            format!("{}:{}", start.line, start.column)
+        })
+        .collect();
+    let widest = places.iter().map(String::len).max().unwrap_or(0);
+    for (finding, place) in report.findings.iter().zip(&places) {
+        let word = format!("{:<10}", finding.verdict.word());
+        let mut line = format!(
+            "  {} {place:<widest$}  {}",
+            painted(&word, style(finding.verdict), color),
+            one_line(&finding.latex, FORMULA)
+        );
+        let remarks = [&finding.reason, &finding.instances, &finding.warning];
+        for remark in remarks.into_iter().flatten() {
+            line.push_str("  ");
+            line.push_str(&painted(&one_line(remark, 2 * FORMULA), FAINT, color));
+        }
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+}
+
+/// The source with a caret, and what is to be said about it.
+fn snippet(finding: &Finding, file: &SourceFile, color: bool) -> String {
+    let refuted = finding.verdict == Verdict::Refuted;
+    let headline = match (refuted, &finding.reason, &finding.warning) {
+        (true, Some(reason), _) => shortened(reason),
+        (true, None, _) => "the two sides differ".into(),
+        (false, _, Some(warning)) => shortened(warning),
+        (false, _, None) => "worth a look".into(),
+    };
+    let level =
+        if refuted { Level::ERROR.with_name("refuted") } else { Level::WARNING.with_name("suspicious") };
+    let excerpt = Excerpt::new(file, finding.span, finding.mark);
+    let (line, column) = excerpt.place;
+    let source = Snippet::source(excerpt.text.as_str())
+        .line_start(excerpt.first_line)
+        .fold(false)
+        .annotation(AnnotationKind::Primary.span(excerpt.mark.clone()));
+    let mut group = Group::with_title(level.primary_title(headline))
+        .element(Origin::path(file.name()).line(line).char_column(column))
+        .element(source);
+    let suspicion = finding.warning.as_ref().filter(|_| refuted);
+    let reason = finding.reason.as_ref().filter(|_| !refuted);
+    let remarks = [
+        (Level::NOTE.with_name(finding.verdict.word()), reason),
+        (Level::NOTE.with_name("counterexample"), finding.witness.as_ref()),
+        (Level::HELP.with_name("suggestion"), finding.suggestion.as_ref()),
+        (Level::NOTE.with_name("tried"), finding.instances.as_ref()),
+        (Level::WARNING, suspicion),
+    ];
+    for (level, text) in remarks {
+        if let Some(text) = text {
+            group = group.element(level.message(normalize_untrusted_str(&shortened(text))));
+        }
+    }
+    for note in &finding.notes {
+        let text = normalize_untrusted_str(&shortened(note));
+        group = group.element(Level::NOTE.with_name("assumed").message(text));
+    }
+    let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+    renderer.render(&[group])
+}
+
+fn style(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Definition => BLUE,
+        Verdict::Proved | Verdict::Sampled => GREEN,
+        Verdict::Refuted => RED,
+        Verdict::Undecided => YELLOW,
+        Verdict::Unread => MAGENTA,
+    }
+}
+
+pub(super) fn painted(text: &str, style: &str, color: bool) -> String {
+    if color { format!("{style}{text}{PLAIN}") } else { text.to_owned() }
+}
+
+/// The text without characters that would move the cursor of a terminal.
+pub(super) fn plain(text: &str) -> String {
+    normalize_untrusted_str(text).replace('\n', " ")
+}
+
+/// The text on one line of limited width.
+pub(super) fn one_line(text: &str, columns: usize) -> String {
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+        // What comes after cannot be seen; a formula may be very long.
+        if line.len() > 16 * columns {
+            break;
+        }
+    }
+    let mut line = plain(&line);
+    if line.width() > columns {
+        line.truncate(fitting(&line, columns - 1));
+        line.push('…');
+    }
+    line
+}
