@@ -5,8 +5,8 @@ mod render;
 mod suggest;
 
 pub use code::Code;
-pub(crate) use render::shortened;
 pub use render::{render, render_json};
+pub(crate) use render::{shortened, with_column};
 pub use suggest::nearest;
 
 use crate::source::Span;

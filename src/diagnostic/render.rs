@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
 use serde_json::{Value, json};
 
 use super::{Diagnostic, Severity};
@@ -68,7 +68,25 @@ pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
         group = group.element(Level::HELP.message(shortened(hint)));
     }
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
-    renderer.render(&[group])
+    let text = renderer.render(&[group]);
+    match (problem.span, &window, path) {
+        (Some(span), Some((start, excerpt)), Some(place)) => {
+            let before = span.start.saturating_sub(*start).min(excerpt.len());
+            let shown = excerpt[..floor_boundary(excerpt, before)].chars().count() + 1;
+            with_column(text, file, place, shown)
+        }
+        _ => text,
+    }
+}
+
+/// The renderer takes the column from what it shows of the line; this puts in that of the file.
+pub(crate) fn with_column(text: String, file: &SourceFile, place: (usize, usize), shown: usize) -> String {
+    let (line, column) = place;
+    if shown == column {
+        return text;
+    }
+    let name = normalize_untrusted_str(file.name());
+    text.replacen(&format!("{name}:{line}:{shown}"), &format!("{name}:{line}:{column}"), 1)
 }
 
 /// The line that holds the start of `span`, cut to a window when it is very long:
@@ -106,4 +124,18 @@ pub fn render_json(problem: &Diagnostic, file: &SourceFile) -> Value {
         "place": place,
         "hints": problem.hints.iter().map(|hint| shortened(hint)).collect::<Vec<_>>(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Code;
+
+    #[test]
+    fn the_column_is_that_of_the_file() {
+        let file = SourceFile::new("a.md", format!("one\n{}x?", "多".repeat(200)));
+        let problem = Diagnostic::error(Code::UnexpectedCharacter, "what is '?'").at(Span::new(605, 606));
+        let text = render(&problem, &file, false);
+        assert!(text.contains("a.md:2:202"), "{text}");
+    }
 }

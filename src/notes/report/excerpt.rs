@@ -24,6 +24,8 @@ pub(super) struct Excerpt {
     pub first_line: usize,
     /// The mark in `text`.
     pub mark: Range<usize>,
+    /// The column of the mark in `text`.
+    pub column: usize,
     /// Line and column of the mark in the file.
     pub place: (usize, usize),
 }
@@ -40,7 +42,8 @@ impl Excerpt {
             start = line_start(text, start - 1);
             first_line -= 1;
         }
-        let mut excerpt = Excerpt { text: String::new(), first_line, mark: 0..0, place: (line, column) };
+        let mut excerpt =
+            Excerpt { text: String::new(), first_line, mark: 0..0, column: 1, place: (line, column) };
         let mut behind = 0;
         for number in first_line.. {
             let end = text[start..].find('\n').map_or(text.len(), |at| start + at);
@@ -75,6 +78,8 @@ impl Excerpt {
             let shown = |byte: usize| at + byte.clamp(window.start, window.end) - window.start;
             if self.mark == (0..0) {
                 self.mark.start = shown(focus.start);
+                let line = self.text[..self.mark.start].rfind('\n').map_or(0, |at| at + 1);
+                self.column = self.text[line..self.mark.start].chars().count() + 1;
             }
             self.mark.end = shown(focus.end);
         }

@@ -152,6 +152,12 @@ fn finding(id: &str, finding: &Finding, locator: &mut Locator) -> Markup {
 }
 
 fn remarks(finding: &Finding) -> Markup {
+    let silent = [&finding.witness, &finding.suggestion, &finding.instances, &finding.warning]
+        .into_iter()
+        .all(Option::is_none);
+    if silent && finding.notes.is_empty() {
+        return html! {};
+    }
     let remark = |label: &str, text: &str| html! { dt { (label) } dd { (clean(text)) } };
     html! {
         dl {

@@ -7,6 +7,7 @@
 use std::convert::Infallible;
 
 use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::event::{Content, Event};
 use pulldown_latex::{Parser, Storage, push_mathml};
 
 /// Formulas with more commands and braces than this stay as source: each may be a level of
@@ -53,11 +54,59 @@ fn rendered(latex: &str) -> Option<String> {
     let storage = Storage::new();
     // An error is rendered as a message within the formula; here it ends the attempt instead.
     let events: Vec<_> = Parser::new(latex, &storage).collect::<Result<_, _>>().ok()?;
+    if events.iter().any(is_markup) {
+        return None;
+    }
     let mut out = String::new();
     let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
     push_mathml(&mut out, events.into_iter().map(Ok::<_, Infallible>), config).ok()?;
-    Some(out)
+    let math = escaped(&out);
+    is_well_formed(&math).then_some(math)
 }
+
+/// pulldown-latex escapes text, but not the names of functions.
+fn is_markup(event: &Event) -> bool {
+    matches!(event, Event::Content(Content::Function(name)) if name.contains(['<', '>', '&']))
+}
+
+/// It does not escape operators either, which are single characters: what opens no tag is text,
+/// and so is what closes none.
+fn escaped(math: &str) -> String {
+    let mut out = String::with_capacity(math.len());
+    let mut before = ' ';
+    for (at, character) in math.char_indices() {
+        let after = &math[at + character.len_utf8()..];
+        match character {
+            '<' if !after.starts_with(|c: char| c == '/' || c.is_ascii_alphabetic()) => out.push_str("&lt;"),
+            '>' if before == '>' => out.push_str("&gt;"),
+            '&' if !ENTITIES.iter().any(|entity| after.starts_with(entity)) => out.push_str("&amp;"),
+            _ => out.push(character),
+        }
+        before = character;
+    }
+    out
+}
+
+/// Whether all tags are closed in order: a few strange formulas, such as `\\^x`, come out broken.
+fn is_well_formed(math: &str) -> bool {
+    let mut open = Vec::new();
+    for piece in math.split('<').skip(1) {
+        let Some((tag, text)) = piece.split_once('>') else { return false };
+        match tag.strip_prefix('/') {
+            Some(name) if open.pop() == Some(name) => {}
+            Some(_) => return false,
+            None if tag.ends_with('/') => {}
+            None => open.push(tag.split(' ').next().unwrap_or(tag)),
+        }
+        if text.contains('>') {
+            return false;
+        }
+    }
+    open.is_empty()
+}
+
+/// What follows `&` where it is not text.
+const ENTITIES: [&str; 5] = ["lt;", "gt;", "amp;", "quot;", "#"];
 
 /// The formula in the words of pulldown-latex.
 fn prepared(latex: &str) -> String {
@@ -150,6 +199,7 @@ mod tests {
 
     #[test]
     fn text_is_escaped() {
+        assert_eq!(mathml(r"\operatorname{<img src=x>}"), None);
         let math = mathml(r"\text{<script>alert('&')</script>} < 1").expect("it can be rendered");
         assert!(!math.contains("<script"), "{math}");
         for latex in [r#"\color{red" onclick="x}a"#, r"\href{javascript:alert(1)}{x}"] {
@@ -185,12 +235,12 @@ mod tests {
             parts in prop::collection::vec(prop::sample::select(vec![
                 "\\frac", "{", "}", "^", "_", "\\left(", "\\right)", "&", "\\\\", "\\begin{matrix}",
                 "\\end{matrix}", "\\begin", "\\end", "x", "'", "\\hat", "\\text{<b>}", "\\", "中", "[",
-                "]", "\\sqrt", "\\limits", "\\sum", "\\displaystyle", "\\pmb", " ", "%", "#1", "\u{0}",
+                "]", "\\sqrt", "\\limits", "\\sum", "\\displaystyle", "\\pmb", " ", "%", "<", ">", "\\&", "\\mathrm{<a>}", "\\operatorname{<c>}", "\\not<", "\\left<", "#1", "\u{0}",
             ]), 0..16)
         ) {
             if let Some(math) = mathml(&parts.concat()) {
                 prop_assert!(math.starts_with("<math") && math.ends_with("</math>"));
-                prop_assert!(!math.contains("<b>"));
+                prop_assert!(!["<a", "<b", "<c"].iter().any(|tag| math.contains(tag)), "{}", math);
             }
         }
     }

@@ -1,12 +1,12 @@
 //! Findings for a person at a terminal: what is wrong with a caret under it, then the numbers.
 
-use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet, normalize_untrusted_str};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
 use unicode_width::UnicodeWidthStr;
 
 use super::excerpt::{Excerpt, fitting};
 use super::place::Locator;
 use super::table::render_summary;
-use crate::diagnostic::shortened;
+use crate::diagnostic::{shortened, with_column};
 use crate::notes::finding::{FileReport, Finding, Verdict};
 use crate::source::SourceFile;
 
@@ -92,14 +92,12 @@ fn snippet(finding: &Finding, file: &SourceFile, color: bool) -> String {
     let level =
         if refuted { Level::ERROR.with_name("refuted") } else { Level::WARNING.with_name("suspicious") };
     let excerpt = Excerpt::new(file, finding.span, finding.mark);
-    let (line, column) = excerpt.place;
     let source = Snippet::source(excerpt.text.as_str())
         .line_start(excerpt.first_line)
+        .path(file.name())
         .fold(false)
         .annotation(AnnotationKind::Primary.span(excerpt.mark.clone()));
-    let mut group = Group::with_title(level.primary_title(headline))
-        .element(Origin::path(file.name()).line(line).char_column(column))
-        .element(source);
+    let mut group = Group::with_title(level.primary_title(headline)).element(source);
     let suspicion = finding.warning.as_ref().filter(|_| refuted);
     let reason = finding.reason.as_ref().filter(|_| !refuted);
     let remarks = [
@@ -119,7 +117,7 @@ fn snippet(finding: &Finding, file: &SourceFile, color: bool) -> String {
         group = group.element(Level::NOTE.with_name("assumed").message(text));
     }
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
-    renderer.render(&[group])
+    with_column(renderer.render(&[group]), file, excerpt.place, excerpt.column)
 }
 
 fn style(verdict: Verdict) -> &'static str {

@@ -44,6 +44,7 @@ fn lecture() -> FileReport {
          {long}$\\sigma_{{1,2}} = t_1+t_2$ 而且 $\\sum_{{i=0}}^n B_i^n(t) = 1$。\n\n\
          其中 $t$ 与 $x > y$，$\\foo{{t}} = 1$\n"
     );
+    let alone = Span::new(at(&text, "t$ 与").start, at(&text, "$ 与").start);
     let findings = vec![
         Finding {
             reason: some("F is used as t^2 + 2t from here on"),
@@ -76,7 +77,7 @@ fn lecture() -> FileReport {
             instances: some("7 instances: n from 0 to 6"),
             ..finding(&text, "\\sum_{i=0}^n B_i^n(t) = 1", "=", Verdict::Sampled)
         },
-        Finding { relation: 0, ..finding(&text, "t$ 与", "t", Verdict::Undecided) },
+        Finding { span: alone, mark: alone, relation: 0, ..finding(&text, "t", "t", Verdict::Undecided) },
         Finding {
             reason: some("nothing is known of x and y"),
             ..finding(&text, "x > y", ">", Verdict::Undecided)
