@@ -57,6 +57,7 @@ pub fn render_summary(reports: &[FileReport], color: bool) -> String {
 
 fn share(tally: &Tally) -> String {
     match tally.percent_judged() {
+        None if tally.problems() > 0 => "nothing could be read".to_owned(),
         None => "nothing to judge".to_owned(),
         Some(percent) => {
             let statements = counted(tally.statements(), "statement", "statements");
