@@ -15,43 +15,50 @@ const LINES: usize = 6;
 /// Lines of the same formula shown before and behind the mark.
 const AROUND: usize = 2;
 
+/// Bytes that are looked at before and behind a mark to find the ends of its line.
+const REACH: usize = 4096;
+
 /// Some lines of a file with a mark in them.
 #[derive(Debug, PartialEq)]
 pub(super) struct Excerpt {
     /// The lines; what was cut off shows as `…`.
     pub text: String,
-    /// The number of the first one.
-    pub first_line: usize,
+    /// How many of them come before the mark.
+    pub before: usize,
+    /// Where the mark starts in the file.
+    pub start: usize,
     /// The mark in `text`.
     pub mark: Range<usize>,
-    /// The column of the mark in `text`.
+    /// The column of the mark in `text`, in characters from 1.
     pub column: usize,
-    /// Line and column of the mark in the file.
-    pub place: (usize, usize),
 }
 
 impl Excerpt {
-    /// The lines of `mark`, with their neighbours as far as they belong to `whole`.
+    /// The lines of `mark`, with their neighbours as far as they belong to `whole`. The cost does
+    /// not depend on the length of the file or of its lines.
     pub fn new(file: &SourceFile, whole: Span, mark: Span) -> Self {
         let text = file.text();
         let (whole, mark) = (trimmed(text, whole), trimmed(text, mark));
-        let (line, column) = file.line_column(mark.start);
-        let mut start = line_start(text, mark.start);
-        let mut first_line = line;
-        while first_line + AROUND > line && start > 0 && start > whole.start {
-            start = line_start(text, start - 1);
-            first_line -= 1;
-        }
         let mut excerpt =
-            Excerpt { text: String::new(), first_line, mark: 0..0, column: 1, place: (line, column) };
+            Excerpt { text: String::new(), before: 0, start: mark.start, mark: 0..0, column: 1 };
+        let found = line_start(text, mark.start);
+        let mut start = found.unwrap_or_else(|| floor_boundary(text, mark.start.saturating_sub(REACH)));
+        while excerpt.before < AROUND && found.is_some() && start > whole.start.max(1) {
+            let Some(previous) = line_start(text, start - 1) else { break };
+            start = previous;
+            excerpt.before += 1;
+        }
         let mut behind = 0;
-        for number in first_line.. {
-            let end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+        for number in 0.. {
+            let horizon = floor_boundary(text, start + 2 * REACH);
+            let line_end = text[start..horizon].find('\n').map(|at| start + at);
+            let end = line_end.unwrap_or(horizon);
+            let cut = (number == 0 && found.is_none(), line_end.is_none() && horizon < text.len());
             let marked = mark.start.max(start)..mark.end.min(end);
-            excerpt.push_line(&text[start..end], start, (marked.start <= marked.end).then_some(marked));
+            excerpt.push_line(&text[start..end], start, cut, (marked.start <= marked.end).then_some(marked));
             behind += usize::from(mark.end <= end);
-            let enough = behind > AROUND || number >= line + LINES;
-            if enough || end >= text.len() || (behind > 0 && end >= whole.end) {
+            let enough = behind > AROUND || number >= excerpt.before + LINES;
+            if enough || line_end.is_none() || (behind > 0 && end >= whole.end) {
                 break;
             }
             start = end + 1;
@@ -60,18 +67,19 @@ impl Excerpt {
         excerpt
     }
 
-    /// Adds a line that starts at byte `start` of the file, with its part of the mark.
-    fn push_line(&mut self, line: &str, start: usize, marked: Option<Range<usize>>) {
+    /// Adds a line that starts at byte `start` of the file, with its part of the mark; `cut` says
+    /// whether there is more of it on the left and on the right.
+    fn push_line(&mut self, line: &str, start: usize, cut: (bool, bool), marked: Option<Range<usize>>) {
         let line = line.strip_suffix('\r').unwrap_or(line);
         let local = |byte: usize| byte.saturating_sub(start).min(line.len());
         let focus = marked.clone().map_or(0..0, |part| local(part.start)..local(part.end));
         let window = window(line, &focus);
-        if window.start > 0 {
+        if window.start > 0 || cut.0 {
             self.text.push('…');
         }
         let at = self.text.len();
         self.text.push_str(&line[window.clone()]);
-        if window.end < line.len() {
+        if window.end < line.len() || cut.1 {
             self.text.push('…');
         }
         if marked.is_some() {
@@ -98,8 +106,13 @@ fn trimmed(text: &str, span: Span) -> Span {
     Span::new(start, start + inner.len())
 }
 
-fn line_start(text: &str, byte: usize) -> usize {
-    text[..byte].rfind('\n').map_or(0, |at| at + 1)
+/// Where the line of a byte starts, if that is not too far.
+fn line_start(text: &str, byte: usize) -> Option<usize> {
+    let from = floor_boundary(text, byte.saturating_sub(REACH));
+    match text[from..byte].rfind('\n') {
+        Some(at) => Some(from + at + 1),
+        None => (from == 0).then_some(0),
+    }
 }
 
 /// The part of a line that is shown: all of it, or the columns around the start of `focus`.
@@ -152,10 +165,10 @@ mod tests {
     fn neighbours_belong_to_the_formula() {
         let text = "before\n$$\na\nb = 1\nc\n$$\nbehind";
         let excerpt = of(text, "a\nb = 1\nc", "=");
-        assert_eq!((excerpt.text.as_str(), excerpt.first_line), ("a\nb = 1\nc", 3));
-        assert_eq!((&excerpt.text[excerpt.mark.clone()], excerpt.place), ("=", (4, 3)));
+        assert_eq!((excerpt.text.as_str(), excerpt.before), ("a\nb = 1\nc", 1));
+        assert_eq!((&excerpt.text[excerpt.mark.clone()], excerpt.column), ("=", 3));
         let alone = of(text, "b = 1", "=");
-        assert_eq!((alone.text.as_str(), alone.first_line), ("b = 1", 4));
+        assert_eq!((alone.text.as_str(), alone.before), ("b = 1", 0));
     }
 
     #[test]
@@ -166,12 +179,14 @@ mod tests {
 
     #[test]
     fn long_lines_are_cut_around_the_mark() {
-        let text = format!("{}控制点 b = c {}", "多项式".repeat(100), "words ".repeat(100));
-        let excerpt = of(&text, "b = c", "=");
-        assert!(excerpt.text.width() <= WIDTH + 2, "{}", excerpt.text.width());
-        assert!(excerpt.text.starts_with('…') && excerpt.text.ends_with('…'));
-        assert_eq!(&excerpt.text[excerpt.mark], "=");
-        assert_eq!(excerpt.place, (1, 307));
+        for times in [100, 10_000] {
+            let text = format!("{}控制点 b = c {}", "多项式".repeat(times), "words ".repeat(times));
+            let excerpt = of(&text, "b = c", "=");
+            assert!(excerpt.text.width() <= WIDTH + 2, "{}", excerpt.text.width());
+            assert!(excerpt.text.starts_with('…') && excerpt.text.ends_with('…'));
+            assert_eq!(&excerpt.text[excerpt.mark.clone()], "=");
+            assert_eq!(excerpt.text.chars().nth(excerpt.column - 1), Some('='));
+        }
     }
 
     #[test]
@@ -194,7 +209,7 @@ mod tests {
             let [a, b, c, d] = places;
             let excerpt = Excerpt::new(&SourceFile::new("x", text), Span::new(a, b), Span::new(c, d));
             prop_assert!(excerpt.text.get(excerpt.mark.clone()).is_some(), "{:?}", excerpt);
-            prop_assert!(excerpt.first_line <= excerpt.place.0);
+            prop_assert!(excerpt.before <= excerpt.text[..excerpt.mark.start].lines().count());
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::counted;
 use super::json::{pretty, problems};
 use super::place::Locator;
 use super::terminal::{BOLD, painted, plain};
@@ -12,7 +13,8 @@ pub fn render_listing(reports: &[FileReport], color: bool) -> String {
     let mut out = String::new();
     for report in reports {
         let unread = report.count(Verdict::Unread);
-        let mut head = format!("{}: {} entries", plain(report.file.name()), report.findings.len());
+        let entries = counted(report.findings.len(), "entry", "entries");
+        let mut head = format!("{}: {entries}", plain(report.file.name()));
         if unread > 0 {
             head.push_str(&format!(", {unread} not read"));
         }

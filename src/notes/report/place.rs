@@ -41,6 +41,11 @@ impl<'a> Locator<'a> {
         Locator { starts: Cursor::new(file.text()), ends: Cursor::new(file.text()) }
     }
 
+    /// The place of one byte, asked for in the order of the file.
+    pub fn place(&mut self, byte: usize) -> Place {
+        self.starts.place(byte)
+    }
+
     pub fn region(&mut self, span: Span) -> Region {
         Region { start: self.starts.place(span.start), end: self.ends.place(span.end) }
     }

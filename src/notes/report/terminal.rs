@@ -40,8 +40,9 @@ pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
             lines(&mut out, report, options.color);
             out.push('\n');
         }
+        let mut locator = Locator::new(&report.file);
         for finding in report.findings.iter().filter(|finding| finding.is_suspicious()) {
-            out.push_str(&snippet(finding, &report.file, options.color));
+            out.push_str(&snippet(finding, &report.file, &mut locator, options.color));
             out.push_str("\n\n");
         }
     }
@@ -81,7 +82,7 @@ fn lines(out: &mut String, report: &FileReport, color: bool) {
 }
 
 /// The source with a caret, and what is to be said about it.
-fn snippet(finding: &Finding, file: &SourceFile, color: bool) -> String {
+fn snippet(finding: &Finding, file: &SourceFile, locator: &mut Locator, color: bool) -> String {
     let refuted = finding.verdict == Verdict::Refuted;
     let headline = match (refuted, &finding.reason, &finding.warning) {
         (true, Some(reason), _) => shortened(reason),
@@ -92,32 +93,33 @@ fn snippet(finding: &Finding, file: &SourceFile, color: bool) -> String {
     let level =
         if refuted { Level::ERROR.with_name("refuted") } else { Level::WARNING.with_name("suspicious") };
     let excerpt = Excerpt::new(file, finding.span, finding.mark);
+    let place = locator.place(excerpt.start);
     let source = Snippet::source(excerpt.text.as_str())
-        .line_start(excerpt.first_line)
+        .line_start(place.line.saturating_sub(excerpt.before))
         .path(file.name())
         .fold(false)
         .annotation(AnnotationKind::Primary.span(excerpt.mark.clone()));
     let mut group = Group::with_title(level.primary_title(headline)).element(source);
     let suspicion = finding.warning.as_ref().filter(|_| refuted);
     let reason = finding.reason.as_ref().filter(|_| !refuted);
+    let short = |text: &'_ String| normalize_untrusted_str(&shortened(text));
+    // A suggestion is there to be copied: all of it.
+    let whole = |text: &'_ String| normalize_untrusted_str(text.trim());
     let remarks = [
-        (Level::NOTE.with_name(finding.verdict.word()), reason),
-        (Level::NOTE.with_name("counterexample"), finding.witness.as_ref()),
-        (Level::HELP.with_name("suggestion"), finding.suggestion.as_ref()),
-        (Level::NOTE.with_name("tried"), finding.instances.as_ref()),
-        (Level::WARNING, suspicion),
+        (Level::NOTE.with_name(finding.verdict.word()), reason.map(short)),
+        (Level::NOTE.with_name("counterexample"), finding.witness.as_ref().map(short)),
+        (Level::HELP.with_name("suggestion"), finding.suggestion.as_ref().map(whole)),
+        (Level::NOTE.with_name("tried"), finding.instances.as_ref().map(short)),
+        (Level::WARNING, suspicion.map(short)),
     ];
-    for (level, text) in remarks {
+    let assumed = finding.notes.iter().map(|note| (Level::NOTE.with_name("assumed"), Some(short(note))));
+    for (level, text) in remarks.into_iter().chain(assumed) {
         if let Some(text) = text {
-            group = group.element(level.message(normalize_untrusted_str(&shortened(text))));
+            group = group.element(level.message(text));
         }
     }
-    for note in &finding.notes {
-        let text = normalize_untrusted_str(&shortened(note));
-        group = group.element(Level::NOTE.with_name("assumed").message(text));
-    }
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
-    with_column(renderer.render(&[group]), file, excerpt.place, excerpt.column)
+    with_column(renderer.render(&[group]), file, (place.line, place.column), excerpt.column)
 }
 
 fn style(verdict: Verdict) -> &'static str {
