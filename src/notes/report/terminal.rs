@@ -33,6 +33,31 @@ pub struct TextOptions {
 
 /// The report for a terminal: a snippet for each refuted or suspicious finding, then a summary.
 /// Problems of the files themselves are only counted; [`crate::diagnostic::render`] shows them.
+/// Cost: linear in the findings shown and, once, in the file.
+///
+/// ```
+/// use polarform::notes::finding::{FileReport, Finding, Verdict};
+/// use polarform::notes::report::{TextOptions, render_text};
+/// use polarform::source::{SourceFile, Span};
+/// let wrong = Finding {
+///     span: Span::new(1, 10),
+///     mark: Span::new(9, 10),
+///     latex: "2 + 2 = 5".to_owned(),
+///     reading: "2 + 2 = 5".to_owned(),
+///     relation: 1,
+///     verdict: Verdict::Refuted,
+///     reason: Some("the left side is 4".to_owned()),
+///     witness: None,
+///     suggestion: Some("2 + 2 = 4".to_owned()),
+///     instances: None,
+///     warning: None,
+///     notes: Vec::new(),
+/// };
+/// let file = SourceFile::new("sums.md", "$2 + 2 = 5$");
+/// let report = FileReport { file, findings: vec![wrong], problems: Vec::new() };
+/// let text = render_text(&[report], TextOptions::default());
+/// assert!(text.starts_with("refuted: the left side is 4\n --> sums.md:1:10\n"));
+/// ```
 pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
     let mut out = String::new();
     for report in reports {
