@@ -112,6 +112,15 @@ impl SourceFile {
     }
 }
 
+/// The nearest place at or before `at` that does not cut a character in two.
+pub(crate) fn floor_boundary(text: &str, mut at: usize) -> usize {
+    at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

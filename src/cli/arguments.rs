@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -43,9 +44,9 @@ pub(super) struct Global {
     /// Color of messages
     #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
     pub color: Color,
-    /// Time allowed for each statement (0: no limit)
-    #[arg(long, global = true, default_value_t = 60.0, value_name = "SECONDS")]
-    pub timeout: f64,
+    /// Time allowed for each statement (0: no limit) [default: 60; 5 for a formula of notes]
+    #[arg(long, global = true, value_name = "SECONDS")]
+    pub timeout: Option<f64>,
     /// Number of terms a value may have
     #[arg(long, global = true, default_value_t = 4_000_000, value_name = "N")]
     pub max_terms: u64,
@@ -65,8 +66,14 @@ fn parse_method(text: &str) -> Result<Method, String> {
 impl Global {
     /// The limits they ask for.
     pub fn limits(&self) -> Limits {
-        let time = (self.timeout > 0.0 && self.timeout.is_finite())
-            .then(|| Duration::try_from_secs_f64(self.timeout).ok())
+        self.limits_or(60.0)
+    }
+
+    /// The limits they ask for, with this many seconds if they say nothing about time.
+    pub fn limits_or(&self, seconds: f64) -> Limits {
+        let seconds = self.timeout.unwrap_or(seconds);
+        let time = (seconds > 0.0 && seconds.is_finite())
+            .then(|| Duration::try_from_secs_f64(seconds).ok())
             .flatten();
         Limits { time, terms: self.max_terms, depth: self.max_depth, ..Limits::default() }
     }
@@ -102,6 +109,17 @@ pub(super) enum Color {
     Always,
     /// Never
     Never,
+}
+
+impl Color {
+    /// Whether to color what goes to a terminal, or elsewhere.
+    pub fn wanted(self, terminal: bool) -> bool {
+        match self {
+            Color::Always => true,
+            Color::Never => false,
+            Color::Auto => terminal && std::env::var_os("NO_COLOR").is_none(),
+        }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -190,6 +208,9 @@ pub(super) enum Command {
         #[arg(long, value_name = "DEF")]
         given: Vec<String>,
     },
+    /// Check the formulas of lecture notes, or list them
+    #[command(subcommand)]
+    Notes(Notes),
     /// Explain an error code such as E304
     Explain {
         /// The code; without one, all codes are listed
@@ -200,6 +221,66 @@ pub(super) enum Command {
         /// A name
         name: Option<String>,
     },
+}
+
+/// What to do with lecture notes.
+#[derive(Debug, Subcommand)]
+pub(super) enum Notes {
+    /// A verdict for every formula: Markdown, LaTeX or Jupyter notebooks
+    #[command(after_help = "Examples:\n  \
+        polarform notes check lecture.md\n  \
+        polarform notes check lectures/*.tex --context definitions.txt\n  \
+        polarform notes check lecture.md -o report.html --watch\n\n\
+        Exit status: 1 if a formula is refuted, else 2 if a file could not be read, else 0.")]
+    Check(NotesCheck),
+    /// The formulas as they are read, printed anew as LaTeX
+    List {
+        /// Files of notes
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Files read at the same time (as many as there are processors if not given)
+        #[arg(long, short = 'j', value_name = "N")]
+        jobs: Option<NonZeroUsize>,
+    },
+}
+
+/// How to check lecture notes.
+#[derive(Debug, Args)]
+pub(super) struct NotesCheck {
+    /// Files of notes
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Declarations for all files: definitions, degrees, ranges, in the query language
+    #[arg(long, value_name = "FILE")]
+    pub context: Option<PathBuf>,
+    /// A line for every formula
+    #[arg(long, short)]
+    pub verbose: bool,
+    /// The kind of report (if not given: by the name of the output file, else text)
+    #[arg(long, value_enum, value_name = "KIND")]
+    pub report: Option<ReportKind>,
+    /// Write the report to a file, and only a summary to standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Check again whenever a file changes, until Ctrl-C
+    #[arg(long, short)]
+    pub watch: bool,
+    /// Files checked at the same time (as many as there are processors if not given)
+    #[arg(long, short = 'j', value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
+}
+
+/// How to report on lecture notes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ReportKind {
+    /// For a terminal
+    Text,
+    /// For programs
+    Json,
+    /// SARIF 2.1.0, for code hosts and editors
+    Sarif,
+    /// A page for a browser
+    Html,
 }
 
 /// Two polynomials.

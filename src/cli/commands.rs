@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 
 use super::Status;
-use super::arguments::{Arguments, Command, Two};
+use super::arguments::{Arguments, Command, Global, Two};
 use super::output::{Output, Trouble};
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::eval::{BUILTINS, Equals, builtin};
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Status {
     let result = match &arguments.command {
         None if io::stdin().is_terminal() => return super::repl::run(&mut session, &mut output),
         None => script(&mut session, &output, Path::new("-"), false),
-        Some(command) => dispatch(command, &mut session, &output),
+        Some(command) => dispatch(command, &arguments.global, &mut session, &output),
     };
     match result {
         Ok(status) => status,
@@ -85,7 +85,7 @@ fn report(output: &Output, trouble: &Trouble, file: &SourceFile) -> Status {
     }
 }
 
-fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
+fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &Output) -> Ran {
     match command {
         Command::Eval { statements } => {
             let mut status = Status::Fine;
@@ -173,6 +173,7 @@ fn dispatch(command: &Command, session: &mut Session, output: &Output) -> Ran {
             Ok(Status::Fine)
         }
         Command::Check { claim, given } => check(session, output, claim, given),
+        Command::Notes(notes) => super::notes::run(notes, global, output),
         Command::Explain { code } => explain(output, code.as_deref()),
         Command::Functions { name } => functions(output, name.as_deref()),
     }

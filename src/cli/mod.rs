@@ -2,9 +2,11 @@
 
 mod arguments;
 mod commands;
+mod notes;
 mod output;
 mod repl;
 mod repl_helper;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 
-use super::arguments::{Color, Global};
+use super::arguments::Global;
 use crate::blossom::PolarForm;
 use crate::diagnostic::{Code, Diagnostic, render, render_json};
 use crate::expr::{Expr, Kind};
@@ -28,11 +28,7 @@ pub(super) struct Output {
 
 impl Output {
     pub fn new(global: &Global) -> Self {
-        let color = match global.color {
-            Color::Always => true,
-            Color::Never => false,
-            Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
-        };
+        let color = global.color.wanted(io::stderr().is_terminal());
         Output { format: global.format, notation: global.notation(), color, limits: global.limits() }
     }
 
@@ -41,6 +37,13 @@ impl Output {
         let mut out = io::stdout().lock();
         out.write_all(line.as_bytes())?;
         out.write_all(b"\n")
+    }
+
+    /// Results that end with a line end of their own.
+    pub fn text(&self, text: &str) -> io::Result<()> {
+        let mut out = io::stdout().lock();
+        out.write_all(text.as_bytes())?;
+        out.flush()
     }
 
     /// A problem, on standard error.

@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
 use serde_json::{Value, json};
 
 use super::{Diagnostic, Severity};
-use crate::source::{SourceFile, Span};
+use crate::source::{SourceFile, Span, floor_boundary};
 
 /// A source line longer than this is shown as an excerpt around the place.
 const LONG_LINE: usize = 160;
@@ -14,7 +14,8 @@ const LONG_LINE: usize = 160;
 /// A longer message is shortened in the middle: it quotes something very long.
 const LONG_MESSAGE: usize = 400;
 
-fn shortened(message: &str) -> Cow<'_, str> {
+/// The message, without its middle if it is very long.
+pub(crate) fn shortened(message: &str) -> Cow<'_, str> {
     if message.len() <= LONG_MESSAGE {
         return Cow::Borrowed(message);
     }
@@ -67,7 +68,25 @@ pub fn render(problem: &Diagnostic, file: &SourceFile, color: bool) -> String {
         group = group.element(Level::HELP.message(shortened(hint)));
     }
     let renderer = if color { Renderer::styled() } else { Renderer::plain() };
-    renderer.render(&[group])
+    let text = renderer.render(&[group]);
+    match (problem.span, &window, path) {
+        (Some(span), Some((start, excerpt)), Some(place)) => {
+            let before = span.start.saturating_sub(*start).min(excerpt.len());
+            let shown = excerpt[..floor_boundary(excerpt, before)].chars().count() + 1;
+            with_column(text, file, place, shown)
+        }
+        _ => text,
+    }
+}
+
+/// The renderer takes the column from what it shows of the line; this puts in that of the file.
+pub(crate) fn with_column(text: String, file: &SourceFile, place: (usize, usize), shown: usize) -> String {
+    let (line, column) = place;
+    if shown == column {
+        return text;
+    }
+    let name = normalize_untrusted_str(file.name());
+    text.replacen(&format!("{name}:{line}:{shown}"), &format!("{name}:{line}:{column}"), 1)
 }
 
 /// The line that holds the start of `span`, cut to a window when it is very long:
@@ -83,14 +102,6 @@ fn excerpt(file: &SourceFile, span: Span) -> (usize, &str) {
     let start = floor_boundary(text, at.saturating_sub(LONG_LINE / 2).max(line_start));
     let end = floor_boundary(text, (start + LONG_LINE).min(line_end));
     (start, &text[start..end])
-}
-
-fn floor_boundary(text: &str, mut at: usize) -> usize {
-    at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
 }
 
 /// The problem as one JSON object.
@@ -113,4 +124,18 @@ pub fn render_json(problem: &Diagnostic, file: &SourceFile) -> Value {
         "place": place,
         "hints": problem.hints.iter().map(|hint| shortened(hint)).collect::<Vec<_>>(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Code;
+
+    #[test]
+    fn the_column_is_that_of_the_file() {
+        let file = SourceFile::new("a.md", format!("one\n{}x?", "多".repeat(200)));
+        let problem = Diagnostic::error(Code::UnexpectedCharacter, "what is '?'").at(Span::new(605, 606));
+        let text = render(&problem, &file, false);
+        assert!(text.contains("a.md:2:202"), "{text}");
+    }
 }

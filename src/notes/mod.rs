@@ -12,6 +12,7 @@ mod model;
 mod names;
 mod refute;
 mod repair;
+pub mod report;
 mod statement;
 mod trial;
 
