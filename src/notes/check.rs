@@ -5,9 +5,10 @@ use std::rc::Rc;
 use super::context::{Body, Condition, Context, Definition, Letters};
 use super::document::Document;
 use super::finding::{FileReport, Finding, Verdict};
+use super::known::definable;
 use super::lint;
 use super::model::{Ambiguity, Choices, Curve};
-use super::names::{Head, bases};
+use super::names::Head;
 use super::refute;
 use super::statement::{Chain, Place, Said, Side, Statement, statements};
 use super::trial::{Outcomes, Tally, Trial};
@@ -164,7 +165,7 @@ impl Checker {
         let place = &statement.place;
         let mut findings: Vec<Finding> = (0..chain.relations.len()).map(|at| blank(chain, at)).collect();
         for (at, finding) in findings.iter_mut().enumerate() {
-            let unread = chain.sides[at + 1].is_unread() || (at == 0 && chain.sides[0].is_unread());
+            let unread = chain.sides[at + 1].is_unread() || chain.sides[at].is_unread();
             if unread {
                 finding.verdict = Verdict::Unread;
                 finding.reason = chain.problems.first().map(|problem| problem.message.clone());
@@ -208,11 +209,21 @@ impl Checker {
             }
             return findings;
         }
-        let curve = refute::curve_spoken_of(&statement.before);
+        if let Some(reason) = lint::declares(chain) {
+            for finding in findings.iter_mut().filter(|finding| finding.verdict != Verdict::Unread) {
+                finding.verdict = Verdict::Definition;
+                finding.reason = Some(reason.to_owned());
+            }
+            return findings;
+        }
+        let curve = refute::curve_spoken_of(&statement.recent);
         let head =
             definable(&chain.sides[0].expr).filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define));
         let first_known =
             head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        if let Some(listed) = self.listed(chain, place) {
+            return vec![listed];
+        }
         let defines = chain.relations[0].0 == Rel::Define && !first_known;
         let mut start = 0;
         if let Some(head) = &head
@@ -221,6 +232,19 @@ impl Checker {
         {
             // A new name: its right-hand side says what it is.
             self.definition(chain, head, place, &mut findings[0]);
+            start = 1;
+        }
+        if start == 0
+            && let Some(function) = self.new_derivative(chain, place)
+        {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some(format!("says what the derivative of {function} is"));
+            start = 1;
+        }
+        if start == 0
+            && let Some(reason) = lint::joins(&self.context, chain, place)
+        {
+            findings[0].reason = Some(reason);
             start = 1;
         }
         if start < chain.relations.len() {
@@ -238,81 +262,13 @@ impl Checker {
         finding.reason = Some(format!("introduces {}", head.base));
         finding.warning = lint::definition(head, &body.expr, &chain.conditions);
         // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
-        if head.parenthesized && head.arguments.is_some()
-            || lint::missing_argument(head, &body.expr).is_some()
-        {
+        let derivative = head.parenthesized
+            && head.arguments.is_some()
+            && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
+        if derivative || lint::missing_argument(head, &body.expr).is_some() {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
-    }
-
-    /// Whether a name has a meaning already, so that an equation for it is a claim.
-    fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
-        let standard = match head.base.as_str() {
-            "B" => {
-                head.arguments.is_some() && matches!(head.lower.len() + head.upper.len(), 2 | 4)
-                    || head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
-            }
-            "sigma" => head.lower.len() == 2 && head.arguments.is_some(),
-            _ => false,
-        };
-        if standard {
-            return true;
-        }
-        let count = head.flat().len();
-        let defined = self.context.visible(&head.base, place).any(|(_, definition, _)| {
-            definition.head.lower.len() == head.lower.len()
-                && definition.head.upper.len() == head.upper.len()
-                && (definition.head.arguments.is_some() == head.arguments.is_some())
-        });
-        if defined {
-            return true;
-        }
-        if curve.as_ref().is_some_and(|curve| curve.points == head.base) && head.arguments.is_none() {
-            return true;
-        }
-        let derived = head.parenthesized || matches!(head.base.as_str(), base if base.starts_with("dot"));
-        if derived && head.arguments.is_some() {
-            return true;
-        }
-        // The polar form of a function that is known, or that the right-hand side speaks of.
-        let capital = super::model::capital_of(&head.base);
-        let small = head.base.to_lowercase();
-        let right = bases(body);
-        if head.arguments.is_some() && capital != head.base {
-            let of_known = self.context.visible(&capital, place).any(|(_, definition, _)| {
-                definition.head.flat().len() == 1
-                    && definition.head.lower.is_empty()
-                    && definition.head.upper.is_empty()
-            });
-            let polar = count > 1 || curve.is_some();
-            if polar
-                && (of_known || curve.is_some() || right.contains(&capital) || right.contains(&head.base))
-            {
-                return true;
-            }
-            if of_known && count == 1 {
-                return true;
-            }
-        }
-        if head.arguments.is_none() && head.lower.is_empty() && capital != head.base {
-            let of_known = self.context.visible(&capital, place).any(|(_, definition, _)| {
-                definition.head.flat().len() == 1 && definition.head.lower.is_empty()
-            });
-            if of_known && self.context.letters.is_function(&head.base) {
-                return true;
-            }
-        }
-        if head.arguments.is_some() && small != head.base && count == 1 {
-            // F(t) = f(t, …, t), F(t) = Σ F^{(i)}(τ) …
-            return right.contains(&small) && self.context.letters.is_function(&small)
-                || refute::calls(body, &head.base);
-        }
-        // A recursion defines; a function within its own formula does not.
-        head.lower.is_empty()
-            && head.upper.is_empty()
-            && head.arguments.is_some()
-            && refute::calls(body, &head.base)
     }
 
     /// Judges the relations from number `start` on.
@@ -329,9 +285,7 @@ impl Checker {
         let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
         let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
         let best = self.attempts(&sides, &relations, chain, place, curve.clone());
-        if let (Some(head), 0) = (head, start)
-            && !refute::is_standard(Some(head))
-        {
+        if let (Some(head), 0) = (head, start) {
             findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
         }
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
@@ -373,6 +327,7 @@ impl Checker {
                 }
             }
         }
+        self.across(chain, start, place, &curve, best.choices, findings);
         // Equations for new coefficients say what these are.
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
             let at = start + i;
@@ -402,6 +357,57 @@ impl Checker {
         for (at, suggestion) in suggestions {
             findings[at].suggestion = suggestion;
         }
+    }
+
+    /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one
+    /// is judged by comparing the sides around.
+    fn across(
+        &self,
+        chain: &Chain,
+        start: usize,
+        place: &Place,
+        curve: &Option<Curve>,
+        choices: Choices,
+        findings: &mut [Finding],
+    ) {
+        for at in start..chain.relations.len().saturating_sub(1) {
+            let open = |finding: &Finding| {
+                matches!(finding.verdict, Verdict::Refuted | Verdict::Undecided | Verdict::Unread)
+            };
+            let equal = |at: usize| matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv);
+            if !(open(&findings[at]) && open(&findings[at + 1]) && equal(at) && equal(at + 1)) {
+                continue;
+            }
+            if chain.sides[at].is_unread() || chain.sides[at + 2].is_unread() {
+                continue;
+            }
+            let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
+            let trial = self.trial(&sides, &[Rel::Eq], chain, place, curve.clone(), choices);
+            let outcomes = trial.run();
+            let tally = &outcomes.tallies[0];
+            if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
+                let next = &mut findings[at + 1];
+                let ranged = !outcomes.integers.is_empty() || outcomes.degrees;
+                next.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
+                next.reason = Some("equal to the side before the last".to_owned());
+                next.instances = ranged.then(|| format!("{} instances", tally.holds));
+                (next.witness, next.suggestion, next.warning) = (None, None, None);
+            }
+        }
+    }
+
+    /// S''(x) = … of an unknown S tells what its derivative is.
+    fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<String> {
+        let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
+        let Kind::Prime(function, _) = &callee.kind else { return None };
+        let head = Head::of(function)?;
+        let bare = groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Name(_)));
+        let right = super::names::bases(&chain.sides[1].expr);
+        let known =
+            self.context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some())
+                || right.contains(&head.base)
+                || right.contains(&head.base.to_lowercase());
+        (bare && !known).then_some(head.base)
     }
 
     /// Tries the readings of ambiguous notations until one makes everything true; else the first.
@@ -535,11 +541,23 @@ impl Checker {
             let largest = if outcomes.integers.is_empty() { 4 } else { outcomes.largest };
             format!("{names} from 0 to {largest}")
         };
+        if tally.fails.is_empty()
+            && tally.mismatches.len() > tally.holds
+            && let Some((integers, message)) = tally.mismatches.first()
+        {
+            let values: Vec<String> =
+                integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            finding.verdict = Verdict::Refuted;
+            finding.reason = Some(message.clone());
+            finding.witness = Some(values.join(", "));
+            return Judged::Verdict(Box::new(finding));
+        }
         if tally.fails.is_empty() && tally.holds > 0 {
             finding.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
             if ranged {
                 finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-                if tally.holds < 2 || (tally.holds_inner == 0 && !outcomes.integers.is_empty()) {
+                let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
+                if tally.holds < 2 || few {
                     finding.verdict = Verdict::Undecided;
                     finding.reason = Some("too few instances make sense".to_owned());
                 }
@@ -559,16 +577,9 @@ impl Checker {
             }
             return Judged::Verdict(Box::new(finding));
         }
-        // Wrong only where an integer is 0: meant for positive ones.
-        let positive = |integers: &[(String, i64)]| integers.iter().all(|(_, value)| *value > 0);
-        if tally.holds_inner >= 2
-            && !outcomes.integers.is_empty()
-            && tally.fails.iter().all(|failure| !positive(&failure.integers))
-            && chain.conditions.is_empty()
-            && tally.fails.len() < tally.holds
-        {
+        if let Some(reason) = restricted(tally, outcomes, chain) {
             finding.verdict = Verdict::Sampled;
-            finding.reason = Some("true for positive integers".to_owned());
+            finding.reason = Some(reason.to_owned());
             finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
             return Judged::Verdict(Box::new(finding));
         }
@@ -588,7 +599,11 @@ impl Checker {
                 finding.reason = reason.or_else(|| Some("no instance makes sense".to_owned()));
             }
             // A new name whose formula cannot be computed is defined all the same.
-            if head.is_some() && !chain.sides[1].is_unread() && !refute::is_standard(head) {
+            if let Some(head) = head
+                && !chain.sides[1].is_unread()
+                && !refute::is_standard(Some(head))
+                && !refute::calls(&chain.sides[1].expr, &head.base)
+            {
                 return Judged::Redefinition(finding.warning);
             }
             return Judged::Verdict(Box::new(finding));
@@ -616,6 +631,10 @@ impl Checker {
             }
             refute::Decision::Open(reason) => {
                 finding.reason = Some(reason);
+            }
+            refute::Decision::Loose(reason) => {
+                finding.reason = Some("it fails as it stands".to_owned());
+                finding.warning = Some(reason);
             }
         }
         Judged::Verdict(Box::new(finding))
@@ -645,34 +664,29 @@ enum Judged {
     Redefinition(Option<String>),
 }
 
-/// The left side of a definition: a name, perhaps with indices, applied to distinct names.
-fn definable(expr: &Expr) -> Option<Head> {
-    let head = Head::of(expr)?;
-    let simple = |index: &Expr| {
-        matches!(index.kind, Kind::Name(_) | Kind::Number(_) | Kind::Text(_) | Kind::Accent(..))
-    };
-    if !head.lower.iter().chain(&head.upper).all(simple) {
+/// A relation that fails only where it is not meant: for integers that are 0, or for indices beyond
+/// the degree. Nothing is restricted if the file itself says for which integers it holds.
+fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
+    let enough = tally.holds_inner >= 2 || tally.holds >= 6;
+    if !enough || outcomes.integers.is_empty() || tally.fails.len() > tally.holds.max(12) {
         return None;
     }
-    if matches!(head.base.as_str(), "Delta" | "nabla") {
+    let ranges = chain.conditions.iter().any(|condition| {
+        matches!(&condition.kind, Kind::Chain(_, links)
+            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))))
+    });
+    if tally.fails.iter().all(|failure| failure.outside) {
+        return Some("true for indices from 0 to the degree");
+    }
+    if ranges {
         return None;
     }
-    let mut names: Vec<String> = Vec::new();
-    for argument in head.flat() {
-        if argument.kind == Kind::Ellipsis {
-            continue;
-        }
-        let own = Head::of(argument)?;
-        if own.arguments.is_some() || !own.upper.is_empty() {
-            return None;
-        }
-        let text = write::text(argument);
-        if names.contains(&text) {
-            return None;
-        }
-        names.push(text);
-    }
-    Some(head)
+    let zero = |integers: &[(String, i64)]| integers.iter().any(|(_, value)| *value == 0);
+    tally
+        .fails
+        .iter()
+        .all(|failure| failure.outside || zero(&failure.integers))
+        .then_some("true for positive integers")
 }
 
 /// A finding for a relation, not judged yet.

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::compare;
 use super::context::Context;
 use super::names::{Head, implied_index, integer_names, own_names, walk};
-use super::statement::Place;
-use crate::expr::{BigOp, Expr, Kind};
+use super::statement::{Chain, Place};
+use crate::expr::{BigOp, Expr, Kind, Rel};
 use crate::linalg;
 use crate::poly::{Fraction, MultiPoly, Symbol};
 use crate::ring::Ring;
@@ -34,6 +34,38 @@ pub fn definition(head: &Head, body: &Expr, conditions: &[Expr]) -> Option<Strin
     unbound_index(head, body, &given)
         .or_else(|| missing_argument(head, body))
         .or_else(|| index_of_its_own(head, body))
+}
+
+/// Chains that only order names, as a = x_0 < x_1 < … < x_n = b, say what names stand for.
+pub fn declares(chain: &Chain) -> Option<&'static str> {
+    let ordered = chain.relations.iter().any(|(rel, _)| matches!(rel, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge));
+    let names = chain.sides.iter().all(|side| {
+        side.expr.kind == Kind::Ellipsis
+            || matches!(side.expr.kind, Kind::Number(_))
+            || Head::of(&side.expr).is_some_and(|head| head.arguments.is_none())
+    });
+    if ordered && names && chain.relations.len() > 1 {
+        return Some("orders names");
+    }
+    // M_0 = M_n = 0
+    let set = names
+        && chain.relations.len() > 1
+        && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
+        && chain.sides.last().is_some_and(|side| matches!(side.expr.kind, Kind::Number(_)));
+    set.then_some("sets values")
+}
+
+/// f(b, c) = g(b, c): two unknown functions are to agree somewhere.
+pub fn joins(context: &Context, chain: &Chain, place: &Place) -> Option<String> {
+    let call = |expr: &Expr| -> Option<(String, Vec<String>)> {
+        let head = Head::of(expr).filter(|head| head.arguments.is_some() && head.lower.is_empty())?;
+        let known = context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some());
+        let arguments = head.flat().iter().map(|argument| write::text(argument)).collect();
+        (!known).then_some((head.base, arguments))
+    };
+    let [left, right] = [call(&chain.sides[0].expr)?, call(&chain.sides[1].expr)?];
+    (left.0 != right.0 && left.0.to_lowercase() != right.0.to_lowercase() && left.1 == right.1)
+        .then(|| format!("a condition on {} and {}", left.0, right.0))
 }
 
 const RUNNING: &[&str] = &["i", "j", "k", "l"];

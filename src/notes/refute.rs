@@ -31,6 +31,8 @@ pub enum Decision {
     Sampled(String),
     /// Not decided, and why.
     Open(String),
+    /// Suspicious: an index that belongs to nothing.
+    Loose(String),
 }
 
 /// Words before a formula that make it a condition or an equation to be solved.
@@ -93,7 +95,12 @@ fn last_words(statement: &Statement) -> String {
     let start = tail
         .rfind(['.', '。', ';', '；', '\n'])
         .map_or(0, |at| at + tail[at..].chars().next().map_or(1, char::len_utf8));
-    tail[start..].to_lowercase()
+    let words = tail[start..].to_lowercase();
+    // "If F is of degree n, then we have": what follows is the conclusion.
+    match words.rfind("then").or_else(|| words.rfind("we have")) {
+        Some(at) => words[at..].to_owned(),
+        None => words,
+    }
 }
 
 fn has_cue(words: &str, cues: &[&str]) -> bool {
@@ -108,8 +115,8 @@ fn has_cue(words: &str, cues: &[&str]) -> bool {
 }
 
 /// The Bézier curve that the words before a formula speak of, if they speak of its polar form.
-pub fn curve_spoken_of(before: &str) -> Option<Curve> {
-    let text = before.to_lowercase();
+pub fn curve_spoken_of(recent: &str) -> Option<Curve> {
+    let text = recent.to_lowercase();
     let tail: String = {
         let letters: Vec<char> = text.chars().rev().take(400).collect();
         letters.into_iter().rev().collect()
@@ -154,6 +161,13 @@ pub fn decide(
     let words = last_words(statement);
     let first = at == 0;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
+        return Decision::Open(format!("{name} has no argument here"));
+    }
+    if let Some(index) = loose_index(left, right, &chain.conditions) {
+        let reason = format!("the index {index} occurs on one side only, and nothing says what it is");
+        return Decision::Loose(reason);
+    }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
     let Some(failure) = best_failure(tally, outcomes, chain) else {
         let reason = format!(
@@ -190,11 +204,12 @@ pub fn decide(
         });
         let cue =
             has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
-        if cue && again && !standard && !own.contains(&head.base) {
+        let of_capital = own.contains(&super::model::capital_of(&head.base));
+        if cue && again && !of_capital && !standard && !own.contains(&head.base) {
             return Decision::Redefinition(None);
         }
     }
-    if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.before).is_none() {
+    if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.recent).is_none() {
         return Decision::Open("a condition, by the words before it".to_owned());
     }
     let known = !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
@@ -248,7 +263,9 @@ pub fn decide(
     if !known && unknown.is_empty() {
         let numbers = sl.is_empty() && sr.is_empty();
         let same = sl == sr;
-        if numbers || (same && (at > 0 || degrees_agree(&failure))) {
+        let expansion =
+            at > 0 && has_structure(left) && has_structure(right) && (sl.is_subset(&sr) || sr.is_subset(&sl));
+        if numbers || expansion || (same && (at > 0 || degrees_agree(&failure))) {
             return refuted(failure);
         }
         return Decision::Open("an equation between names without a meaning".to_owned());
@@ -277,7 +294,7 @@ pub fn decide(
         && tally.record.unknown.is_empty()
         && at == 0
     {
-        let curve = curve_spoken_of(&statement.before).is_some() && head.is_some();
+        let curve = curve_spoken_of(&statement.recent).is_some() && head.is_some();
         if !curve {
             return missing_or_redefinition(head, first, "an equation to be solved, or a condition");
         }
@@ -316,10 +333,14 @@ pub fn decide(
                     && definition.head.lower.len() == head.lower.len()
                     && definition.head.arguments.is_some() == head.arguments.is_some()
             });
-        if elsewhere {
+        let of_capital = bases(right).contains(&super::model::capital_of(&head.base));
+        // A recursion that differs from an earlier one defines the family anew.
+        let recursion = !head.lower.is_empty() && calls(right, &head.base);
+        if elsewhere && !of_capital || recursion {
             return Decision::Redefinition(None);
         }
         if let Some((_, definition, _)) = defined
+            && !of_capital
             && !bases(right).contains(&head.base)
             && definition.place.group != statement.place.group
         {
@@ -350,6 +371,52 @@ fn is_argument(symbol: &Symbol, side: &Expr) -> bool {
         }
     });
     found
+}
+
+/// B_i^j without an argument beside B_j^n(t).
+fn without_argument(side: &Expr) -> Option<String> {
+    fn search(expr: &Expr, called: &mut bool, bare: &mut Option<String>) {
+        let family = |expr: &Expr| {
+            Head::of(expr).is_some_and(|head| {
+                head.base == "B" && head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
+            })
+        };
+        if let Kind::Apply(callee, groups) = &expr.kind
+            && family(callee)
+        {
+            *called = true;
+            groups.iter().flatten().for_each(|argument| search(argument, called, bare));
+        } else if family(expr) {
+            bare.get_or_insert_with(|| write::text(expr));
+        } else {
+            expr.for_each_child(&mut |child| search(child, called, bare));
+        }
+    }
+    let (mut called, mut bare) = (false, None);
+    search(side, &mut called, &mut bare);
+    bare.filter(|_| called)
+}
+
+/// A running index that is free on one side only.
+fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String> {
+    let running = |side: &Expr| -> BTreeSet<String> {
+        super::names::integer_names(side)
+            .into_iter()
+            .filter(|name| matches!(name.as_str(), "i" | "j" | "k" | "l"))
+            .collect()
+    };
+    let (a, b) = (running(left), running(right));
+    let said: BTreeSet<String> = conditions.iter().flat_map(bases).collect();
+    // In the sums of one side the same letter runs: the free one is a slip.
+    let mut bound = BTreeSet::new();
+    for side in [left, right] {
+        walk(side, &mut |part| {
+            if let Kind::Big { lower, .. } = &part.kind {
+                bound.extend(super::names::own_names(lower));
+            }
+        });
+    }
+    a.symmetric_difference(&b).find(|name| bound.contains(*name) && !said.contains(*name)).cloned()
 }
 
 /// Whether a side is nothing but a value of a function at numbers or indexed names.
@@ -412,7 +479,21 @@ fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<Fai
         let mut smallest = tally.fails.iter().filter(|failure| failure.degree.unwrap_or(0) >= 1);
         return Some(smallest.next().unwrap_or(last).clone());
     }
-    let inner: Vec<&Failure> = tally.fails.iter().filter(|failure| failure.inner).collect();
+    // Cases speak of the ends of the range.
+    let cases = chain.sides.iter().any(|side| matches!(side.expr.kind, Kind::Cases(_)));
+    let inner: Vec<&Failure> = tally
+        .fails
+        .iter()
+        .filter(|failure| {
+            failure.inner
+                || cases
+                    && !failure.outside
+                    && failure
+                        .integers
+                        .iter()
+                        .all(|(name, value)| !matches!(name.as_str(), "n" | "d") || *value >= 2)
+        })
+        .collect();
     let holds = tally.holds_inner;
     let wrong = !inner.is_empty() && inner.len() * 2 >= holds;
     let enough = wrong || (explicit && !inner.is_empty()) || (holds == 0 && tally.fails.len() > tally.holds);

@@ -89,6 +89,8 @@ pub struct Statement {
     pub place: Place,
     /// The words of the paragraph before the formula.
     pub before: String,
+    /// The words of this paragraph and those before it, as far as they may name what is spoken of.
+    pub recent: String,
     /// The words between the formula before and this one.
     pub gap: String,
 }
@@ -133,6 +135,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         group: 0,
         ended: false,
         before: String::new(),
+        recent: String::new(),
         gap: String::new(),
         formula: 0,
     };
@@ -155,6 +158,7 @@ struct Reader<'a> {
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
     before: String,
+    recent: String,
     gap: String,
     formula: usize,
 }
@@ -167,7 +171,9 @@ impl Reader<'_> {
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
                 self.new_group();
+                self.recent.clear();
                 self.before.push_str(self.document.file.slice(*span));
+                self.recent.push_str(self.document.file.slice(*span));
             }
             Item::Words(span) => {
                 let words = self.document.file.slice(*span);
@@ -176,6 +182,7 @@ impl Reader<'_> {
                 }
                 self.before.push_str(words);
                 self.gap.push_str(words);
+                self.recent.push_str(words);
             }
             Item::Break => {
                 let list = self.enclosures.iter().any(|(e, _)| matches!(e, Enclosure::Item | Enclosure::Row));
@@ -229,8 +236,13 @@ impl Reader<'_> {
     }
 
     fn push(&mut self, said: Said) {
-        let statement =
-            Statement { said, place: self.place(), before: self.before.clone(), gap: self.gap.clone() };
+        let statement = Statement {
+            said,
+            place: self.place(),
+            before: self.before.clone(),
+            recent: self.recent.clone(),
+            gap: self.gap.clone(),
+        };
         self.statements.push(statement);
     }
 
@@ -276,9 +288,11 @@ impl Reader<'_> {
                             self.push(Said::Bare(side, row.problems.clone()));
                         }
                     }
-                    _ if is_condition(&side.expr, words || at > 0) => self.push(Said::Condition(side)),
+                    _ if is_condition(&side.expr, words || at > 0 || announces_condition(&self.gap)) => {
+                        self.push(Said::Condition(side));
+                    }
                     (Kind::Chain(..), ..) => {
-                        let mut chain = chain(side, &latex, &row.problems);
+                        let mut chain = with_bar(chain(side, &latex, &row.problems));
                         chain.given = words;
                         self.push(Said::Chain(chain));
                     }
@@ -338,6 +352,25 @@ impl Reader<'_> {
             _ => false,
         }
     }
+}
+
+/// `F |_t = 1 = …`, where the value at the bar slipped out of the index.
+fn with_bar(mut chain: Chain) -> Chain {
+    if let [first, second, _, ..] = chain.sides.as_slice()
+        && let Kind::At { body, lower, upper: None } = &first.expr.kind
+        && let [name] = lower.as_slice()
+        && matches!(name.kind, Kind::Name(_))
+        && matches!(second.expr.kind, Kind::Number(_))
+        && chain.relations[0].0 == Rel::Eq
+    {
+        let at = Expr::relation(name.clone(), Rel::Eq, second.expr.clone());
+        let kind = Kind::At { body: body.clone(), lower: vec![at], upper: None };
+        let expr = Expr::new(kind, first.expr.span.to(second.expr.span));
+        let latex = format!("{} = {}", first.latex, second.latex);
+        chain.sides.splice(..2, [Side { expr, latex }]);
+        chain.relations.remove(0);
+    }
+    chain
 }
 
 fn part(expr: &Expr, latex: &str, document: &Document) -> Side {

@@ -58,6 +58,8 @@ pub struct Failure {
     pub interval: Option<i64>,
     /// Whether nothing in it is extreme: indices neither at the ends nor outside.
     pub inner: bool,
+    /// Whether an index is greater than a size.
+    pub outside: bool,
     /// How the sides differ.
     pub outcome: Outcome,
     /// The values of the sides.
@@ -77,6 +79,8 @@ pub struct Tally {
     pub fails: Vec<Failure>,
     /// Why instances could not be compared.
     pub unclear: Vec<String>,
+    /// Instances, none of them extreme, in which a curve is given a wrong number of points.
+    pub mismatches: Vec<(Vec<(String, i64)>, String)>,
     /// Errors in evaluating.
     pub errors: Vec<Diagnostic>,
     /// Whether an earlier condition was needed.
@@ -143,6 +147,20 @@ pub fn has_divided_differences(sides: &[&Expr]) -> bool {
     found
 }
 
+/// Whether functions of two groups of arguments occur: f(u_1, u_2; v_1, v_2).
+fn has_groups(sides: &[&Expr]) -> bool {
+    let mut found = false;
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, groups) = &part.kind {
+                found =
+                    found || groups.len() == 2 && Head::of(callee).is_some_and(|head| head.lower.is_empty());
+            }
+        });
+    }
+    found
+}
+
 fn has_splines(sides: &[&Expr]) -> bool {
     let mut found = false;
     for side in sides {
@@ -198,7 +216,9 @@ impl Trial<'_> {
     /// Tries all small instances.
     pub fn run(&self) -> Outcomes {
         let integers = self.integers();
+        let splines = has_splines(&self.sides) || self.defined_by_splines();
         let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
+        let largest = if splines { largest.min(3) } else { largest };
         let mut outcomes = Outcomes {
             tallies: self.relations.iter().map(|_| Tally::default()).collect(),
             integers: integers.clone(),
@@ -209,7 +229,6 @@ impl Trial<'_> {
         if integers.len() > 8 {
             return outcomes;
         }
-        let splines = has_splines(&self.sides);
         // Indices of knots start anywhere, so negative ones need not be tried.
         let mut values = vec![0i64; integers.len()];
         let mut tried = 0;
@@ -244,7 +263,38 @@ impl Trial<'_> {
             .with_degree(degree)
             .with_pairs(pairs(&self.sides))
             .opaque(has_divided_differences(&self.sides))
-            .on_interval(interval)
+            .on_interval(interval, self.has_integer_knots())
+            .with_tensor(has_groups(&self.sides))
+    }
+
+    /// Whether a function in it is defined by B-splines.
+    fn defined_by_splines(&self) -> bool {
+        self.sides.iter().flat_map(|side| super::names::bases(side)).any(|base| {
+            self.context.visible(&base, self.place).next().is_some_and(|(_, definition, _)| {
+                matches!(&definition.body, super::context::Body::Formula(body) if has_splines(&[body]))
+            })
+        })
+    }
+
+    /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
+    fn has_integer_knots(&self) -> bool {
+        let mut knots = false;
+        let mut look = |expr: &Expr| {
+            walk(expr, &mut |part| {
+                knots = knots
+                    || matches!(&part.kind, Kind::Subscript(base, _)
+                        if matches!(&base.kind, Kind::Name(name) if matches!(name.as_str(), "t" | "u" | "x")));
+            });
+        };
+        self.sides.iter().for_each(|side| look(side));
+        let defined = self.context.visible("N", self.place).next();
+        match defined.map(|(_, definition, _)| &definition.body) {
+            Some(super::context::Body::Formula(body)) => {
+                look(body);
+                !knots
+            }
+            _ => false,
+        }
     }
 
     /// The variables of the function on the left: in F(u) = … the name u stands for itself, whatever
@@ -274,7 +324,12 @@ impl Trial<'_> {
         let mut values = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
             let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
-            let names = free.chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
+            let knots = (-4..12)
+                .filter(|_| reading.middle().is_some())
+                .map(|j| (Symbol::new("t").numbered(j), Value::number(reading.knot(j))));
+            let names = free
+                .chain(knots)
+                .chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
             values.push(evaluate_reading(side, reading.clone(), names));
             records.push(reading.take_record());
         }
@@ -311,7 +366,7 @@ impl Trial<'_> {
             outcomes.degrees = true;
         }
         for degree in degrees {
-            let intervals: Vec<Option<i64>> = if splines { (0..=4).map(Some).collect() } else { vec![None] };
+            let intervals: Vec<Option<i64>> = if splines { (0..=3).map(Some).collect() } else { vec![None] };
             let mut valid = false;
             for interval in intervals {
                 let (values, records) = self.evaluate(self.model(degree, interval), bound);
@@ -338,8 +393,16 @@ impl Trial<'_> {
             // A side that makes no sense is skipped: the next is compared with the one before.
             let left_at = (0..=at).rev().find(|&i| values[i].is_ok());
             let (left, right) = match (left_at.map(|i| &values[i]), &values[at + 1]) {
-                (Some(Ok(left)), Ok(right)) if left_at == Some(at) || !may_skip(&values[at]) => (left, right),
+                (Some(Ok(left)), Ok(right))
+                    if left_at == Some(at)
+                        || (!may_skip(&values[at]) && matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define)) =>
+                {
+                    (left, right)
+                }
                 (_, Err(error)) | (Some(Err(error)), _) => {
+                    if inner && error.code == Code::Arity && records[at + 1].mixed {
+                        tally.mismatches.push((bound.to_vec(), error.message.clone()));
+                    }
                     note_error(tally, error);
                     continue;
                 }
@@ -354,6 +417,14 @@ impl Trial<'_> {
             tally.record.merge(&records[at + 1]);
             let conditions = Conditions { own: &self.conditions, earlier: &self.earlier };
             let outcome = conditions.compare(self, *rel, left, right, bound, degree, tally);
+            // With B-splines an inequality may be meant for a part of the intervals.
+            if interval.is_some()
+                && !matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define)
+                && matches!(outcome, Outcome::Fails(_))
+            {
+                tally.unclear.push("on which intervals it holds is not clear".to_owned());
+                continue;
+            }
             match outcome {
                 Outcome::Holds => {
                     valid = true;
@@ -367,6 +438,7 @@ impl Trial<'_> {
                         degree,
                         interval,
                         inner,
+                        outside: is_outside(bound),
                         outcome,
                         left: left.clone(),
                         right: right.clone(),
@@ -512,6 +584,13 @@ fn is_inner(bound: &[(String, i64)]) -> bool {
     bound.iter().all(|(name, value)| {
         if size(name) { *value >= 2 } else { *value >= 1 && least.is_none_or(|least| *value < least.max(2)) }
     })
+}
+
+/// Whether an index is greater than the least size.
+fn is_outside(bound: &[(String, i64)]) -> bool {
+    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
+    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
+    least.is_some_and(|least| bound.iter().any(|(name, value)| !size(name) && *value > least))
 }
 
 /// The next combination of values, the last one fastest; false after the last combination.

@@ -38,6 +38,14 @@ impl Model {
             });
             return Some(values.and_then(|values| self.apply(machine, callee, &values, expr)));
         }
+        // S(x_i - 0) and S(x_i + 0) are limits from one side.
+        let one_sided = groups.iter().flatten().any(|argument| {
+            matches!(&argument.kind, Kind::Add(terms) if terms.len() == 2
+                && matches!(&terms[1].expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q)))
+        });
+        if one_sided {
+            return Some(Err(unclear("what a limit from one side is", expr)));
+        }
         let mut values = Vec::with_capacity(groups.len());
         self.flexible.set(false);
         for group in groups {
@@ -256,6 +264,12 @@ impl Model {
                 if let Some(result) = self.defined(machine, &head, Some(&first)) {
                     return result;
                 }
+            }
+            // The polar form of a certain polynomial has as many arguments as its degree.
+            if let Some(degree) = self.degree_of_example(machine, &head, expr)
+                && degree < group.len()
+            {
+                return self.apply(machine, callee, &[group[..degree].to_vec()], expr);
             }
         }
         self.apply(machine, callee, values, expr)

@@ -1,6 +1,6 @@
 //! Families with a standard meaning: Bernstein polynomials, elementary symmetric means, B-splines.
 
-use super::calls::{unclear, variable};
+use super::calls::unclear;
 use super::polynomials::means;
 use super::{Ambiguity, Evaluated, Model};
 use crate::diagnostic::{Code, Diagnostic};
@@ -63,6 +63,7 @@ impl Model {
                 }
                 Some(self.symmetric_mean(machine, i, n, complement, &powers, expr))
             }
+            // Of order k, if N_i^1 is where the recursion begins; of degree k, if N_i^0 is.
             ("N", [i], [k], 1) => {
                 let t = scalars?;
                 Some(self.spline(machine, i, k, &t[0], expr))
@@ -151,7 +152,7 @@ impl Model {
         self.ambiguous(Ambiguity::Spline);
         let (i, k) = (machine.eval_int(i)?, machine.eval_int(k)?);
         let order = if self.choices.spline_degree { k + 1 } else { k };
-        let knot = |j: i64| variable(Symbol::new("t").numbered(j));
+        let knot = |j: i64| Fraction::from_rational(&self.knot(j));
         self.note("N_i^k is the B-spline with the knots t_i");
         spline_value(i, order, interval, t, &knot)
             .map(Value::Scalar)

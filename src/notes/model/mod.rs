@@ -66,7 +66,7 @@ pub struct Record {
     pub standard: BTreeSet<String>,
     /// Notations with several readings that occurred.
     pub ambiguous: BTreeSet<Ambiguity>,
-    /// Two polar forms of one letter with different numbers of arguments were mixed.
+    /// A curve was given another number of control points than its degree asks for.
     pub mixed: bool,
     /// Whether an infinite sum was cut.
     pub infinite: bool,
@@ -124,7 +124,11 @@ pub struct Model {
     /// Divided differences occur: values of functions are symbols.
     opaque: bool,
     /// The knot interval for B-splines.
-    pub(super) interval: Option<i64>,
+    interval: Option<i64>,
+    /// Whether the knots are the integers.
+    uniform: bool,
+    /// Whether functions of two groups of arguments occur.
+    tensor: bool,
     /// Capital letters whose small ones are their polar forms in this statement.
     pairs: BTreeSet<String>,
     /// Whether the arguments just read had dots without a count.
@@ -145,6 +149,8 @@ impl Model {
             curve,
             opaque: false,
             interval: None,
+            uniform: false,
+            tensor: false,
             pairs: BTreeSet::new(),
             flexible: Cell::new(false),
             depth: Cell::new(0),
@@ -177,8 +183,15 @@ impl Model {
     }
 
     /// B-splines are considered between the knots number m and m + 1.
-    pub fn on_interval(mut self, interval: Option<i64>) -> Self {
+    pub fn on_interval(mut self, interval: Option<i64>, uniform: bool) -> Self {
         self.interval = interval;
+        self.uniform = uniform;
+        self
+    }
+
+    /// Functions of two groups of arguments occur: F(u, v) is the diagonal of f(u, …; v, …).
+    pub fn with_tensor(mut self, tensor: bool) -> Self {
+        self.tensor = tensor;
         self
     }
 
@@ -227,6 +240,7 @@ impl Reading for Model {
             Kind::At { body, lower, upper: None } => self.at(machine, body, lower, expr),
             Kind::List(items) | Kind::Tuple(items) if items.len() == 1 => Some(machine.eval(&items[0])),
             Kind::Compose(items) => self.composed(machine, items, expr),
+            Kind::Cases(cases) if self.interval.is_some() => self.cases_between_knots(machine, cases, expr),
             _ => None,
         }
     }
@@ -392,8 +406,24 @@ impl Model {
         }
         let (number, _, near, bound) = best?;
         let definition = &context.definitions[number];
+        let outermost = self.depth.get() == 0;
+        let result = self.unfold(machine, definition, bound);
+        // A definition that leads nowhere is as good as none.
+        if outermost
+            && let Err(error) = &result
+            && matches!(
+                error.code,
+                Code::Recursion
+                    | Code::UnknownName
+                    | Code::UnknownFunction
+                    | Code::Unsupported
+                    | Code::AmbiguousProduct
+            )
+        {
+            return None;
+        }
         self.record.borrow_mut().definitions.insert((number, near));
-        Some(self.unfold(machine, definition, bound))
+        Some(result)
     }
 
     /// Whether a definition is of one function elsewhere: F(t) = t^3 + 1.
@@ -745,6 +775,50 @@ impl Model {
             }
             _ => None,
         }
+    }
+
+    /// Cases on where t lies: t is taken in the middle of the knot interval.
+    fn cases_between_knots(
+        &self,
+        machine: &mut Machine,
+        cases: &[(Expr, Option<Expr>)],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let middle = self.middle()?;
+        for (value, condition) in cases {
+            let Some(condition) = condition else { return Some(machine.eval(value)) };
+            let names = ["t", "u", "x"].map(|name| (Symbol::new(name), Value::number(middle.clone())));
+            let verdict = machine.with_locals(names, |machine| machine.eval(condition));
+            let holds = match verdict {
+                Ok(Value::Claim(claim)) => claim.verdict() == crate::value::Verdict::Proved,
+                Ok(Value::Text(_)) => true,
+                Ok(_) => return Some(Err(calls::unclear("when this case holds", expr))),
+                // "otherwise" in words
+                Err(error) if error.code == Code::UnknownName => true,
+                Err(error) => return Some(Err(error)),
+            };
+            if holds {
+                return Some(machine.eval(value));
+            }
+        }
+        Some(Err(calls::unclear("which case holds", expr)))
+    }
+
+    /// The middle of the knot interval considered.
+    pub fn middle(&self) -> Option<crate::number::Rational> {
+        let m = self.interval?;
+        Some((self.knot(m) + self.knot(m + 1)) / crate::number::integer(2))
+    }
+
+    /// The knot number j: uneven ones, unless the notes define B-splines over the integers.
+    pub fn knot(&self, j: i64) -> crate::number::Rational {
+        const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
+        let uneven = usize::try_from(j + 4).ok().and_then(|at| UNEVEN.get(at).copied());
+        crate::number::integer(match uneven {
+            Some(knot) if !self.uniform => knot,
+            _ if self.uniform => j,
+            _ => 3 * j,
+        })
     }
 
     /// Values at t_1 = … = t_n = t, also where an equals sign was lost.

@@ -38,6 +38,9 @@ impl Model {
             [one] if one.len() == 1 && (upper || !self.is_paired(machine, head)) => {
                 self.of_one_variable(machine, head, &one[0], expr)
             }
+            [uv] if self.tensor && upper && uv.len() == 2 && head.lower.is_empty() => {
+                self.tensor(head, &[uv[0].clone(), uv[0].clone()], &[uv[1].clone(), uv[1].clone()], expr)
+            }
             [arguments] if head.lower.is_empty() => {
                 let capital = capital_of(&head.base);
                 self.polar(machine, &capital, head, arguments, expr)
@@ -69,6 +72,21 @@ impl Model {
         });
         self.flexible.set(false);
         known.then(|| self.polar(machine, &capital, head, &[], expr))
+    }
+
+    /// The degree of F, if f is its polar form and F one certain polynomial.
+    pub(super) fn degree_of_example(&self, machine: &mut Machine, head: &Head, expr: &Expr) -> Option<usize> {
+        let capital = capital_of(&head.base);
+        if !head.lower.is_empty() || !head.upper.is_empty() || capital == head.base {
+            return None;
+        }
+        let (_, definition, _) = self.context.visible(&capital, &self.place).next()?;
+        let super::Body::Formula(body) = &definition.body else { return None };
+        if definition.head.flat().len() != 1 || !crate::notes::names::integer_names(body).is_empty() {
+            return None;
+        }
+        let coefficients = self.coefficients(machine, &capital, expr).ok()?;
+        Some(coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0))
     }
 
     /// Whether a small letter is the polar form of a function with the capital one.
