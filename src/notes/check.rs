@@ -517,6 +517,7 @@ impl Checker {
             place,
             curve,
             choices,
+            limits: self.limits.clone(),
         }
     }
 

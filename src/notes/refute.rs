@@ -204,7 +204,8 @@ pub fn decide(
         });
         let cue =
             has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
-        let of_capital = own.contains(&super::model::capital_of(&head.base));
+        let of_capital = own.contains(&super::model::capital_of(&head.base))
+            || curve_spoken_of(&statement.recent).is_some();
         if cue && again && !of_capital && !standard && !own.contains(&head.base) {
             return Decision::Redefinition(None);
         }
@@ -333,7 +334,8 @@ pub fn decide(
                     && definition.head.lower.len() == head.lower.len()
                     && definition.head.arguments.is_some() == head.arguments.is_some()
             });
-        let of_capital = bases(right).contains(&super::model::capital_of(&head.base));
+        let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
+            || curve_spoken_of(&statement.recent).is_some();
         // A recursion that differs from an earlier one defines the family anew.
         let recursion = !head.lower.is_empty() && calls(right, &head.base);
         if elsewhere && !of_capital || recursion {

@@ -6,12 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
+use std::time::{Duration, Instant};
 
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
 use super::names::{Head, implied_index, integer_names, own_names, walk};
 use super::statement::Place;
+use crate::budget::{self, Limits, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::evaluate_reading;
 use crate::expr::{Expr, Kind, Rel};
@@ -26,6 +28,12 @@ const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 
 /// More instances than this are not tried.
 const MOST: usize = 260;
+
+/// A single instance is stopped after this time.
+const LONGEST_INSTANCE: Duration = Duration::from_millis(600);
+
+/// No further instances are tried after this time.
+const LONG_ENOUGH: Duration = Duration::from_millis(300);
 
 /// What is tried.
 pub struct Trial<'a> {
@@ -45,6 +53,8 @@ pub struct Trial<'a> {
     pub curve: Option<Curve>,
     /// How ambiguous notations are read.
     pub choices: Choices,
+    /// The limits of the chain.
+    pub limits: Limits,
 }
 
 /// A failed instance.
@@ -229,18 +239,43 @@ impl Trial<'_> {
         if integers.len() > 8 {
             return outcomes;
         }
-        // Indices of knots start anywhere, so negative ones need not be tried.
+        let opaque = has_divided_differences(&self.sides);
+        let largest = if opaque { largest.min(3) } else { largest };
+        outcomes.largest = largest;
+        let mut all: Vec<Vec<i64>> = Vec::new();
         let mut values = vec![0i64; integers.len()];
-        let mut tried = 0;
         loop {
-            let bound: Vec<(String, i64)> = integers.iter().cloned().zip(values.iter().copied()).collect();
-            if self.allows(&bound) {
-                tried += 1;
-                self.instance(&bound, splines, &mut outcomes);
-            }
-            if tried >= MOST || !advance(&mut values, largest) {
+            all.push(values.clone());
+            if !advance(&mut values, largest) {
                 break;
             }
+        }
+        // Small ones first: large ones are left out if they take long.
+        all.sort_by_key(|values| values.iter().sum::<i64>());
+        let start = Instant::now();
+        let mut tried = 0;
+        for values in all {
+            let bound: Vec<(String, i64)> = integers.iter().cloned().zip(values).collect();
+            if !self.allows(&bound) {
+                continue;
+            }
+            tried += 1;
+            let limits = Limits { time: Some(LONGEST_INSTANCE), ..self.limits.clone() };
+            let done = budget::run(&limits, || self.instance(&bound, splines, &mut outcomes));
+            match done {
+                Ok(()) => {}
+                Err(Stop::Interrupted) => break,
+                Err(stop) => {
+                    for tally in &mut outcomes.tallies {
+                        tally.unclear.push(format!("an instance was too large ({stop})"));
+                    }
+                    break;
+                }
+            }
+            if tried >= MOST || start.elapsed() > LONG_ENOUGH {
+                break;
+            }
+            budget::steps(1000);
         }
         outcomes
     }

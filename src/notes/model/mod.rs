@@ -388,7 +388,9 @@ impl Model {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         for (number, definition, near) in context.visible(&head.base, &self.place) {
-            if self.choices.near_only && !near || self.choices.general && self.is_example(definition) {
+            if self.choices.near_only && !near
+                || (self.choices.general || self.curve.is_some()) && self.is_example(definition)
+            {
                 continue;
             }
             if let Some((_, _, best_near, _)) = &best
