@@ -31,7 +31,7 @@ fn run_of(text: &str, at: usize, mark: u8) -> usize {
 const NEARBY: usize = 1 << 12;
 
 /// The rest of the line, but not more of it than is worth looking at.
-fn nearby(text: &str) -> &str {
+pub(super) fn nearby(text: &str) -> &str {
     let mut end = text.len().min(NEARBY);
     while !text.is_char_boundary(end) {
         end -= 1;
@@ -231,7 +231,7 @@ impl<'a> Inline<'a> {
         let text = colon.trim();
         let start = to - colon.len() + (colon.len() - colon.trim_start().len());
         let span = Span::new(start, start + text.len()).shifted(self.start);
-        self.out.items.push(Item::Declaration { text: text.to_owned(), span });
+        self.out.push(Item::Declaration { text: text.to_owned(), span });
     }
 
     fn dollar(&mut self, at: usize) -> usize {

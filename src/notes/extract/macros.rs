@@ -11,7 +11,7 @@
 //!
 //! Reference: Knuth, *The TeXbook*, chapter 20; for `\NewDocumentCommand` the LaTeX manual `usrguide`.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use crate::diagnostic::{Code, Diagnostic};
@@ -96,6 +96,8 @@ struct Macro {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Macros {
     table: HashMap<String, Macro>,
+    /// Environments of the kind of theorems: `\newtheorem{name}{Title}`.
+    pub(super) theorems: HashSet<String>,
     /// Whether a group had no end.
     failed: bool,
 }
@@ -138,6 +140,17 @@ impl Macros {
     /// What a macro without arguments stands for.
     pub(super) fn body(&self, name: &str) -> Option<&str> {
         self.table.get(name).filter(|known| known.arguments.is_empty()).map(|known| known.body.as_str())
+    }
+
+    /// The names of the macros that stand for just this.
+    pub(super) fn names_of(&self, body: &str) -> Vec<&str> {
+        let known = self.table.iter();
+        let mut names: Vec<_> = known
+            .filter(|(_, known)| known.arguments.is_empty() && known.body.trim() == body)
+            .map(|(name, _)| name.as_str())
+            .collect();
+        names.sort_unstable();
+        names
     }
 
     /// Takes note of the definition at `at`, where its backslash stands: the byte after it. Without
@@ -206,25 +219,19 @@ impl Macros {
         Some(reader.at)
     }
 
-    /// The text without its definitions and with its macros replaced. Problems stand in `problems`.
-    pub(super) fn expand(&mut self, input: Text, problems: &mut Vec<Diagnostic>) -> Text {
-        let defines = DEFINERS.iter().any(|name| input.text.contains(name));
-        if !input.text.contains('\\') || (self.table.is_empty() && !defines) {
-            return input;
+    /// The text without its definitions and with its macros replaced, and the first problem met.
+    pub(super) fn expand(&mut self, input: Text) -> (Text, Option<Diagnostic>) {
+        let defines = || DEFINERS.iter().any(|name| input.text.contains(name));
+        if !input.text.contains('\\') || (self.table.is_empty() && !defines()) {
+            return (input, None);
         }
         let mut output = Text::default();
         let mut run = Expansion { macros: self, calls: 0, problem: None, output: &mut output };
         run.expand(&input, 0);
         match run.problem {
             // Half of an expansion is of no use: the reader says what it does not know.
-            Some(problem) if problem.code == Code::MacroTooLarge => {
-                problems.push(problem);
-                input
-            }
-            problem => {
-                problems.extend(problem);
-                output
-            }
+            Some(problem) if problem.code == Code::MacroTooLarge => (input, Some(problem)),
+            problem => (output, problem),
         }
     }
 }
@@ -548,10 +555,9 @@ mod tests {
     /// The expansion of the formula after the definitions, with the place of each byte from `@` on.
     fn expanded(definitions: &str, formula: &str) -> (String, Vec<Diagnostic>) {
         let mut macros = Macros::default();
-        let mut problems = Vec::new();
-        macros.expand(Text::plain(definitions, 0), &mut problems);
-        let text = macros.expand(Text::plain(formula, 0), &mut problems);
-        (text.text, problems)
+        let (_, first) = macros.expand(Text::plain(definitions, 0));
+        let (text, second) = macros.expand(Text::plain(formula, 0));
+        (text.text, first.into_iter().chain(second).collect())
     }
 
     #[test]
@@ -590,7 +596,7 @@ mod tests {
         let mut macros = Macros::default();
         macros.define(r"\newcommand{\B}[2]{B_{#1}^{#2}}", 0).unwrap();
         let formula = r"1 + \B{i}{nn} = x";
-        let text = macros.expand(Text::plain(formula, 100), &mut Vec::new());
+        let text = macros.expand(Text::plain(formula, 100)).0;
         assert_eq!(text.text, "1 + B_{i}^{nn} = x");
         let at = |part: &str| {
             let start = text.text.find(part).unwrap();

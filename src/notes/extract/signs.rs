@@ -33,19 +33,25 @@ pub(super) fn braced_name(text: &str, at: usize) -> Option<(&str, usize)> {
     let inner = rest.strip_prefix('{')?;
     let len = inner.bytes().take(40).position(|byte| byte == b'}')?;
     let name = inner.get(..len)?;
-    let plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'*' || byte == b'@');
-    (plain && !name.is_empty()).then_some((name, at + len + 2))
+    (!name.is_empty() && !name.contains(['{', '\\', '\n', '$'])).then_some((name, at + len + 2))
 }
 
-/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `\]`,
-/// `\)` or `\end{…}`. In a LaTeX file comments are passed over and a blank line ends the search.
+/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `$`,
+/// `\]`, `\)`, `\end{…}` or a command that stands for one. In a LaTeX file comments are passed over and a blank line ends the search.
 pub(super) fn display_end(text: &str, from: usize, closing: &str, latex: bool) -> Option<usize> {
     let bytes = text.as_bytes();
     // The same sign once more: the first was not closed. It also keeps repeated searches linear.
     let again = match closing {
-        r"\]" => r"\[".to_owned(),
-        r"\)" => r"\(".to_owned(),
-        _ => closing.replacen(r"\end", r"\begin", 1),
+        r"\]" => Some(r"\[".to_owned()),
+        r"\)" => Some(r"\(".to_owned()),
+        _ => closing.strip_prefix(r"\end").map(|name| format!(r"\begin{name}")),
+    };
+    // A command ends where its letters end.
+    let ends = |at: usize| {
+        text[at..].strip_prefix(closing).is_some_and(|rest| {
+            !closing.ends_with(|c: char| c.is_ascii_alphabetic())
+                || !rest.starts_with(|c: char| c.is_ascii_alphabetic())
+        })
     };
     let mut at = from;
     // Whether each open brace belongs to \text or the like, where $…$ may stand.
@@ -54,13 +60,13 @@ pub(super) fn display_end(text: &str, from: usize, closing: &str, latex: bool) -
     let mut after_blank = false;
     while let Some(&byte) = bytes.get(at) {
         match byte {
-            b'\\' if text[at..].starts_with(closing) => return Some(at),
-            b'\\' if text[at..].starts_with(&again) => return None,
+            b'\\' if ends(at) => return Some(at),
+            b'\\' if again.as_ref().is_some_and(|again| text[at..].starts_with(again)) => return None,
             b'\\' => {
                 at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
                 continue;
             }
-            b'$' if text[at..].starts_with(closing) => return Some(at),
+            b'$' if ends(at) && (texts == 0 || closing != "$") => return Some(at),
             b'$' if texts == 0 => return None,
             b'{' => {
                 let opens = opens_text(&text[..at]);
@@ -224,7 +230,7 @@ fn is_between_formulas(content: &str) -> bool {
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
     words >= 4 && !in_text
-        || (words >= 1 && !signs && (open || close || content.starts_with(|c: char| c.is_ascii_digit())))
+        || (words >= 1 && !signs && (open || content.starts_with(|c: char| c.is_ascii_digit())))
         || (open != close && words >= 2)
 }
 

@@ -1,3 +1,8 @@
+mod files;
+mod latex;
+mod notebook;
+mod properties;
+
 use super::*;
 use crate::diagnostic::Code;
 use crate::notes::document::{Enclosure, Formula, Item};
