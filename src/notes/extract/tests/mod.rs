@@ -1,6 +1,7 @@
 mod files;
 mod latex;
 mod notebook;
+mod oracle;
 mod properties;
 
 use super::*;
