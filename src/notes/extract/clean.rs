@@ -1,6 +1,7 @@
 //! What stands in a formula and does not belong to it: labels, numbers, text between rows, comments.
 
-use super::macros::{Text, command_name};
+use super::arguments::command_name;
+use super::text::Text;
 use crate::source::Span;
 
 /// A longer label or text between rows is not looked for.

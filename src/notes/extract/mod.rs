@@ -11,6 +11,7 @@
 //!
 //! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc.
 
+mod arguments;
 mod blocks;
 mod clean;
 mod collect;
@@ -23,6 +24,8 @@ mod notebook;
 mod plain;
 mod signs;
 mod tex;
+mod text;
+mod vocabulary;
 
 pub use files::{MAX_BYTES, read_file, read_files};
 

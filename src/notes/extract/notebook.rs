@@ -12,7 +12,7 @@ use serde_json::value::RawValue;
 
 use super::blocks;
 use super::collect::Collector;
-use super::macros::Text;
+use super::text::Text;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Item, Places};
 use crate::source::Span;

@@ -14,7 +14,6 @@ const ENVIRONMENTS: &[&str] = &[
     "multline",
     "eqnarray",
     "dmath",
-    "dgroup",
     "displaymath",
     "math",
     "xalignat",

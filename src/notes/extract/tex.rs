@@ -6,11 +6,13 @@
 //!
 //! Reference: Lamport, *LaTeX: A Document Preparation System*; the user's guide of amsmath.
 
+use super::arguments::command_name;
 use super::clean::braces_end;
 use super::collect::Collector;
 use super::inline::nearby;
-use super::macros::{command_name, half_definition, is_definer};
+use super::macros::{half_definition, is_definer};
 use super::signs::{braced_name, display_end, is_math_environment, line_at};
+use super::vocabulary::{HEADINGS, LISTS, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::latex;
 use crate::notes::document::{Enclosure, Item, Style};
@@ -47,118 +49,6 @@ pub(super) fn scan(text: &str, body: bool, out: &mut Collector, include: &mut In
     }
     latex.finish();
 }
-
-/// Environments whose content is shown as it is typed, or not at all.
-const VERBATIM: &[&str] = &[
-    "verbatim",
-    "Verbatim",
-    "lstlisting",
-    "minted",
-    "comment",
-    "filecontents",
-    "tikzpicture",
-    "pgfpicture",
-    "algorithm",
-    "algorithmic",
-    "alltt",
-];
-
-const QUOTATIONS: &[&str] = &["quote", "quotation", "displayquote", "verse"];
-
-const LISTS: &[&str] = &["itemize", "enumerate", "description", "list", "compactitem", "compactenum"];
-
-const TABLES: &[&str] = &["tabular", "tabularx", "tabulary", "longtable", "tabu"];
-
-/// Theorems and their kin; others are declared with `\newtheorem`.
-const THEOREMS: &[&str] = &[
-    "theorem",
-    "lemma",
-    "corollary",
-    "proposition",
-    "definition",
-    "example",
-    "examples",
-    "remark",
-    "remarks",
-    "proof",
-    "exercise",
-    "problem",
-    "solution",
-    "claim",
-    "fact",
-    "note",
-    "notation",
-    "conjecture",
-    "axiom",
-    "property",
-    "observation",
-    "question",
-    "answer",
-    "block",
-    "exampleblock",
-    "alertblock",
-    "thm",
-    "lem",
-    "cor",
-    "prop",
-    "defn",
-    "ex",
-    "rem",
-    "satz",
-    "beispiel",
-    "beweis",
-    "bemerkung",
-    "aufgabe",
-];
-
-/// Headings by level.
-const HEADINGS: &[(&str, u8)] = &[
-    ("part", 1),
-    ("chapter", 2),
-    ("section", 3),
-    ("subsection", 4),
-    ("subsubsection", 5),
-    ("frametitle", 5),
-    ("paragraph", 6),
-    ("subparagraph", 7),
-];
-
-/// Commands that are no words, with their arguments.
-const SILENT: &[&str] = &[
-    "label",
-    "includegraphics",
-    "usepackage",
-    "RequirePackage",
-    "documentclass",
-    "bibliography",
-    "bibliographystyle",
-    "url",
-    "vspace",
-    "hspace",
-    "setlength",
-    "setcounter",
-    "addtocounter",
-    "pagestyle",
-    "thispagestyle",
-    "hypersetup",
-    "graphicspath",
-    "newenvironment",
-    "renewenvironment",
-    "hline",
-    "cline",
-    "toprule",
-    "midrule",
-    "bottomrule",
-    "cmidrule",
-    "maketitle",
-    "tableofcontents",
-    "newpage",
-    "clearpage",
-    "centering",
-    "noindent",
-    "hfill",
-    "qedhere",
-];
 
 /// Deeper environments are not followed.
 const MAX_NESTING: usize = 200;
@@ -381,7 +271,11 @@ impl<'a> Latex<'a, '_> {
                     let to = close + closing.len();
                     let plain = name.trim_end_matches('*');
                     let known = latex::environments().any(|(known, _)| known == plain);
-                    let content = if known { place.to(Span::new(close, to)) } else { Span::new(end, close) };
+                    let content = if known {
+                        place.to(Span::new(close, to))
+                    } else {
+                        Span::new(self.columns(name, end), close)
+                    };
                     self.formula(Style::Display, content, at, to)
                 }
                 None => {
@@ -422,6 +316,14 @@ impl<'a> Latex<'a, '_> {
         self.open.push(Open { name, place, kind });
         self.said = to;
         to
+    }
+
+    /// The byte after the options of an environment, such as the kinds of its columns.
+    fn columns(&self, name: &str, at: usize) -> usize {
+        let at = self.brackets(at);
+        let columns = name.starts_with("IEEE") || name.contains("alignat");
+        let braces = columns && self.text[at..].starts_with('{');
+        if braces { braces_end(self.text, at).unwrap_or(at) } else { at }
     }
 
     /// The byte after the end of a text that is not read.

@@ -53,6 +53,7 @@ fn signs_and_environments() {
             vec!["\\begin{align*}a &= b         \\\\ &= c\\end{align*}"],
         ),
         ("\\begin{dmath}a\\end{dmath}", vec!["a"]),
+        ("\\begin{IEEEeqnarray*}{rCl}a &=& b\\end{IEEEeqnarray*}", vec!["a &=& b"]),
         (
             "\\begin{subequations}\\begin{gather}a\\end{gather}\\end{subequations}",
             vec!["\\begin{gather}a\\end{gather}"],
