@@ -333,9 +333,13 @@ impl Blocks<'_> {
 
     fn opening_command(&mut self, at: usize) -> Option<usize> {
         let rest = &self.text[at..];
-        if rest.starts_with(r"\[") {
-            let found = display_end(self.text, at + 2, r"\]", false)?;
-            return inline::is_bracketed_formula(&self.text[at + 2..found]).then_some(found + 2);
+        for (open, close) in [(r"\[", r"\]"), (r"\\[", r"\\]")] {
+            if rest.starts_with(open) {
+                let from = at + open.len();
+                let found = display_end(self.text, from, close, false)?;
+                let formula = inline::is_bracketed_formula(&self.text[from..found]);
+                return formula.then_some(found + close.len());
+            }
         }
         let (name, after) = braced_name(self.text, at + rest.strip_prefix(r"\begin").map(|_| 6)?)?;
         if !is_math_environment(name) {

@@ -5,7 +5,7 @@ use super::text::Text;
 use crate::source::Span;
 
 /// A longer label or text between rows is not looked for.
-const MAX_LABEL: usize = 4000;
+const MAX_LABEL: usize = 1500;
 
 /// The formula that stands at byte `start` with `\label{…}`, `\tag{…}`, `\nonumber`, `\notag`,
 /// `\intertext{…}` blanked, and comments too if there can be any.

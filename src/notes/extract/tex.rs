@@ -11,7 +11,7 @@ use super::clean::braces_end;
 use super::collect::Collector;
 use super::inline::nearby;
 use super::macros::{half_definition, is_definer};
-use super::signs::{braced_name, display_end, is_math_environment, line_at};
+use super::signs::{braced_name, display_end, formula_end, is_math_environment, line_at};
 use super::vocabulary::{HEADINGS, LISTS, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::latex;
@@ -230,7 +230,10 @@ impl<'a> Latex<'a, '_> {
         let macros = self.out.macros.names_of(&closing);
         let mut signs: Vec<_> = macros.into_iter().map(|name| format!("\\{name}")).collect();
         signs.push(closing);
-        let ends = signs.iter().filter_map(|sign| Some((display_end(self.text, after, sign, true)?, sign)));
+        let opening = format!("\\{name}");
+        let ends = signs
+            .iter()
+            .filter_map(|sign| Some((formula_end(self.text, after, Some(&opening), sign, true)?, sign)));
         match ends.min() {
             Some((end, sign)) => {
                 let end = end + sign.len();

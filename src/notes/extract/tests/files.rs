@@ -101,6 +101,15 @@ fn files_that_cannot_be_read() {
 }
 
 #[test]
+fn a_file_beyond_the_limit() {
+    let folder = Folder::new("long", &[("x.md", b"")]);
+    let path = folder.0.join("x.md");
+    fs::File::create(&path).and_then(|file| file.set_len(MAX_BYTES + 1)).unwrap();
+    let problem = read_file(&path).unwrap_err();
+    assert!(problem.code == Code::File && problem.message.contains("64 MiB"), "{problem:?}");
+}
+
+#[test]
 fn kinds_of_files() {
     let folder = Folder::new(
         "kinds",
