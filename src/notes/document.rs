@@ -67,7 +67,8 @@ pub enum Style {
     Inline,
     /// On lines of its own.
     Display,
-    /// In plain notation among words: F(u) = f(u, u, u).
+    /// In plain notation among words: F(u) = f(u, u, u). It reads with [`crate::syntax::parse`], or
+    /// else with [`crate::latex::read`], which knows more signs (∑) and splits `a_ju_j`.
     Plain,
 }
 
@@ -76,7 +77,7 @@ pub enum Style {
 pub struct Formula {
     /// How it is set.
     pub style: Style,
-    /// Its bytes in the file, without the signs around it.
+    /// Its bytes in the file, without the signs around it. `\begin{align}` and its `\end` belong to it.
     pub span: Span,
     /// Its text, ready for the reader of formulas.
     pub text: String,

@@ -46,6 +46,9 @@ fn front_matter(text: &str) -> usize {
     0
 }
 
+/// Deeper quotations and lists are taken for text.
+const MAX_NESTING: usize = 100;
+
 enum Open {
     Quotation,
     /// Its lines are indented by this many columns.
@@ -131,7 +134,8 @@ impl Blocks<'_> {
             }
             let indent = cursor.indent();
             cursor.skip_spaces();
-            if cursor.quotation_mark() {
+            let nests = self.open.len() < MAX_NESTING;
+            if nests && cursor.quotation_mark() {
                 self.begin(Open::Quotation, fresh, matched);
             } else if let Some((mark, len)) = cursor.fence() {
                 self.end_paragraph();
@@ -149,9 +153,9 @@ impl Blocks<'_> {
                 self.end_paragraph();
                 self.close_unless(fresh, matched);
                 return next;
-            } else if let Some(columns) = cursor.list_mark(indent, in_paragraph && all && !fresh) {
+            } else if nests && let Some(columns) = cursor.list_mark(indent, in_paragraph && all && !fresh) {
                 self.begin(Open::Item(columns), fresh, matched);
-            } else if let Some(closing) = cursor.division() {
+            } else if nests && let Some(closing) = cursor.division() {
                 self.end_paragraph();
                 self.division(closing, fresh, matched);
                 return next;
@@ -228,7 +232,7 @@ impl Blocks<'_> {
     }
 
     fn heading(&mut self, level: u8, span: Span) {
-        self.out.items.push(Item::Heading { level, span });
+        self.out.push(Item::Heading { level, span });
         inline::heading(&self.text[span.range()], span.start, self.out);
         self.out.end_paragraph();
     }
@@ -252,7 +256,7 @@ impl Blocks<'_> {
             self.out.end_paragraph();
         }
         if !closed {
-            self.out.problems.push(
+            self.out.problem(
                 Diagnostic::warning(Code::UnclosedBlock, "the code block is never closed")
                     .at(fence.start)
                     .reason("it begins here")
@@ -329,9 +333,13 @@ impl Blocks<'_> {
 
     fn opening_command(&mut self, at: usize) -> Option<usize> {
         let rest = &self.text[at..];
-        if rest.starts_with(r"\[") {
-            let found = display_end(self.text, at + 2, r"\]", false)?;
-            return inline::is_bracketed_formula(&self.text[at + 2..found]).then_some(found + 2);
+        for (open, close) in [(r"\[", r"\]"), (r"\\[", r"\\]")] {
+            if rest.starts_with(open) {
+                let from = at + open.len();
+                let found = display_end(self.text, from, close, false)?;
+                let formula = inline::is_bracketed_formula(&self.text[from..found]);
+                return formula.then_some(found + close.len());
+            }
         }
         let (name, after) = braced_name(self.text, at + rest.strip_prefix(r"\begin").map(|_| 6)?)?;
         if !is_math_environment(name) {
@@ -370,8 +378,7 @@ impl Blocks<'_> {
             if row != 1 {
                 self.out.enter(Enclosure::Row);
                 inline::paragraph(&self.text[line.range()], line.start, self.out);
-                self.out.end_paragraph();
-                self.out.leave(Enclosure::Row);
+                self.out.end_row();
             }
         }
     }

@@ -1,30 +1,84 @@
 //! Where the readers of containers put what they find.
 
-use std::borrow::Cow;
-
-use super::macros::{Macros, Text, command_name};
+use super::clean::cleaned;
+use super::macros::Macros;
 use super::plain;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::document::{Enclosure, Formula, Item, Style};
-use crate::source::Span;
+use crate::notes::document::{Document, Enclosure, Formula, Item, Style};
+use crate::source::{SourceFile, Span};
+
+/// So many problems are told of a file; the rest are of the same kind.
+const MAX_PROBLEMS: usize = 1000;
 
 /// The pieces found so far.
 #[derive(Default)]
 pub(super) struct Collector {
-    pub(super) items: Vec<Item>,
-    pub(super) problems: Vec<Diagnostic>,
+    items: Vec<Item>,
+    problems: Vec<Diagnostic>,
     pub(super) macros: Macros,
+    /// Whether something was said since the last paragraph or enclosure.
+    said: bool,
 }
 
 impl Collector {
+    /// A collector that goes on with the macros and problems of another.
+    pub(super) fn with(macros: Macros, problems: Vec<Diagnostic>) -> Self {
+        Collector { macros, problems, ..Collector::default() }
+    }
+
+    /// What was found in the file.
+    pub(super) fn into_document(self, file: SourceFile) -> Document {
+        Document { file, items: self.items, problems: self.problems }
+    }
+
+    /// What was found in a part of the file: items and problems.
+    pub(super) fn into_parts(self) -> (Vec<Item>, Vec<Diagnostic>, Macros) {
+        (self.items, self.problems, self.macros)
+    }
+
+    pub(super) fn push(&mut self, item: Item) {
+        match item {
+            Item::Words(_) | Item::Formula(_) | Item::Heading { .. } => self.said = true,
+            Item::Break | Item::Enter(_) | Item::Leave(_) => self.said = false,
+            Item::Declaration { .. } => {}
+        }
+        self.items.push(item);
+    }
+
+    pub(super) fn problem(&mut self, problem: Diagnostic) {
+        if self.problems.len() < MAX_PROBLEMS {
+            self.problems.push(problem);
+        }
+    }
+
     /// A formula: `text` as it stands at byte `start`, without the signs around it.
     pub(super) fn formula(&mut self, style: Style, text: &str, start: usize) {
+        self.formula_of(style, text, start, false);
+    }
+
+    /// A formula of a LaTeX file, where comments may stand in it.
+    pub(super) fn commented_formula(&mut self, style: Style, text: &str, start: usize) {
+        self.formula_of(style, text, start, true);
+    }
+
+    fn formula_of(&mut self, style: Style, text: &str, start: usize, comments: bool) {
         let start = start + (text.len() - text.trim_start().len());
         let span = Span::new(start, start + text.trim().len());
-        let text = Text::plain(without_labels(text.trim()), start);
-        let text = self.macros.expand(text, &mut self.problems);
-        if !text.text.trim().is_empty() {
-            self.items.push(Item::Formula(Formula { style, span, text: text.text, places: text.places }));
+        let text = cleaned(text.trim(), start, comments);
+        let (mut text, problem) = self.macros.expand(text);
+        if let Some(problem) = problem {
+            self.problem(problem);
+        }
+        text.text.truncate(text.text.trim_end().len());
+        if !text.text.is_empty() {
+            self.push(Item::Formula(Formula { style, span, text: text.text, places: text.places }));
+        }
+    }
+
+    /// Words on one or several lines.
+    pub(super) fn words(&mut self, text: &str, start: usize) {
+        for (line, at) in lines(text, start) {
+            self.line(line, at);
         }
     }
 
@@ -45,24 +99,33 @@ impl Collector {
         let begin = at + (line.len() - line.trim_start().len());
         let len = line.trim().len();
         if len > 0 {
-            self.items.push(Item::Words(Span::new(begin, begin + len)));
+            self.push(Item::Words(Span::new(begin, begin + len)));
         }
     }
 
     /// The end of a paragraph, unless nothing was said since the last one.
     pub(super) fn end_paragraph(&mut self) {
-        let last = self.items.iter().rev().find(|item| !matches!(item, Item::Declaration { .. }));
-        if !matches!(last, None | Some(Item::Break | Item::Enter(_) | Item::Leave(_))) {
-            self.items.push(Item::Break);
+        if self.said {
+            self.push(Item::Break);
         }
     }
 
     pub(super) fn enter(&mut self, what: Enclosure) {
-        self.items.push(Item::Enter(what));
+        self.push(Item::Enter(what));
     }
 
     pub(super) fn leave(&mut self, what: Enclosure) {
-        self.items.push(Item::Leave(what));
+        self.push(Item::Leave(what));
+    }
+
+    /// The row of a table ends; one in which nothing stands was none.
+    pub(super) fn end_row(&mut self) {
+        if self.items.last() == Some(&Item::Enter(Enclosure::Row)) {
+            self.items.pop();
+        } else {
+            self.end_paragraph();
+            self.leave(Enclosure::Row);
+        }
     }
 
     /// A sign that opens a formula which is never closed.
@@ -70,7 +133,7 @@ impl Collector {
         let problem = Diagnostic::warning(Code::UnclosedFormula, format!("{sign} is never closed"))
             .at(Span::new(at, at + sign.len()))
             .reason("a formula begins here");
-        self.problems.push(if sign == "$" {
+        self.problem(if sign == "$" {
             problem.hint(r"write $ after the formula, or \$ for the currency")
         } else {
             problem.hint(format!("write {closing} after the formula"))
@@ -87,52 +150,3 @@ fn lines(text: &str, start: usize) -> impl Iterator<Item = (&str, usize)> {
         (line, begin)
     })
 }
-
-/// The formula with `\label{…}`, `\tag{…}`, `\nonumber`, `\notag` and `\intertext{…}` blanked.
-fn without_labels(text: &str) -> Cow<'_, str> {
-    let mut blanked: Option<String> = None;
-    let mut at = 0;
-    while let Some(found) = text[at..].find('\\') {
-        at += found;
-        let name = command_name(text, at);
-        let after = at + 1 + name.len();
-        let end = match name {
-            "nonumber" | "notag" => after,
-            "label" | "tag" | "intertext" | "shortintertext" => {
-                let star = after + usize::from(text[after..].starts_with('*'));
-                braces_end(text, star).unwrap_or(after)
-            }
-            _ => {
-                at = after;
-                continue;
-            }
-        };
-        let blanked = blanked.get_or_insert_with(|| text.to_owned());
-        // Line ends stay, so that a comment before them ends where it did.
-        let blank: String =
-            text[at..end].bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect();
-        blanked.replace_range(at..end, &blank);
-        at = end;
-    }
-    blanked.map_or(Cow::Borrowed(text), Cow::Owned)
-}
-
-/// The byte after the group in braces at `at`.
-fn braces_end(text: &str, at: usize) -> Option<usize> {
-    let open = at + (text[at..].len() - text[at..].trim_start().len());
-    let mut depth = 0_usize;
-    for (i, byte) in text[open..].bytes().enumerate().take(MAX_LABEL) {
-        match byte {
-            b'{' => depth += 1,
-            b'}' => depth = depth.checked_sub(1)?,
-            _ => {}
-        }
-        if depth == 0 {
-            return (i > 0).then_some(open + i + 1);
-        }
-    }
-    None
-}
-
-/// A longer label or text between rows is not looked for.
-const MAX_LABEL: usize = 4000;

@@ -28,10 +28,10 @@ fn run_of(text: &str, at: usize, mark: u8) -> usize {
 }
 
 /// Code spans and addresses are this long at most; it keeps looking for their ends linear.
-const NEARBY: usize = 1 << 12;
+const NEARBY: usize = 1000;
 
 /// The rest of the line, but not more of it than is worth looking at.
-fn nearby(text: &str) -> &str {
+pub(super) fn nearby(text: &str) -> &str {
     let mut end = text.len().min(NEARBY);
     while !text.is_char_boundary(end) {
         end -= 1;
@@ -43,7 +43,7 @@ fn nearby(text: &str) -> &str {
 /// The end of the next run of exactly `run` backquotes.
 fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
     let mut at = from;
-    while at < from + 16 * NEARBY {
+    while at < from + NEARBY {
         at += text[at..].bytes().position(|byte| byte == b'`')?;
         let len = run_of(text, at, b'`');
         at += len;
@@ -145,12 +145,19 @@ impl<'a> Inline<'a> {
 
     fn command(&mut self, at: usize) -> usize {
         let rest = &self.text[at..];
-        for (open, close, style) in [(r"\[", r"\]", Style::Display), (r"\(", r"\)", Style::Inline)] {
+        // The signs of LaTeX, and as some generators of pages want them, with the backslash escaped.
+        for (open, close, style) in [
+            (r"\[", r"\]", Style::Display),
+            (r"\(", r"\)", Style::Inline),
+            (r"\\[", r"\\]", Style::Display),
+            (r"\\(", r"\\)", Style::Inline),
+        ] {
+            let from = at + open.len();
             if rest.starts_with(open)
-                && let Some(end) = display_end(self.text, at + 2, close, false)
-                && is_bracketed_formula(&self.text[at + 2..end])
+                && let Some(end) = display_end(self.text, from, close, false)
+                && is_bracketed_formula(&self.text[from..end])
             {
-                return self.formula(style, Span::new(at + 2, end), at, end + 2);
+                return self.formula(style, Span::new(from, end), at, end + close.len());
             }
         }
         if rest.starts_with(r"\begin")
@@ -231,7 +238,7 @@ impl<'a> Inline<'a> {
         let text = colon.trim();
         let start = to - colon.len() + (colon.len() - colon.trim_start().len());
         let span = Span::new(start, start + text.len()).shifted(self.start);
-        self.out.items.push(Item::Declaration { text: text.to_owned(), span });
+        self.out.push(Item::Declaration { text: text.to_owned(), span });
     }
 
     fn dollar(&mut self, at: usize) -> usize {

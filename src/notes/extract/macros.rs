@@ -11,11 +11,13 @@
 //!
 //! Reference: Knuth, *The TeXbook*, chapter 20; for `\NewDocumentCommand` the LaTeX manual `usrguide`.
 
-use std::collections::HashMap;
-use std::ops::Range;
+use std::collections::{HashMap, HashSet};
 
+use super::arguments::{
+    Argument, Given, MAX_GROUP, MAX_GROUP_AFTER_FAILURE, Reader, call, command_name, specification,
+};
+use super::text::Text;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::document::Places;
 use crate::source::Span;
 
 /// How deep macros may stand in what macros stand for.
@@ -24,67 +26,6 @@ const MAX_DEPTH: usize = 60;
 /// How long a formula may become, and how many calls it may have.
 const MAX_BYTES: usize = 1 << 16;
 const MAX_CALLS: usize = 10_000;
-
-/// How far a group may reach; and once one was found without end, which keeps the time linear.
-const MAX_GROUP: usize = 1 << 17;
-const MAX_GROUP_AFTER_FAILURE: usize = 1 << 11;
-
-/// Names of commands are not longer.
-const MAX_NAME: usize = 60;
-
-/// A text with the places of its bytes in the file.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Text {
-    pub(super) text: String,
-    pub(super) places: Places,
-}
-
-impl Text {
-    /// The bytes of the file from `start` on.
-    pub(super) fn plain(text: impl Into<String>, start: usize) -> Self {
-        Text { text: text.into(), places: Places::plain(start) }
-    }
-
-    /// Adds text that stands for the bytes `file`.
-    pub(super) fn push_whole(&mut self, text: &str, file: Span) {
-        if !text.is_empty() {
-            self.places.push_whole(self.text.len(), file);
-            self.text.push_str(text);
-        }
-    }
-
-    /// Adds a part of another text.
-    pub(super) fn push_part(&mut self, from: &Text, part: Range<usize>) {
-        if !part.is_empty() {
-            self.places.append(self.text.len(), &from.places, Span::new(part.start, part.end));
-            self.text.push_str(&from.text[part]);
-        }
-    }
-
-    /// A space if the next letter would become part of the command at the end.
-    fn separate(&mut self, next: &str, file: Span) {
-        let letters = self.text.bytes().rev().take(MAX_NAME).take_while(u8::is_ascii_alphabetic).count();
-        let before = &self.text[..self.text.len() - letters];
-        let ends = letters > 0 && before.ends_with('\\') && !before.ends_with(r"\\");
-        if ends && next.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            self.push_whole(" ", file);
-        }
-    }
-}
-
-/// How an argument is written.
-#[derive(Clone, Debug, PartialEq)]
-enum Argument {
-    Mandatory,
-    /// In brackets, with what it is if it is missing.
-    Optional(String),
-    /// A star, which stands for nothing.
-    Star,
-    /// Up to these signs.
-    Until(String),
-    /// These signs, which stand for nothing.
-    Sign(String),
-}
 
 #[derive(Clone, Debug)]
 struct Macro {
@@ -96,6 +37,8 @@ struct Macro {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Macros {
     table: HashMap<String, Macro>,
+    /// Environments of the kind of theorems: `\newtheorem{name}{Title}`.
+    pub(super) theorems: HashSet<String>,
     /// Whether a group had no end.
     failed: bool,
 }
@@ -119,16 +62,6 @@ const DEFINERS: &[&str] = &[
     "DeclarePairedDelimiter",
 ];
 
-/// The name of the command at `at`, where a backslash stands: letters, or one other character.
-pub(super) fn command_name(text: &str, at: usize) -> &str {
-    let rest = &text[at + 1..];
-    let letters = rest.bytes().take_while(|byte| byte.is_ascii_alphabetic() || *byte == b'@').count();
-    match letters {
-        0 => &rest[..rest.chars().next().map_or(0, char::len_utf8)],
-        _ => &rest[..letters],
-    }
-}
-
 /// Whether the command defines another.
 pub(super) fn is_definer(name: &str) -> bool {
     DEFINERS.contains(&name)
@@ -138,6 +71,17 @@ impl Macros {
     /// What a macro without arguments stands for.
     pub(super) fn body(&self, name: &str) -> Option<&str> {
         self.table.get(name).filter(|known| known.arguments.is_empty()).map(|known| known.body.as_str())
+    }
+
+    /// The names of the macros that stand for just this.
+    pub(super) fn names_of(&self, body: &str) -> Vec<&str> {
+        let known = self.table.iter();
+        let mut names: Vec<_> = known
+            .filter(|(_, known)| known.arguments.is_empty() && known.body.trim() == body)
+            .map(|(name, _)| name.as_str())
+            .collect();
+        names.sort_unstable();
+        names
     }
 
     /// Takes note of the definition at `at`, where its backslash stands: the byte after it. Without
@@ -206,25 +150,19 @@ impl Macros {
         Some(reader.at)
     }
 
-    /// The text without its definitions and with its macros replaced. Problems stand in `problems`.
-    pub(super) fn expand(&mut self, input: Text, problems: &mut Vec<Diagnostic>) -> Text {
-        let defines = DEFINERS.iter().any(|name| input.text.contains(name));
-        if !input.text.contains('\\') || (self.table.is_empty() && !defines) {
-            return input;
+    /// The text without its definitions and with its macros replaced, and the first problem met.
+    pub(super) fn expand(&mut self, input: Text) -> (Text, Option<Diagnostic>) {
+        let defines = || DEFINERS.iter().any(|name| input.text.contains(name));
+        if !input.text.contains('\\') || (self.table.is_empty() && !defines()) {
+            return (input, None);
         }
         let mut output = Text::default();
         let mut run = Expansion { macros: self, calls: 0, problem: None, output: &mut output };
         run.expand(&input, 0);
         match run.problem {
             // Half of an expansion is of no use: the reader says what it does not know.
-            Some(problem) if problem.code == Code::MacroTooLarge => {
-                problems.push(problem);
-                input
-            }
-            problem => {
-                problems.extend(problem);
-                output
-            }
+            Some(problem) if problem.code == Code::MacroTooLarge => (input, Some(problem)),
+            problem => (output, problem),
         }
     }
 }
@@ -319,55 +257,6 @@ fn substituted(input: &Text, known: &Macro, arguments: &[Given], place: Span) ->
     grown
 }
 
-/// An argument of a call.
-enum Given {
-    At(Range<usize>),
-    Default(String),
-}
-
-/// The arguments of a call and the byte after it.
-fn call(text: &str, after: usize, arguments: &[Argument], reach: usize) -> Option<(Vec<Given>, usize)> {
-    let mut reader = Reader { text, at: after, reach };
-    let mut given = Vec::new();
-    for argument in arguments {
-        match argument {
-            Argument::Mandatory => given.push(Given::At(reader.argument()?)),
-            Argument::Optional(default) => {
-                let found = reader.bracket();
-                given.push(found.map_or_else(|| Given::Default(default.clone()), Given::At));
-            }
-            Argument::Star => {
-                reader.star();
-                given.push(Given::Default(String::new()));
-            }
-            Argument::Until(sign) => given.push(Given::At(reader.until(sign)?)),
-            Argument::Sign(sign) => {
-                reader.spaces();
-                reader.sign(sign).then_some(())?;
-            }
-        }
-    }
-    Some((given, reader.at))
-}
-
-/// The arguments `m`, `o`, `O{…}`, `s` of \NewDocumentCommand.
-fn specification(text: &str) -> Option<Vec<Argument>> {
-    let mut reader = Reader { text, at: 0, reach: MAX_GROUP };
-    let mut arguments = Vec::new();
-    loop {
-        reader.spaces();
-        let Some(kind) = text[reader.at..].chars().next() else { return Some(arguments) };
-        reader.at += kind.len_utf8();
-        arguments.push(match kind {
-            'm' => Argument::Mandatory,
-            'o' => Argument::Optional(String::new()),
-            'O' => Argument::Optional(reader.group()?),
-            's' => Argument::Star,
-            _ => return None,
-        });
-    }
-}
-
 /// A body without the comments in it.
 fn uncommented(body: &str) -> String {
     if !body.contains('%') {
@@ -382,148 +271,6 @@ fn uncommented(body: &str) -> String {
         }
     }
     plain
-}
-
-/// Walks over names, groups and arguments.
-struct Reader<'a> {
-    text: &'a str,
-    at: usize,
-    /// How far a group may reach.
-    reach: usize,
-}
-
-impl Reader<'_> {
-    fn rest(&self) -> &str {
-        &self.text[self.at..]
-    }
-
-    fn spaces(&mut self) {
-        self.at += self.rest().len() - self.rest().trim_start().len();
-    }
-
-    fn sign(&mut self, sign: &str) -> bool {
-        let found = self.rest().starts_with(sign);
-        self.at += if found { sign.len() } else { 0 };
-        found
-    }
-
-    fn star(&mut self) {
-        self.spaces();
-        self.sign("*");
-    }
-
-    /// The name of a command, perhaps in braces.
-    fn name(&mut self) -> Option<String> {
-        self.spaces();
-        let braced = self.sign("{");
-        self.spaces();
-        if !self.rest().starts_with('\\') {
-            return None;
-        }
-        let name = command_name(self.text, self.at).to_owned();
-        self.at += 1 + name.len();
-        if braced {
-            self.spaces();
-            self.sign("}").then_some(())?;
-        }
-        (!name.is_empty()).then_some(name)
-    }
-
-    /// What stands in braces.
-    fn group(&mut self) -> Option<String> {
-        self.spaces();
-        self.rest().starts_with('{').then_some(())?;
-        let range = self.enclosed('}')?;
-        Some(self.text[range].to_owned())
-    }
-
-    /// What stands in brackets, if they are the next thing.
-    fn bracket(&mut self) -> Option<Range<usize>> {
-        let start = self.at;
-        self.spaces();
-        if !self.rest().starts_with('[') {
-            self.at = start;
-            return None;
-        }
-        let found = self.enclosed(']');
-        if found.is_none() {
-            self.at = start;
-        }
-        found
-    }
-
-    /// What stands from the sign here to its partner, outside of inner braces.
-    fn enclosed(&mut self, close: char) -> Option<Range<usize>> {
-        let start = self.at + 1;
-        let end = start + find_outside(&self.text[start..], &close.to_string(), self.reach)?;
-        self.at = end + 1;
-        Some(start..end)
-    }
-
-    /// Up to the signs, which are passed.
-    fn until(&mut self, sign: &str) -> Option<Range<usize>> {
-        let start = self.at;
-        let end = start + find_outside(&self.text[start..], sign, self.reach)?;
-        self.at = end + sign.len();
-        Some(start..end)
-    }
-
-    /// A group without its braces, or a token.
-    fn argument(&mut self) -> Option<Range<usize>> {
-        self.spaces();
-        if self.rest().starts_with('{') { self.enclosed('}') } else { self.token() }
-    }
-
-    /// A command or a character.
-    fn token(&mut self) -> Option<Range<usize>> {
-        let start = self.at;
-        let first = self.rest().chars().next().filter(|&c| c != '}')?;
-        self.at += match first {
-            '\\' => 1 + command_name(self.text, start).len(),
-            _ => first.len_utf8(),
-        };
-        Some(start..self.at)
-    }
-
-    /// The parameters of \def: `#1#2`, or with signs between them.
-    fn pattern(&mut self) -> Option<Vec<Argument>> {
-        let end = self.at + self.rest().bytes().take(200).position(|byte| byte == b'{')?;
-        let text = &self.text[self.at..end];
-        self.at = end;
-        let mut parts = text.split('#');
-        let mut arguments = Vec::new();
-        let first = parts.next().unwrap_or("").trim();
-        if !first.is_empty() {
-            arguments.push(Argument::Sign(first.to_owned()));
-        }
-        for (i, part) in parts.enumerate() {
-            let sign = part.strip_prefix(char::from_digit(i as u32 + 1, 10)?)?.trim();
-            let argument =
-                if sign.is_empty() { Argument::Mandatory } else { Argument::Until(sign.to_owned()) };
-            arguments.push(argument);
-        }
-        Some(arguments)
-    }
-}
-
-/// Where the sign stands outside of braces.
-fn find_outside(text: &str, sign: &str, reach: usize) -> Option<usize> {
-    let mut depth = 0_usize;
-    let mut at = 0;
-    while at < text.len().min(reach) {
-        let byte = text.as_bytes()[at];
-        if depth == 0 && text.is_char_boundary(at) && text[at..].starts_with(sign) {
-            return Some(at);
-        }
-        match byte {
-            b'\\' => at += 1,
-            b'{' => depth += 1,
-            b'}' => depth = depth.checked_sub(1)?,
-            _ => {}
-        }
-        at += 1;
-    }
-    None
 }
 
 /// The definition at the place has no end, or is of a kind that is not read.
@@ -548,10 +295,9 @@ mod tests {
     /// The expansion of the formula after the definitions, with the place of each byte from `@` on.
     fn expanded(definitions: &str, formula: &str) -> (String, Vec<Diagnostic>) {
         let mut macros = Macros::default();
-        let mut problems = Vec::new();
-        macros.expand(Text::plain(definitions, 0), &mut problems);
-        let text = macros.expand(Text::plain(formula, 0), &mut problems);
-        (text.text, problems)
+        let (_, first) = macros.expand(Text::plain(definitions, 0));
+        let (text, second) = macros.expand(Text::plain(formula, 0));
+        (text.text, first.into_iter().chain(second).collect())
     }
 
     #[test]
@@ -590,7 +336,7 @@ mod tests {
         let mut macros = Macros::default();
         macros.define(r"\newcommand{\B}[2]{B_{#1}^{#2}}", 0).unwrap();
         let formula = r"1 + \B{i}{nn} = x";
-        let text = macros.expand(Text::plain(formula, 100), &mut Vec::new());
+        let text = macros.expand(Text::plain(formula, 100)).0;
         assert_eq!(text.text, "1 + B_{i}^{nn} = x");
         let at = |part: &str| {
             let start = text.text.find(part).unwrap();

@@ -11,13 +11,23 @@
 //!
 //! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc.
 
+mod arguments;
 mod blocks;
+mod clean;
 mod collect;
 mod cursor;
+mod decode;
+mod files;
 mod inline;
 mod macros;
+mod notebook;
 mod plain;
 mod signs;
+mod tex;
+mod text;
+mod vocabulary;
+
+pub use files::{MAX_BYTES, read_file, read_files};
 
 use super::document::Document;
 use crate::source::SourceFile;
@@ -28,9 +38,13 @@ use collect::Collector;
 pub enum Container {
     /// Markdown, also plain text.
     Markdown,
+    /// LaTeX.
+    Latex,
+    /// The Markdown cells of a Jupyter notebook.
+    Notebook,
 }
 
-/// Takes a text apart.
+/// Takes a text apart. Files that it includes are not read; [`read_files`] does that.
 ///
 /// Cost: linear in the length of the text.
 ///
@@ -45,10 +59,16 @@ pub enum Container {
 /// ```
 pub fn document(file: SourceFile, kind: Container) -> Document {
     let mut out = Collector::default();
+    scan(file.text(), kind, &mut out);
+    out.into_document(file)
+}
+
+fn scan(text: &str, kind: Container, out: &mut Collector) {
     match kind {
-        Container::Markdown => blocks::scan(file.text(), &mut out),
+        Container::Markdown => blocks::scan(text, out),
+        Container::Latex => tex::scan(text, true, out, &mut |_, _, _, _| {}),
+        Container::Notebook => notebook::scan(text, out),
     }
-    Document { file, items: out.items, problems: out.problems }
 }
 
 #[cfg(test)]

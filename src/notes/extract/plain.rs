@@ -109,13 +109,10 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
         if word > 1 || !c.is_ascii() {
             return (Kind::Cut, word, 0);
         }
-        return name(rest, one).map_or_else(
-            || (Kind::Cut, one + letters(&rest[one + 1..]) + 1, 0),
-            |(kind, len)| (kind, len, 0),
-        );
+        return name(rest, one);
     }
     if syntax::greek_name(c).is_some() || is_blackboard(c) {
-        return name(rest, one).map_or((Kind::Cut, one, 0), |(kind, len)| (kind, len, 0));
+        return name(rest, one);
     }
     if c == '*' {
         let marks = rest.bytes().take_while(|&byte| byte == b'*').count();
@@ -123,7 +120,9 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
         if free && marks <= 2 && rest[marks..].starts_with(is_symbol) {
             let inner = &rest[marks..];
             let first = inner.chars().next().map_or(0, char::len_utf8);
-            if let Some((_, len)) = name(inner, first).filter(|_| letters(inner) <= 1)
+            let (kind, len, _) = name(inner, first);
+            if kind != Kind::Cut
+                && letters(inner) <= 1
                 && inner[len..].starts_with(&rest[..marks])
                 && !inner[len + marks..].starts_with(|c: char| c.is_alphanumeric() || c == '*')
             {
@@ -146,7 +145,8 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
     }
     let kind = match c {
         '∑' | '∏' | '∫' | '∂' | '∇' => {
-            return name(rest, one).map_or((Kind::Cut, one, 0), |(_, len)| (Kind::Prefix, len, 0));
+            let (kind, len, _) = name(rest, one);
+            return (if kind == Kind::Cut { kind } else { Kind::Prefix }, len, 0);
         }
         '√' => Kind::Prefix,
         '!' => Kind::Postfix,
@@ -193,25 +193,25 @@ fn exponents(text: &str) -> usize {
 }
 
 /// A name of one letter of `len` bytes, with its indices, exponents and primes.
-fn name(text: &str, len: usize) -> Option<(Kind, usize)> {
+fn name(text: &str, len: usize) -> (Kind, usize, usize) {
     let letter = len;
     let mut len = len;
     len += text[len..].bytes().take_while(u8::is_ascii_digit).count();
     loop {
         let rest = &text[len..];
-        let c = rest.chars().next();
-        len += match c {
+        len += match rest.chars().next() {
             Some(c) if is_raised(c) || matches!(c, '\'' | '’' | '′' | '″') => c.len_utf8(),
             Some(sign @ ('_' | '^')) => match script(&rest[1..]) {
                 Some(script) => 1 + script,
                 None if sign == '^' => break,
-                None => return None,
+                // A word with underscores.
+                None => return (Kind::Cut, len + 1 + letters(&rest[1..]), 0),
             },
             _ => break,
         };
     }
     let article = len == letter && text.starts_with(['a', 'A', 'I']);
-    Some((if article { Kind::Article } else { Kind::Name }, len))
+    (if article { Kind::Article } else { Kind::Name }, len, 0)
 }
 
 /// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names.

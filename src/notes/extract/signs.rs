@@ -14,7 +14,6 @@ const ENVIRONMENTS: &[&str] = &[
     "multline",
     "eqnarray",
     "dmath",
-    "dgroup",
     "displaymath",
     "math",
     "xalignat",
@@ -33,41 +32,47 @@ pub(super) fn braced_name(text: &str, at: usize) -> Option<(&str, usize)> {
     let inner = rest.strip_prefix('{')?;
     let len = inner.bytes().take(40).position(|byte| byte == b'}')?;
     let name = inner.get(..len)?;
-    let plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'*' || byte == b'@');
-    (plain && !name.is_empty()).then_some((name, at + len + 2))
+    (!name.is_empty() && !name.contains(['{', '\\', '\n', '$'])).then_some((name, at + len + 2))
 }
 
-/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `\]`,
-/// `\)` or `\end{…}`. In a LaTeX file comments are passed over and a blank line ends the search.
+/// Where the formula that was opened before `from` ends: the byte of the closing sign `$$`, `$`,
+/// `\]`, `\)`, `\end{…}`. In a LaTeX file comments are passed over and a blank line ends the search.
 pub(super) fn display_end(text: &str, from: usize, closing: &str, latex: bool) -> Option<usize> {
-    let bytes = text.as_bytes();
-    // The same sign once more: the first was not closed. It also keeps repeated searches linear.
-    let again = match closing {
-        r"\]" => r"\[".to_owned(),
-        r"\)" => r"\(".to_owned(),
-        _ => closing.replacen(r"\end", r"\begin", 1),
+    let opening = match closing {
+        r"\]" => Some(r"\[".to_owned()),
+        r"\)" => Some(r"\(".to_owned()),
+        r"\\]" => Some(r"\\[".to_owned()),
+        r"\\)" => Some(r"\\(".to_owned()),
+        _ => closing.strip_prefix(r"\end").map(|name| format!(r"\begin{name}")),
     };
+    formula_end(text, from, opening.as_deref(), closing, latex)
+}
+
+/// The same for any pair of signs, which may be commands. A second opening sign ends the search:
+/// the first was not closed. This also keeps repeated searches linear.
+pub(super) fn formula_end(
+    text: &str,
+    from: usize,
+    opening: Option<&str>,
+    closing: &str,
+    latex: bool,
+) -> Option<usize> {
+    let bytes = text.as_bytes();
     let mut at = from;
-    // Whether each open brace belongs to \text or the like, where $…$ may stand.
-    let mut braces: Vec<bool> = Vec::new();
-    let mut texts = 0;
+    let mut braces = Braces::default();
     let mut after_blank = false;
     while let Some(&byte) = bytes.get(at) {
         match byte {
-            b'\\' if text[at..].starts_with(closing) => return Some(at),
-            b'\\' if text[at..].starts_with(&again) => return None,
+            b'\\' if stands(text, at, closing) => return Some(at),
+            b'\\' if opening.is_some_and(|opening| stands(text, at, opening)) => return None,
             b'\\' => {
                 at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
                 continue;
             }
-            b'$' if text[at..].starts_with(closing) => return Some(at),
-            b'$' if texts == 0 => return None,
-            b'{' => {
-                let opens = opens_text(&text[..at]);
-                texts += usize::from(opens);
-                braces.push(opens);
-            }
-            b'}' => texts -= usize::from(braces.pop() == Some(true)),
+            b'$' if stands(text, at, closing) && (closing != "$" || !braces.in_text(at)) => return Some(at),
+            b'$' if !braces.in_text(at) => return None,
+            b'{' => braces.open(text, at),
+            b'}' => braces.close(),
             b'%' if latex => at += line_at(text, at).len() - 1,
             b'\n' => {
                 let line = line_at(text, at + 1);
@@ -86,6 +91,46 @@ pub(super) fn display_end(text: &str, from: usize, closing: &str, latex: bool) -
         at += 1;
     }
     None
+}
+
+/// Whether the sign stands at `at`; a command ends where its letters end.
+fn stands(text: &str, at: usize, sign: &str) -> bool {
+    let letter = |c: char| c.is_ascii_alphabetic();
+    text[at..].strip_prefix(sign).is_some_and(|rest| !sign.ends_with(letter) || !rest.starts_with(letter))
+}
+
+/// A group of text in a formula, within which `$…$` may stand, is not longer.
+const MAX_TEXT: usize = 1000;
+
+/// The braces that are open in a formula.
+#[derive(Default)]
+struct Braces {
+    /// Whether each belongs to \text or the like.
+    open: Vec<bool>,
+    /// How many of them do.
+    texts: usize,
+    /// Where the outermost \text begins.
+    start: usize,
+}
+
+impl Braces {
+    fn open(&mut self, text: &str, at: usize) {
+        let opens = opens_text(&text[..at]);
+        if opens && self.texts == 0 {
+            self.start = at;
+        }
+        self.texts += usize::from(opens);
+        self.open.push(opens);
+    }
+
+    fn close(&mut self) {
+        self.texts -= usize::from(self.open.pop() == Some(true));
+    }
+
+    /// Whether `at` stands in \text{…}.
+    fn in_text(&self, at: usize) -> bool {
+        self.texts > 0 && at < self.start + MAX_TEXT
+    }
 }
 
 /// The line that starts at `at`, without its end.
@@ -150,26 +195,17 @@ pub(super) fn inline_end(text: &str, open: usize) -> Option<usize> {
     (!is_money(content, after) && !is_between_formulas(content)).then_some(close)
 }
 
-/// Within how many bytes a `$` inside \text{…} is looked for.
-const NESTED: usize = 2000;
-
 /// The next `$` that can close a formula; with `nested`, those inside \text{…} are passed over.
 fn next_dollar(text: &str, from: usize, nested: bool) -> Option<usize> {
     let bytes = text.as_bytes();
-    let mut braces: Vec<bool> = Vec::new();
-    let mut texts = 0;
+    let mut braces = Braces::default();
     let mut at = from;
     while let Some(&byte) = bytes.get(at) {
         match byte {
             b'\\' => at += 1,
-            b'{' if nested => {
-                let opens = opens_text(&text[from..at]);
-                texts += usize::from(opens);
-                braces.push(opens);
-            }
-            b'}' if nested => texts -= usize::from(braces.pop() == Some(true)),
-            b'$' if texts == 0 => return closes(text, from, at).then_some(at),
-            b'$' if at > from + NESTED => return None,
+            b'{' if nested => braces.open(text, at),
+            b'}' if nested => braces.close(),
+            b'$' if !braces.in_text(at) => return closes(text, from, at).then_some(at),
             _ => {}
         }
         at += 1;
@@ -186,7 +222,7 @@ fn closes(text: &str, from: usize, at: usize) -> bool {
         2 => {
             let next = rest[2..]
                 .iter()
-                .take(NESTED)
+                .take(MAX_TEXT)
                 .take_while(|&&byte| byte != b'\n')
                 .position(|&byte| byte == b'$');
             next.is_some_and(|next| rest.get(next + 3) != Some(&b'$'))
@@ -224,7 +260,7 @@ fn is_between_formulas(content: &str) -> bool {
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
     words >= 4 && !in_text
-        || (words >= 1 && !signs && (open || close || content.starts_with(|c: char| c.is_ascii_digit())))
+        || (words >= 1 && !signs && (open || content.starts_with(|c: char| c.is_ascii_digit())))
         || (open != close && words >= 2)
 }
 

@@ -1,3 +1,9 @@
+mod files;
+mod latex;
+mod notebook;
+mod oracle;
+mod properties;
+
 use super::*;
 use crate::diagnostic::Code;
 use crate::notes::document::{Enclosure, Formula, Item};
@@ -92,6 +98,7 @@ fn displays() {
         ("$$ a \\\\$$ $b$", vec!["a \\\\", "b"]),
         ("```math\na\nb\n```\n", vec!["a\nb"]),
         ("\\[ a = b \\]\n\\(c\\) and \\[1\\] \\(see there\\)", vec!["a = b", "c"]),
+        ("\\\\[\na = b\n\\\\] and \\\\(c\\\\)\n", vec!["a = b", "c"]),
         ("\\begin{align*}\na &= b\n\\end{align*}\n", vec!["\\begin{align*}\na &= b\n\\end{align*}"]),
         ("$$$$ $x$", vec!["x"]),
         ("$`a_1`$ and $b$", vec!["a_1", "b"]),

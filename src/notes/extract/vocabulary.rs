@@ -1,0 +1,114 @@
+//! The environments and commands of LaTeX that say how a text is built.
+
+/// Environments whose content is shown as it is typed, or not at all.
+pub(super) const VERBATIM: &[&str] = &[
+    "verbatim",
+    "Verbatim",
+    "lstlisting",
+    "minted",
+    "comment",
+    "filecontents",
+    "tikzpicture",
+    "pgfpicture",
+    "algorithm",
+    "algorithmic",
+    "alltt",
+];
+
+pub(super) const QUOTATIONS: &[&str] = &["quote", "quotation", "displayquote", "verse"];
+
+pub(super) const LISTS: &[&str] =
+    &["itemize", "enumerate", "description", "list", "compactitem", "compactenum"];
+
+pub(super) const TABLES: &[&str] = &["tabular", "tabularx", "tabulary", "longtable", "tabu"];
+
+/// Theorems and their kin; others are declared with `\newtheorem`.
+pub(super) const THEOREMS: &[&str] = &[
+    "theorem",
+    "lemma",
+    "corollary",
+    "proposition",
+    "definition",
+    "example",
+    "examples",
+    "remark",
+    "remarks",
+    "proof",
+    "exercise",
+    "problem",
+    "solution",
+    "claim",
+    "fact",
+    "note",
+    "notation",
+    "conjecture",
+    "axiom",
+    "property",
+    "observation",
+    "question",
+    "answer",
+    "block",
+    "exampleblock",
+    "alertblock",
+    "thm",
+    "lem",
+    "cor",
+    "prop",
+    "defn",
+    "ex",
+    "rem",
+    "satz",
+    "beispiel",
+    "beweis",
+    "bemerkung",
+    "aufgabe",
+];
+
+/// Headings by level.
+pub(super) const HEADINGS: &[(&str, u8)] = &[
+    ("part", 1),
+    ("chapter", 2),
+    ("section", 3),
+    ("subsection", 4),
+    ("subsubsection", 5),
+    ("frametitle", 5),
+    ("paragraph", 6),
+    ("subparagraph", 7),
+];
+
+/// Commands that are no words, with their arguments.
+pub(super) const SILENT: &[&str] = &[
+    "label",
+    "includegraphics",
+    "usepackage",
+    "RequirePackage",
+    "documentclass",
+    "bibliography",
+    "bibliographystyle",
+    "url",
+    "vspace",
+    "hspace",
+    "setlength",
+    "setcounter",
+    "addtocounter",
+    "pagestyle",
+    "thispagestyle",
+    "hypersetup",
+    "graphicspath",
+    "newenvironment",
+    "renewenvironment",
+    "hline",
+    "cline",
+    "toprule",
+    "midrule",
+    "bottomrule",
+    "cmidrule",
+    "maketitle",
+    "tableofcontents",
+    "newpage",
+    "clearpage",
+    "centering",
+    "noindent",
+    "hfill",
+    "qedhere",
+];
