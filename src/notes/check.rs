@@ -314,6 +314,13 @@ impl Checker {
                 }
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
+                        if refute::is_standard(Some(head)) {
+                            // What everybody calls so keeps its meaning.
+                            findings[at].verdict = Verdict::Definition;
+                            findings[at].reason = Some(format!("introduces {}", head.base));
+                            findings[at].warning = warning;
+                            continue;
+                        }
                         self.definition(chain, head, place, &mut findings[at]);
                         if let Some(why) = tally.unclear.first().or(tally.errors.first().map(|e| &e.message))
                             && let Some(reason) = &mut findings[at].reason

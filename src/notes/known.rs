@@ -100,7 +100,10 @@ impl Checker {
         {
             return true;
         }
-        if curve.as_ref().is_some_and(|curve| curve.points == head.base) && head.arguments.is_none() {
+        if curve.as_ref().is_some_and(|curve| curve.points == head.base)
+            && head.arguments.is_none()
+            && head.upper.is_empty()
+        {
             return true;
         }
         let function = self.context.letters.is_function(&head.base);

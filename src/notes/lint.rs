@@ -51,7 +51,8 @@ pub fn declares(chain: &Chain) -> Option<&'static str> {
     let set = names
         && chain.relations.len() > 1
         && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
-        && chain.sides.last().is_some_and(|side| matches!(side.expr.kind, Kind::Number(_)));
+        && (chain.sides.last().is_some_and(|side| matches!(side.expr.kind, Kind::Number(_)))
+            || chain.sides.iter().any(|side| side.expr.kind == Kind::Ellipsis));
     set.then_some("sets values")
 }
 

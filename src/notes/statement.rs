@@ -185,16 +185,13 @@ impl Reader<'_> {
                 self.recent.push_str(words);
             }
             Item::Break => {
-                let list = self.enclosures.iter().any(|(e, _)| matches!(e, Enclosure::Item | Enclosure::Row));
-                self.ended = !list;
+                self.ended = true;
                 self.before.push('\n');
             }
             Item::Enter(enclosure) => {
                 self.next_scope += 1;
                 self.enclosures.push((*enclosure, self.next_scope));
-                if matches!(enclosure, Enclosure::Quotation | Enclosure::Environment) {
-                    self.new_group();
-                }
+                self.new_group();
             }
             Item::Leave(enclosure) => {
                 if let Some(at) = self.enclosures.iter().rposition(|(known, _)| known == enclosure) {

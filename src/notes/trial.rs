@@ -201,6 +201,26 @@ impl Trial<'_> {
                 names.extend(own);
             }
         }
+        // n in a formula about P, where P(t) = Σ_{i=0}^n …
+        let used: BTreeSet<String> = self.sides.iter().flat_map(|side| super::names::bases(side)).collect();
+        for base in &used {
+            for (_, definition, near) in self.context.visible(base, self.place) {
+                if let (super::context::Body::Formula(body), true) = (&definition.body, near) {
+                    let own: Vec<String> = definition
+                        .head
+                        .lower
+                        .iter()
+                        .chain(&definition.head.upper)
+                        .flat_map(super::names::bases)
+                        .collect();
+                    names.extend(integer_names(body).into_iter().filter(|name| {
+                        matches!(name.as_str(), "n" | "d" | "m" | "N")
+                            && used.contains(name)
+                            && !own.contains(name)
+                    }));
+                }
+            }
+        }
         // A name that is a variable of a function on a side is no integer.
         let mut arguments: BTreeSet<String> = BTreeSet::new();
         for side in &self.sides {

@@ -73,14 +73,3 @@ fn scan(text: &str, kind: Container, out: &mut Collector) {
 
 #[cfg(test)]
 mod tests;
-
-/// Reads a file.
-///
-/// # Errors
-/// What is wrong with the file.
-pub fn read_files(path: &std::path::Path) -> Result<Vec<Document>, crate::diagnostic::Diagnostic> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        crate::diagnostic::Diagnostic::error(crate::diagnostic::Code::Internal, error.to_string())
-    })?;
-    Ok(vec![document(SourceFile::new(path.display().to_string(), text), Container::Markdown)])
-}

@@ -145,7 +145,11 @@ impl Model {
 
     /// N_i^k between the knots t_m and t_{m+1}, by the recursion of de Boor, Cox and Mansfield.
     fn spline(&self, machine: &mut Machine, i: &Expr, k: &Expr, t: &Fraction, expr: &Expr) -> Evaluated {
-        let Some(interval) = self.interval else {
+        // At a number the interval is the one it lies in.
+        let number = t.as_rational();
+        let own =
+            number.as_ref().and_then(|t| (-4..20).find(|&m| self.knot(m) <= *t && *t < self.knot(m + 1)));
+        let Some(interval) = own.or(self.interval) else {
             self.ambiguous(Ambiguity::Spline);
             return Err(unclear("on which knot interval this B-spline is taken", expr));
         };

@@ -786,6 +786,9 @@ impl Model {
         cases: &[(Expr, Option<Expr>)],
         expr: &Expr,
     ) -> Option<Evaluated> {
+        if machine.lookup(&Symbol::new("t")).and_then(Value::as_rational).is_some() {
+            return None;
+        }
         let middle = self.middle()?;
         for (value, condition) in cases {
             let Some(condition) = condition else { return Some(machine.eval(value)) };
