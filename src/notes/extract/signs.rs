@@ -69,8 +69,8 @@ pub(super) fn formula_end(
                 at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
                 continue;
             }
-            b'$' if stands(text, at, closing) && (closing != "$" || !braces.in_text(at)) => return Some(at),
-            b'$' if !braces.in_text(at) => return None,
+            b'$' if closing != "$" && stands(text, at, closing) => return Some(at),
+            b'$' if !braces.pass(at) => return (closing == "$").then_some(at),
             b'{' => braces.open(text, at),
             b'}' => braces.close(),
             b'%' if latex => at += line_at(text, at).len() - 1,
@@ -102,6 +102,9 @@ fn stands(text: &str, at: usize, sign: &str) -> bool {
 /// A group of text in a formula, within which `$…$` may stand, is not longer.
 const MAX_TEXT: usize = 1000;
 
+/// So many `$` stand in the groups of text of a formula.
+const MAX_PASSED: usize = 100;
+
 /// The braces that are open in a formula.
 #[derive(Default)]
 struct Braces {
@@ -111,6 +114,8 @@ struct Braces {
     texts: usize,
     /// Where the outermost \text begins.
     start: usize,
+    /// How many `$` were passed.
+    passed: usize,
 }
 
 impl Braces {
@@ -127,9 +132,10 @@ impl Braces {
         self.texts -= usize::from(self.open.pop() == Some(true));
     }
 
-    /// Whether `at` stands in \text{…}.
-    fn in_text(&self, at: usize) -> bool {
-        self.texts > 0 && at < self.start + MAX_TEXT
+    /// Whether the `$` at `at` stands in \text{…} and so ends nothing.
+    fn pass(&mut self, at: usize) -> bool {
+        self.passed += 1;
+        self.texts > 0 && at < self.start + MAX_TEXT && self.passed <= MAX_PASSED
     }
 }
 
@@ -205,7 +211,7 @@ fn next_dollar(text: &str, from: usize, nested: bool) -> Option<usize> {
             b'\\' => at += 1,
             b'{' if nested => braces.open(text, at),
             b'}' if nested => braces.close(),
-            b'$' if !braces.in_text(at) => return closes(text, from, at).then_some(at),
+            b'$' if !braces.pass(at) => return closes(text, from, at).then_some(at),
             _ => {}
         }
         at += 1;
