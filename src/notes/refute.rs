@@ -129,7 +129,17 @@ pub fn curve_spoken_of(recent: &str) -> Option<Curve> {
         let letters: Vec<char> = text.chars().rev().take(400).collect();
         letters.into_iter().rev().collect()
     };
-    let bezier = ["bezier", "bézier", "贝塞尔", "贝齐尔"].iter().any(|word| tail.contains(word));
+    let bezier = [
+        "bezier curve",
+        "bézier curve",
+        "贝塞尔曲线",
+        "bezier曲线",
+        "bezier 曲线",
+        "bézierkurve",
+        "courbe de bézier",
+    ]
+    .iter()
+    .any(|word| tail.contains(word));
     let polar = ["polar form", "blossom", "极形式", "开花", "polarform", "forme polaire"]
         .iter()
         .any(|word| tail.contains(word));
@@ -210,6 +220,13 @@ pub fn decide(
                 && definition.head.lower.len() == head.lower.len()
                 && definition.head.upper.len() == head.upper.len()
         });
+        // n = 2, a_k = k^2: a name that is no function gets a new value.
+        let value = head.arguments.is_none()
+            && (head.lower.is_empty() && is_constant(&failure.right) || again)
+            && !own.contains(&head.base);
+        if value && !standard {
+            return Decision::Redefinition(None);
+        }
         let cue =
             has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
         let of_capital = own.contains(&super::model::capital_of(&head.base))

@@ -345,6 +345,12 @@ impl Model {
         let Some(head) = Head::of(callee) else {
             return Err(unclear("what is applied here", expr));
         };
+        if let [group] = values
+            && group.iter().any(|value| matches!(value, Value::Vector(_)))
+            && let Some(result) = self.affine_by_definition(machine, &head, group, expr)
+        {
+            return result;
+        }
         if let Some(result) = self.defined(machine, &head, Some(values)) {
             return result;
         }

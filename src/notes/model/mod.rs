@@ -388,6 +388,11 @@ impl Model {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         for (number, definition, near) in context.visible(&head.base, &self.place) {
+            // n = 3 holds for its paragraph.
+            let fixed = definition.head.arguments.is_none() && is_index_letter(&definition.head.base);
+            if fixed && definition.place.group != self.place.group {
+                continue;
+            }
             if self.choices.near_only && !near
                 || (self.choices.general || self.curve.is_some()) && self.is_example(definition)
             {

@@ -260,7 +260,7 @@ impl Model {
 
     /// A polar form that is defined by its values at numbers, at a vector: f(…, p − q) is
     /// f(…, p) − f(…, q).
-    fn affine_by_definition(
+    pub(super) fn affine_by_definition(
         &self,
         machine: &mut Machine,
         head: &Head,
