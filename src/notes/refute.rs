@@ -542,7 +542,7 @@ fn reasons(failure: &Failure, tally: &Tally) -> String {
         && !compare::symbols(difference).iter().any(|symbol| symbol.base().starts_with('['))
     {
         let text = write::text(&difference.to_expr());
-        if text.chars().count() <= 80 {
+        if text.chars().count() <= 140 {
             let instance = instance(failure);
             let place = if instance.is_empty() { String::new() } else { format!(" for {instance}") };
             parts.push(format!("left minus right is {text}{place}"));

@@ -19,7 +19,7 @@ use crate::write;
 use num_traits::{One, Signed, Zero};
 
 /// The search for one relation ends after this time.
-const LONGEST: Duration = Duration::from_millis(700);
+const LONGEST: Duration = Duration::from_millis(400);
 
 /// A repair of the relation number `at`, as LaTeX.
 pub fn suggestion(
@@ -143,6 +143,13 @@ fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
     let mut found: Vec<(u32, Expr)> = Vec::new();
     at_every_node(expr, false, &mut |node, in_index, rebuild| {
         for (cost, replacement) in node_edits(node, in_index, &pool) {
+            // The same slip may have been made wherever the name stands.
+            if matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
+                let mut all = expr.clone();
+                if replace_all(&mut all, node, &replacement) > 1 {
+                    found.push((cost + 2, all));
+                }
+            }
             found.push((cost, rebuild(replacement)));
         }
     });
@@ -157,6 +164,17 @@ fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
     }
     found.sort_by_key(|(cost, _)| *cost);
     found.into_iter().map(|(_, edit)| edit).collect()
+}
+
+/// Replaces a node wherever it occurs; says how often.
+fn replace_all(expr: &mut Expr, node: &Expr, by: &Expr) -> usize {
+    if expr.same_as(node) {
+        *expr = with_span(by.clone(), node);
+        return 1;
+    }
+    let mut count = 0;
+    expr.for_each_child_mut(&mut |child| count += replace_all(child, node, by));
+    count
 }
 
 fn grouped(expr: &Expr) -> Expr {
@@ -313,6 +331,22 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                     list.push((1, with_span(sibling.clone(), node)));
                 }
             }
+            // P_{n,0,0} for P_{0,0,n}, v_k for v_{k-1}
+            for i in 0..indices.len() {
+                for j in i + 1..indices.len() {
+                    let mut swapped = indices.clone();
+                    swapped.swap(i, j);
+                    list.push((2, new(Kind::Subscript(base.clone(), swapped))));
+                }
+                if let Kind::Add(terms) = &indices[i].kind
+                    && terms.len() == 2
+                    && matches!(&terms[1].expr.kind, Kind::Number(q) if q.is_one())
+                {
+                    let mut plain = indices.clone();
+                    plain[i] = terms[0].expr.clone();
+                    list.push((1, new(Kind::Subscript(base.clone(), plain))));
+                }
+            }
         }
         Kind::Add(terms) => {
             for (i, term) in terms.iter().enumerate() {
@@ -426,6 +460,8 @@ fn descend(
     node.for_each_child(&mut |child| children.push(child));
     for (i, child) in children.into_iter().enumerate() {
         let index = match &node.kind {
+            // i − 1 is edited as a whole
+            Kind::Add(_) if in_index && matches!(child.kind, Kind::Name(_)) => false,
             Kind::Subscript(..) | Kind::Upper(..) | Kind::Pow(..) => i > 0 || in_index,
             Kind::Binomial(..) | Kind::Factorial(_) => true,
             Kind::Big { lower, upper, .. } => i < lower.len() + usize::from(upper.is_some()),

@@ -30,10 +30,10 @@ const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 const MOST: usize = 260;
 
 /// A single instance is stopped after this time.
-const LONGEST_INSTANCE: Duration = Duration::from_millis(600);
+const LONGEST_INSTANCE: Duration = Duration::from_millis(300);
 
 /// No further instances are tried after this time.
-const LONG_ENOUGH: Duration = Duration::from_millis(300);
+const LONG_ENOUGH: Duration = Duration::from_millis(150);
 
 /// What is tried.
 pub struct Trial<'a> {
