@@ -1,0 +1,163 @@
+//! Whether a sum of terms is 0 for all integers of a context.
+//!
+//! Guards that the context does not decide split it in two. Where nothing is left to split, sums
+//! over bound variables are evaluated in closed form, classes of terms must have rational
+//! function 0, and equations that the context forces (i = 0, i = n) are put in.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use num_traits::Zero;
+
+use super::classes;
+use super::context::Context;
+use super::linear::Linear;
+use super::summation::{Closed, close};
+use super::term::{Term, add, collected};
+use crate::budget;
+use crate::poly::Symbol;
+
+/// How many contexts are looked at before the search is given up.
+const MAX_CASES: u32 = 400;
+
+/// What the proof made use of, for its reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Step {
+    /// Both sides compared coefficient by coefficient.
+    Coefficients,
+    /// Cases such as i = 0 looked at by themselves.
+    Cases,
+    /// The recurrence of elementary symmetric functions.
+    Symmetric,
+    /// Σ C(n,i) x^i y^(n−i) = (x+y)^n.
+    BinomialTheorem,
+    /// Σ C(m,j) C(n,k−j) = C(m+n,k).
+    Vandermonde,
+    /// Sums of polynomials.
+    PowerSum,
+    /// Induction on the upper bound.
+    Induction,
+}
+
+/// A search for a proof, with what it used.
+#[derive(Debug, Default)]
+pub struct Decision {
+    cases: u32,
+    fresh: u32,
+    /// What was used.
+    pub steps: BTreeSet<Step>,
+}
+
+impl Decision {
+    /// Whether the sum of the terms is 0 for all integers of the context; `false` may mean that
+    /// this is not known. No indexed symbols may occur.
+    pub fn vanishes(&mut self, terms: &[Term], context: &Context) -> bool {
+        budget::step();
+        self.cases += 1;
+        if self.cases > MAX_CASES {
+            return false;
+        }
+        let mut context = context.clone();
+        let terms = decided(terms, &context);
+        for term in terms.iter().filter(|term| term.bound.is_empty() && term.guards.is_empty()) {
+            term.defined.iter().for_each(|fact| context.assume(fact));
+        }
+        if context.is_impossible() {
+            return true;
+        }
+        if by_guards(&terms).values().all(|group| classes::vanishes(group)) {
+            return true;
+        }
+        if let Some(guard) = open_guard(&terms) {
+            self.steps.insert(Step::Cases);
+            return self.vanishes(&terms, &context.with(&guard))
+                && self.vanishes(&terms, &context.without(&guard));
+        }
+        if terms.iter().any(|term| !term.bound.is_empty()) {
+            return self.summed(&terms, &context);
+        }
+        let alive: Vec<Term> = terms.iter().filter(|term| !is_dead(term, &context)).cloned().collect();
+        if alive.len() < terms.len() {
+            return self.vanishes(&alive, &context);
+        }
+        self.with_forced_values(&terms, &context)
+    }
+
+    /// A value that the context forces is put in.
+    fn with_forced_values(&mut self, terms: &[Term], context: &Context) -> bool {
+        let Some((symbol, value)) = context.forced() else { return false };
+        let put: Option<Vec<Term>> = terms.iter().map(|term| term.substitute(&symbol, &value)).collect();
+        put.is_some_and(|terms| self.vanishes(&collected(terms), &context.substitute(&symbol, &value)))
+    }
+
+    /// One sum over a bound variable is evaluated.
+    fn summed(&mut self, terms: &[Term], context: &Context) -> bool {
+        for (k, term) in terms.iter().enumerate() {
+            for variable in &term.bound {
+                match close(term, variable, context, &mut self.steps) {
+                    Closed::Sum(found) => {
+                        let mut rest: Vec<Term> = terms.to_vec();
+                        rest.remove(k);
+                        found.into_iter().for_each(|term| add(&mut rest, term));
+                        return self.vanishes(&collected(rest), context);
+                    }
+                    Closed::Split(form) => {
+                        self.steps.insert(Step::Cases);
+                        return self.vanishes(terms, &context.with(&form))
+                            && self.vanishes(terms, &context.without(&form));
+                    }
+                    Closed::Open => {}
+                }
+            }
+        }
+        self.with_forced_values(terms, context)
+    }
+
+    /// A symbol that occurs nowhere else.
+    pub fn fresh(&mut self) -> Symbol {
+        self.fresh += 1;
+        Symbol::new(format!("@{}", self.fresh))
+    }
+}
+
+/// The terms with the guards that hold taken away, without the terms that are 0.
+fn decided(terms: &[Term], context: &Context) -> Vec<Term> {
+    let mut kept = Vec::new();
+    'terms: for term in terms {
+        let mut term = term.clone();
+        for guard in std::mem::take(&mut term.guards) {
+            if term.bound.iter().any(|variable| guard.contains(variable)) {
+                term.guards.insert(guard);
+            } else if context.refutes(&guard) {
+                continue 'terms;
+            } else if !context.entails(&guard) {
+                term.guards.insert(guard);
+            }
+        }
+        add(&mut kept, term);
+    }
+    kept.retain(|term| !term.coefficient.is_zero());
+    kept
+}
+
+/// Terms that are 0 together: for each set of guards those that have it. Sums are groups of
+/// their own.
+fn by_guards(terms: &[Term]) -> BTreeMap<(BTreeSet<Linear>, Option<usize>), Vec<Term>> {
+    let mut groups: BTreeMap<(BTreeSet<Linear>, Option<usize>), Vec<Term>> = BTreeMap::new();
+    for (k, term) in terms.iter().enumerate() {
+        let own = (!term.bound.is_empty()).then_some(k);
+        groups.entry((term.guards.clone(), own)).or_default().push(term.clone());
+    }
+    groups
+}
+
+/// A guard without bound variables that the context does not decide.
+fn open_guard(terms: &[Term]) -> Option<Linear> {
+    terms.iter().find_map(|term| {
+        term.guards.iter().find(|guard| !term.bound.iter().any(|variable| guard.contains(variable))).cloned()
+    })
+}
+
+/// Whether a factorial in the denominator makes the term 0 throughout the context.
+fn is_dead(term: &Term, context: &Context) -> bool {
+    term.factorials.iter().any(|(form, m)| *m < 0 && context.refutes(form))
+}

@@ -1,0 +1,192 @@
+//! Proofs of identities in symbolic integers n, i, k, …
+//!
+//! [`prove`] says whether an equation such as `B_i^n(t) = (1-t) B_i^{n-1}(t) + t B_{i-1}^{n-1}(t)`
+//! holds for *all* integers in the natural range. A proof is a proof: nothing is sampled.
+//!
+//! **What is proved.** Integers are the names in indices, binomials, factorials, exponents and
+//! bounds of sums; they are ≥ 0. The upper entries of binomials, degrees of Bernstein
+//! polynomials and arguments of factorials are ≥ 0 as far as they do not depend on variables of
+//! sums. For all such integers for which both sides have a value they are equal, as rational
+//! functions of the other letters; where that fails, it is tried for 0 ≤ i ≤ n for each
+//! binomial C(n, i) or B_i^n with a single letter i, and the reason says so. Binomials and
+//! Bernstein polynomials are 0 when the lower entry is out of range, an empty sum is 0, 0^0 is 1.
+//!
+//! **How.** The difference of the sides becomes a sum of hypergeometric terms ([`term`]),
+//! is split by the indexed symbols in it ([`families`]), sums are evaluated ([`summation`]),
+//! and what is left vanishes class by class ([`classes`]) in every case ([`decide`]).
+//!
+//! Reference: Petkovšek, Wilf, Zeilberger, *A = B*, A K Peters 1996.
+
+mod calculus;
+mod classes;
+mod context;
+mod decide;
+mod families;
+mod known;
+mod linear;
+mod names;
+mod ranges;
+mod read;
+mod summation;
+mod term;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeSet;
+
+use num_traits::{One, Zero};
+
+use crate::expr::Expr;
+use crate::poly::{Fraction, Symbol};
+use context::Context;
+use decide::{Decision, Step};
+use linear::Linear;
+use read::Reader;
+use term::{Term, collected};
+
+/// Why an identity holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Proof {
+    /// A sentence for a lecturer.
+    pub reason: String,
+}
+
+/// Proves left = right for all integers in the natural range (see the head of the module), or
+/// says nothing: `None` means "not proved", never "false".
+///
+/// `lookup` is asked first for names, indexed names and calls; it returns what they stand for,
+/// with the arguments put in. What it does not know has its standard meaning (B_i^n, C(n, k),
+/// σ_{i,n}, Δ) or is an independent symbol.
+///
+/// Cost: milliseconds for the identities of lecture notes; the budget of the caller is respected.
+///
+/// ```
+/// use polarform::expr::Kind;
+/// use polarform::latex;
+/// use polarform::notes::prove::prove;
+/// let sides = |text: &str| match latex::read(text).unwrap().kind {
+///     Kind::Chain(left, mut links) => (*left, links.remove(0).expr),
+///     _ => unreachable!(),
+/// };
+/// let (left, right) = sides(r"B_i^n(t) = (1-t) B_i^{n-1}(t) + t B_{i-1}^{n-1}(t)");
+/// assert!(prove(&left, &right, &|_| None).is_some());
+/// let (left, right) = sides(r"B_i^n(t) = (1-t) B_i^{n-1}(t) + t B_{i+1}^{n-1}(t)");
+/// assert!(prove(&left, &right, &|_| None).is_none());
+/// ```
+pub fn prove(left: &Expr, right: &Expr, lookup: &dyn Fn(&Expr) -> Option<Expr>) -> Option<Proof> {
+    // A first reading finds out which names are integers: n (n−1) is a product then.
+    let mut first = reader(left, right, lookup);
+    let _ = (first.read(left), first.read(right));
+    let mut reader = reader(left, right, lookup);
+    reader.expected = first.integers;
+    let (left, right) = (reader.read(left)?, reader.read(right)?);
+    if reader.reals.intersection(&reader.integers).next().is_some() {
+        return None;
+    }
+    let minus = -Fraction::one();
+    let difference = collected(left.into_iter().chain(right.iter().map(|term| term.scaled(&minus))));
+    let mut domain = reader.domain.clone();
+    reader.integers.iter().filter(|s| is_free(s)).for_each(|s| domain.assume(&Linear::symbol(s)));
+    let ranges = natural_ranges(&reader.natural);
+    let mut narrow = domain.clone();
+    ranges.iter().for_each(|(i, n)| narrow.assume(&n.minus(&Linear::symbol(i))));
+    for (context, ranges) in [(&domain, &[][..]), (&narrow, ranges.as_slice())] {
+        if let Some(steps) = holds(&difference, context, reader.symmetric) {
+            return Some(Proof { reason: reason(&difference, &steps, ranges) });
+        }
+    }
+    None
+}
+
+fn reader<'a>(left: &Expr, right: &Expr, lookup: read::Lookup<'a>) -> Reader<'a> {
+    let mut reader = Reader::new(lookup);
+    reader.names.scan(left);
+    reader.names.scan(right);
+    reader
+}
+
+fn is_free(symbol: &Symbol) -> bool {
+    !symbol.base().starts_with('#')
+}
+
+/// Whether the sum of the terms is 0 throughout the context, which must not be empty.
+fn holds(difference: &[Term], context: &Context, symmetric: bool) -> Option<BTreeSet<Step>> {
+    let mut decision = Decision::default();
+    let mut sensible = context.clone();
+    for term in difference.iter().filter(|t| t.guards.is_empty() && t.bound.is_empty()) {
+        term.defined.iter().for_each(|fact| sensible.assume(fact));
+    }
+    if sensible.is_impossible() {
+        return None;
+    }
+    let mut terms = difference.to_vec();
+    if symmetric {
+        decision.steps.insert(Step::Symmetric);
+        terms = families::shortened(terms)?;
+    }
+    let groups = families::weights(&terms)?;
+    if groups.keys().any(|signature| !signature.is_empty()) {
+        decision.steps.insert(Step::Coefficients);
+    }
+    groups.values().all(|weights| decision.vanishes(weights, context)).then_some(decision.steps)
+}
+
+/// For each index the weakest of its ranges, if they can be compared.
+fn natural_ranges(found: &[(Symbol, Linear)]) -> Vec<(Symbol, Linear)> {
+    let mut ranges: Vec<(Symbol, Linear)> = Vec::new();
+    let mut doubtful: BTreeSet<&Symbol> = BTreeSet::new();
+    for (i, n) in found {
+        match ranges.iter_mut().find(|(other, _)| other == i) {
+            None => ranges.push((i.clone(), n.clone())),
+            Some((_, other)) => match n.minus(other).as_constant() {
+                Some(difference) if *difference > crate::number::Int::ZERO => *other = n.clone(),
+                Some(_) => {}
+                None => {
+                    doubtful.insert(i);
+                }
+            },
+        }
+    }
+    ranges.retain(|(i, _)| !doubtful.contains(i));
+    ranges
+}
+
+/// The sentence that explains a proof.
+fn reason(difference: &[Term], steps: &BTreeSet<Step>, ranges: &[(Symbol, Linear)]) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    if steps.contains(&Step::Coefficients) {
+        parts.push("both sides have the same coefficients".to_owned());
+    }
+    if steps.contains(&Step::Symmetric) {
+        parts.push("by the recurrence of elementary symmetric functions".to_owned());
+    }
+    if steps.contains(&Step::BinomialTheorem) {
+        parts.push("by the binomial theorem".to_owned());
+    }
+    if steps.contains(&Step::Vandermonde) {
+        parts.push("by Vandermonde's identity".to_owned());
+    }
+    if steps.contains(&Step::PowerSum) {
+        parts.push("by summing powers".to_owned());
+    }
+    if steps.contains(&Step::Induction) {
+        parts.push("by induction on the upper bound".to_owned());
+    }
+    if parts.is_empty() {
+        parts.push(match classes::classes(difference).as_deref() {
+            Some([class]) if class.coefficient.is_zero() && class.text() != "1" => {
+                format!("divided by {}, both sides are the same rational function", class.text())
+            }
+            _ => "both sides are the same after cancelling factorials and powers".to_owned(),
+        });
+    }
+    if steps.contains(&Step::Cases) {
+        parts.push("the boundary cases looked at one by one".to_owned());
+    }
+    let mut text = parts.join(", ");
+    if !ranges.is_empty() {
+        let list: Vec<String> = ranges.iter().map(|(i, n)| format!("0 ≤ {i} ≤ {n}")).collect();
+        text.push_str(&format!("; for {}", list.join(", ")));
+    }
+    text
+}

@@ -1,0 +1,156 @@
+//! Which names of an equation stand for numbers, which for functions.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{Accent, Expr, Kind};
+
+/// How the names of an equation are used.
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    bare: BTreeSet<String>,
+    called: BTreeSet<String>,
+    arguments: Vec<Expr>,
+}
+
+impl Names {
+    /// Looks through a formula.
+    pub fn scan(&mut self, expr: &Expr) {
+        match &expr.kind {
+            Kind::Name(name) => {
+                self.bare.insert(name.clone());
+                return;
+            }
+            Kind::Prime(body, _) => self.call(body),
+            Kind::Apply(callee, groups) => {
+                if bernstein(callee).is_some()
+                    && let [group] = groups.as_slice()
+                    && let [argument] = group.as_slice()
+                {
+                    let argument = argument.clone().without_spans();
+                    if !self.arguments.contains(&argument) {
+                        self.arguments.push(argument);
+                    }
+                }
+                groups.iter().flatten().for_each(|argument| self.scan(argument));
+                match &callee.kind {
+                    Kind::Name(_) => self.call(callee),
+                    _ => self.scan(callee),
+                }
+                return;
+            }
+            _ => {}
+        }
+        expr.for_each_child(&mut |child| self.scan(child));
+    }
+
+    fn call(&mut self, callee: &Expr) {
+        if let Kind::Name(name) = &callee.kind {
+            self.called.insert(name.clone());
+        }
+    }
+
+    /// What Bernstein polynomials without argument are taken at: the argument of the others.
+    pub fn argument(&self) -> Option<Expr> {
+        match self.arguments.as_slice() {
+            [] => Some(Expr::name("t")),
+            [one] => Some(one.clone()),
+            _ => None,
+        }
+    }
+
+    /// Whether `name(x)` can only be a product: the name is used as a number elsewhere, is not
+    /// a usual name of functions, and x is no single name.
+    pub fn is_factor(&self, name: &str, argument: &Expr) -> bool {
+        let usual = matches!(name, "f" | "g" | "h" | "p" | "q" | "B" | "N" | "phi" | "psi" | "sigma");
+        self.bare.contains(name)
+            && !usual
+            && name.chars().all(char::is_lowercase)
+            && matches!(argument.kind, Kind::Add(_))
+    }
+
+    /// Whether the name is somewhere applied or primed.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.called.contains(name)
+    }
+}
+
+/// Whether a name can stand for a number: a letter, not an operator such as sin.
+pub fn is_letter(name: &str) -> bool {
+    const GREEK: &[&str] = &[
+        "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta",
+        "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "varrho", "sigma", "tau", "upsilon",
+        "phi", "varphi", "chi", "psi", "omega", "ell",
+    ];
+    let mut letters = name.chars();
+    match (letters.next(), letters.next()) {
+        (Some(letter), None) => letter.is_alphabetic(),
+        _ => GREEK.contains(&name),
+    }
+}
+
+/// Whether a name in d/dt … may be taken for a constant: those that usually are.
+pub fn is_constant(name: &str) -> bool {
+    matches!(name, "a" | "b" | "c" | "h" | "k" | "alpha" | "beta" | "lambda" | "mu" | "omega")
+}
+
+/// Whether an indexed name in d/dt … may be taken for a constant; f_i and B_i are functions.
+pub fn is_constant_family(head: &str) -> bool {
+    !matches!(head, "f" | "g" | "h" | "B" | "F" | "G" | "H" | "L" | "N" | "phi" | "psi" | "t" | "x" | "y" | "z")
+}
+
+/// The parts of B_i^n, B_i^{(n)} or B_{i,j,k}^n, also with a dot or a prime.
+pub struct Bernstein<'a> {
+    /// The lower indices.
+    pub indices: &'a [Expr],
+    /// The degree.
+    pub degree: &'a Expr,
+    /// How many times it is differentiated.
+    pub order: u32,
+}
+
+/// Reads the name of a Bernstein polynomial.
+pub fn bernstein(expr: &Expr) -> Option<Bernstein<'_>> {
+    match &expr.kind {
+        Kind::Group(body) => bernstein(body),
+        Kind::Prime(body, order) => {
+            let head = bernstein(body)?;
+            Some(Bernstein { order: head.order.checked_add(*order)?, ..head })
+        }
+        Kind::Pow(base, degree) => {
+            let (indices, dots) = lower(base)?;
+            let (degree, primes) = match &degree.kind {
+                Kind::Prime(degree, primes) => (&**degree, *primes),
+                _ => (&**degree, 0),
+            };
+            Some(Bernstein { indices, degree, order: dots.checked_add(primes)? })
+        }
+        Kind::Upper(base, upper) => {
+            let (indices, order) = lower(base)?;
+            match upper.as_slice() {
+                // A number in parentheses could be the order of a derivative.
+                [degree] if !matches!(degree.kind, Kind::Number(_)) => Some(Bernstein { indices, degree, order }),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// The indices of B_… and its number of dots and primes.
+fn lower(expr: &Expr) -> Option<(&[Expr], u32)> {
+    match &expr.kind {
+        Kind::Prime(body, primes) => {
+            let (indices, order) = lower(body)?;
+            Some((indices, order.checked_add(*primes)?))
+        }
+        Kind::Subscript(base, indices) if matches!(indices.len(), 1 | 3) => {
+            let (base, order) = match &base.kind {
+                Kind::Accent(Accent::Dot, base) => (base, 1),
+                Kind::Accent(Accent::Ddot, base) => (base, 2),
+                _ => (base, 0),
+            };
+            matches!(&base.kind, Kind::Name(name) if name == "B").then_some((indices.as_slice(), order))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,258 @@
+//! Sums and products over ranges, values by cases.
+
+use num_traits::One;
+
+use super::linear::Linear;
+use super::read::{Reader, rational_value};
+use super::term::{Term, collected};
+use crate::expr::{BigOp, Expr, Kind, Link, Rel};
+use crate::poly::{Fraction, Symbol};
+
+/// A variable of a sum with the forms that are ≥ 0 in its range.
+type Range = (String, Symbol);
+
+impl Reader<'_> {
+    /// Σ over one of: i = a above which stands b; a ≤ i ≤ b; i + j + k = n with i, j, k ≥ 0.
+    pub(super) fn sum(&mut self, lower: &[Expr], upper: Option<&Expr>, body: &Expr) -> Option<Vec<Term>> {
+        let depth = self.scope.len();
+        let (bound, guards) = self.range(lower, upper)?;
+        self.scope.truncate(depth);
+        self.scope.extend(bound.iter().cloned());
+        let terms = self.read(body);
+        self.scope.truncate(depth);
+        let mut terms = terms?;
+        for term in &mut terms {
+            term.guards.extend(guards.iter().cloned());
+            term.bound.extend(bound.iter().map(|(_, symbol)| symbol.clone()));
+        }
+        Some(collected(terms))
+    }
+
+    fn bind(&mut self, name: &str) -> Range {
+        let symbol = self.fresh();
+        self.integers.insert(symbol.clone());
+        (name.to_owned(), symbol)
+    }
+
+    /// The variables and what is ≥ 0 in the range.
+    fn range(&mut self, lower: &[Expr], upper: Option<&Expr>) -> Option<(Vec<Range>, Vec<Linear>)> {
+        let (mut bound, mut guards) = (Vec::new(), Vec::new());
+        match upper {
+            Some(upper) => {
+                // i = 0, or i = 0, j = 0, or i, j = 0
+                let above = self.limits(upper, BigOp::Min)?;
+                let mut waiting: Vec<&str> = Vec::new();
+                for item in lower {
+                    match &item.kind {
+                        Kind::Name(name) => waiting.push(name),
+                        Kind::Chain(first, links) => {
+                            let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) =
+                                (&first.kind, links.as_slice())
+                            else {
+                                return None;
+                            };
+                            let below = self.limits(from, BigOp::Max)?;
+                            waiting.push(name);
+                            for name in waiting.drain(..) {
+                                let (name, symbol) = self.bind(name);
+                                let i = Linear::symbol(&symbol);
+                                guards.extend(below.iter().map(|a| i.minus(a)));
+                                guards.extend(above.iter().map(|b| b.minus(&i)));
+                                bound.push((name, symbol));
+                            }
+                        }
+                        _ => return None,
+                    }
+                }
+                if !waiting.is_empty() || bound.is_empty() {
+                    return None;
+                }
+            }
+            None => {
+                let [Expr { kind: Kind::Chain(first, links), .. }] = lower else { return None };
+                let members: Vec<&Expr> = std::iter::once(&**first).chain(links.iter().map(|l| &l.expr)).collect();
+                if let ([_], Rel::Eq) = (links.as_slice(), links.first()?.rel) {
+                    self.simplex(first, &links[0].expr, &mut bound, &mut guards)?;
+                } else {
+                    self.inequalities(&members, links, &mut bound, &mut guards)?;
+                }
+            }
+        }
+        let mut names: Vec<&String> = bound.iter().map(|(name, _)| name).collect();
+        names.sort_unstable();
+        names.dedup();
+        (names.len() == bound.len()).then_some((bound, guards))
+    }
+
+    /// i + j + k = n
+    fn simplex(
+        &mut self,
+        left: &Expr,
+        right: &Expr,
+        bound: &mut Vec<Range>,
+        guards: &mut Vec<Linear>,
+    ) -> Option<()> {
+        let total = self.linear(right)?;
+        let Kind::Add(terms) = &left.kind else { return None };
+        let mut rest = total;
+        for term in terms {
+            let Kind::Name(name) = &term.expr.kind else { return None };
+            if term.sign == crate::expr::Sign::Minus {
+                return None;
+            }
+            let (name, symbol) = self.bind(name);
+            let i = Linear::symbol(&symbol);
+            rest = rest.minus(&i);
+            guards.push(i);
+            bound.push((name, symbol));
+        }
+        guards.extend([rest.clone(), rest.negated()]);
+        Some(())
+    }
+
+    /// a ≤ i ≤ b, a ≤ i < j ≤ b
+    fn inequalities(
+        &mut self,
+        members: &[&Expr],
+        links: &[Link],
+        bound: &mut Vec<Range>,
+        guards: &mut Vec<Linear>,
+    ) -> Option<()> {
+        if members.len() < 3 {
+            return None;
+        }
+        let last = members.len() - 1;
+        let ends = [self.linear(members[0])?, self.linear(members[last])?];
+        let mut forms = vec![ends[0].clone()];
+        for member in &members[1..last] {
+            let Kind::Name(name) = &member.kind else { return None };
+            let (name, symbol) = self.bind(name);
+            forms.push(Linear::symbol(&symbol));
+            bound.push((name, symbol));
+        }
+        forms.push(ends[1].clone());
+        for (pair, link) in forms.windows(2).zip(links) {
+            let step = match link.rel {
+                Rel::Le => 0,
+                Rel::Lt => -1,
+                _ => return None,
+            };
+            guards.push(pair[1].minus(&pair[0]).shifted(step));
+        }
+        Some(())
+    }
+
+    /// A bound of a range; `max(0, k − n)` below and `min(m, k)` above are two.
+    fn limits(&mut self, expr: &Expr, op: BigOp) -> Option<Vec<Linear>> {
+        let word = if op == BigOp::Max { "max" } else { "min" };
+        match &expr.kind {
+            Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == word) => {
+                let items: Vec<&Expr> = match groups.as_slice() {
+                    [group] => match group.as_slice() {
+                        [Expr { kind: Kind::Set(items, None), .. }] => items.iter().collect(),
+                        items => items.iter().collect(),
+                    },
+                    _ => return None,
+                };
+                items.into_iter().map(|item| self.linear(item)).collect()
+            }
+            _ => Some(vec![self.linear(expr)?]),
+        }
+    }
+
+    /// Π_{j=a}^{b} of factors that do not depend on j, or depend on it like j + c or c − j.
+    pub(super) fn product_over(
+        &mut self,
+        lower: &[Expr],
+        upper: Option<&Expr>,
+        body: &Expr,
+    ) -> Option<Vec<Term>> {
+        let [Expr { kind: Kind::Chain(first, links), .. }] = lower else { return None };
+        let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) = (&first.kind, links.as_slice()) else {
+            return None;
+        };
+        let (a, b) = (self.linear(from)?, self.linear(upper?)?);
+        let range = self.bind(name);
+        self.scope.push(range.clone());
+        let factor = self.read(body);
+        self.scope.pop();
+        let value = rational_value(&factor?)?;
+        let mut known = self.domain.clone();
+        for symbol in a.terms().keys().chain(b.terms().keys()) {
+            known.assume(&Linear::symbol(symbol));
+        }
+        // An empty range with more than one number missing would not fit the formula.
+        if self.mentions_bound(&a) || self.mentions_bound(&b) || !known.entails(&b.minus(&a).shifted(1)) {
+            return None;
+        }
+        let length = b.minus(&a).shifted(1);
+        if !value.variables().contains(&range.1) {
+            self.reals.extend(value.variables());
+            return Some(vec![Term::power(&value, &length)?]);
+        }
+        let form = Linear::from_poly(value.as_polynomial()?)?;
+        form.terms().keys().for_each(|symbol| known.assume(&Linear::symbol(symbol)));
+        self.integers.extend(form.terms().keys().cloned());
+        let (first, last) = (form.substitute(&range.1, &a), form.substitute(&range.1, &b));
+        let (high, low) = match form.coefficient(&range.1).as_small()? {
+            1 => (last, first),
+            -1 => (first, last),
+            _ => return None,
+        };
+        // low (low+1) … high = high!/(low−1)!, where high ≥ 0 or the product is empty.
+        if self.mentions_bound(&high) || self.mentions_bound(&low) || !known.entails(&high) {
+            return None;
+        }
+        let mut term = Term::factorial(high, 1);
+        term.multiply_factorial(low.shifted(-1), -1);
+        Some(vec![term])
+    }
+
+    /// Values by cases: the first condition that holds counts.
+    pub(super) fn cases(&mut self, cases: &[(Expr, Option<Expr>)]) -> Option<Vec<Term>> {
+        let one = || vec![Term::new(Fraction::one())];
+        let mut remaining = one();
+        let mut sum = Vec::new();
+        for (value, condition) in cases {
+            let holds = match condition {
+                Some(condition) => self.indicator(condition)?,
+                None => one(),
+            };
+            let value = self.read(value)?;
+            let here = self.product(&remaining, &holds)?;
+            sum.extend(self.product(&here, &value)?);
+            let fails = collected(one().into_iter().chain(holds.iter().map(|t| t.scaled(&-Fraction::one()))));
+            remaining = self.product(&remaining, &fails)?;
+        }
+        Some(collected(sum))
+    }
+
+    /// 1 where the condition holds, else 0.
+    fn indicator(&mut self, condition: &Expr) -> Option<Vec<Term>> {
+        let Kind::Chain(first, links) = &condition.kind else { return None };
+        let mut product = vec![Term::new(Fraction::one())];
+        let mut left = self.linear(first)?;
+        for link in links {
+            let right = self.linear(&link.expr)?;
+            let difference = right.minus(&left);
+            let guarded = |forms: &[Linear]| {
+                let mut term = Term::new(Fraction::one());
+                term.guards.extend(forms.iter().cloned());
+                term
+            };
+            let equal = guarded(&[difference.clone(), difference.negated()]);
+            let holds = match link.rel {
+                Rel::Eq => vec![equal],
+                Rel::Ne => vec![Term::new(Fraction::one()), equal.scaled(&-Fraction::one())],
+                Rel::Le => vec![guarded(&[difference])],
+                Rel::Lt => vec![guarded(&[difference.shifted(-1)])],
+                Rel::Ge => vec![guarded(&[difference.negated()])],
+                Rel::Gt => vec![guarded(&[difference.negated().shifted(-1)])],
+                _ => return None,
+            };
+            product = self.product(&product, &holds)?;
+            left = right;
+        }
+        Some(product)
+    }
+}

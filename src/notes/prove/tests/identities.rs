@@ -1,0 +1,78 @@
+//! Families that must be proved.
+
+use super::proof;
+
+const TERMS: &[&str] = &[
+    r"B_i^n(t) = (1-t)B_i^{n-1}(t) + tB_{i-1}^{n-1}(t)",
+    r"B_i^n(t) = B_{n-i}^n(1-t)",
+    r"B_i^n(t) = \binom{n}{i} t^i (1-t)^{n-i}",
+    r"B_i^n(t) = C_n^i t^i(1-t)^{n-i}",
+    r"\frac{d}{dt}B_i^n(t) = n\left[B_{i-1}^{n-1}(t) - B_i^{n-1}(t)\right]",
+    r"\frac{dB_i^n(t)}{dt} = n(B_{i-1}^{n-1}(t) - B_i^{n-1}(t))",
+    r"(B_i^n)'(t) = n(B_{i-1}^{n-1}(t) - B_i^{n-1}(t))",
+    r"\dot B_i^n(t) = n(B_{i-1}^{n-1}(t) - B_i^{n-1}(t))",
+    r"\frac{d^2}{dt^2}B_i^n(t) = n(n-1)\left[B_{i-2}^{n-2}(t) - 2B_{i-1}^{n-2}(t) + B_i^{n-2}(t)\right]",
+    r"B_i^n(t) = \left(1 - \frac{i}{n+1}\right)B_i^{n+1}(t) + \frac{i+1}{n+1}B_{i+1}^{n+1}(t)",
+    r"t B_i^n = \frac{i+1}{n+1}B_{i+1}^{n+1}",
+    r"(1-t) B_i^n(t) = \frac{n+1-i}{n+1}B_{i}^{n+1}(t)",
+    r"\binom{n}{k} = \binom{n-1}{k} + \binom{n-1}{k-1}",
+    r"k\binom{n}{k} = n\binom{n-1}{k-1}",
+    r"\binom{n}{k} = \frac{n}{k}\binom{n-1}{k-1}",
+    r"\binom{n}{k} = \frac{n!}{k!(n-k)!}",
+    r"\binom{n}{k} = \binom{n}{n-k}",
+    r"\binom{n}{j}\binom{j}{i} = \binom{n}{i}\binom{n-i}{j-i}",
+    r"B_i^m(t) B_j^n(t) = \frac{\binom{m}{i}\binom{n}{j}}{\binom{m+n}{i+j}} B_{i+j}^{m+n}(t)",
+    r"\int_0^1 B_i^n(t)\,dt = \frac{1}{n+1}",
+    r"\int_0^1 t B_i^n(t)\,dt = \frac{i+1}{(n+1)(n+2)}",
+    r"B_{i,j,k}^n(u,v,w) = uB_{i-1,j,k}^{n-1}(u,v,w) + vB_{i,j-1,k}^{n-1}(u,v,w) + wB_{i,j,k-1}^{n-1}(u,v,w)",
+    r"B_i^n(0) = \begin{cases} 1, & i = 0 \\ 0, & i \neq 0 \end{cases}",
+    r"B_i^n(1) = \begin{cases} 1, & i = n \\ 0, & i \neq n \end{cases}",
+    r"t^n t = t^{n+1}",
+    r"(n+1)! = (n+1) n!",
+    r"(xy)^n = x^n y^n",
+    r"4^n = 2^n 2^n",
+    r"(-1)^{n-i} = (-1)^{n+i}",
+    r"B_0^n(t) = (1-t)^n",
+    r"B_n^n(t) = t^n",
+    r"B_0^n(0) = 1",
+    r"B_n^n(1) = 1",
+    r"\left.\frac{d}{dt}B_i^n(t)\right|_{t=0} = \begin{cases} -n, & i = 0 \\ n, & i = 1 \\ 0, & i > 1 \end{cases}",
+    r"\frac{d}{dt} t^n = n t^{n-1}",
+    r"\sigma_{i,n}(t_1,\dots,t_n) = \frac{(n-i)\sigma_{i,n-1}(t_1,\dots,t_{n-1}) + i t_n \sigma_{i-1,n-1}(t_1,\dots,t_{n-1})}{n}",
+    r"e_i(t_1,\dots,t_n) = e_i(t_1,\dots,t_{n-1}) + t_n e_{i-1}(t_1,\dots,t_{n-1})",
+    r"\prod_{j=0}^{k-1}(n-j) = \frac{n!}{(n-k)!}",
+    r"B_i^{(n)}(t) = (1-t)B_i^{(n-1)}(t) + tB_{i-1}^{(n-1)}(t)",
+    r"B_i^n\left(\frac{t-a}{b-a}\right) = \binom{n}{i}\frac{(t-a)^i(b-t)^{n-i}}{(b-a)^n}",
+];
+
+const FAMILIES: &[&str] = &[
+    r"\frac{d}{dt}\sum_{i=0}^n b_i B_i^n(t) = n\sum_{i=0}^{n-1}(b_{i+1}-b_i)B_i^{n-1}(t)",
+    r"\frac{d}{dt}\sum_{i=0}^n \mathbf{b}_i B_i^n(t) = n\sum_{i=0}^{n-1}\Delta\mathbf{b}_iB_i^{n-1}(t)",
+    r"\frac{d^2}{dt^2}\sum_{i=0}^n b_i B_i^n(t) = n(n-1)\sum_{i=0}^{n-2}\Delta^2 b_i B_i^{n-2}(t)",
+    r"\frac{d^2}{dt^2}\sum_{i=0}^n b_i B_i^n(t) = n(n-1)\sum_{i=0}^{n-2}(b_{i+2} - 2b_{i+1} + b_i) B_i^{n-2}(t)",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{i=0}^{n-1}((1-t)b_i + t b_{i+1}) B_i^{n-1}(t)",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{i=0}^{n+1}\left(\frac{i}{n+1}b_{i-1} + \left(1-\frac{i}{n+1}\right)b_i\right) B_i^{n+1}(t)",
+    r"\sum_{i=0}^n b_i B_i^n(t) = b_0 (1-t)^n + \sum_{i=1}^n b_i B_i^n(t)",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{i=0}^n b_{n-i} B_i^n(1-t)",
+    r"\sum_{i=0}^n (a_i + b_i) B_i^n(t) = \sum_{i=0}^n a_i B_i^n(t) + \sum_{j=0}^n b_j B_j^n(t)",
+    r"\sum_{i=0}^m\sum_{j=0}^n b_{i,j} B_i^m(u) B_j^n(v) = \sum_{j=0}^n\sum_{i=0}^m b_{ij} B_j^n(v) B_i^m(u)",
+    r"\sum_{i=0}^m a_i B_i^m(t) \sum_{j=0}^n b_j B_j^n(t) = \sum_{k=0}^{m+n}\sum_{i=\max(0,k-n)}^{\min(m,k)} \frac{\binom{m}{i}\binom{n}{k-i}}{\binom{m+n}{k}} a_i b_{k-i} B_k^{m+n}(t)",
+    r"\Delta^k b_i = \Delta^{k-1} b_{i+1} - \Delta^{k-1} b_i",
+    r"\Delta^k b_i = \sum_{j=0}^k (-1)^{k-j}\binom{k}{j} b_{i+j}",
+    r"\left.\frac{d}{dt}\sum_{i=0}^n b_i B_i^n(t)\right|_{t=0} = n(b_1 - b_0)",
+];
+
+fn all_proved(list: &[&str]) {
+    let failed: Vec<&str> = list.iter().copied().filter(|text| proof(text).is_none()).collect();
+    assert!(failed.is_empty(), "not proved:\n{}", failed.join("\n"));
+}
+
+#[test]
+fn terms() {
+    all_proved(TERMS);
+}
+
+#[test]
+fn families() {
+    all_proved(FAMILIES);
+}

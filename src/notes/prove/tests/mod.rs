@@ -1,0 +1,21 @@
+//! Identities that must be proved, near misses that must not be, and random changes of the
+//! former against evaluation at numbers.
+
+mod identities;
+
+use super::{Proof, prove};
+use crate::expr::{Expr, Kind};
+use crate::latex;
+
+/// The sides of an equation.
+fn sides(text: &str) -> (Expr, Expr) {
+    match latex::read(text).unwrap_or_else(|problem| panic!("{text}: {problem:?}")).kind {
+        Kind::Chain(left, mut links) if links.len() == 1 => (*left, links.remove(0).expr),
+        other => panic!("{text}: {other:?}"),
+    }
+}
+
+fn proof(text: &str) -> Option<Proof> {
+    let (left, right) = sides(text);
+    prove(&left, &right, &|_| None)
+}
