@@ -9,6 +9,7 @@ use crate::expr::{Accent, Expr, Kind};
 pub struct Names {
     bare: BTreeSet<String>,
     called: BTreeSet<String>,
+    families: BTreeSet<String>,
     arguments: Vec<Expr>,
 }
 
@@ -34,8 +35,16 @@ impl Names {
                 groups.iter().flatten().for_each(|argument| self.scan(argument));
                 match &callee.kind {
                     Kind::Name(_) => self.call(callee),
+                    Kind::Subscript(_, indices) => indices.iter().for_each(|index| self.scan(index)),
                     _ => self.scan(callee),
                 }
+                return;
+            }
+            Kind::Subscript(base, indices) => {
+                if let Some(family) = family(base) {
+                    self.families.insert(family.to_owned());
+                }
+                indices.iter().for_each(|index| self.scan(index));
                 return;
             }
             _ => {}
@@ -68,9 +77,24 @@ impl Names {
             && matches!(argument.kind, Kind::Add(_))
     }
 
+    /// Whether `b_0(x)` can only be a product, for the same reasons.
+    pub fn is_indexed_factor(&self, base: &Expr, argument: &Expr) -> bool {
+        family(base).is_some_and(|name| self.families.contains(name) && is_constant_family(name))
+            && matches!(argument.kind, Kind::Add(_))
+    }
+
     /// Whether the name is somewhere applied or primed.
     pub fn is_called(&self, name: &str) -> bool {
         self.called.contains(name)
+    }
+}
+
+/// The letter of an indexed name.
+fn family(base: &Expr) -> Option<&str> {
+    match &base.kind {
+        Kind::Name(name) => Some(name),
+        Kind::Accent(_, body) => family(body),
+        _ => None,
     }
 }
 

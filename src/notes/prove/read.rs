@@ -387,6 +387,7 @@ impl<'a> Reader<'a> {
             Kind::Name(name) => {
                 self.is_bound(callee) || self.is_integer(name) || self.names.is_factor(name, argument)
             }
+            Kind::Subscript(base, _) => self.names.is_indexed_factor(base, argument),
             Kind::Number(_) | Kind::Binomial(..) | Kind::Factorial(_) | Kind::Div(..) => true,
             Kind::Pow(base, _) => names::bernstein(callee).is_none() && self.is_factor(base, argument),
             Kind::Apply(callee, groups) => self.is_product(callee, groups),

@@ -76,3 +76,41 @@ fn terms() {
 fn families() {
     all_proved(FAMILIES);
 }
+
+const SUMS: &[&str] = &[
+    r"\sum_{i=0}^n B_i^n(t) = 1",
+    r"1 = [t + (1 - t)]^n = \sum_{i=0}^n \binom{n}{i} t^i (1 - t)^{n-i}",
+    r"\sum_{i=0}^n \frac{i}{n} B_i^n(t) = t",
+    r"\sum_{i=0}^n i(i-1) B_i^n(t) = n(n-1) t^2",
+    r"\sum_{i=0}^n i^2 B_i^n(t) = n t (1 + (n-1) t)",
+    r"t^{j} = \sum_{i=j}^{n} \frac{C_{n-j}^{i-j}}{C_{n}^{i}} B_{i}^{n}(t)",
+    r"\sum_{i=k}^n \frac{\binom{i}{k}}{\binom{n}{k}} B_i^n(t) = t^k",
+    r"\sum_{i=0}^n \binom{n}{i} = 2^n",
+    r"\sum_{i=0}^n \binom{n}{i} x^i y^{n-i} = (x+y)^n",
+    r"\sum_{i=0}^n (-1)^i\binom{n}{i} x^i = (1-x)^n",
+    r"\sum_{i=0}^n i\binom{n}{i} = n 2^{n-1}",
+    r"\sum_{j=0}^k \binom{m}{j}\binom{n}{k-j} = \binom{m+n}{k}",
+    r"\sum_{i=0}^n \binom{n}{i}^2 = \binom{2n}{n}",
+    r"\sum_{i=0}^n \frac{(-1)^i}{i+1}\binom{n}{i} = \frac{1}{n+1}",
+    r"\sum_{i=0}^n i = \frac{n(n+1)}{2}",
+    r"\sum_{i=0}^n i^2 = \frac{n(n+1)(2n+1)}{6}",
+    r"\sum_{i=0}^{n} x^i = \frac{1-x^{n+1}}{1-x}",
+    r"\sum_{i=0}^{n-1} 2^i = 2^n - 1",
+    r"\sum_{i+j+k=n} B_{i,j,k}^n(u,v,w) = (u+v+w)^n",
+    r"\sum_{i+j=n} \frac{n!}{i!j!} x^i y^j = (x+y)^n",
+    r"\sum_{i=1}^n \binom{n}{i} = 2^n - 1",
+    r"\sum_{i=0}^n B_i^n(t) s^i = (1 - t + s t)^n",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{j=0}^n \binom{n}{j} \left(\sum_{i=0}^j (-1)^{j-i}\binom{j}{i} b_i\right) t^j",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{j=0}^n \binom{n}{j} \Delta^j b_0 t^j",
+    r"B_i^n(t) = \sum_{j=i}^n (-1)^{j-i}\binom{n}{j}\binom{j}{i} t^j",
+    r"B_i^n(ct) = \sum_{j=i}^n B_i^j(c) B_j^n(t)",
+    r"\int_0^1 \sum_{i=0}^n b_i B_i^n(t) dt = \frac{1}{n+1} \sum_{i=0}^n b_i",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{i=0}^{n} b_i B_i^n(t) \sum_{j=0}^m B_j^m(s)",
+    r"\sum_{i=0}^n\sum_{j=0}^m B_i^n(u) B_j^m(v) = 1",
+    r"\frac{d}{dt}\sum_{i=0}^n B_i^n(t) = 0",
+];
+
+#[test]
+fn sums() {
+    all_proved(SUMS);
+}

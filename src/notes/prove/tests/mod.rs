@@ -10,7 +10,10 @@ use crate::latex;
 /// The sides of an equation.
 fn sides(text: &str) -> (Expr, Expr) {
     match latex::read(text).unwrap_or_else(|problem| panic!("{text}: {problem:?}")).kind {
-        Kind::Chain(left, mut links) if links.len() == 1 => (*left, links.remove(0).expr),
+        Kind::Chain(left, mut links) => {
+            let right = links.pop().expect("a chain has a link").expr;
+            (*left, right)
+        }
         other => panic!("{text}: {other:?}"),
     }
 }
