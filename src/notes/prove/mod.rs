@@ -8,7 +8,8 @@
 //! polynomials and arguments of factorials are ≥ 0 as far as they do not depend on variables of
 //! sums. For all such integers for which both sides have a value they are equal, as rational
 //! functions of the other letters; where that fails, it is tried for 0 ≤ i ≤ n for each
-//! binomial C(n, i) or B_i^n with a single letter i, and the reason says so. Binomials and
+//! binomial C(n, i) or B_i^n with a single letter i that is in no upper entry, and the reason
+//! says so. Binomials and
 //! Bernstein polynomials are 0 when the lower entry is out of range, an empty sum is 0, 0^0 is 1.
 //!
 //! **How.** The difference of the sides becomes a sum of hypergeometric terms ([`term`]),
@@ -87,7 +88,7 @@ pub fn prove(left: &Expr, right: &Expr, lookup: &dyn Fn(&Expr) -> Option<Expr>) 
     let difference = collected(left.into_iter().chain(right.iter().map(|term| term.scaled(&minus))));
     let mut domain = reader.domain.clone();
     reader.integers.iter().filter(|s| is_free(s)).for_each(|s| domain.assume(&Linear::symbol(s)));
-    let ranges = natural_ranges(&reader.natural);
+    let ranges = natural_ranges(&reader);
     let mut narrow = domain.clone();
     ranges.iter().for_each(|(i, n)| narrow.assume(&n.minus(&Linear::symbol(i))));
     for (context, ranges) in [(&domain, &[][..]), (&narrow, ranges.as_slice())] {
@@ -132,10 +133,10 @@ fn holds(difference: &[Term], context: &Context, symmetric: bool) -> Option<BTre
 }
 
 /// For each index the weakest of its ranges, if they can be compared.
-fn natural_ranges(found: &[(Symbol, Linear)]) -> Vec<(Symbol, Linear)> {
+fn natural_ranges(reader: &Reader<'_>) -> Vec<(Symbol, Linear)> {
     let mut ranges: Vec<(Symbol, Linear)> = Vec::new();
     let mut doubtful: BTreeSet<&Symbol> = BTreeSet::new();
-    for (i, n) in found {
+    for (i, n) in &reader.natural {
         match ranges.iter_mut().find(|(other, _)| other == i) {
             None => ranges.push((i.clone(), n.clone())),
             Some((_, other)) => match n.minus(other).as_constant() {
@@ -147,7 +148,8 @@ fn natural_ranges(found: &[(Symbol, Linear)]) -> Vec<(Symbol, Linear)> {
             },
         }
     }
-    ranges.retain(|(i, _)| !doubtful.contains(i));
+    // C(n−i, n), written by mistake, does not mean that i is 0.
+    ranges.retain(|(i, _)| !doubtful.contains(i) && !reader.uppers.contains(i));
     ranges
 }
 

@@ -47,6 +47,8 @@ pub struct Reader<'a> {
     pub domain: Context,
     /// Index and upper entry of binomials and Bernstein polynomials: 0 ≤ index ≤ entry.
     pub natural: Vec<(Symbol, Linear)>,
+    /// Symbols that occur in upper entries.
+    pub uppers: BTreeSet<Symbol>,
     /// Whether an elementary symmetric function was read.
     pub symmetric: bool,
 }
@@ -65,6 +67,7 @@ impl<'a> Reader<'a> {
             reals: BTreeSet::new(),
             domain: Context::default(),
             natural: Vec::new(),
+            uppers: BTreeSet::new(),
             symmetric: false,
         }
     }
@@ -230,8 +233,8 @@ impl<'a> Reader<'a> {
 
     /// 0 ≤ k ≤ n is the natural range of a single symbol k.
     pub(super) fn natural_range(&mut self, k: &Linear, n: &Linear) {
+        self.uppers.extend(n.terms().keys().cloned());
         if let Some(symbol) = k.as_symbol()
-            && !n.contains(symbol)
             && !self.mentions_bound(k)
             && !self.mentions_bound(n)
         {

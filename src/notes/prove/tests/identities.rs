@@ -1,6 +1,6 @@
 //! Families that must be proved.
 
-use super::proof;
+use super::{brute, proof, sides};
 
 const TERMS: &[&str] = &[
     r"B_i^n(t) = (1-t)B_i^{n-1}(t) + tB_{i-1}^{n-1}(t)",
@@ -113,4 +113,20 @@ const SUMS: &[&str] = &[
 #[test]
 fn sums() {
     all_proved(SUMS);
+}
+
+/// All lists of identities.
+pub fn all() -> impl Iterator<Item = &'static str> {
+    TERMS.iter().chain(FAMILIES).chain(SUMS).copied()
+}
+
+/// The identities really hold for small integers: a check of the evaluator and of these lists.
+#[test]
+fn they_hold() {
+    for text in all() {
+        let (left, right) = sides(text);
+        let (witness, tried) = brute::refutation(&left, &right, 3, true);
+        assert_eq!(witness, None, "{text}");
+        assert!(tried > 0, "{text}");
+    }
 }

@@ -1,7 +1,9 @@
 //! Identities that must be proved, near misses that must not be, and random changes of the
 //! former against evaluation at numbers.
 
+mod brute;
 mod identities;
+mod near_misses;
 
 use super::{Proof, prove};
 use crate::expr::{Expr, Kind};
