@@ -3,6 +3,7 @@
 
 mod brute;
 mod identities;
+mod mutations;
 mod near_misses;
 
 use super::{Proof, prove};
