@@ -13,7 +13,7 @@ use super::linear::Linear;
 use super::term::{Base, Term, rising};
 use crate::budget;
 use crate::number::Int;
-use crate::poly::{Fraction, MultiPoly, Symbol};
+use crate::poly::{Fraction, MultiPoly};
 use crate::ring::Ring;
 
 /// Larger constant exponents are not multiplied out.
@@ -21,7 +21,7 @@ const MAX_EXPONENT: i64 = 48;
 
 /// What the terms of a class have in common: linear parts of the arguments of factorials with
 /// their multiplicity, bases with the linear parts of their exponents.
-type Key = (Vec<(Linear, i32)>, Vec<(Base, Linear)>);
+pub type Key = (Vec<(Linear, i32)>, Vec<(Base, Linear)>);
 
 /// A member of a class: its rational function and the offsets of the factorials, part by part.
 struct Member {
@@ -56,6 +56,11 @@ pub fn classes(terms: &[Term]) -> Option<Vec<Class>> {
 /// Whether the sum is 0 wherever all its terms are defined; `false` may mean that this is open.
 pub fn vanishes(terms: &[Term]) -> bool {
     classes(terms).is_some_and(|list| list.iter().all(|class| class.coefficient.is_zero()))
+}
+
+/// The class of a term.
+pub fn key(term: &Term) -> Option<Key> {
+    Some(split(term.cancelled()?)?.0)
 }
 
 fn split(term: Term) -> Option<(Key, Member)> {
@@ -221,10 +226,5 @@ impl Class {
         };
         let pieces: Vec<String> = std::iter::once(quotient).filter(|q| !q.is_empty()).chain(powers).collect();
         if pieces.is_empty() { "1".to_owned() } else { pieces.join(" ") }
-    }
-
-    /// Whether a symbol occurs in the common term.
-    pub fn contains(&self, symbol: &Symbol) -> bool {
-        self.common.factorials.keys().chain(self.common.powers.values()).any(|form| form.contains(symbol))
     }
 }

@@ -25,11 +25,6 @@ pub struct Context {
 }
 
 impl Context {
-    /// The inequalities.
-    pub fn facts(&self) -> &[Linear] {
-        &self.facts
-    }
-
     /// Adds L ≥ 0.
     pub fn assume(&mut self, form: &Linear) {
         let form = form.tightened();

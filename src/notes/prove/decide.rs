@@ -10,11 +10,11 @@ use num_traits::Zero;
 
 use super::classes;
 use super::context::Context;
+use super::induction::{self, Plan};
 use super::linear::Linear;
 use super::summation::{Closed, close};
 use super::term::{Term, add, collected};
 use crate::budget;
-use crate::poly::Symbol;
 
 /// How many contexts are looked at before the search is given up.
 const MAX_CASES: u32 = 400;
@@ -34,6 +34,8 @@ pub enum Step {
     Vandermonde,
     /// Sums of polynomials.
     PowerSum,
+    /// Sums compared term by term.
+    TermByTerm,
     /// Induction on the upper bound.
     Induction,
 }
@@ -42,7 +44,6 @@ pub enum Step {
 #[derive(Debug, Default)]
 pub struct Decision {
     cases: u32,
-    fresh: u32,
     /// What was used.
     pub steps: BTreeSet<Step>,
 }
@@ -109,13 +110,39 @@ impl Decision {
                 }
             }
         }
-        self.with_forced_values(terms, context)
+        self.matched(terms, context)
+            || self.by_induction(terms, context)
+            || self.with_forced_values(terms, context)
     }
 
-    /// A symbol that occurs nowhere else.
-    pub fn fresh(&mut self) -> Symbol {
-        self.fresh += 1;
-        Symbol::new(format!("@{}", self.fresh))
+    /// Sums that cancel term by term.
+    fn matched(&mut self, terms: &[Term], context: &Context) -> bool {
+        let Some((group, rest)) = induction::matched(terms) else { return false };
+        let before = self.steps.clone();
+        if self.vanishes(&group, context) && self.vanishes(&rest, context) {
+            self.steps.insert(Step::TermByTerm);
+            return true;
+        }
+        self.steps = before;
+        false
+    }
+
+    /// A sum with a given value.
+    fn by_induction(&mut self, terms: &[Term], context: &Context) -> bool {
+        match induction::plan(terms, context) {
+            Some(Plan::Show(plan)) => {
+                let shown =
+                    self.vanishes(&plan.step.0, &plan.step.1) && self.vanishes(&plan.start.0, &plan.start.1);
+                if shown {
+                    self.steps.insert(Step::Induction);
+                }
+                shown
+            }
+            Some(Plan::Split(form)) => {
+                self.vanishes(terms, &context.with(&form)) && self.vanishes(terms, &context.without(&form))
+            }
+            None => false,
+        }
     }
 }
 

@@ -9,7 +9,7 @@
 //! sums. For all such integers for which both sides have a value they are equal, as rational
 //! functions of the other letters; where that fails, it is tried for 0 ≤ i ≤ n for each
 //! binomial C(n, i) or B_i^n with a single letter i that is in no upper entry, and the reason
-//! says so. Binomials and
+//! says so. An equation with values only where, say, n = k is not proved. Binomials and
 //! Bernstein polynomials are 0 when the lower entry is out of range, an empty sum is 0, 0^0 is 1.
 //!
 //! **How.** The difference of the sides becomes a sum of hypergeometric terms ([`term`]),
@@ -23,6 +23,7 @@ mod classes;
 mod context;
 mod decide;
 mod families;
+mod induction;
 mod known;
 mod linear;
 mod names;
@@ -117,7 +118,8 @@ fn holds(difference: &[Term], context: &Context, symmetric: bool) -> Option<BTre
     for term in difference.iter().filter(|t| t.guards.is_empty() && t.bound.is_empty()) {
         term.defined.iter().for_each(|fact| sensible.assume(fact));
     }
-    if sensible.is_impossible() {
+    // An equation that has a value for n = k only does not say what was meant.
+    if sensible.is_impossible() || sensible.forced().is_some() {
         return None;
     }
     let mut terms = difference.to_vec();
@@ -170,6 +172,9 @@ fn reason(difference: &[Term], steps: &BTreeSet<Step>, ranges: &[(Symbol, Linear
     }
     if steps.contains(&Step::PowerSum) {
         parts.push("by summing powers".to_owned());
+    }
+    if steps.contains(&Step::TermByTerm) {
+        parts.push("the sums agree term by term".to_owned());
     }
     if steps.contains(&Step::Induction) {
         parts.push("by induction on the upper bound".to_owned());

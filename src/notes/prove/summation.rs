@@ -53,7 +53,14 @@ struct Sum<'a> {
 
 /// The sum of a term over the integer values of one of its bound variables.
 pub fn close(term: &Term, variable: &Symbol, context: &Context, steps: &mut BTreeSet<Step>) -> Closed {
-    try_close(term, variable, context, steps).unwrap_or(Closed::Open)
+    if let Some(closed) = try_close(term, variable, context, steps) {
+        return closed;
+    }
+    let is_empty = |sum: &Sum<'_>| sum.ends().iter().any(|(a, b)| sum.known.refutes(&b.minus(a)));
+    match Sum::new(term, variable, context) {
+        Some(sum) if is_empty(&sum) => Closed::Sum(Vec::new()),
+        _ => Closed::Open,
+    }
 }
 
 fn try_close(

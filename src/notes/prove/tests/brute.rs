@@ -395,19 +395,31 @@ pub fn range(left: &Expr, right: &Expr, bound: i64, narrow: bool) -> Vec<Values>
     if narrow {
         let letters: Vec<&String> = free
             .iter()
-            .filter(|f| !found.iter().any(|(n, _)| mentions(n, f)))
-            .filter(|f| found.iter().any(|(_, k)| k.is_some_and(|k| matches!(&k.kind, Kind::Name(x) if x == *f))))
+            .filter(|f| !found.iter().any(|(n, k)| k.is_some() && mentions(n, f)))
+            .filter(|f| {
+                let mut lower = found.iter().filter(|(n, _)| list.iter().any(|values| whole(n, values).is_some()));
+                lower.any(|(_, k)| k.is_some_and(|k| is_letter(k, f)))
+            })
             .collect();
         list.retain(|values| {
             letters.iter().all(|letter| {
                 found.iter().any(|(n, k)| {
-                    k.is_some_and(|k| matches!(&k.kind, Kind::Name(x) if x == *letter))
+                    k.is_some_and(|k| is_letter(k, letter))
                         && whole(n, values).is_some_and(|n| values[*letter] <= n)
                 })
             })
         });
     }
     list
+}
+
+/// Whether the formula is just a letter, perhaps as i + 1 − 1.
+fn is_letter(expr: &Expr, name: &str) -> bool {
+    let at = |x: i64| {
+        let values: Values = INTEGERS.iter().map(|other| ((*other).to_owned(), 7)).collect();
+        whole(expr, &Values::from_iter(values.into_iter().chain([(name.to_owned(), x)])))
+    };
+    at(3) == Some(3) && at(5) == Some(5)
 }
 
 fn mentions(expr: &Expr, name: &str) -> bool {

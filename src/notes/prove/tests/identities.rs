@@ -108,6 +108,13 @@ const SUMS: &[&str] = &[
     r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{i=0}^{n} b_i B_i^n(t) \sum_{j=0}^m B_j^m(s)",
     r"\sum_{i=0}^n\sum_{j=0}^m B_i^n(u) B_j^m(v) = 1",
     r"\frac{d}{dt}\sum_{i=0}^n B_i^n(t) = 0",
+    r"\sum_{i=k}^n \binom{i}{k} = \binom{n+1}{k+1}",
+    r"\sum_{i=0}^n \binom{m+i}{i} = \binom{m+n+1}{n}",
+    r"\sum_{i=0}^n i\, i! = (n+1)! - 1",
+    r"\sum_{i=1}^n \frac{1}{i(i+1)} = \frac{n}{n+1}",
+    r"\sum_{i=0}^n \frac{1}{i+1} = \sum_{j=1}^{n+1} \frac{1}{j}",
+    r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=0}^n \binom{n}{j}^3 t^{n-j} t^{2j-n}",
+    r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=0}^n \binom{n}{j}^3 t^{n-j}",
 ];
 
 #[test]

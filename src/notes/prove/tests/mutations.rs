@@ -131,3 +131,13 @@ fn changed_identities() {
     let (tried, proved, compared) = run(20, 12, 4);
     assert!(tried > 900 && proved > 50 && compared > 500, "{tried} tried, {proved} proved, {compared} compared");
 }
+
+/// The same for a long time: `cargo test --lib notes::prove -- --ignored`.
+#[test]
+#[ignore = "takes minutes"]
+fn many_changed_identities() {
+    for seed in 1000..1012 {
+        let (_, proved, compared) = run(seed, 60, 5);
+        assert!(proved > 0 && compared > 0);
+    }
+}

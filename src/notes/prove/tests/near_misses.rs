@@ -77,6 +77,13 @@ const WRONG: &[&str] = &[
     r"\sum_{i=0}^n B_i^n(t) s^i = (1 - t + s)^n",
     r"B_i^n(t) = \sum_{j=i}^n (-1)^{j-i}\binom{n}{j}\binom{i}{j} t^j",
     r"B_i^n(ct) = \sum_{j=i}^n B_j^i(c) B_j^n(t)",
+    r"\sum_{i=k}^n \binom{i}{k} = \binom{n}{k+1}",
+    r"\sum_{i=k}^n \binom{i}{k} = \binom{n+1}{k}",
+    r"\sum_{i=0}^n \binom{m+i}{i} = \binom{m+n}{n}",
+    r"\sum_{i=0}^n i\, i! = (n+1)!",
+    r"\sum_{i=1}^n \frac{1}{i(i+1)} = \frac{n+1}{n+2}",
+    r"\sum_{i=0}^n \frac{1}{i+1} = \sum_{j=1}^{n} \frac{1}{j}",
+    r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=1}^n \binom{n}{j}^3 t^{n-j}",
     // elementary symmetric functions
     r"\sigma_{i,n}(t_1,\dots,t_n) = \frac{(n-i)\sigma_{i,n-1}(t_1,\dots,t_{n-1}) + i t_n \sigma_{i,n-1}(t_1,\dots,t_{n-1})}{n}",
     r"\sigma_{i,n}(t_1,\dots,t_n) = \frac{i\sigma_{i,n-1}(t_1,\dots,t_{n-1}) + (n-i) t_n \sigma_{i-1,n-1}(t_1,\dots,t_{n-1})}{n}",

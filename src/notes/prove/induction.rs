@@ -1,0 +1,168 @@
+//! Sums without a closed form of their own: compared with each other term by term, or shown to
+//! have a given value by induction on their length.
+
+use num_traits::{One, Zero};
+
+use super::classes;
+use super::context::Context;
+use super::linear::Linear;
+use super::term::Term;
+use crate::number::{Int, integer};
+use crate::poly::{Fraction, MultiPoly, Symbol};
+
+/// Denominators are looked at for zeros up to this number.
+const MAX_ROOT: i64 = 1000;
+
+/// Sums over one variable whose bodies are of one class, as bodies over a common variable, and
+/// the other terms. If the bodies with their guards cancel for each value, so do the sums.
+pub fn matched(terms: &[Term]) -> Option<(Vec<Term>, Vec<Term>)> {
+    let common = Symbol::new("!");
+    let first = terms.iter().position(|term| term.bound.len() == 1)?;
+    for body in over(&terms[first], &common) {
+        let Some(key) = classes::key(&body) else { continue };
+        let (mut group, mut rest) = (vec![body], Vec::new());
+        for (k, term) in terms.iter().enumerate().filter(|(k, _)| *k != first) {
+            let same = if term.bound.len() == 1 {
+                over(term, &common).into_iter().find(|other| classes::key(other).as_ref() == Some(&key))
+            } else {
+                None
+            };
+            match same {
+                Some(other) => group.push(other),
+                None => rest.push(terms[k].clone()),
+            }
+        }
+        if group.len() > 1 {
+            return Some((group, rest));
+        }
+    }
+    None
+}
+
+/// The body of a sum with one of the forms in it made the variable.
+fn over(term: &Term, common: &Symbol) -> Vec<Term> {
+    let Some(variable) = term.bound.first() else { return Vec::new() };
+    let j = Linear::symbol(common);
+    let mut forms: Vec<Linear> = term.factorials.keys().chain(term.powers.values()).cloned().collect();
+    forms.extend(Linear::from_poly(term.coefficient.denominator()));
+    forms.push(Linear::symbol(variable));
+    let mut found = Vec::new();
+    for form in forms {
+        let slope = form.coefficient(variable);
+        if slope.as_small().is_none_or(|a| a.abs() != 1) {
+            continue;
+        }
+        let rest = form.substitute(variable, &Linear::default());
+        found.extend(term.substitute(variable, &j.minus(&rest).scaled(&slope)));
+    }
+    found
+}
+
+/// What remains to be shown for Σ_{j=a}^{b} F(j) + T = 0 by induction on b.
+pub struct Induction {
+    /// T(n) − T(n−1) + F(b(n)), to vanish in the context.
+    pub step: (Vec<Term>, Context),
+    /// T where b = a − 1, to vanish in the context.
+    pub start: (Vec<Term>, Context),
+}
+
+/// How an induction could go on.
+pub enum Plan {
+    /// These have to vanish.
+    Show(Box<Induction>),
+    /// It must be known whether this form is negative.
+    Split(Linear),
+}
+
+/// Plans an induction for one sum with one lower and one upper end among terms without sums.
+pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
+    let (sums, rest): (Vec<&Term>, Vec<&Term>) = terms.iter().partition(|term| !term.bound.is_empty());
+    let ([sum], true) = (sums.as_slice(), rest.iter().all(|term| term.guards.is_empty())) else { return None };
+    let sum = sum.cancelled()?;
+    let variable = sum.bound.first().filter(|_| sum.bound.len() == 1)?.clone();
+    let (mut lower, mut upper) = (None, None);
+    for guard in &sum.guards {
+        let rest = guard.substitute(&variable, &Linear::default());
+        let slot = match guard.coefficient(&variable).as_small()? {
+            1 => lower.replace(rest.negated()),
+            -1 => upper.replace(rest),
+            _ => return None,
+        };
+        if slot.is_some() {
+            return None;
+        }
+    }
+    let (a, b) = (lower?, upper?);
+    let mut body = sum.clone();
+    body.guards.clear();
+    body.bound.clear();
+    let n = b.terms().iter().find(|(symbol, slope)| {
+        slope.is_one() && !a.contains(symbol) && !mentions(&body, symbol)
+    })?;
+    let n = n.0.clone();
+    let not_empty = b.minus(&a).shifted(1);
+    if !context.entails(&not_empty) {
+        return Some(Plan::Split(not_empty));
+    }
+    // T is used for all smaller n as well, where what is known of n need not hold.
+    let fixed = context.forgetting(&n);
+    let from_start = fixed.with(&not_empty);
+    let start = b.substitute(&n, &Linear::default()).negated().plus(&a).shifted(-1);
+    let mut total = Vec::new();
+    for term in rest {
+        let mut term = term.cancelled()?;
+        term.defined.clear();
+        let numerators = term.factorials.iter().filter(|(_, m)| **m > 0);
+        if !numerators.into_iter().all(|(form, _)| from_start.entails(form)) {
+            return None;
+        }
+        if !is_nonzero_from(term.coefficient.denominator(), &n, &start) {
+            return None;
+        }
+        total.push(term);
+    }
+    let minus = -Fraction::one();
+    let before = Linear::symbol(&n).shifted(-1);
+    let mut step = total.clone();
+    for term in &total {
+        step.push(term.substitute(&n, &before)?.scaled(&minus));
+    }
+    step.push(body.substitute(&variable, &b)?);
+    let at_start: Option<Vec<Term>> = total.iter().map(|term| term.substitute(&n, &start)).collect();
+    Some(Plan::Show(Box::new(Induction {
+        step: (without_facts(step), fixed.with(&b.minus(&a))),
+        start: (without_facts(at_start?), fixed),
+    })))
+}
+
+/// Facts come from the formula as written; here the same terms stand for other values of n.
+fn without_facts(mut terms: Vec<Term>) -> Vec<Term> {
+    terms.iter_mut().for_each(|term| term.defined.clear());
+    terms
+}
+
+fn mentions(term: &Term, symbol: &Symbol) -> bool {
+    term.coefficient.variables().contains(symbol)
+        || term.factorials.keys().chain(term.powers.values()).any(|form| form.contains(symbol))
+}
+
+/// Whether the polynomial has no zero at n = start, start + 1, …
+fn is_nonzero_from(p: &MultiPoly, n: &Symbol, start: &Linear) -> bool {
+    if !p.variables().contains(n) {
+        return true;
+    }
+    let (Some(start), [_]) = (start.as_constant().and_then(Int::as_small), p.variables()) else { return false };
+    let coefficients = p.coefficients_in(n);
+    let sizes: Option<Vec<i64>> = coefficients
+        .iter()
+        .map(|c| c.as_constant().filter(|c| c.is_integer())?.to_integer().as_small().map(i64::abs))
+        .collect();
+    let Some(sizes) = sizes else { return false };
+    // Zeros are at most 1 + max |c_k| / |c_d| (Cauchy).
+    let bound = sizes.iter().copied().max().unwrap_or(0).saturating_add(1);
+    bound <= MAX_ROOT
+        && (start..=bound).all(|x| {
+            let value = p.evaluate(&|_| Some(integer(x)));
+            value.as_constant().is_some_and(|value| !value.is_zero())
+        })
+}
