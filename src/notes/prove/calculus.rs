@@ -156,7 +156,7 @@ impl Reader<'_> {
     }
 
     /// What is known of integers here.
-    fn known(&self) -> Context {
+    pub(super) fn known(&self) -> Context {
         let mut known = self.domain.clone();
         self.integers
             .iter()

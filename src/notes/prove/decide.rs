@@ -117,13 +117,14 @@ impl Decision {
 
     /// Sums that cancel term by term.
     fn matched(&mut self, terms: &[Term], context: &Context) -> bool {
-        let Some((group, rest)) = induction::matched(terms) else { return false };
         let before = self.steps.clone();
-        if self.vanishes(&group, context) && self.vanishes(&rest, context) {
-            self.steps.insert(Step::TermByTerm);
-            return true;
+        for (group, rest) in induction::matchings(terms) {
+            if self.vanishes(&group, context) && self.vanishes(&rest, context) {
+                self.steps.insert(Step::TermByTerm);
+                return true;
+            }
+            self.steps.clone_from(&before);
         }
-        self.steps = before;
         false
     }
 

@@ -6,54 +6,73 @@ use num_traits::{One, Zero};
 use super::classes;
 use super::context::Context;
 use super::linear::Linear;
-use super::term::Term;
+use super::term::{Base, Term};
 use crate::number::{Int, integer};
 use crate::poly::{Fraction, MultiPoly, Symbol};
 
 /// Denominators are looked at for zeros up to this number.
 const MAX_ROOT: i64 = 1000;
+/// How many ways to compare sums are tried.
+const MAX_MATCHINGS: usize = 5;
 
-/// Sums over one variable whose bodies are of one class, as bodies over a common variable, and
-/// the other terms. If the bodies with their guards cancel for each value, so do the sums.
-pub fn matched(terms: &[Term]) -> Option<(Vec<Term>, Vec<Term>)> {
+/// What a sum over one variable is rewritten by: the form that becomes the variable.
+#[derive(Clone, Debug, PartialEq)]
+enum Pivot {
+    /// The exponent of a base.
+    Power(Base),
+    /// The argument of a factorial, without its constant, and its multiplicity.
+    Factorial(Linear, i32),
+    /// The variable itself or a linear denominator.
+    Variable,
+}
+
+/// A way to compare sums: bodies over a common variable, and the terms that are left.
+pub type Matching = (Vec<Term>, Vec<Term>);
+
+/// Sums over one variable whose bodies are of one class. If the bodies with their guards cancel
+/// for each value of the common variable, so do the sums.
+pub fn matchings(terms: &[Term]) -> Vec<Matching> {
     let common = Symbol::new("!");
-    let first = terms.iter().position(|term| term.bound.len() == 1)?;
-    for body in over(&terms[first], &common) {
+    let Some(first) = terms.iter().position(|term| term.bound.len() == 1) else { return Vec::new() };
+    let mut found = Vec::new();
+    for (pivot, body) in bodies(&terms[first], &common) {
         let Some(key) = classes::key(&body) else { continue };
         let (mut group, mut rest) = (vec![body], Vec::new());
         for (k, term) in terms.iter().enumerate().filter(|(k, _)| *k != first) {
-            let same = if term.bound.len() == 1 {
-                over(term, &common).into_iter().find(|other| classes::key(other).as_ref() == Some(&key))
-            } else {
-                None
-            };
-            match same {
-                Some(other) => group.push(other),
+            let mut list = if term.bound.len() == 1 { bodies(term, &common) } else { Vec::new() };
+            list.sort_by_key(|(other, _)| *other != pivot);
+            match list.into_iter().find(|(_, other)| classes::key(other).as_ref() == Some(&key)) {
+                Some((_, other)) => group.push(other),
                 None => rest.push(terms[k].clone()),
             }
         }
-        if group.len() > 1 {
-            return Some((group, rest));
+        if group.len() > 1 && found.len() < MAX_MATCHINGS {
+            found.push((group, rest));
         }
     }
-    None
+    found
 }
 
 /// The body of a sum with one of the forms in it made the variable.
-fn over(term: &Term, common: &Symbol) -> Vec<Term> {
+fn bodies(term: &Term, common: &Symbol) -> Vec<(Pivot, Term)> {
     let Some(variable) = term.bound.first() else { return Vec::new() };
     let j = Linear::symbol(common);
-    let mut forms: Vec<Linear> = term.factorials.keys().chain(term.powers.values()).cloned().collect();
-    forms.extend(Linear::from_poly(term.coefficient.denominator()));
-    forms.push(Linear::symbol(variable));
+    let mut forms: Vec<(Pivot, Linear)> = Vec::new();
+    forms.extend(term.powers.iter().map(|(base, e)| (Pivot::Power(base.clone()), e.clone())));
+    forms.extend(term.factorials.iter().map(|(form, m)| {
+        let part = form.substitute(variable, &j).without_offset();
+        (Pivot::Factorial(part, *m), form.clone())
+    }));
+    forms.extend(Linear::from_poly(term.coefficient.denominator()).map(|form| (Pivot::Variable, form)));
+    forms.push((Pivot::Variable, Linear::symbol(variable)));
     let mut found = Vec::new();
-    for form in forms {
+    for (pivot, form) in forms {
         let slope = form.coefficient(variable);
         if slope.as_small().is_none_or(|a| a.abs() != 1) {
             continue;
         }
         let rest = form.substitute(variable, &Linear::default());
-        found.extend(term.substitute(variable, &j.minus(&rest).scaled(&slope)));
+        found.extend(term.substitute(variable, &j.minus(&rest).scaled(&slope)).map(|body| (pivot, body)));
     }
     found
 }

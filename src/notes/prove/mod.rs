@@ -27,6 +27,7 @@ mod induction;
 mod known;
 mod linear;
 mod names;
+mod order;
 mod ranges;
 mod read;
 mod summation;
@@ -76,28 +77,60 @@ pub struct Proof {
 /// assert!(prove(&left, &right, &|_| None).is_none());
 /// ```
 pub fn prove(left: &Expr, right: &Expr, lookup: &dyn Fn(&Expr) -> Option<Expr>) -> Option<Proof> {
-    // A first reading finds out which names are integers: n (n−1) is a product then.
-    let mut first = reader(left, right, lookup);
-    let _ = (first.read(left), first.read(right));
-    let mut reader = reader(left, right, lookup);
-    reader.expected = first.integers;
-    let (left, right) = (reader.read(left)?, reader.read(right)?);
-    if reader.reals.intersection(&reader.integers).next().is_some() {
-        return None;
-    }
-    let minus = -Fraction::one();
-    let difference = collected(left.into_iter().chain(right.iter().map(|term| term.scaled(&minus))));
-    let mut domain = reader.domain.clone();
-    reader.integers.iter().filter(|s| is_free(s)).for_each(|s| domain.assume(&Linear::symbol(s)));
-    let ranges = natural_ranges(&reader);
-    let mut narrow = domain.clone();
-    ranges.iter().for_each(|(i, n)| narrow.assume(&n.minus(&Linear::symbol(i))));
-    for (context, ranges) in [(&domain, &[][..]), (&narrow, ranges.as_slice())] {
-        if let Some(steps) = holds(&difference, context, reader.symmetric) {
-            return Some(Proof { reason: reason(&difference, &steps, ranges) });
+    for (left, right) in [(left, right), (right, left)] {
+        if let Some(found) = order::equations(left, right, lookup) {
+            let shown = [&found.start, &found.step].into_iter().all(|(left, right)| {
+                Equation::read(left, right, lookup).is_some_and(|equation| equation.holds_widely().is_some())
+            });
+            let reason = "by induction on the order of the derivative".to_owned();
+            return shown.then_some(Proof { reason });
         }
     }
-    None
+    Equation::read(left, right, lookup)?.proof()
+}
+
+/// An equation as the difference of its sides, with what it takes for granted.
+struct Equation {
+    difference: Vec<Term>,
+    domain: Context,
+    ranges: Vec<(Symbol, Linear)>,
+    symmetric: bool,
+}
+
+impl Equation {
+    fn read(left: &Expr, right: &Expr, lookup: read::Lookup<'_>) -> Option<Self> {
+        // A first reading finds out which names are integers: n (n−1) is a product then.
+        let mut first = reader(left, right, lookup);
+        let _ = (first.read(left), first.read(right));
+        let mut reader = reader(left, right, lookup);
+        reader.expected = first.integers;
+        let (left, right) = (reader.read(left)?, reader.read(right)?);
+        if reader.reals.intersection(&reader.integers).next().is_some() {
+            return None;
+        }
+        let minus = -Fraction::one();
+        let difference = collected(left.into_iter().chain(right.iter().map(|term| term.scaled(&minus))));
+        let domain = reader.known();
+        Some(Equation { difference, domain, ranges: natural_ranges(&reader), symmetric: reader.symmetric })
+    }
+
+    /// What was used, if the equation holds for all integers for which it has a value.
+    fn holds_widely(&self) -> Option<BTreeSet<Step>> {
+        holds(&self.difference, &self.domain, self.symmetric)
+    }
+
+    fn proof(&self) -> Option<Proof> {
+        if let Some(steps) = self.holds_widely() {
+            return Some(Proof { reason: reason(&self.difference, &steps, &[]) });
+        }
+        if self.ranges.is_empty() {
+            return None;
+        }
+        let mut narrow = self.domain.clone();
+        self.ranges.iter().for_each(|(i, n)| narrow.assume(&n.minus(&Linear::symbol(i))));
+        let steps = holds(&self.difference, &narrow, self.symmetric)?;
+        Some(Proof { reason: reason(&self.difference, &steps, &self.ranges) })
+    }
 }
 
 fn reader<'a>(left: &Expr, right: &Expr, lookup: read::Lookup<'a>) -> Reader<'a> {
@@ -105,10 +138,6 @@ fn reader<'a>(left: &Expr, right: &Expr, lookup: read::Lookup<'a>) -> Reader<'a>
     reader.names.scan(left);
     reader.names.scan(right);
     reader
-}
-
-fn is_free(symbol: &Symbol) -> bool {
-    !symbol.base().starts_with('#')
 }
 
 /// Whether the sum of the terms is 0 throughout the context, which must not be empty.

@@ -115,6 +115,7 @@ const SUMS: &[&str] = &[
     r"\sum_{i=0}^n \frac{1}{i+1} = \sum_{j=1}^{n+1} \frac{1}{j}",
     r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=0}^n \binom{n}{j}^3 t^{n-j} t^{2j-n}",
     r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=0}^n \binom{n}{j}^3 t^{n-j}",
+    r"\sum_{i=0}^n b_i B_i^n(t) = \sum_{j=0}^{n+k} \left(\sum_{i=0}^n \frac{\binom{n}{i}\binom{k}{j-i}}{\binom{n+k}{j}} b_i\right) B_j^{n+k}(t)",
 ];
 
 #[test]
@@ -124,7 +125,7 @@ fn sums() {
 
 /// All lists of identities.
 pub fn all() -> impl Iterator<Item = &'static str> {
-    TERMS.iter().chain(FAMILIES).chain(SUMS).copied()
+    TERMS.iter().chain(FAMILIES).chain(SUMS).chain(ORDERS).copied()
 }
 
 /// The identities really hold for small integers: a check of the evaluator and of these lists.
@@ -136,4 +137,15 @@ fn they_hold() {
         assert_eq!(witness, None, "{text}");
         assert!(tried > 0, "{text}");
     }
+}
+
+const ORDERS: &[&str] = &[
+    r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{(n-k)!}\sum_{i=0}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
+    r"\frac{d^k}{dt^k}B_i^n(t) = \frac{n!}{(n-k)!}\sum_{j=0}^k (-1)^{j}\binom{k}{j} B_{i-k+j}^{n-k}(t)",
+    r"\frac{d^k}{dt^k}t^n = \frac{n!}{(n-k)!}t^{n-k}",
+];
+
+#[test]
+fn orders() {
+    all_proved(ORDERS);
 }

@@ -84,6 +84,11 @@ const WRONG: &[&str] = &[
     r"\sum_{i=1}^n \frac{1}{i(i+1)} = \frac{n+1}{n+2}",
     r"\sum_{i=0}^n \frac{1}{i+1} = \sum_{j=1}^{n} \frac{1}{j}",
     r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=1}^n \binom{n}{j}^3 t^{n-j}",
+    // derivatives of any order
+    r"\frac{d^k}{dt^k}B_i^n(t) = \frac{n!}{(n-k)!}\sum_{j=0}^k (-1)^{k-j}\binom{k}{j} B_{i-k+j}^{n-k}(t)",
+    r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{k!}\sum_{i=0}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
+    r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{(n-k)!}\sum_{i=1}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
+    r"\frac{d^k}{dt^k}t^n = \frac{n!}{(n-k+1)!}t^{n-k}",
     // elementary symmetric functions
     r"\sigma_{i,n}(t_1,\dots,t_n) = \frac{(n-i)\sigma_{i,n-1}(t_1,\dots,t_{n-1}) + i t_n \sigma_{i,n-1}(t_1,\dots,t_{n-1})}{n}",
     r"\sigma_{i,n}(t_1,\dots,t_n) = \frac{i\sigma_{i,n-1}(t_1,\dots,t_{n-1}) + (n-i) t_n \sigma_{i-1,n-1}(t_1,\dots,t_{n-1})}{n}",
