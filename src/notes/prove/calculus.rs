@@ -44,7 +44,9 @@ impl Reader<'_> {
                     || self.integers.contains(&s)
                     || (names::is_constant(s.base()) && s.accent().is_empty() && s.indices().is_empty())
                     || (names::is_constant_family(s.base()) && !s.indices().is_empty())
-            }) && term.symbols.keys().all(|s| names::is_constant_family(&s.head) && !s.head.ends_with('^') && !s.head.starts_with("e("))
+            }) && term.symbols.keys().all(|s| {
+                names::is_constant_family(&s.head) && !s.head.ends_with('^') && !s.head.starts_with("e(")
+            })
         })
     }
 
@@ -116,7 +118,12 @@ impl Reader<'_> {
     }
 
     /// F'(x) for a function that can be looked up.
-    pub(super) fn derivative_at(&mut self, function: &Expr, order: u32, argument: &Expr) -> Option<Vec<Term>> {
+    pub(super) fn derivative_at(
+        &mut self,
+        function: &Expr,
+        order: u32,
+        argument: &Expr,
+    ) -> Option<Vec<Term>> {
         if order > MAX_ORDER {
             return None;
         }

@@ -13,11 +13,11 @@ use super::linear::Linear;
 use super::term::{Base, Term, rising};
 use crate::budget;
 use crate::number::Int;
-use crate::poly::{Fraction, MultiPoly};
+use crate::poly::{Fraction, MonomialOrder, MultiPoly};
 use crate::ring::Ring;
 
 /// Larger constant exponents are not multiplied out.
-const MAX_EXPONENT: i64 = 48;
+const MAX_EXPONENT: i64 = 24;
 
 /// What the terms of a class have in common: linear parts of the arguments of factorials with
 /// their multiplicity, bases with the linear parts of their exponents.
@@ -116,7 +116,8 @@ fn class((factorials, powers): Key, members: Vec<Member>) -> Option<Class> {
     for member in members {
         budget::step();
         let mut product = MultiPoly::one();
-        for ((part, m), (offsets, reference)) in factorials.iter().zip(member.offsets.iter().zip(&references)) {
+        for ((part, m), (offsets, reference)) in factorials.iter().zip(member.offsets.iter().zip(&references))
+        {
             for offset in offsets {
                 let factor = if *m > 0 {
                     rising(part, reference + 1, *offset)?
@@ -160,7 +161,10 @@ fn over(term: &Term, basis: &[MultiPoly]) -> Option<Term> {
                 rest = quotient;
             }
             if multiplicity > 0 {
-                result.multiply_power(&Fraction::from(factor.clone()), &exponent.scaled(&Int::from(multiplicity)))?;
+                result.multiply_power(
+                    &Fraction::from(factor.clone()),
+                    &exponent.scaled(&Int::from(multiplicity)),
+                )?;
             }
         }
         result.multiply_power(&Fraction::from(rest), exponent)?;
@@ -185,7 +189,8 @@ fn coprime(polys: &[MultiPoly]) -> Vec<MultiPoly> {
             None => basis.push(p),
             Some((k, g)) => {
                 let q = basis.swap_remove(k);
-                waiting.extend([&p, &q].into_iter().filter_map(|x| x.div_exact(&g)).map(|x| x.primitive_part()));
+                waiting
+                    .extend([&p, &q].into_iter().filter_map(|x| x.div_exact(&g)).map(|x| x.primitive_part()));
                 waiting.push(g);
             }
         }
@@ -194,7 +199,7 @@ fn coprime(polys: &[MultiPoly]) -> Vec<MultiPoly> {
 }
 
 impl Class {
-    /// The class as a person would write it, with t ↦ 1 − t bases and the rest as they are.
+    /// The common term as a person would write it, (1 − t)^k rather than (−1)^k (t − 1)^k.
     pub fn text(&self) -> String {
         let (mut above, mut below) = (Vec::new(), Vec::new());
         for (form, m) in &self.common.factorials {
@@ -202,16 +207,26 @@ impl Class {
             let list = if *m > 0 { &mut above } else { &mut below };
             list.extend(std::iter::repeat_n(text, m.unsigned_abs() as usize));
         }
+        let mut sign = Linear::default();
         let mut powers = Vec::new();
         for (base, exponent) in &self.common.powers {
-            let p = base.poly();
-            let base = if p.len() > 1 || p.as_constant().is_some_and(|c| c.is_negative()) {
-                format!("({p})")
-            } else {
-                p.to_string()
-            };
             let plain = exponent.as_symbol().is_some() || exponent.as_constant().is_some();
-            powers.push(if plain { format!("{base}^{exponent}") } else { format!("{base}^({exponent})") });
+            let exponent_text = if plain { exponent.to_string() } else { format!("({exponent})") };
+            let p = base.poly();
+            if base.is_sign() {
+                sign = sign.plus(exponent);
+            } else if let Some(flipped) = flipped(&p) {
+                sign = sign.plus(exponent);
+                powers.push(format!("({flipped})^{exponent_text}"));
+            } else {
+                let base = if p.len() > 1 { format!("({p})") } else { p.to_string() };
+                powers.push(format!("{base}^{exponent_text}"));
+            }
+        }
+        let sign = parity(&sign);
+        if sign != Linear::default() {
+            let plain = sign.as_symbol().is_some();
+            powers.insert(0, if plain { format!("(-1)^{sign}") } else { format!("(-1)^({sign})") });
         }
         let quotient = match (above.is_empty(), below.len()) {
             (true, 0) => String::new(),
@@ -227,4 +242,15 @@ impl Class {
         let pieces: Vec<String> = std::iter::once(quotient).filter(|q| !q.is_empty()).chain(powers).collect();
         if pieces.is_empty() { "1".to_owned() } else { pieces.join(" ") }
     }
+}
+
+/// 1 − t for t − 1.
+fn flipped(p: &MultiPoly) -> Option<String> {
+    let terms = p.terms(MonomialOrder::GrLex);
+    let [(powers, a), (none, c)] = terms.as_slice() else { return None };
+    if !none.is_empty() || !c.is_negative() || a.is_negative() {
+        return None;
+    }
+    let rest = MultiPoly::from_terms([(powers.clone(), a.clone())]);
+    Some(format!("{} - {rest}", -c))
 }

@@ -18,6 +18,11 @@ pub type Signature = Vec<(String, usize, i32)>;
 /// Longer recurrences are not followed.
 const MAX_STEPS: i64 = 8;
 
+/// What the family of a symbol is called.
+pub fn head(symbol: &Symbol) -> String {
+    Symbol::new(symbol.base()).with_accent(symbol.accent()).to_string()
+}
+
 /// The weights of each combination of symbols, over common indices.
 /// `None` if a symbol occurs in a way that cannot be separated.
 pub fn weights(terms: &[Term]) -> Option<BTreeMap<Signature, Vec<Term>>> {
@@ -34,7 +39,7 @@ pub fn weights(terms: &[Term]) -> Option<BTreeMap<Signature, Vec<Term>>> {
 fn numbered(terms: &[Term]) -> Option<Vec<Term>> {
     let heads: BTreeSet<&String> = terms.iter().flat_map(|t| t.symbols.keys().map(|s| &s.head)).collect();
     let member = |symbol: &Symbol| -> Option<Indexed> {
-        let head = Symbol::new(symbol.base()).with_accent(symbol.accent()).to_string();
+        let head = head(symbol);
         if symbol.indices().is_empty() || !symbol.upper().is_empty() || !heads.contains(&head) {
             return None;
         }
@@ -90,7 +95,8 @@ fn aligned(term: Term) -> Option<(Signature, Term)> {
             counter += 1;
             let common = Symbol::new(format!("@{counter}"));
             let j = Linear::symbol(&common);
-            let solved = weight.bound.iter().find(|u| form.coefficient(u).as_small().is_some_and(|a| a.abs() == 1));
+            let solved =
+                weight.bound.iter().find(|u| form.coefficient(u).as_small().is_some_and(|a| a.abs() == 1));
             match solved.cloned() {
                 Some(variable) => {
                     // ±u + rest = j

@@ -96,7 +96,9 @@ pub enum Plan {
 /// Plans an induction for one sum with one lower and one upper end among terms without sums.
 pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
     let (sums, rest): (Vec<&Term>, Vec<&Term>) = terms.iter().partition(|term| !term.bound.is_empty());
-    let ([sum], true) = (sums.as_slice(), rest.iter().all(|term| term.guards.is_empty())) else { return None };
+    let ([sum], true) = (sums.as_slice(), rest.iter().all(|term| term.guards.is_empty())) else {
+        return None;
+    };
     let sum = sum.cancelled()?;
     let variable = sum.bound.first().filter(|_| sum.bound.len() == 1)?.clone();
     let (mut lower, mut upper) = (None, None);
@@ -115,9 +117,10 @@ pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
     let mut body = sum.clone();
     body.guards.clear();
     body.bound.clear();
-    let n = b.terms().iter().find(|(symbol, slope)| {
-        slope.is_one() && !a.contains(symbol) && !mentions(&body, symbol)
-    })?;
+    let n = b
+        .terms()
+        .iter()
+        .find(|(symbol, slope)| slope.is_one() && !a.contains(symbol) && !mentions(&body, symbol))?;
     let n = n.0.clone();
     let not_empty = b.minus(&a).shifted(1);
     if !context.entails(&not_empty) {
@@ -170,7 +173,9 @@ fn is_nonzero_from(p: &MultiPoly, n: &Symbol, start: &Linear) -> bool {
     if !p.variables().contains(n) {
         return true;
     }
-    let (Some(start), [_]) = (start.as_constant().and_then(Int::as_small), p.variables()) else { return false };
+    let (Some(start), [_]) = (start.as_constant().and_then(Int::as_small), p.variables()) else {
+        return false;
+    };
     let coefficients = p.coefficients_in(n);
     let sizes: Option<Vec<i64>> = coefficients
         .iter()

@@ -41,7 +41,13 @@ impl Reader<'_> {
     }
 
     /// C(n, i) x^i (1−x)^(n−i)
-    fn bernstein_terms(&mut self, binomial: &Term, i: &Linear, n: &Linear, x: &Fraction) -> Option<Vec<Term>> {
+    fn bernstein_terms(
+        &mut self,
+        binomial: &Term,
+        i: &Linear,
+        n: &Linear,
+        x: &Fraction,
+    ) -> Option<Vec<Term>> {
         self.reals.extend(x.variables());
         let mut term = binomial.clone();
         term.multiply_power(x, i)?;
@@ -73,14 +79,22 @@ impl Reader<'_> {
     }
 
     /// e_i(t_1, …, t_n) or σ_{i,n}(t_1, …, t_n) = e_i/C(n, i); both are 0 for i < 0 and i > n.
-    pub(super) fn elementary(&mut self, base: &Expr, indices: &[Expr], arguments: &[Expr]) -> Option<Vec<Term>> {
+    pub(super) fn elementary(
+        &mut self,
+        base: &Expr,
+        indices: &[Expr],
+        arguments: &[Expr],
+    ) -> Option<Vec<Term>> {
         let Kind::Name(name) = &base.kind else { return None };
         if !matches!(name.as_str(), "e" | "sigma") {
             return None;
         }
-        let (family, count) = self.argument_list(arguments)?;
         let forms = self.indices(indices)?;
         let index = forms.first()?.clone();
+        if let (Some(argument), "sigma", [n]) = (repeated(arguments), name.as_str(), &forms[1..]) {
+            return self.diagonal(&index, n, arguments, argument);
+        }
+        let (family, count) = self.argument_list(arguments)?;
         let mut term = opaque_term(&format!("e({family})"), vec![index.clone(), count.clone()]);
         match (name.as_str(), &forms[1..]) {
             ("e", []) => self.take_for_granted(&count),
@@ -94,6 +108,22 @@ impl Reader<'_> {
             _ => return None,
         }
         self.symmetric = true;
+        Some(vec![term])
+    }
+
+    /// σ_{i,n}(t, …, t) = t^i for 0 ≤ i ≤ n, and 0 otherwise.
+    fn diagonal(&mut self, i: &Linear, n: &Linear, arguments: &[Expr], t: &Expr) -> Option<Vec<Term>> {
+        if let [Expr { kind: Kind::Brace(_, Some(count)), .. }] = arguments
+            && self.linear(count)? != *n
+        {
+            return None;
+        }
+        self.take_for_granted(n);
+        self.natural_range(i, n);
+        let base = rational_value(&self.read(t)?)?;
+        self.reals.extend(base.variables());
+        let mut term = Term::power(&base, i)?;
+        term.guards.extend([i.clone(), n.minus(i)]);
         Some(vec![term])
     }
 
@@ -141,6 +171,10 @@ impl Reader<'_> {
             return None;
         }
         let Kind::Subscript(base, indices) = &symbol.kind else { return None };
+        let whole = Kind::Mul(vec![operator.clone(), symbol.clone()]).into();
+        if let Some(body) = self.looked_up(&whole) {
+            return self.read(&body);
+        }
         if self.defines(symbol) || indices.len() != 1 {
             return None;
         }
@@ -168,5 +202,17 @@ impl Reader<'_> {
         term.guards.extend([j.clone(), order.minus(&j)]);
         term.bound.insert(variable);
         Some(vec![term])
+    }
+}
+
+/// The argument of a list t, …, t, also under a brace.
+fn repeated(arguments: &[Expr]) -> Option<&Expr> {
+    match arguments {
+        [Expr { kind: Kind::Brace(inside, _), .. }] => repeated(inside),
+        [first, Expr { kind: Kind::Ellipsis, .. }, last] => {
+            let letter = matches!(first.kind, Kind::Name(_));
+            (letter && first.same_as(last)).then_some(first)
+        }
+        _ => None,
     }
 }

@@ -49,7 +49,8 @@ impl Linear {
 
     /// The form as a polynomial.
     pub fn to_poly(&self) -> MultiPoly {
-        let linear = self.terms.iter().map(|(s, a)| (vec![(s.clone(), 1)], Rational::from_integer(a.clone())));
+        let linear =
+            self.terms.iter().map(|(s, a)| (vec![(s.clone(), 1)], Rational::from_integer(a.clone())));
         MultiPoly::from_terms(linear.chain([(Vec::new(), Rational::from_integer(self.constant.clone()))]))
     }
 

@@ -40,7 +40,7 @@ use std::collections::BTreeSet;
 use num_traits::{One, Zero};
 
 use crate::expr::Expr;
-use crate::poly::{Fraction, Symbol};
+use crate::poly::{Fraction, MonomialOrder, Symbol};
 use context::Context;
 use decide::{Decision, Step};
 use linear::Linear;
@@ -105,7 +105,8 @@ impl Equation {
         let mut reader = reader(left, right, lookup);
         reader.expected = first.integers;
         let (left, right) = (reader.read(left)?, reader.read(right)?);
-        if reader.reals.intersection(&reader.integers).next().is_some() {
+        let mixed = reader.reals.intersection(&reader.integers).next().is_some();
+        if mixed || !left.iter().chain(&right).all(|term| commutes(term, &reader.integers)) {
             return None;
         }
         let minus = -Fraction::one();
@@ -161,6 +162,25 @@ fn holds(difference: &[Term], context: &Context, symmetric: bool) -> Option<BTre
         decision.steps.insert(Step::Coefficients);
     }
     groups.values().all(|weights| decision.vanishes(weights, context)).then_some(decision.steps)
+}
+
+/// Whether the term holds at most one symbol that may be a matrix or a vector, as a factor.
+fn commutes(term: &Term, integers: &BTreeSet<Symbol>) -> bool {
+    let special =
+        |symbol: &Symbol| !integers.contains(symbol) && names::may_be_matrix(&families::head(symbol));
+    let in_bases = term.powers.keys().any(|base| base.poly().variables().iter().any(special));
+    let below = term.coefficient.denominator().variables().iter().any(special);
+    let indexed: i64 = term
+        .symbols
+        .iter()
+        .filter(|(symbol, _)| names::may_be_matrix(&symbol.head))
+        .map(|(_, e)| if *e < 0 { 2 } else { i64::from(*e) })
+        .sum();
+    let degree = |powers: &crate::poly::Powers| -> i64 {
+        powers.iter().filter(|(symbol, _)| special(symbol)).map(|(_, e)| i64::from(*e)).sum()
+    };
+    let terms = term.coefficient.numerator().terms(MonomialOrder::Lex);
+    !in_bases && !below && terms.iter().all(|(powers, _)| degree(powers) + indexed <= 1)
 }
 
 /// For each index the weakest of its ranges, if they can be compared.

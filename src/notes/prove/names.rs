@@ -8,7 +8,9 @@ use crate::expr::{Accent, Expr, Kind};
 #[derive(Clone, Debug, Default)]
 pub struct Names {
     bare: BTreeSet<String>,
+    /// Applied or primed, and not merely before a sum in parentheses.
     called: BTreeSet<String>,
+    bracketed: BTreeSet<String>,
     families: BTreeSet<String>,
     arguments: Vec<Expr>,
 }
@@ -33,7 +35,11 @@ impl Names {
                     }
                 }
                 groups.iter().flatten().for_each(|argument| self.scan(argument));
+                let sum = matches!(groups.iter().flatten().next().map(|x| &x.kind), Some(Kind::Add(_)));
                 match &callee.kind {
+                    Kind::Name(name) if sum => {
+                        self.bracketed.insert(name.clone());
+                    }
                     Kind::Name(_) => self.call(callee),
                     Kind::Subscript(_, indices) => indices.iter().for_each(|index| self.scan(index)),
                     _ => self.scan(callee),
@@ -73,6 +79,7 @@ impl Names {
         let usual = matches!(name, "f" | "g" | "h" | "p" | "q" | "B" | "N" | "phi" | "psi" | "sigma");
         self.bare.contains(name)
             && !usual
+            && !self.called.contains(name)
             && name.chars().all(char::is_lowercase)
             && matches!(argument.kind, Kind::Add(_))
     }
@@ -85,7 +92,7 @@ impl Names {
 
     /// Whether the name is somewhere applied or primed.
     pub fn is_called(&self, name: &str) -> bool {
-        self.called.contains(name)
+        self.called.contains(name) || self.bracketed.contains(name)
     }
 }
 
@@ -101,9 +108,34 @@ fn family(base: &Expr) -> Option<&str> {
 /// Whether a name can stand for a number: a letter, not an operator such as sin.
 pub fn is_letter(name: &str) -> bool {
     const GREEK: &[&str] = &[
-        "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta",
-        "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "varrho", "sigma", "tau", "upsilon",
-        "phi", "varphi", "chi", "psi", "omega", "ell",
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "varepsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "vartheta",
+        "iota",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "pi",
+        "rho",
+        "varrho",
+        "sigma",
+        "tau",
+        "upsilon",
+        "phi",
+        "varphi",
+        "chi",
+        "psi",
+        "omega",
+        "ell",
     ];
     let mut letters = name.chars();
     match (letters.next(), letters.next()) {
@@ -117,9 +149,17 @@ pub fn is_constant(name: &str) -> bool {
     matches!(name, "a" | "b" | "c" | "h" | "k" | "alpha" | "beta" | "lambda" | "mu" | "omega")
 }
 
+/// Whether a name may stand for a matrix or a vector, whose products depend on the order or are
+/// scalar products: capitals and letters with an accent.
+pub fn may_be_matrix(head: &str) -> bool {
+    head.contains('(') && !head.starts_with("e(") || head.starts_with(|c: char| c.is_uppercase())
+}
+
 /// Whether an indexed name in d/dt … may be taken for a constant; f_i and B_i are functions.
 pub fn is_constant_family(head: &str) -> bool {
-    !matches!(head, "f" | "g" | "h" | "B" | "F" | "G" | "H" | "L" | "N" | "phi" | "psi" | "t" | "x" | "y" | "z")
+    let functions = ["f", "g", "h", "B", "F", "G", "H", "L", "N", "S", "phi", "psi"];
+    let variables = ["r", "s", "t", "u", "v", "x", "y", "z"];
+    !functions.contains(&head) && !variables.contains(&head)
 }
 
 /// The parts of B_i^n, B_i^{(n)} or B_{i,j,k}^n, also with a dot or a prime.
@@ -152,7 +192,9 @@ pub fn bernstein(expr: &Expr) -> Option<Bernstein<'_>> {
             let (indices, order) = lower(base)?;
             match upper.as_slice() {
                 // A number in parentheses could be the order of a derivative.
-                [degree] if !matches!(degree.kind, Kind::Number(_)) => Some(Bernstein { indices, degree, order }),
+                [degree] if !matches!(degree.kind, Kind::Number(_)) => {
+                    Some(Bernstein { indices, degree, order })
+                }
                 _ => None,
             }
         }

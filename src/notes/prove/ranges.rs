@@ -1,12 +1,18 @@
 //! Sums and products over ranges, values by cases.
 
-use num_traits::One;
+use std::collections::BTreeSet;
 
 use super::linear::Linear;
 use super::read::{Reader, rational_value};
 use super::term::{Term, collected};
 use crate::expr::{BigOp, Expr, Kind, Link, Rel};
-use crate::poly::{Fraction, Symbol};
+use crate::poly::Symbol;
+
+/// Disjoint sets of integers, each given by forms that are ≥ 0 in it.
+type Region = Vec<BTreeSet<Linear>>;
+
+/// Values by more cases are refused.
+const MAX_CASES: usize = 60;
 
 /// A variable of a sum with the forms that are ≥ 0 in its range.
 type Range = (String, Symbol);
@@ -70,7 +76,8 @@ impl Reader<'_> {
             }
             None => {
                 let [Expr { kind: Kind::Chain(first, links), .. }] = lower else { return None };
-                let members: Vec<&Expr> = std::iter::once(&**first).chain(links.iter().map(|l| &l.expr)).collect();
+                let members: Vec<&Expr> =
+                    std::iter::once(&**first).chain(links.iter().map(|l| &l.expr)).collect();
                 if let ([_], Rel::Eq) = (links.as_slice(), links.first()?.rel) {
                     self.simplex(first, &links[0].expr, &mut bound, &mut guards)?;
                 } else {
@@ -168,7 +175,8 @@ impl Reader<'_> {
         body: &Expr,
     ) -> Option<Vec<Term>> {
         let [Expr { kind: Kind::Chain(first, links), .. }] = lower else { return None };
-        let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) = (&first.kind, links.as_slice()) else {
+        let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) = (&first.kind, links.as_slice())
+        else {
             return None;
         };
         let (a, b) = (self.linear(from)?, self.linear(upper?)?);
@@ -208,51 +216,98 @@ impl Reader<'_> {
         Some(vec![term])
     }
 
-    /// Values by cases: the first condition that holds counts.
+    /// n (n−1) ⋯ (n−k+1), 1 · 2 ⋯ n: the product of consecutive integers from the factors around
+    /// the dots, with the numbers of the first and the last factor used.
+    pub(super) fn dotted(&mut self, factors: &[Expr], dots: usize) -> Option<(usize, usize, Term)> {
+        let last = self.linear(factors.get(dots + 1)?)?;
+        let mut known = self.known();
+        let mut forms = Vec::new();
+        for factor in factors[..dots].iter().rev() {
+            let Some(form) = self.linear(factor) else { break };
+            forms.push(form);
+        }
+        let step = forms.first()?.minus(forms.get(1)?);
+        let is_step = |pair: &[Linear]| pair[0].minus(&pair[1]) == step;
+        let count = 1 + forms.windows(2).take_while(|pair| is_step(pair)).count();
+        let first = &forms[count - 1];
+        let (low, high) = match step.as_constant()?.as_small()? {
+            1 => (first, &last),
+            -1 => (&last, first),
+            _ => return None,
+        };
+        let letters = low.terms().keys().chain(high.terms().keys());
+        letters.filter(|s| is_letter_of_formula(s)).for_each(|s| known.assume(&Linear::symbol(s)));
+        if !known.entails(high) || !known.entails(&high.minus(low).shifted(1)) {
+            return None;
+        }
+        let mut term = Term::factorial(high.clone(), 1);
+        term.multiply_factorial(low.shifted(-1), -1);
+        Some((dots - count, dots + 1, term))
+    }
+
+    /// Values by cases: the first condition that holds counts. Each value stands in its own case
+    /// only; elsewhere it need not have a meaning.
     pub(super) fn cases(&mut self, cases: &[(Expr, Option<Expr>)]) -> Option<Vec<Term>> {
-        let one = || vec![Term::new(Fraction::one())];
-        let mut remaining = one();
+        let mut remaining: Region = vec![BTreeSet::new()];
         let mut sum = Vec::new();
         for (value, condition) in cases {
-            let holds = match condition {
-                Some(condition) => self.indicator(condition)?,
-                None => one(),
+            let (holds, fails) = match condition {
+                Some(condition) => self.condition(condition)?,
+                None => (vec![BTreeSet::new()], Vec::new()),
             };
-            let value = self.read(value)?;
-            let here = self.product(&remaining, &holds)?;
-            sum.extend(self.product(&here, &value)?);
-            let fails = collected(one().into_iter().chain(holds.iter().map(|t| t.scaled(&-Fraction::one()))));
-            remaining = self.product(&remaining, &fails)?;
+            let outer = std::mem::replace(&mut self.in_case, true);
+            let value = self.read(value);
+            self.in_case = outer;
+            let value = value?;
+            for case in both(&remaining, &holds) {
+                sum.extend(value.iter().map(|term| {
+                    let mut term = term.clone();
+                    term.guards.extend(case.iter().cloned());
+                    term
+                }));
+            }
+            remaining = both(&remaining, &fails);
+            if sum.len() + remaining.len() > MAX_CASES {
+                return None;
+            }
         }
         Some(collected(sum))
     }
 
-    /// 1 where the condition holds, else 0.
-    fn indicator(&mut self, condition: &Expr) -> Option<Vec<Term>> {
+    /// Where a condition holds, and where it does not.
+    fn condition(&mut self, condition: &Expr) -> Option<(Region, Region)> {
         let Kind::Chain(first, links) = &condition.kind else { return None };
-        let mut product = vec![Term::new(Fraction::one())];
+        let (mut holds, mut fails): (Region, Region) = (vec![BTreeSet::new()], Vec::new());
         let mut left = self.linear(first)?;
         for link in links {
             let right = self.linear(&link.expr)?;
-            let difference = right.minus(&left);
-            let guarded = |forms: &[Linear]| {
-                let mut term = Term::new(Fraction::one());
-                term.guards.extend(forms.iter().cloned());
-                term
-            };
-            let equal = guarded(&[difference.clone(), difference.negated()]);
-            let holds = match link.rel {
-                Rel::Eq => vec![equal],
-                Rel::Ne => vec![Term::new(Fraction::one()), equal.scaled(&-Fraction::one())],
-                Rel::Le => vec![guarded(&[difference])],
-                Rel::Lt => vec![guarded(&[difference.shifted(-1)])],
-                Rel::Ge => vec![guarded(&[difference.negated()])],
-                Rel::Gt => vec![guarded(&[difference.negated().shifted(-1)])],
+            let (less, more) = (right.minus(&left), left.minus(&right));
+            let part = |forms: &[Linear]| forms.iter().cloned().collect::<BTreeSet<Linear>>();
+            let equal = part(&[less.clone(), more.clone()]);
+            let (below, above) = (part(&[less.shifted(-1)]), part(&[more.shifted(-1)]));
+            let (here, elsewhere) = match link.rel {
+                Rel::Eq => (vec![equal], vec![below, above]),
+                Rel::Ne => (vec![below, above], vec![equal]),
+                Rel::Le => (vec![part(&[less])], vec![above]),
+                Rel::Lt => (vec![below], vec![part(&[more])]),
+                Rel::Ge => (vec![part(&[more])], vec![below]),
+                Rel::Gt => (vec![above], vec![part(&[less])]),
                 _ => return None,
             };
-            product = self.product(&product, &holds)?;
+            fails.extend(both(&holds, &elsewhere));
+            holds = both(&holds, &here);
             left = right;
         }
-        Some(product)
+        Some((holds, fails))
     }
+}
+
+/// Whether it is no variable of a sum.
+fn is_letter_of_formula(symbol: &Symbol) -> bool {
+    !symbol.base().starts_with('#')
+}
+
+/// The intersection of two regions.
+fn both(a: &Region, b: &Region) -> Region {
+    a.iter().flat_map(|x| b.iter().map(|y| x.union(y).cloned().collect())).collect()
 }

@@ -25,6 +25,10 @@ const MAX_POWER: i64 = 12;
 /// Definitions may refer to each other this deeply.
 const MAX_UNFOLDINGS: u32 = 24;
 
+/// Deep formulas go on in a new segment of the stack when less than this is left.
+const RED_ZONE: usize = 128 * 1024;
+const SEGMENT: usize = 2 * 1024 * 1024;
+
 /// Looks up what a name or a call stands for.
 pub type Lookup<'a> = &'a dyn Fn(&Expr) -> Option<Expr>;
 
@@ -35,6 +39,8 @@ pub struct Reader<'a> {
     fresh: u32,
     /// Variables of sums with what they are called here, the innermost last.
     pub(super) scope: Vec<(String, Symbol)>,
+    /// Whether a value for a case is read.
+    pub(super) in_case: bool,
     /// How the names are used.
     pub names: Names,
     /// Names that stand for integers.
@@ -61,6 +67,7 @@ impl<'a> Reader<'a> {
             unfoldings: 0,
             fresh: 0,
             scope: Vec::new(),
+            in_case: false,
             names: Names::default(),
             integers: BTreeSet::new(),
             expected: BTreeSet::new(),
@@ -81,6 +88,10 @@ impl<'a> Reader<'a> {
     /// The formula as a sum of terms.
     pub fn read(&mut self, expr: &Expr) -> Option<Vec<Term>> {
         budget::step();
+        stacker::maybe_grow(RED_ZONE, SEGMENT, || self.read_kind(expr))
+    }
+
+    fn read_kind(&mut self, expr: &Expr) -> Option<Vec<Term>> {
         if let Some(found) = self.unfolded(expr) {
             return found;
         }
@@ -137,7 +148,10 @@ impl<'a> Reader<'a> {
     fn unfolded(&mut self, expr: &Expr) -> Option<Option<Vec<Term>>> {
         let can_be_defined =
             matches!(expr.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Accent(..) | Kind::Apply(..))
-                || matches!(expr.kind, Kind::Pow(..) | Kind::Upper(..) | Kind::Prime(..));
+                || matches!(
+                    expr.kind,
+                    Kind::Pow(..) | Kind::Upper(..) | Kind::Prime(..) | Kind::Binomial(..)
+                );
         if !can_be_defined || self.is_bound(expr) {
             return None;
         }
@@ -179,7 +193,9 @@ impl<'a> Reader<'a> {
     pub(super) fn head(base: &Expr) -> Option<Symbol> {
         match &base.kind {
             Kind::Name(name) => names::is_letter(name).then(|| Symbol::new(name.clone())),
-            Kind::Accent(accent, body) if !matches!(accent, Accent::Dot | Accent::Ddot | Accent::Blackboard) => {
+            Kind::Accent(accent, body)
+                if !matches!(accent, Accent::Dot | Accent::Ddot | Accent::Blackboard) =>
+            {
                 Some(Self::head(body)?.with_accent(accent.name()))
             }
             _ => None,
@@ -224,9 +240,10 @@ impl<'a> Reader<'a> {
         self.scope.iter().any(|(_, symbol)| form.contains(symbol))
     }
 
-    /// The formula only makes sense for L ≥ 0, and L does not depend on variables of sums.
+    /// The formula only makes sense for L ≥ 0, if L does not depend on variables of sums and the
+    /// place is not reached under a condition only.
     pub(super) fn take_for_granted(&mut self, form: &Linear) {
-        if !self.mentions_bound(form) {
+        if !self.mentions_bound(form) && !self.in_case {
             self.domain.assume(form);
         }
     }
@@ -293,6 +310,16 @@ impl<'a> Reader<'a> {
 
     fn product_of(&mut self, factors: &[Expr]) -> Option<Vec<Term>> {
         let mut product = vec![Term::new(Fraction::one())];
+        let is_dots = |factor: &Expr| matches!(factor.kind, Kind::Ellipsis);
+        if factors.iter().any(is_dots) {
+            let factors = spread(factors);
+            let dots = factors.iter().position(is_dots)?;
+            let (first, last, term) = self.dotted(&factors, dots)?;
+            let (before, after) =
+                (self.product_of(&factors[..first])?, self.product_of(&factors[last + 1..])?);
+            let outer = self.product(&before, &after)?;
+            return self.product(&outer, &[term]);
+        }
         let mut position = 0;
         while let Some(factor) = factors.get(position) {
             let next = factors.get(position + 1);
@@ -388,7 +415,8 @@ impl<'a> Reader<'a> {
     fn is_factor(&self, callee: &Expr, argument: &Expr) -> bool {
         match &callee.kind {
             Kind::Name(name) => {
-                self.is_bound(callee) || self.is_integer(name) || self.names.is_factor(name, argument)
+                let integer = self.is_bound(callee) || self.is_integer(name);
+                integer && matches!(argument.kind, Kind::Add(_)) || self.names.is_factor(name, argument)
             }
             Kind::Subscript(base, _) => self.names.is_indexed_factor(base, argument),
             Kind::Number(_) | Kind::Binomial(..) | Kind::Factorial(_) | Kind::Div(..) => true,
@@ -410,7 +438,12 @@ impl<'a> Reader<'a> {
                         && !matches!(name.as_str(), "f" | "g" | "h")
                         && !self.names.is_called(name))
             }
-            Kind::Number(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Div(..) | Kind::Pow(..) | Kind::Group(_) => {
+            Kind::Number(_)
+            | Kind::Add(_)
+            | Kind::Mul(_)
+            | Kind::Div(..)
+            | Kind::Pow(..)
+            | Kind::Group(_) => {
                 let mut scalar = true;
                 expr.for_each_child(&mut |child| scalar &= self.is_scalar(child));
                 scalar
@@ -421,6 +454,9 @@ impl<'a> Reader<'a> {
 
     fn apply(&mut self, callee: &Expr, groups: &[Vec<Expr>]) -> Option<Vec<Term>> {
         let [group] = groups else { return None };
+        if let (Some(order), [argument]) = (difference_operator(callee), group.as_slice()) {
+            return self.difference(callee, order, argument);
+        }
         if let Some(head) = names::bernstein(callee) {
             return match (head.indices.len(), group.as_slice()) {
                 (1, [argument]) => self.bernstein(callee, Some(argument)),
@@ -476,6 +512,21 @@ pub fn opaque_term(head: &str, indices: Vec<Linear>) -> Term {
 
 fn bounded(terms: Vec<Term>) -> Option<Vec<Term>> {
     (terms.len() <= MAX_TERMS).then_some(terms)
+}
+
+/// The factors of a product, with n (n−1), which reads like a call, as two.
+fn spread(factors: &[Expr]) -> Vec<Expr> {
+    let mut list = Vec::new();
+    for factor in factors {
+        match &factor.kind {
+            Kind::Apply(callee, groups) if groups.len() == 1 && groups[0].len() == 1 => {
+                list.extend(spread(std::slice::from_ref(&**callee)));
+                list.push(groups[0][0].clone());
+            }
+            _ => list.push(factor.clone()),
+        }
+    }
+    list
 }
 
 /// d before another name: perhaps a differential.

@@ -25,7 +25,7 @@ use crate::ring::{Field, Ring};
 
 /// Factorial arguments that lie further apart are not compared; larger constant powers are not
 /// multiplied out.
-const MAX_SHIFT: i64 = 48;
+const MAX_SHIFT: i64 = 24;
 /// The largest factorial of a number that is computed.
 const MAX_FACTORIAL: i64 = 300;
 
@@ -242,7 +242,9 @@ impl Term {
             let offset = form.offset().as_small()?;
             if form.as_constant().is_some() {
                 let value = match usize::try_from(offset) {
-                    Ok(small) if offset <= MAX_FACTORIAL => Fraction::from(Rational::from_integer(factorial(small))),
+                    Ok(small) if offset <= MAX_FACTORIAL => {
+                        Fraction::from(Rational::from_integer(factorial(small)))
+                    }
                     Ok(_) => return None,
                     Err(_) if *m < 0 => return Some(Term::new(Fraction::zero())),
                     Err(_) => return None,

@@ -132,6 +132,9 @@ pub fn value(expr: &Expr, values: &Values) -> Option<Fraction> {
 }
 
 fn product(factors: &[Expr], values: &Values) -> Option<Fraction> {
+    if let Some(dots) = factors.iter().position(|x| matches!(x.kind, Kind::Ellipsis)) {
+        return dotted(&factors[..dots], &factors[dots + 1..], values);
+    }
     let Some((first, rest)) = factors.split_first() else { return Some(Fraction::one()) };
     let is_delta = |e: &Expr| matches!(&e.kind, Kind::Name(name) if name == "Delta");
     let order = match &first.kind {
@@ -145,13 +148,32 @@ fn product(factors: &[Expr], values: &Values) -> Option<Fraction> {
     let order = usize::try_from(order).ok()?;
     let mut sum = Fraction::zero();
     for j in 0..=order {
-        let moved: Expr =
-            Kind::Subscript(base.clone(), vec![Expr::int(i + i64::try_from(j).ok()?)]).into();
+        let moved: Expr = Kind::Subscript(base.clone(), vec![Expr::int(i + i64::try_from(j).ok()?)]).into();
         let c = Fraction::from(Rational::from_integer(binomial(order, j)));
         let term = c.times(&value(&moved, values)?);
         sum += if (order - j) % 2 == 1 { -term } else { term };
     }
     Some(sum.times(&product(rest, values)?))
+}
+
+/// a b ⋯ z, where a, b, …, z have equal distances and nothing else is around them.
+fn dotted(before: &[Expr], after: &[Expr], values: &Values) -> Option<Fraction> {
+    let mut list = Vec::new();
+    for factor in before {
+        match &factor.kind {
+            Kind::Apply(callee, groups) => list.extend([&**callee, &groups[0][0]]),
+            _ => list.push(factor),
+        }
+    }
+    let ([first, second, ..], [last]) = (list.as_slice(), after) else { return None };
+    let (first, last) = (whole(first, values)?, whole(last, values)?);
+    let step = whole(second, values)? - first;
+    let count = (last - first).checked_div(step)? + 1;
+    if step.abs() != 1 || count < 0 {
+        return None;
+    }
+    let product = (0..count).map(|k| first + k * step).product::<i64>();
+    Some(Fraction::from(integer(product)))
 }
 
 fn whole(expr: &Expr, values: &Values) -> Option<i64> {
@@ -231,6 +253,14 @@ fn apply(callee: &Expr, arguments: &[Expr], values: &Values) -> Option<Fraction>
             Some(if usize::try_from(total) == Ok(n) { result } else { Fraction::zero() })
         }
         Kind::Subscript(base, indices) if matches!(&base.kind, Kind::Name(s) if s == "sigma" || s == "e") => {
+            if let [Expr { kind: Kind::Name(_), .. }, _, t] = arguments {
+                let (i, n) = (whole(&indices[0], values)?, whole(&indices[1], values)?);
+                return if (0..=n).contains(&i) {
+                    power(&value(t, values)?, i32::try_from(i).ok()?)
+                } else {
+                    (n >= 0).then(Fraction::zero)
+                };
+            }
             let Kind::Subscript(letter, last) = &arguments.last()?.kind else { return None };
             let n = whole(&last[0], values)?;
             let i = whole(&indices[0], values)?;
@@ -349,6 +379,10 @@ fn uppers<'a>(expr: &'a Expr, found: &mut Vec<(&'a Expr, Option<&'a Expr>)>) {
                 && let Some(Kind::Subscript(_, last)) = arguments[0].last().map(|x| &x.kind)
             {
                 found.push((&last[0], Some(&indices[0])));
+            } else if let Kind::Subscript(base, indices) = &callee.kind
+                && matches!(&base.kind, Kind::Name(s) if s == "sigma")
+            {
+                found.push((&indices[1], Some(&indices[0])));
             }
         }
         Kind::Pow(..) | Kind::Upper(..) => {
@@ -397,7 +431,8 @@ pub fn range(left: &Expr, right: &Expr, bound: i64, narrow: bool) -> Vec<Values>
             .iter()
             .filter(|f| !found.iter().any(|(n, k)| k.is_some() && mentions(n, f)))
             .filter(|f| {
-                let mut lower = found.iter().filter(|(n, _)| list.iter().any(|values| whole(n, values).is_some()));
+                let mut lower =
+                    found.iter().filter(|(n, _)| list.iter().any(|values| whole(n, values).is_some()));
                 lower.any(|(_, k)| k.is_some_and(|k| is_letter(k, f)))
             })
             .collect();
@@ -430,7 +465,9 @@ fn mentions(expr: &Expr, name: &str) -> bool {
 
 fn free_names(expr: &Expr, bound: &mut Vec<String>, free: &mut Vec<String>) {
     match &expr.kind {
-        Kind::Name(name) if INTEGERS.contains(&name.as_str()) && !bound.contains(name) => free.push(name.clone()),
+        Kind::Name(name) if INTEGERS.contains(&name.as_str()) && !bound.contains(name) => {
+            free.push(name.clone())
+        }
         Kind::Big { lower, upper, body, .. } => {
             let depth = bound.len();
             let mut inside = Vec::new();

@@ -42,6 +42,10 @@ const TERMS: &[&str] = &[
     r"e_i(t_1,\dots,t_n) = e_i(t_1,\dots,t_{n-1}) + t_n e_{i-1}(t_1,\dots,t_{n-1})",
     r"\prod_{j=0}^{k-1}(n-j) = \frac{n!}{(n-k)!}",
     r"B_i^{(n)}(t) = (1-t)B_i^{(n-1)}(t) + tB_{i-1}^{(n-1)}(t)",
+    r"\frac{n!}{(n-k)!} = n(n-1)\cdots(n-k+1)",
+    r"\binom{n}{k} = \frac{n(n-1)\cdots(n-k+1)}{k!}",
+    r"n! = 1\cdot 2\cdots n",
+    r"\sigma_{i,n}(t,\dots,t) = t^i",
     r"B_i^n\left(\frac{t-a}{b-a}\right) = \binom{n}{i}\frac{(t-a)^i(b-t)^{n-i}}{(b-a)^n}",
 ];
 

@@ -47,7 +47,8 @@ fn change_here(expr: &mut Expr, random: &mut Random, letters: &[&str]) {
             *expr = Expr::number(&(x.clone() + crate::number::integer(step)));
         }
         Kind::Name(name) if letters.contains(&name.as_str()) => {
-            *expr = if pick < 2 { plus(expr, sign) } else { Expr::name(letters[random.below(letters.len())]) };
+            *expr =
+                if pick < 2 { plus(expr, sign) } else { Expr::name(letters[random.below(letters.len())]) };
         }
         Kind::Add(terms) => {
             let at = random.below(terms.len());
@@ -129,7 +130,10 @@ fn run(seed: u64, per_identity: usize, bound: i64) -> (usize, usize, usize) {
 #[test]
 fn changed_identities() {
     let (tried, proved, compared) = run(20, 12, 4);
-    assert!(tried > 900 && proved > 50 && compared > 500, "{tried} tried, {proved} proved, {compared} compared");
+    assert!(
+        tried > 900 && proved > 50 && compared > 500,
+        "{tried} tried, {proved} proved, {compared} compared"
+    );
 }
 
 /// The same for a long time: `cargo test --lib notes::prove -- --ignored`.

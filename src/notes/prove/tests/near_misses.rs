@@ -127,6 +127,15 @@ fn nonsense() {
         r"\frac{0}{0} = 1",
         r"n^i n^j = n^{i+j+1}",
         r"\sum_i b_i = \sum_j c_j",
+        r"A B = B A",
+        r"A_n A_m = A_m A_n",
+        r"(A B)^n = A^n B^n",
+        r"\mathbf{a}(\mathbf{b}\mathbf{c}) = (\mathbf{a}\mathbf{b})\mathbf{c}",
+        r"\begin{cases} \frac{(i-1)!}{(i-1)!}, & i \neq 0 \\ 5, & i = 0 \end{cases} = 1",
+        r"x(u+v) = x(u) + x v",
+        r"n(n-1)\cdots(n-k) = \frac{n!}{(n-k)!}",
+        r"\sigma_{i,n}(t,\dots,t) = t^n",
+        r"B_i^n(\underbrace{t,\dots,t}_n) = t^i",
         r"\left.\frac{1 - t^n}{(1-t)^k}\right|_{t=1} = 0",
     ] {
         assert!(proof(text).is_none(), "proved: {text}");
