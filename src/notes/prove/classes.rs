@@ -10,14 +10,11 @@ use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use super::linear::Linear;
-use super::term::{Base, Term, rising};
+use super::term::{Base, Term, power, rising};
 use crate::budget;
 use crate::number::Int;
 use crate::poly::{Fraction, MonomialOrder, MultiPoly};
 use crate::ring::Ring;
-
-/// Larger constant exponents are not multiplied out.
-const MAX_EXPONENT: i64 = 24;
 
 /// What the terms of a class have in common: linear parts of the arguments of factorials with
 /// their multiplicity, bases with the linear parts of their exponents.
@@ -74,13 +71,13 @@ fn split(term: Term) -> Option<(Key, Member)> {
     }
     let mut powers = Vec::new();
     for (base, exponent) in term.powers {
-        let mut offset = exponent.offset().as_small().filter(|c| c.abs() <= MAX_EXPONENT)?;
+        let mut offset = exponent.offset().as_small()?;
         let mut part = exponent.without_offset();
         if base.is_sign() {
             offset = offset.rem_euclid(2);
             part = parity(&part);
         }
-        coefficient *= Fraction::from(base.poly()).pow(i32::try_from(offset).ok()?).ok()?;
+        coefficient *= power(&Fraction::from(base.poly()), offset)?;
         if part != Linear::default() {
             powers.push((base, part));
         }

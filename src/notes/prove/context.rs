@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 use super::linear::Linear;
 use crate::budget;
@@ -17,6 +17,8 @@ use crate::poly::Symbol;
 
 /// More inequalities than this during an elimination end the search.
 const MAX_INEQUALITIES: usize = 250;
+/// Integers with at most so many values are looked at one by one.
+const MAX_VALUES: i64 = 4;
 
 /// A conjunction of inequalities L ≥ 0 between integers.
 #[derive(Clone, Debug, Default)]
@@ -113,6 +115,16 @@ impl Context {
         None
     }
 
+    /// s − c − 1 for a symbol s with c ≤ s ≤ c + 3: a split on it brings one value apart.
+    pub fn few_values(&self) -> Option<Linear> {
+        self.facts.iter().find_map(|fact| {
+            let (symbol, slope) = fact.terms().first_key_value().filter(|_| fact.terms().len() == 1)?;
+            let few = slope.is_one() && self.refutes(&fact.shifted(-MAX_VALUES));
+            let single = Linear::symbol(symbol).plus(&Linear::constant(fact.offset().clone()));
+            (few && !self.refutes(&single.shifted(-1))).then(|| single.shifted(-1))
+        })
+    }
+
     /// The context with a form put in for a symbol.
     pub fn substitute(&self, symbol: &Symbol, value: &Linear) -> Self {
         let mut result = Context::default();
@@ -185,6 +197,14 @@ mod tests {
         let context = given(&[form(1, 0, 0, 0), form(0, 1, 0, 0), form(0, -1, 0, 0)]);
         assert_eq!(context.forced(), Some((Symbol::new("i"), Linear::default())));
         assert_eq!(given(&[form(1, -1, 0, 0)]).forced(), None);
+    }
+
+    #[test]
+    fn few_values_are_told_apart() {
+        // 1 ≤ i ≤ 2
+        let context = given(&[form(1, 0, 0, 0), form(0, 1, 0, -1), form(0, -1, 0, 2)]);
+        assert_eq!(context.few_values(), Some(form(0, 1, 0, -2)));
+        assert_eq!(given(&[form(1, 0, 0, 0)]).few_values(), None);
     }
 
     proptest! {

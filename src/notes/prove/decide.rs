@@ -83,9 +83,14 @@ impl Decision {
         self.with_forced_values(&terms, &context)
     }
 
-    /// A value that the context forces is put in.
+    /// A value that the context forces is put in; few possible values are tried one by one.
     fn with_forced_values(&mut self, terms: &[Term], context: &Context) -> bool {
-        let Some((symbol, value)) = context.forced() else { return false };
+        let Some((symbol, value)) = context.forced() else {
+            return context.few_values().is_some_and(|form| {
+                self.steps.insert(Step::Cases);
+                self.vanishes(terms, &context.with(&form)) && self.vanishes(terms, &context.without(&form))
+            });
+        };
         let put: Option<Vec<Term>> = terms.iter().map(|term| term.substitute(&symbol, &value)).collect();
         put.is_some_and(|terms| self.vanishes(&collected(terms), &context.substitute(&symbol, &value)))
     }

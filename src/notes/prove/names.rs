@@ -162,6 +162,19 @@ pub fn is_constant_family(head: &str) -> bool {
     !functions.contains(&head) && !variables.contains(&head)
 }
 
+/// The function under one or two dots, as in Ṗ(t) and Ṗ_n(t), with their number.
+pub fn under_dots(callee: &Expr) -> Option<(Expr, u32)> {
+    match &callee.kind {
+        Kind::Accent(Accent::Dot, body) => Some(((**body).clone(), 1)),
+        Kind::Accent(Accent::Ddot, body) => Some(((**body).clone(), 2)),
+        Kind::Subscript(base, indices) => {
+            let (name, order) = under_dots(base)?;
+            Some((Kind::Subscript(Box::new(name), indices.clone()).into(), order))
+        }
+        _ => None,
+    }
+}
+
 /// The parts of B_i^n, B_i^{(n)} or B_{i,j,k}^n, also with a dot or a prime.
 pub struct Bernstein<'a> {
     /// The lower indices.

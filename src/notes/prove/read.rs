@@ -469,6 +469,9 @@ impl<'a> Reader<'a> {
         {
             return Some(found);
         }
+        if let ([argument], Some((function, order))) = (group.as_slice(), names::under_dots(callee)) {
+            return self.derivative_at(&function, order, argument);
+        }
         match (&callee.kind, group.as_slice()) {
             (Kind::Prime(function, order), [argument]) => self.derivative_at(function, *order, argument),
             (_, [argument]) if self.is_factor(callee, argument) => {

@@ -19,7 +19,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::linear::Linear;
 use crate::budget;
-use crate::number::{Int, Rational, factorial};
+use crate::number::{Int, Rational, binomial, factorial};
 use crate::poly::{Fraction, MonomialOrder, MultiPoly, Powers, Symbol};
 use crate::ring::{Field, Ring};
 
@@ -28,6 +28,8 @@ use crate::ring::{Field, Ring};
 const MAX_SHIFT: i64 = 24;
 /// The largest factorial of a number that is computed.
 const MAX_FACTORIAL: i64 = 300;
+/// Powers with more terms are not multiplied out.
+const MAX_POWER_TERMS: i64 = 300;
 
 /// A base of powers, ordered by its terms: −1, a number ≥ 2, or a primitive polynomial.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -124,8 +126,7 @@ impl Term {
             return Some(());
         }
         if let Some(c) = exponent.as_constant() {
-            let c = c.as_small().filter(|c| c.abs() <= MAX_SHIFT)?;
-            self.coefficient *= base.pow(i32::try_from(c).ok()?).ok()?;
+            self.coefficient *= power(base, c.as_small()?)?;
             return Some(());
         }
         for (p, e) in [(base.numerator(), exponent.clone()), (base.denominator(), exponent.negated())] {
@@ -278,6 +279,18 @@ impl Term {
         }
         Some(term)
     }
+}
+
+/// base^exponent, if it has not too many terms.
+pub fn power(base: &Fraction, exponent: i64) -> Option<Fraction> {
+    let k = i32::try_from(exponent).ok().filter(|k| i64::from(k.abs()) <= MAX_SHIFT)?;
+    // (x_1 + … + x_m)^k has C(m+k−1, k) terms.
+    let most = |p: &MultiPoly| binomial(p.len() + k.unsigned_abs() as usize, k.unsigned_abs() as usize);
+    let small = |p: &MultiPoly| p.len() <= 2 || most(p) <= Int::from(MAX_POWER_TERMS);
+    if !small(base.numerator()) || !small(base.denominator()) {
+        return None;
+    }
+    base.pow(k).ok()
 }
 
 /// (L + from)(L + from + 1) … (L + to); `None` for too many factors.

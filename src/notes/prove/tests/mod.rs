@@ -2,6 +2,7 @@
 //! former against evaluation at numbers.
 
 mod brute;
+mod definitions;
 mod identities;
 mod mutations;
 mod near_misses;
