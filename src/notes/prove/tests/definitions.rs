@@ -117,7 +117,8 @@ fn other_meanings() {
     let backward = [rule(&["i"], r"\Delta b_i = b_i - b_{i-1}")];
     assert!(proof_given(&backward, r"\Delta b_i = b_{i+1} - b_i").is_none());
     assert!(proof_given(&backward, r"\Delta b_{i+1} = b_{i+1} - b_i").is_some());
-    let circular = [rule(&["t"], r"F(t) = F(t) + 1"), rule(&["t"], r"G(t) = H(t)"), rule(&["t"], r"H(t) = G(t)")];
+    let circular =
+        [rule(&["t"], r"F(t) = F(t) + 1"), rule(&["t"], r"G(t) = H(t)"), rule(&["t"], r"H(t) = G(t)")];
     assert!(proof_given(&circular, r"F(t) = 1").is_none());
     assert!(proof_given(&circular, r"G(t) = 1").is_none());
 }

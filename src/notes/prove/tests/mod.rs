@@ -2,6 +2,7 @@
 //! former against evaluation at numbers.
 
 mod brute;
+mod closed_forms;
 mod definitions;
 mod identities;
 mod mutations;
