@@ -9,7 +9,7 @@ use super::names;
 use super::read::{Reader, rational_value};
 use super::term::{Base, Term, collected};
 use crate::expr::{Expr, Kind, Link, Rel};
-use crate::number::{Int, Rational};
+use crate::number::Rational;
 use crate::poly::{Fraction, MultiPoly, Symbol};
 use crate::ring::Ring;
 
@@ -165,6 +165,7 @@ impl Reader<'_> {
     /// What is known of integers here.
     pub(super) fn known(&self) -> Context {
         let mut known = self.domain.clone();
+        self.ranges.iter().for_each(|form| known.assume(form));
         self.integers
             .iter()
             .filter(|symbol| !symbol.base().starts_with('#'))
@@ -258,6 +259,10 @@ fn valuation(value: &Fraction, base: &Base) -> (i64, Fraction) {
 /// Whether the term is 0 wherever the exponent is negative: because it never is, because of a
 /// factorial in the denominator, or because of factors such as the i of i t^(i−1).
 fn is_zero_below(term: &Term, exponent: &Linear, known: &Context) -> bool {
+    // Where the term is not 0, the factorials in its denominator have arguments ≥ 0.
+    let mut inside = known.clone();
+    let below = term.factorials.iter().filter(|(_, m)| **m < 0);
+    below.for_each(|(form, _)| inside.assume(form));
     let mut numerator = term.coefficient.numerator().clone();
     for m in 0..=i64::from(MAX_ORDER) {
         let form = exponent.shifted(m);
@@ -265,8 +270,7 @@ fn is_zero_below(term: &Term, exponent: &Linear, known: &Context) -> bool {
             let Some(quotient) = numerator.div_exact(&form.to_poly()) else { return false };
             numerator = quotient;
         }
-        let dead = |f: &Linear| form.minus(f).as_constant().is_some_and(|c| *c >= Int::ZERO);
-        if known.entails(&form) || term.factorials.iter().any(|(f, m)| *m < 0 && dead(f)) {
+        if inside.entails(&form) {
             return true;
         }
         if form.as_constant().is_some() {

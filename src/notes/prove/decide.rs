@@ -116,6 +116,7 @@ impl Decision {
             }
         }
         self.matched(terms, context)
+            || induction::united(terms).is_some_and(|terms| self.vanishes(&terms, context))
             || self.by_induction(terms, context)
             || self.with_forced_values(terms, context)
     }

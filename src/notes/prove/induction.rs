@@ -1,7 +1,9 @@
 //! Sums without a closed form of their own: compared with each other term by term, or shown to
 //! have a given value by induction on their length.
 
-use num_traits::{One, Zero};
+use std::collections::BTreeSet;
+
+use num_traits::{One, Signed, Zero};
 
 use super::classes;
 use super::context::Context;
@@ -14,6 +16,37 @@ use crate::poly::{Fraction, MultiPoly, Symbol};
 const MAX_ROOT: i64 = 1000;
 /// How many ways to compare sums are tried.
 const MAX_MATCHINGS: usize = 5;
+
+/// The terms with sums over the same range as one sum if their bodies are of one class; `None`
+/// if there is nothing to unite.
+pub fn united(terms: &[Term]) -> Option<Vec<Term>> {
+    let mut result: Vec<Term> = Vec::new();
+    let mut left: Vec<&Term> = terms.iter().collect();
+    while let Some(first) = left.first().copied() {
+        let same =
+            |term: &Term| !term.bound.is_empty() && term.bound == first.bound && term.guards == first.guards;
+        let (group, others): (Vec<&Term>, Vec<&Term>) = left.iter().partition(|term| same(term));
+        if group.len() < 2 {
+            result.push(first.clone());
+            left.remove(0);
+            continue;
+        }
+        left = others;
+        let bodies: Vec<Term> = group
+            .iter()
+            .map(|term| Term { guards: BTreeSet::new(), bound: BTreeSet::new(), ..(*term).clone() })
+            .collect();
+        let facts: BTreeSet<Linear> = group.iter().flat_map(|term| term.defined.iter().cloned()).collect();
+        for class in classes::classes(&bodies)?.into_iter().filter(|class| !class.coefficient.is_zero()) {
+            let mut sum = class.common.scaled(&class.coefficient);
+            sum.guards = first.guards.clone();
+            sum.bound = first.bound.clone();
+            sum.defined = facts.clone();
+            result.push(sum);
+        }
+    }
+    (result.len() < terms.len()).then_some(result)
+}
 
 /// What a sum over one variable is rewritten by: the form that becomes the variable.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,18 +126,59 @@ pub enum Plan {
     Split(Linear),
 }
 
-/// Plans an induction for one sum with one lower and one upper end among terms without sums.
+/// Plans an induction for one sum with one lower and one upper end among terms without sums: on
+/// the letter by which one of the ends moves.
 pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
-    let (sums, rest): (Vec<&Term>, Vec<&Term>) = terms.iter().partition(|term| !term.bound.is_empty());
-    let ([sum], true) = (sums.as_slice(), rest.iter().all(|term| term.guards.is_empty())) else {
+    let sum = terms.iter().find(|term| !term.bound.is_empty())?;
+    let variable = sum.bound.first().filter(|_| sum.bound.len() == 1)?;
+    let others = terms.iter().filter(|term| *term != sum);
+    if !others.clone().all(|term| term.bound.is_empty() && term.guards.is_empty()) {
         return None;
-    };
-    let sum = sum.cancelled()?;
-    let variable = sum.bound.first().filter(|_| sum.bound.len() == 1)?.clone();
+    }
+    let (lower, upper) = ends(sum, variable)?;
+    let mirror = Linear::symbol(&Symbol::new("~"));
+    for (end, reflected) in [(&upper, false), (&lower, true)] {
+        for (letter, slope) in end.terms() {
+            // Where the lower end moves, j becomes −j; the upper end is to grow with the letter.
+            let negative = slope.is_negative() != reflected;
+            if !slope.abs().is_one() || mentions(sum, letter) {
+                continue;
+            }
+            let turn = |term: &Term| -> Option<Term> {
+                let mut term = term.clone();
+                if reflected && term.bound.remove(variable) {
+                    term = term.substitute(variable, &Linear::symbol(variable).negated())?;
+                    term.bound.insert(variable.clone());
+                }
+                if negative { term.substitute(letter, &mirror.negated()) } else { Some(term) }
+            };
+            let Some(sum) = turn(sum) else { continue };
+            let Some(rest) = others.clone().map(turn).collect::<Option<Vec<Term>>>() else { continue };
+            let (known, n) = match (negative, mirror.as_symbol()) {
+                (true, Some(n)) => (context.substitute(letter, &mirror.negated()), n),
+                _ => (context.clone(), letter),
+            };
+            match upward(&sum, &rest, variable, n, &known) {
+                Some(Plan::Split(form)) => {
+                    return Some(Plan::Split(form.substitute(
+                        n,
+                        &if negative { Linear::symbol(letter).negated() } else { Linear::symbol(letter) },
+                    )));
+                }
+                Some(plan) => return Some(plan),
+                None => {}
+            }
+        }
+    }
+    None
+}
+
+/// The ends of a sum that has one of each.
+fn ends(sum: &Term, variable: &Symbol) -> Option<(Linear, Linear)> {
     let (mut lower, mut upper) = (None, None);
     for guard in &sum.guards {
-        let rest = guard.substitute(&variable, &Linear::default());
-        let slot = match guard.coefficient(&variable).as_small()? {
+        let rest = guard.substitute(variable, &Linear::default());
+        let slot = match guard.coefficient(variable).as_small()? {
             1 => lower.replace(rest.negated()),
             -1 => upper.replace(rest),
             _ => return None,
@@ -113,23 +187,27 @@ pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
             return None;
         }
     }
-    let (a, b) = (lower?, upper?);
+    Some((lower?, upper?))
+}
+
+/// Induction on n, by which only the upper end grows.
+fn upward(sum: &Term, rest: &[Term], variable: &Symbol, n: &Symbol, context: &Context) -> Option<Plan> {
+    let sum = sum.cancelled()?;
+    let (a, b) = ends(&sum, variable)?;
     let mut body = sum.clone();
     body.guards.clear();
     body.bound.clear();
-    let n = b
-        .terms()
-        .iter()
-        .find(|(symbol, slope)| slope.is_one() && !a.contains(symbol) && !mentions(&body, symbol))?;
-    let n = n.0.clone();
+    if a.contains(n) || mentions(&body, n) {
+        return None;
+    }
     let not_empty = b.minus(&a).shifted(1);
     if !context.entails(&not_empty) {
         return Some(Plan::Split(not_empty));
     }
     // T is used for all smaller n as well, where what is known of n need not hold.
-    let fixed = context.forgetting(&n);
+    let fixed = context.forgetting(n);
     let from_start = fixed.with(&not_empty);
-    let start = b.substitute(&n, &Linear::default()).negated().plus(&a).shifted(-1);
+    let start = b.substitute(n, &Linear::default()).negated().plus(&a).shifted(-1);
     let mut total = Vec::new();
     for term in rest {
         let mut term = term.cancelled()?;
@@ -138,19 +216,19 @@ pub fn plan(terms: &[Term], context: &Context) -> Option<Plan> {
         if !numerators.into_iter().all(|(form, _)| from_start.entails(form)) {
             return None;
         }
-        if !is_nonzero_from(term.coefficient.denominator(), &n, &start) {
+        if !is_nonzero_from(term.coefficient.denominator(), n, &start) {
             return None;
         }
         total.push(term);
     }
     let minus = -Fraction::one();
-    let before = Linear::symbol(&n).shifted(-1);
+    let before = Linear::symbol(n).shifted(-1);
     let mut step = total.clone();
     for term in &total {
-        step.push(term.substitute(&n, &before)?.scaled(&minus));
+        step.push(term.substitute(n, &before)?.scaled(&minus));
     }
-    step.push(body.substitute(&variable, &b)?);
-    let at_start: Option<Vec<Term>> = total.iter().map(|term| term.substitute(&n, &start)).collect();
+    step.push(body.substitute(variable, &b)?);
+    let at_start: Option<Vec<Term>> = total.iter().map(|term| term.substitute(n, &start)).collect();
     Some(Plan::Show(Box::new(Induction {
         step: (without_facts(step), fixed.with(&b.minus(&a))),
         start: (without_facts(at_start?), fixed),

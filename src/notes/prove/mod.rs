@@ -8,8 +8,8 @@
 //! polynomials and arguments of factorials are ≥ 0 as far as they do not depend on variables of
 //! sums. For all such integers for which both sides have a value they are equal, as rational
 //! functions of the other letters; where that fails, it is tried for 0 ≤ i ≤ n for each
-//! binomial C(n, i) or B_i^n with a single letter i that is in no upper entry, and the reason
-//! says so. An equation with values only where, say, n = k is not proved. Binomials and
+//! binomial C(n, i) or B_i^n with a single letter i that is in no upper entry, and for b ≥ a − 1
+//! for each sum from a to b where a is not a number; the reason says so. An equation with values only where, say, n = k is not proved. Binomials and
 //! Bernstein polynomials are 0 when the lower entry is out of range, an empty sum is 0, 0^0 is 1.
 //!
 //! **How.** The difference of the sides becomes a sum of hypergeometric terms ([`term`]),
@@ -82,8 +82,7 @@ pub fn prove(left: &Expr, right: &Expr, lookup: &dyn Fn(&Expr) -> Option<Expr>) 
             let shown = [&found.start, &found.step].into_iter().all(|(left, right)| {
                 Equation::read(left, right, lookup).is_some_and(|equation| equation.holds_widely().is_some())
             });
-            let reason = "by induction on the order of the derivative".to_owned();
-            return shown.then_some(Proof { reason });
+            return shown.then(|| Proof { reason: found.reason.to_owned() });
         }
     }
     Equation::read(left, right, lookup)?.proof()
@@ -94,6 +93,7 @@ struct Equation {
     difference: Vec<Term>,
     domain: Context,
     ranges: Vec<(Symbol, Linear)>,
+    lengths: Vec<Linear>,
     symmetric: bool,
 }
 
@@ -112,7 +112,9 @@ impl Equation {
         let minus = -Fraction::one();
         let difference = collected(left.into_iter().chain(right.iter().map(|term| term.scaled(&minus))));
         let domain = reader.known();
-        Some(Equation { difference, domain, ranges: natural_ranges(&reader), symmetric: reader.symmetric })
+        let ranges = natural_ranges(&reader);
+        let lengths = reader.lengths.into_iter().filter(|length| !domain.entails(length)).collect();
+        Some(Equation { difference, domain, ranges, lengths, symmetric: reader.symmetric })
     }
 
     /// What was used, if the equation holds for all integers for which it has a value.
@@ -124,13 +126,17 @@ impl Equation {
         if let Some(steps) = self.holds_widely() {
             return Some(Proof { reason: reason(&self.difference, &steps, &[]) });
         }
-        if self.ranges.is_empty() {
+        if self.ranges.is_empty() && self.lengths.is_empty() {
             return None;
         }
         let mut narrow = self.domain.clone();
         self.ranges.iter().for_each(|(i, n)| narrow.assume(&n.minus(&Linear::symbol(i))));
+        self.lengths.iter().for_each(|length| narrow.assume(length));
         let steps = holds(&self.difference, &narrow, self.symmetric)?;
-        Some(Proof { reason: reason(&self.difference, &steps, &self.ranges) })
+        let ranges = self.ranges.iter().map(|(i, n)| format!("0 ≤ {i} ≤ {n}"));
+        let lengths = self.lengths.iter().map(|length| format!("{length} ≥ 0"));
+        let conditions: Vec<String> = ranges.chain(lengths).collect();
+        Some(Proof { reason: reason(&self.difference, &steps, &conditions) })
     }
 }
 
@@ -205,7 +211,7 @@ fn natural_ranges(reader: &Reader<'_>) -> Vec<(Symbol, Linear)> {
 }
 
 /// The sentence that explains a proof.
-fn reason(difference: &[Term], steps: &BTreeSet<Step>, ranges: &[(Symbol, Linear)]) -> String {
+fn reason(difference: &[Term], steps: &BTreeSet<Step>, conditions: &[String]) -> String {
     let mut parts: Vec<String> = Vec::new();
     if steps.contains(&Step::Coefficients) {
         parts.push("both sides have the same coefficients".to_owned());
@@ -240,9 +246,8 @@ fn reason(difference: &[Term], steps: &BTreeSet<Step>, ranges: &[(Symbol, Linear
         parts.push("the boundary cases looked at one by one".to_owned());
     }
     let mut text = parts.join(", ");
-    if !ranges.is_empty() {
-        let list: Vec<String> = ranges.iter().map(|(i, n)| format!("0 ≤ {i} ≤ {n}")).collect();
-        text.push_str(&format!("; for {}", list.join(", ")));
+    if !conditions.is_empty() {
+        text.push_str(&format!("; for {}", conditions.join(", ")));
     }
     text
 }

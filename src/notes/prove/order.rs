@@ -1,6 +1,9 @@
-//! Derivatives of symbolic order: d^k/dt^k F = G(k) for all k ≥ 0 by induction on k.
+//! Equations that are shown by two others.
 //!
-//! It is to be shown that F = G(0) and d/dt G(k) = G(k+1). The induction runs through all
+//! **Integrals**: ∫_a^t F(x) dx = G(t) follows from G(a) = 0 and d/dt G(t) = F(t).
+//!
+//! **Derivatives of symbolic order**: d^k/dt^k F = G(k) for all k ≥ 0 by induction on k. It is
+//! to be shown that F = G(0) and d/dt G(k) = G(k+1). The induction runs through all
 //! smaller k, so G must have a value for each of them: the inequalities under which it has one
 //! describe an interval of k that contains 0, and no denominator depends on k.
 
@@ -8,17 +11,54 @@ use super::read::{Lookup, Reader};
 use crate::expr::{Expr, Kind, Sign, Term};
 use crate::poly::Symbol;
 
-/// The two equations from which d^k/dt^k F = G(k) follows.
+/// Two equations from which another one follows.
 pub struct Equations {
-    /// F = G(0)
+    /// F = G(0), or G(a) = 0.
     pub start: (Expr, Expr),
-    /// d/dt G(k) = G(k+1)
+    /// d/dt G(k) = G(k+1), or d/dt G(t) = F(t).
     pub step: (Expr, Expr),
+    /// How the other one follows.
+    pub reason: &'static str,
+}
+
+/// The equations for a side of one of the kinds at the head of this module.
+pub fn equations(left: &Expr, right: &Expr, lookup: Lookup<'_>) -> Option<Equations> {
+    of_integral(left, right, lookup).or_else(|| of_order(left, right, lookup))
+}
+
+fn of_integral(left: &Expr, right: &Expr, lookup: Lookup<'_>) -> Option<Equations> {
+    let Kind::Integral { lower: Some(from), upper: Some(to), body, variable } = &left.kind else {
+        return None;
+    };
+    let (Kind::Name(t), Kind::Name(x)) = (&to.kind, &variable.kind) else { return None };
+    let free = |expr: &Expr| lookup(expr).is_none();
+    if mentions(from, t)
+        || mentions(from, x)
+        || binds(right, t)
+        || !mentions(right, t)
+        || !free(to)
+        || !free(variable)
+    {
+        return None;
+    }
+    if t != x && (mentions(body, t) || binds(body, x)) {
+        return None;
+    }
+    let slope = Kind::Derivative {
+        partial: false,
+        variables: vec![((**to).clone(), None)],
+        body: Some(Box::new(right.clone())),
+    };
+    Some(Equations {
+        start: (put(right, t, &(**from).clone().grouped()), Expr::int(0)),
+        step: (slope.into(), put(body, x, to)),
+        reason: "by differentiation",
+    })
 }
 
 /// The equations, if the left side is a derivative whose order is a name and the right side has
 /// a value whenever it has one for a larger order.
-pub fn equations(left: &Expr, right: &Expr, lookup: Lookup<'_>) -> Option<Equations> {
+fn of_order(left: &Expr, right: &Expr, lookup: Lookup<'_>) -> Option<Equations> {
     let (body, variable, order) = derivative(left, lookup)?;
     let Kind::Name(k) = &order.kind else { return None };
     if mentions(&body, k) || mentions(&variable, k) || binds(right, k) || !mentions(right, k) {
@@ -40,6 +80,7 @@ pub fn equations(left: &Expr, right: &Expr, lookup: Lookup<'_>) -> Option<Equati
     Some(Equations {
         start: (body, put(right, k, &Expr::int(0))),
         step: (slope.into(), put(right, k, &next)),
+        reason: "by induction on the order of the derivative",
     })
 }
 

@@ -22,9 +22,13 @@ impl Reader<'_> {
     pub(super) fn sum(&mut self, lower: &[Expr], upper: Option<&Expr>, body: &Expr) -> Option<Vec<Term>> {
         let depth = self.scope.len();
         let (bound, guards) = self.range(lower, upper)?;
+        self.natural_length(&bound, &guards);
         self.scope.truncate(depth);
         self.scope.extend(bound.iter().cloned());
+        let known = self.ranges.len();
+        self.ranges.extend(guards.iter().cloned());
         let terms = self.read(body);
+        self.ranges.truncate(known);
         self.scope.truncate(depth);
         let mut terms = terms?;
         for term in &mut terms {
@@ -32,6 +36,18 @@ impl Reader<'_> {
             term.bound.extend(bound.iter().map(|(_, symbol)| symbol.clone()));
         }
         Some(collected(terms))
+    }
+
+    /// A sum from a letter k to n is meant for k ≤ n, or for k = n + 1 where it is empty.
+    fn natural_length(&mut self, bound: &[Range], guards: &[Linear]) {
+        let [(_, variable)] = bound else { return };
+        let [from, to] = guards else { return };
+        let (from, to) =
+            (from.substitute(variable, &Linear::default()), to.substitute(variable, &Linear::default()));
+        let length = to.plus(&from).shifted(1);
+        if !from.terms().is_empty() && !self.mentions_bound(&length) && !length.contains(variable) {
+            self.lengths.push(length);
+        }
     }
 
     fn bind(&mut self, name: &str) -> Range {
@@ -185,12 +201,9 @@ impl Reader<'_> {
         let factor = self.read(body);
         self.scope.pop();
         let value = rational_value(&factor?)?;
-        let mut known = self.domain.clone();
-        for symbol in a.terms().keys().chain(b.terms().keys()) {
-            known.assume(&Linear::symbol(symbol));
-        }
+        let known = self.known();
         // An empty range with more than one number missing would not fit the formula.
-        if self.mentions_bound(&a) || self.mentions_bound(&b) || !known.entails(&b.minus(&a).shifted(1)) {
+        if !known.entails(&b.minus(&a).shifted(1)) {
             return None;
         }
         let length = b.minus(&a).shifted(1);
@@ -199,8 +212,8 @@ impl Reader<'_> {
             return Some(vec![Term::power(&value, &length)?]);
         }
         let form = Linear::from_poly(value.as_polynomial()?)?;
-        form.terms().keys().for_each(|symbol| known.assume(&Linear::symbol(symbol)));
         self.integers.extend(form.terms().keys().cloned());
+        let known = self.known();
         let (first, last) = (form.substitute(&range.1, &a), form.substitute(&range.1, &b));
         let (high, low) = match form.coefficient(&range.1).as_small()? {
             1 => (last, first),
@@ -208,7 +221,7 @@ impl Reader<'_> {
             _ => return None,
         };
         // low (low+1) … high = high!/(low−1)!, where high ≥ 0 or the product is empty.
-        if self.mentions_bound(&high) || self.mentions_bound(&low) || !known.entails(&high) {
+        if !known.entails(&high) {
             return None;
         }
         let mut term = Term::factorial(high, 1);
@@ -220,7 +233,6 @@ impl Reader<'_> {
     /// the dots, with the numbers of the first and the last factor used.
     pub(super) fn dotted(&mut self, factors: &[Expr], dots: usize) -> Option<(usize, usize, Term)> {
         let last = self.linear(factors.get(dots + 1)?)?;
-        let mut known = self.known();
         let mut forms = Vec::new();
         for factor in factors[..dots].iter().rev() {
             let Some(form) = self.linear(factor) else { break };
@@ -235,8 +247,7 @@ impl Reader<'_> {
             -1 => (&last, first),
             _ => return None,
         };
-        let letters = low.terms().keys().chain(high.terms().keys());
-        letters.filter(|s| is_letter_of_formula(s)).for_each(|s| known.assume(&Linear::symbol(s)));
+        let known = self.known();
         if !known.entails(high) || !known.entails(&high.minus(low).shifted(1)) {
             return None;
         }
@@ -300,11 +311,6 @@ impl Reader<'_> {
         }
         Some((holds, fails))
     }
-}
-
-/// Whether it is no variable of a sum.
-fn is_letter_of_formula(symbol: &Symbol) -> bool {
-    !symbol.base().starts_with('#')
 }
 
 /// The intersection of two regions.

@@ -39,6 +39,8 @@ pub struct Reader<'a> {
     fresh: u32,
     /// Variables of sums with what they are called here, the innermost last.
     pub(super) scope: Vec<(String, Symbol)>,
+    /// What is ≥ 0 in the ranges of these sums.
+    pub(super) ranges: Vec<Linear>,
     /// Whether a value for a case is read.
     pub(super) in_case: bool,
     /// How the names are used.
@@ -53,6 +55,8 @@ pub struct Reader<'a> {
     pub domain: Context,
     /// Index and upper entry of binomials and Bernstein polynomials: 0 ≤ index ≤ entry.
     pub natural: Vec<(Symbol, Linear)>,
+    /// b − a + 1 for sums from a letter a to b: they are natural if this is not negative.
+    pub lengths: Vec<Linear>,
     /// Symbols that occur in upper entries.
     pub uppers: BTreeSet<Symbol>,
     /// Whether an elementary symmetric function was read.
@@ -67,6 +71,7 @@ impl<'a> Reader<'a> {
             unfoldings: 0,
             fresh: 0,
             scope: Vec::new(),
+            ranges: Vec::new(),
             in_case: false,
             names: Names::default(),
             integers: BTreeSet::new(),
@@ -74,6 +79,7 @@ impl<'a> Reader<'a> {
             reals: BTreeSet::new(),
             domain: Context::default(),
             natural: Vec::new(),
+            lengths: Vec::new(),
             uppers: BTreeSet::new(),
             symmetric: false,
         }
@@ -312,7 +318,7 @@ impl<'a> Reader<'a> {
         let mut product = vec![Term::new(Fraction::one())];
         let is_dots = |factor: &Expr| matches!(factor.kind, Kind::Ellipsis);
         if factors.iter().any(is_dots) {
-            let factors = spread(factors);
+            let factors = self.spread(factors);
             let dots = factors.iter().position(is_dots)?;
             let (first, last, term) = self.dotted(&factors, dots)?;
             let (before, after) =
@@ -337,6 +343,21 @@ impl<'a> Reader<'a> {
             position += 1;
         }
         Some(product)
+    }
+
+    /// The factors of a product, with n (n−1), which reads like a call, as two.
+    fn spread(&self, factors: &[Expr]) -> Vec<Expr> {
+        let mut list = Vec::new();
+        for factor in factors {
+            match &factor.kind {
+                Kind::Apply(callee, groups) if self.is_product(callee, groups) => {
+                    list.extend(self.spread(std::slice::from_ref(&**callee)));
+                    list.push(groups[0][0].clone());
+                }
+                _ => list.push(factor.clone()),
+            }
+        }
+        list
     }
 
     /// A power, a name with an upper index, or a product such as t^i (1−t)^k, which is read as
@@ -515,21 +536,6 @@ pub fn opaque_term(head: &str, indices: Vec<Linear>) -> Term {
 
 fn bounded(terms: Vec<Term>) -> Option<Vec<Term>> {
     (terms.len() <= MAX_TERMS).then_some(terms)
-}
-
-/// The factors of a product, with n (n−1), which reads like a call, as two.
-fn spread(factors: &[Expr]) -> Vec<Expr> {
-    let mut list = Vec::new();
-    for factor in factors {
-        match &factor.kind {
-            Kind::Apply(callee, groups) if groups.len() == 1 && groups[0].len() == 1 => {
-                list.extend(spread(std::slice::from_ref(&**callee)));
-                list.push(groups[0][0].clone());
-            }
-            _ => list.push(factor.clone()),
-        }
-    }
-    list
 }
 
 /// d before another name: perhaps a differential.

@@ -97,7 +97,7 @@ pub fn value(expr: &Expr, values: &Values) -> Option<Fraction> {
             }
             Some(f)
         }
-        Kind::Integral { body, variable, .. } => {
+        Kind::Integral { lower: Some(from), upper: Some(to), body, variable } => {
             let Kind::Name(name) = &variable.kind else { return None };
             let t = Symbol::new(name.clone());
             let f = value(body, values)?;
@@ -105,8 +105,9 @@ pub fn value(expr: &Expr, values: &Values) -> Option<Fraction> {
                 return None;
             }
             let whole = f.numerator().antiderivative(&t);
-            let at_one = whole.substitute(&[(t, MultiPoly::one())]);
-            Fraction::new(at_one, f.denominator().clone()).ok()
+            let whole = Fraction::new(whole, f.denominator().clone()).ok()?;
+            let at = |end: &Expr| whole.substitute(&[(t.clone(), value(end, values)?)]).ok();
+            Some(at(to)?.minus(&at(from)?))
         }
         Kind::At { body, lower, .. } => {
             let Kind::Chain(first, links) = &lower[0].kind else { return None };
@@ -156,7 +157,7 @@ fn product(factors: &[Expr], values: &Values) -> Option<Fraction> {
     Some(sum.times(&product(rest, values)?))
 }
 
-/// a b ⋯ z, where a, b, …, z have equal distances and nothing else is around them.
+/// a b ⋯ z, where a, b, …, z have equal distances, times what follows.
 fn dotted(before: &[Expr], after: &[Expr], values: &Values) -> Option<Fraction> {
     let mut list = Vec::new();
     for factor in before {
@@ -165,7 +166,7 @@ fn dotted(before: &[Expr], after: &[Expr], values: &Values) -> Option<Fraction> 
             _ => list.push(factor),
         }
     }
-    let ([first, second, ..], [last]) = (list.as_slice(), after) else { return None };
+    let ([first, second, ..], [last, rest @ ..]) = (list.as_slice(), after) else { return None };
     let (first, last) = (whole(first, values)?, whole(last, values)?);
     let step = whole(second, values)? - first;
     let count = (last - first).checked_div(step)? + 1;
@@ -173,7 +174,7 @@ fn dotted(before: &[Expr], after: &[Expr], values: &Values) -> Option<Fraction> 
         return None;
     }
     let product = (0..count).map(|k| first + k * step).product::<i64>();
-    Some(Fraction::from(integer(product)))
+    Some(Fraction::from(integer(product)).times(&self::product(rest, values)?))
 }
 
 fn whole(expr: &Expr, values: &Values) -> Option<i64> {
@@ -400,6 +401,17 @@ fn uppers<'a>(expr: &'a Expr, found: &mut Vec<(&'a Expr, Option<&'a Expr>)>) {
     expr.for_each_child(&mut |child| uppers(child, found));
 }
 
+/// Lower and upper ends of sums whose lower end is no number.
+fn lengths<'a>(expr: &'a Expr, found: &mut Vec<(&'a Expr, &'a Expr)>) {
+    if let Kind::Big { op: BigOp::Sum, lower, upper: Some(upper), .. } = &expr.kind
+        && let [Expr { kind: Kind::Chain(_, links), .. }] = lower.as_slice()
+        && value(&links[0].expr, &Values::new()).is_none()
+    {
+        found.push((&links[0].expr, upper));
+    }
+    expr.for_each_child(&mut |child| lengths(child, found));
+}
+
 /// All values of the integers up to `bound` for which the equation makes sense; with `narrow`
 /// only those with 0 ≤ i ≤ n for some B_i^n or C(n, i) with this letter i.
 pub fn range(left: &Expr, right: &Expr, bound: i64, narrow: bool) -> Vec<Values> {
@@ -427,6 +439,15 @@ pub fn range(left: &Expr, right: &Expr, bound: i64, narrow: bool) -> Vec<Values>
     uppers(right, &mut found);
     list.retain(|values| found.iter().all(|(n, _)| whole(n, values).is_none_or(|n| !n.is_negative())));
     if narrow {
+        let mut sums = Vec::new();
+        lengths(left, &mut sums);
+        lengths(right, &mut sums);
+        list.retain(|values| {
+            sums.iter().all(|(a, b)| match (limit(a, values), limit(b, values)) {
+                (Some(a), Some(b)) => b >= a - 1,
+                _ => true,
+            })
+        });
         let letters: Vec<&String> = free
             .iter()
             .filter(|f| !found.iter().any(|(n, k)| k.is_some() && mentions(n, f)))

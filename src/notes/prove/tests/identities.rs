@@ -49,6 +49,17 @@ const TERMS: &[&str] = &[
     r"B_i^n\left(\frac{t-a}{b-a}\right) = \binom{n}{i}\frac{(t-a)^i(b-t)^{n-i}}{(b-a)^n}",
 ];
 
+const MORE: &[&str] = &[
+    r"\frac{d}{dt}\sum_{i=k}^n B_i^n(t) = n B_{k-1}^{n-1}(t)",
+    r"\sum_{i=0}^k (-1)^i \binom{n}{i} = (-1)^k \binom{n-1}{k}",
+    r"\sum_{i=0}^n \left(\frac{i}{n} - t\right)^2 B_i^n(t) = \frac{t(1-t)}{n}",
+    r"\int_0^1 B_i^n(t) B_j^m(t) dt = \frac{\binom{n}{i}\binom{m}{j}}{(n+m+1)\binom{n+m}{i+j}}",
+    r"\sum_{i=0}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k+1) t^k",
+    r"\sum_{i=k}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k+1) t^k",
+    r"B_i^n(t) = \frac{n-i+1}{i}\frac{t}{1-t} B_{i-1}^n(t)",
+    r"\sum_{i=k}^{n} x^i = \frac{x^k - x^{n+1}}{1-x}",
+];
+
 const FAMILIES: &[&str] = &[
     r"\frac{d}{dt}\sum_{i=0}^n b_i B_i^n(t) = n\sum_{i=0}^{n-1}(b_{i+1}-b_i)B_i^{n-1}(t)",
     r"\frac{d}{dt}\sum_{i=0}^n \mathbf{b}_i B_i^n(t) = n\sum_{i=0}^{n-1}\Delta\mathbf{b}_iB_i^{n-1}(t)",
@@ -74,6 +85,11 @@ fn all_proved(list: &[&str]) {
 #[test]
 fn terms() {
     all_proved(TERMS);
+}
+
+#[test]
+fn more() {
+    all_proved(MORE);
 }
 
 #[test]
@@ -129,7 +145,7 @@ fn sums() {
 
 /// All lists of identities.
 pub fn all() -> impl Iterator<Item = &'static str> {
-    TERMS.iter().chain(FAMILIES).chain(SUMS).chain(ORDERS).copied()
+    TERMS.iter().chain(MORE).chain(FAMILIES).chain(SUMS).chain(ORDERS).copied()
 }
 
 /// The identities really hold for small integers: a check of the evaluator and of these lists.
@@ -144,6 +160,8 @@ fn they_hold() {
 }
 
 const ORDERS: &[&str] = &[
+    r"\int_0^t B_i^n(x) dx = \frac{1}{n+1}\sum_{j=i+1}^{n+1} B_j^{n+1}(t)",
+    r"\int_0^t x^n dx = \frac{t^{n+1}}{n+1}",
     r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{(n-k)!}\sum_{i=0}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
     r"\frac{d^k}{dt^k}B_i^n(t) = \frac{n!}{(n-k)!}\sum_{j=0}^k (-1)^{j}\binom{k}{j} B_{i-k+j}^{n-k}(t)",
     r"\frac{d^k}{dt^k}t^n = \frac{n!}{(n-k)!}t^{n-k}",

@@ -84,7 +84,15 @@ const WRONG: &[&str] = &[
     r"\sum_{i=1}^n \frac{1}{i(i+1)} = \frac{n+1}{n+2}",
     r"\sum_{i=0}^n \frac{1}{i+1} = \sum_{j=1}^{n} \frac{1}{j}",
     r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=1}^n \binom{n}{j}^3 t^{n-j}",
-    // derivatives of any order
+    r"\sum_{i=0}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k) t^k",
+    r"\sum_{i=0}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k+1) t^{k+1}",
+    // derivatives of any order, integrals with a variable end
+    r"\int_0^t B_i^n(x) dx = \frac{1}{n+1}\sum_{j=i}^{n+1} B_j^{n+1}(t)",
+    r"\int_0^t B_i^n(x) dx = \frac{1}{n}\sum_{j=i+1}^{n+1} B_j^{n+1}(t)",
+    r"\int_0^t x^n dx = \frac{t^{n+1} + 1}{n+1}",
+    r"\frac{d}{dt}\sum_{i=k}^n B_i^n(t) = n B_{k}^{n-1}(t)",
+    r"\sum_{i=0}^k (-1)^i \binom{n}{i} = (-1)^k \binom{n}{k}",
+    r"\sum_{i=k}^{n} x^i = \frac{x^k - x^{n}}{1-x}",
     r"\frac{d^k}{dt^k}B_i^n(t) = \frac{n!}{(n-k)!}\sum_{j=0}^k (-1)^{k-j}\binom{k}{j} B_{i-k+j}^{n-k}(t)",
     r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{k!}\sum_{i=0}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
     r"\frac{d^k}{dt^k}\sum_{i=0}^n b_i B_i^n(t) = \frac{n!}{(n-k)!}\sum_{i=1}^{n-k} \Delta^k b_i B_i^{n-k}(t)",
