@@ -161,7 +161,7 @@ pub fn shortened(terms: Vec<Term>) -> Option<Vec<Term>> {
             term.symbols.insert(symbol.clone(), e - 1);
         }
         let (i, n) = (&symbol.indices[0], &symbol.indices[1]);
-        let letter = symbol.head.trim_start_matches("e(").trim_end_matches(')').to_owned();
+        let letter = symbol.head.strip_prefix("e(")?.strip_suffix(')')?.to_owned();
         let shorter = |i: Linear| Indexed { head: symbol.head.clone(), indices: vec![i, n.shifted(-1)] };
         let mut first = term.clone();
         *first.symbols.entry(shorter(i.clone())).or_default() += 1;

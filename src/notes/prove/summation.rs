@@ -4,9 +4,11 @@
 //!   Σ_k c_k X^k (1+X)^(N−k)/(N−k)!, for all integers N.
 //! - Σ_j 1/((j+a)! (j+d)! (b−j)! (c−j)!) = (a+b+c+d)!/((a+b)! (c+d)! (a+c)! (b+d)!), which is
 //!   Vandermonde's identity, for a+b ≥ 0 and c+d ≥ 0 (otherwise the sum is 0).
+//! - Σ_j (j+a)! (b−j)!/((j+c)! (d−j)!) = p! q! (a+b+1)!/((p+q+1)! (c+d)!) with p = a − c ≥ 0 and
+//!   q = b − d ≥ 0: the same identity for C(j+a, p) C(b−j, q).
 //! - Σ_{j=a}^{b} p(j) X^j = X^(b+1) Q(b+1) − X^a Q(a) with X Q(j+1) − Q(j) = p(j).
 //!
-//! The first two sum over all integers; the factorials in the denominator end the sum. If the
+//! All but the last sum over all integers; the factorials in the denominator end the sum. If the
 //! range of the sum ends a constant number of terms earlier, these are subtracted.
 
 use std::collections::BTreeSet;
@@ -88,19 +90,40 @@ fn try_close(
         return None;
     }
     let (mut up, mut down) = (Vec::new(), Vec::new());
+    let (mut up_above, mut down_above) = (Vec::new(), Vec::new());
     for (form, m) in sum.body.factorials.iter().filter(|(form, _)| form.contains(variable)) {
         let rest = form.substitute(variable, &Linear::default());
-        let list = match form.coefficient(variable).as_small() {
-            Some(1) => &mut up,
-            Some(-1) => &mut down,
+        let list = match (form.coefficient(variable).as_small(), *m < 0) {
+            (Some(1), true) => &mut up,
+            (Some(-1), true) => &mut down,
+            (Some(1), false) => &mut up_above,
+            (Some(-1), false) => &mut down_above,
             _ => return None,
         };
-        if *m > 0 {
-            return None;
-        }
         list.extend(std::iter::repeat_n(rest, m.unsigned_abs() as usize));
     }
     let ratio = sum.ratio()?;
+    if let ([a], [b], [c], [d], true) =
+        (up_above.as_slice(), down_above.as_slice(), up.as_slice(), down.as_slice(), ratio.is_one())
+    {
+        let (p, q) = (a.minus(c), b.minus(d));
+        for form in [&p, &q] {
+            if sum.known.refutes(form) {
+                return None;
+            }
+            if !sum.known.entails(form) {
+                return Some(sum.split(form.clone()));
+            }
+        }
+        if !sum.covers(&[c.negated()], std::slice::from_ref(d)) {
+            return None;
+        }
+        steps.insert(Step::Vandermonde);
+        return sum.upper_vandermonde([&p, &q], c, d).map(Closed::Sum);
+    }
+    if !up_above.is_empty() || !down_above.is_empty() {
+        return None;
+    }
     match (up.as_slice(), down.as_slice()) {
         ([], []) => {
             if let Some(split) = sum.single_ends() {
@@ -394,6 +417,27 @@ impl<'a> Sum<'a> {
             for form in [m, r, a.plus(c), b.plus(d)] {
                 term.multiply_factorial(form, -1);
             }
+            add(&mut result, term);
+        }
+        Some(result)
+    }
+
+    /// Σ_j (j+a)! (b−j)!/((j+c)! (d−j)!) with p = a − c, q = b − d, both ≥ 0.
+    fn upper_vandermonde(&self, [p, q]: [&Linear; 2], c: &Linear, d: &Linear) -> Option<Vec<Term>> {
+        let frame = self.frame(&Linear::default())?;
+        let mut result = Vec::new();
+        for (k, coefficient) in self.falling(&c.negated())?.into_iter().enumerate() {
+            budget::step();
+            let k = i64::try_from(k).ok()?;
+            let (p, length) = (p.shifted(k), c.plus(d).shifted(-k));
+            let both = p.plus(q).shifted(1);
+            let mut term = frame.scaled(&coefficient);
+            term.guards.insert(length.clone());
+            for form in [p, q.clone(), both.plus(&length)] {
+                term.multiply_factorial(form, 1);
+            }
+            term.multiply_factorial(both, -1);
+            term.multiply_factorial(length, -1);
             add(&mut result, term);
         }
         Some(result)

@@ -29,13 +29,11 @@ fn value(term: &Term, values: &Values) -> Option<Fraction> {
     let put: Vec<(Symbol, Fraction)> =
         values.iter().map(|(s, x)| (s.clone(), Fraction::from(integer(*x)))).collect();
     let mut result = term.coefficient.substitute(&put).ok()?;
+    if term.factorials.iter().any(|(form, m)| *m > 0 && at(form, values) < 0) {
+        return None;
+    }
     for (form, m) in &term.factorials {
-        let Ok(n) = usize::try_from(at(form, values)) else {
-            if *m > 0 {
-                return None;
-            }
-            return Some(Fraction::zero());
-        };
+        let Ok(n) = usize::try_from(at(form, values)) else { return Some(Fraction::zero()) };
         let f = Fraction::from(Rational::from_integer(factorial(n)));
         result = result.times(&f.pow(*m).ok()?);
     }
@@ -96,8 +94,9 @@ fn random_sum() -> impl Strategy<Value = Term> {
     let downs = prop::collection::vec((0i64..2, -2i64..3), 0..3);
     let poly = prop::collection::vec(-3i64..4, 1..4);
     let ends = ((0i64..2, -1i64..3), (0i64..2, -2i64..2));
-    (ups, downs, poly, ends, 0i64..3, -1i64..2, prop::option::of(-1i64..3)).prop_map(
-        |(ups, downs, poly, ((ka, a), (kb, b)), x, sign, pole)| {
+    let above = prop::option::of((0i64..2, -1i64..3, 0i64..2, -1i64..3));
+    (ups, downs, poly, ends, 0i64..3, -1i64..2, prop::option::of(-1i64..3), above).prop_map(
+        |(ups, downs, poly, ((ka, a), (kb, b)), x, sign, pole, above)| {
             let j = Fraction::from(form(0, 0, 1, 0).to_poly());
             let mut p = Fraction::zero();
             for c in poly {
@@ -112,6 +111,10 @@ fn random_sum() -> impl Strategy<Value = Term> {
             }
             for (k, c) in downs {
                 term.multiply_factorial(form(1 - k, k, -1, c), -1);
+            }
+            if let Some((k, c, m, d)) = above {
+                term.multiply_factorial(form(0, k, 1, c), 1);
+                term.multiply_factorial(form(1, m, -1, d), 1);
             }
             let t = Fraction::from(MultiPoly::symbol(Symbol::new("t")));
             let bases = [

@@ -60,6 +60,13 @@ const MORE: &[&str] = &[
     r"\sum_{i=k}^{n} x^i = \frac{x^k - x^{n+1}}{1-x}",
 ];
 
+const VANDERMONDE: &[&str] = &[
+    r"\sum_{i=0}^n \binom{i}{k} \binom{n-i}{j} = \binom{n+1}{j+k+1}",
+    r"\sum_{i=0}^n i \binom{i}{k} = (k+1)\binom{n+1}{k+2} + k\binom{n+1}{k+1}",
+    r"\sum_{i=0}^n i\binom{n}{i}^2 = n\binom{2n-1}{n-1}",
+    r"\sum_{i=0}^n \binom{m}{i}\binom{n}{i} = \binom{m+n}{n}",
+];
+
 const FAMILIES: &[&str] = &[
     r"\frac{d}{dt}\sum_{i=0}^n b_i B_i^n(t) = n\sum_{i=0}^{n-1}(b_{i+1}-b_i)B_i^{n-1}(t)",
     r"\frac{d}{dt}\sum_{i=0}^n \mathbf{b}_i B_i^n(t) = n\sum_{i=0}^{n-1}\Delta\mathbf{b}_iB_i^{n-1}(t)",
@@ -90,6 +97,7 @@ fn terms() {
 #[test]
 fn more() {
     all_proved(MORE);
+    all_proved(VANDERMONDE);
 }
 
 #[test]
@@ -145,7 +153,7 @@ fn sums() {
 
 /// All lists of identities.
 pub fn all() -> impl Iterator<Item = &'static str> {
-    TERMS.iter().chain(MORE).chain(FAMILIES).chain(SUMS).chain(ORDERS).copied()
+    TERMS.iter().chain(MORE).chain(VANDERMONDE).chain(FAMILIES).chain(SUMS).chain(ORDERS).copied()
 }
 
 /// The identities really hold for small integers: a check of the evaluator and of these lists.

@@ -86,6 +86,8 @@ const WRONG: &[&str] = &[
     r"\sum_{i=0}^n \binom{n}{i}^3 t^i = \sum_{j=1}^n \binom{n}{j}^3 t^{n-j}",
     r"\sum_{i=0}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k) t^k",
     r"\sum_{i=0}^n i(i-1)\cdots(i-k+1) B_i^n(t) = n(n-1)\cdots(n-k+1) t^{k+1}",
+    r"\sum_{i=0}^n \binom{i}{k} \binom{n-i}{j} = \binom{n+1}{j+k}",
+    r"\sum_{i=0}^{n-1} \binom{i}{k} \binom{n-i}{j} = \binom{n+1}{j+k+1}",
     // derivatives of any order, integrals with a variable end
     r"\int_0^t B_i^n(x) dx = \frac{1}{n+1}\sum_{j=i}^{n+1} B_j^{n+1}(t)",
     r"\int_0^t B_i^n(x) dx = \frac{1}{n}\sum_{j=i+1}^{n+1} B_j^{n+1}(t)",
