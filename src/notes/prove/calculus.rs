@@ -44,9 +44,7 @@ impl Reader<'_> {
                     || self.integers.contains(&s)
                     || (names::is_constant(s.base()) && s.accent().is_empty() && s.indices().is_empty())
                     || (names::is_constant_family(s.base()) && !s.indices().is_empty())
-            }) && term.symbols.keys().all(|s| {
-                names::is_constant_family(&s.head) && !s.head.ends_with('^') && !s.head.starts_with("e(")
-            })
+            }) && term.symbols.keys().all(|s| names::is_constant_family(&s.head))
         })
     }
 

@@ -152,14 +152,17 @@ pub fn is_constant(name: &str) -> bool {
 /// Whether a name may stand for a matrix or a vector, whose products depend on the order or are
 /// scalar products: capitals and letters with an accent.
 pub fn may_be_matrix(head: &str) -> bool {
-    head.contains('(') && !head.starts_with("e(") || head.starts_with(|c: char| c.is_uppercase())
+    let name = head.split('[').next().unwrap_or(head);
+    name.contains('(') && !name.starts_with("e(") || name.starts_with(char::is_uppercase)
 }
 
-/// Whether an indexed name in d/dt … may be taken for a constant; f_i and B_i are functions.
+/// Whether an indexed name in d/dt … may be taken for a constant; f_i and B_i are functions,
+/// b_i^k and b_i(t) may depend on t.
 pub fn is_constant_family(head: &str) -> bool {
-    let functions = ["f", "g", "h", "B", "F", "G", "H", "L", "N", "S", "phi", "psi"];
+    let functions = ["f", "g", "h", "B", "F", "G", "H", "L", "N", "S", "phi", "psi", "e"];
     let variables = ["r", "s", "t", "u", "v", "x", "y", "z"];
-    !functions.contains(&head) && !variables.contains(&head)
+    let letter = head.rsplit('(').next().unwrap_or(head).trim_end_matches(')');
+    !head.contains(['^', '[']) && !functions.contains(&letter) && !variables.contains(&letter)
 }
 
 /// The function under one or two dots, as in Ṗ(t) and Ṗ_n(t), with their number.

@@ -473,8 +473,40 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The value of a function that nobody defines: a symbol of its own for each list of arguments.
+    fn opaque_call(&mut self, callee: &Expr, groups: &[Vec<Expr>]) -> Option<Vec<Term>> {
+        if groups.iter().flatten().any(|argument| self.holds_bound(argument)) {
+            return None;
+        }
+        let (name, indices, raised) = match &callee.kind {
+            Kind::Subscript(name, indices) => (&**name, indices.as_slice(), None),
+            Kind::Pow(base, exponent) => match &base.kind {
+                Kind::Subscript(name, indices) => (&**name, indices.as_slice(), Some(exponent)),
+                _ => return None,
+            },
+            _ => (callee, &[][..], None),
+        };
+        let head = Self::head(name)?;
+        let mut forms = self.indices(indices)?;
+        if let Some(exponent) = raised {
+            forms.push(self.linear(exponent)?);
+        }
+        let mark = if raised.is_some() { "^" } else { "" };
+        let arguments: Vec<Vec<Expr>> = groups
+            .iter()
+            .map(|group| group.iter().map(|argument| argument.clone().without_spans()).collect())
+            .collect();
+        Some(vec![opaque_term(&format!("{head}{mark}[{arguments:?}]"), forms)])
+    }
+
+    fn holds_bound(&self, expr: &Expr) -> bool {
+        let mut found = self.is_bound(expr);
+        expr.for_each_child(&mut |child| found |= self.holds_bound(child));
+        found
+    }
+
     fn apply(&mut self, callee: &Expr, groups: &[Vec<Expr>]) -> Option<Vec<Term>> {
-        let [group] = groups else { return None };
+        let [group] = groups else { return self.opaque_call(callee, groups) };
         if let (Some(order), [argument]) = (difference_operator(callee), group.as_slice()) {
             return self.difference(callee, order, argument);
         }
@@ -499,7 +531,7 @@ impl<'a> Reader<'a> {
                 let (first, second) = (self.read(callee)?, self.read(argument)?);
                 self.product(&first, &second)
             }
-            _ => None,
+            _ => self.opaque_call(callee, groups),
         }
     }
 }

@@ -49,6 +49,14 @@ const TERMS: &[&str] = &[
     r"B_i^n\left(\frac{t-a}{b-a}\right) = \binom{n}{i}\frac{(t-a)^i(b-t)^{n-i}}{(b-a)^n}",
 ];
 
+/// Functions that nobody defines; the evaluator does not know them.
+const OPAQUE: &[&str] = &[
+    r"\sum_{i=1}^n\sum_{j=1}^n b_i(u) b_j(v) p_{i,j} = \sum_{j=1}^n b_j(v)\sum_{i=1}^n b_i(u) p_{i,j}",
+    r"(1-t) f(u, v) + t f(u, v) = f(u, v)",
+    r"\sum_{i=0}^{n} b_i(t) - \sum_{i=1}^{n} b_i(t) = b_0(t)",
+    r"\sum_{i=0}^{n-1} (b_{i+1}^k(t) - b_i^k(t)) = b_n^k(t) - b_0^k(t)",
+];
+
 const MORE: &[&str] = &[
     r"\frac{d}{dt}\sum_{i=k}^n B_i^n(t) = n B_{k-1}^{n-1}(t)",
     r"\sum_{i=0}^k (-1)^i \binom{n}{i} = (-1)^k \binom{n-1}{k}",
@@ -98,6 +106,7 @@ fn terms() {
 fn more() {
     all_proved(MORE);
     all_proved(VANDERMONDE);
+    all_proved(OPAQUE);
 }
 
 #[test]
