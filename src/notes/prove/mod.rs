@@ -7,14 +7,21 @@
 //! bounds of sums; they are ≥ 0. The upper entries of binomials, degrees of Bernstein
 //! polynomials and arguments of factorials are ≥ 0 as far as they do not depend on variables of
 //! sums. For all such integers for which both sides have a value they are equal, as rational
-//! functions of the other letters; where that fails, it is tried for 0 ≤ i ≤ n for each
-//! binomial C(n, i) or B_i^n with a single letter i that is in no upper entry, and for b ≥ a − 1
-//! for each sum from a to b where a is not a number; the reason says so. An equation with values only where, say, n = k is not proved. Binomials and
-//! Bernstein polynomials are 0 when the lower entry is out of range, an empty sum is 0, 0^0 is 1.
+//! functions of the other letters. Binomials and Bernstein polynomials are 0 when the lower
+//! entry is out of range, an empty sum is 0, 0^0 is 1. Where that fails, it is tried
+//! - for 0 ≤ i ≤ n for each binomial C(n, i) or B_i^n with a single letter i that is in no upper
+//!   entry, and
+//! - for b ≥ a − 1 for each sum from a to b where a is not a number,
 //!
-//! **How.** The difference of the sides becomes a sum of hypergeometric terms ([`term`]),
-//! is split by the indexed symbols in it ([`families`]), sums are evaluated ([`summation`]),
-//! and what is left vanishes class by class ([`classes`]) in every case ([`decide`]).
+//! and the reason says so ("…; for 0 ≤ i ≤ n"). An equation that has a value only where, say,
+//! n = k is not proved. Indexed symbols and functions that nobody defines may have any values;
+//! products of capitals or of letters with an accent are refused, for they may be matrices or
+//! vectors.
+//!
+//! **How.** Some equations follow from two simpler ones (`order`). Otherwise the difference of
+//! the sides becomes a sum of hypergeometric terms (`read`, `term`), is split by the indexed
+//! symbols in it (`families`), sums are evaluated (`summation`) or compared (`induction`), and
+//! what is left vanishes class by class (`classes`) in every case (`decide`).
 //!
 //! Reference: Petkovšek, Wilf, Zeilberger, *A = B*, A K Peters 1996.
 

@@ -129,9 +129,9 @@ fn run(seed: u64, per_identity: usize, bound: i64) -> (usize, usize, usize) {
 
 #[test]
 fn changed_identities() {
-    let (tried, proved, compared) = run(20, 12, 4);
+    let (tried, proved, compared) = run(20, 6, 4);
     assert!(
-        tried > 900 && proved > 50 && compared > 500,
+        tried > 600 && proved > 30 && compared > 500,
         "{tried} tried, {proved} proved, {compared} compared"
     );
 }
@@ -140,7 +140,7 @@ fn changed_identities() {
 #[test]
 #[ignore = "takes minutes"]
 fn many_changed_identities() {
-    for seed in 1000..1012 {
+    for seed in 2000..2008 {
         let (_, proved, compared) = run(seed, 60, 5);
         assert!(proved > 0 && compared > 0);
     }
