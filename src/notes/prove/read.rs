@@ -372,7 +372,7 @@ impl<'a> Reader<'a> {
                 let mut forms = self.indices(indices)?;
                 let power = self.linear(exponent)?;
                 let number = power.as_constant().is_some() && forms.iter().all(|f| f.as_constant().is_some());
-                if number && matches!(head.base(), "s" | "t" | "u" | "v" | "w" | "x" | "y" | "z") {
+                if number && is_variable(head.base()) {
                     let base = [indexed_term(&head, forms)];
                     return self.powered(&base, &power);
                 }
@@ -440,8 +440,10 @@ impl<'a> Reader<'a> {
                 integer && matches!(argument.kind, Kind::Add(_)) || self.names.is_factor(name, argument)
             }
             Kind::Subscript(base, _) => self.names.is_indexed_factor(base, argument),
-            Kind::Number(_) | Kind::Binomial(..) | Kind::Factorial(_) | Kind::Div(..) => true,
-            Kind::Pow(base, _) => names::bernstein(callee).is_none() && self.is_factor(base, argument),
+            Kind::Number(_) | Kind::Binomial(..) | Kind::Factorial(_) => true,
+            Kind::Div(..) => self.is_scalar(callee),
+            // b_i^k(1 − t) may be the value of a function.
+            Kind::Pow(base, _) => !matches!(base.kind, Kind::Subscript(..)) && self.is_factor(base, argument),
             Kind::Apply(callee, groups) => self.is_product(callee, groups),
             Kind::Group(body) => matches!(argument.kind, Kind::Add(_)) && self.is_scalar(body),
             _ => false,
@@ -459,11 +461,16 @@ impl<'a> Reader<'a> {
                         && !matches!(name.as_str(), "f" | "g" | "h")
                         && !self.names.is_called(name))
             }
+            Kind::Subscript(base, _) => {
+                matches!(&base.kind, Kind::Name(name) if names::is_constant_family(name) || is_variable(name))
+            }
             Kind::Number(_)
             | Kind::Add(_)
             | Kind::Mul(_)
             | Kind::Div(..)
             | Kind::Pow(..)
+            | Kind::Binomial(..)
+            | Kind::Factorial(_)
             | Kind::Group(_) => {
                 let mut scalar = true;
                 expr.for_each_child(&mut |child| scalar &= self.is_scalar(child));
@@ -564,6 +571,11 @@ pub fn opaque_term(head: &str, indices: Vec<Linear>) -> Term {
     let mut term = Term::new(Fraction::one());
     term.symbols.insert(Indexed { head: head.to_owned(), indices }, 1);
     term
+}
+
+/// Letters whose indexed forms are numbers rather than points or functions.
+fn is_variable(letter: &str) -> bool {
+    matches!(letter, "s" | "t" | "u" | "v" | "w" | "x" | "y" | "z")
 }
 
 fn bounded(terms: Vec<Term>) -> Option<Vec<Term>> {

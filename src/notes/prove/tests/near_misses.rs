@@ -145,6 +145,7 @@ fn nonsense() {
         r"f(2t) = 2 f(t)",
         r"b_i(t) = b_i",
         r"b_i^2(t) = b_i(t) b_i(t)",
+        r"b_i^k(t + 1) = b_i^k t + b_i^k + 0 b_i",
         r"A B = B A",
         r"A_n A_m = A_m A_n",
         r"(A B)^n = A^n B^n",
