@@ -1,6 +1,7 @@
 //! Judging the statements of a document one after the other.
 
 use std::rc::Rc;
+use std::time::Duration;
 
 use super::context::{Body, Condition, Context, Definition, Letters};
 use super::document::Document;
@@ -9,6 +10,7 @@ use super::known::definable;
 use super::lint;
 use super::model::{Ambiguity, Choices, Curve};
 use super::names::Head;
+use super::prove::prove;
 use super::refute;
 use super::statement::{Chain, Place, Said, Side, Statement, statements};
 use super::trial::{Outcomes, Tally, Trial};
@@ -574,11 +576,7 @@ impl Checker {
                 finding.notes.push(format!("uses an earlier condition (number {number})"));
             }
             if finding.verdict == Verdict::Sampled
-                && let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr)
-                && matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv | Rel::Define)
-                && tally.record.definitions.is_empty()
-                && tally.condition.is_none()
-                && let Some(reason) = self.proof(left, right)
+                && let Some(reason) = self.proof(chain, at, &statement.place, attempt)
             {
                 finding.verdict = Verdict::Proved;
                 finding.reason = Some(reason);
@@ -589,6 +587,10 @@ impl Checker {
             finding.verdict = Verdict::Sampled;
             finding.reason = Some(reason.to_owned());
             finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
+            if let Some(reason) = self.proof(chain, at, &statement.place, attempt) {
+                finding.verdict = Verdict::Proved;
+                finding.reason = Some(reason);
+            }
             return Judged::Verdict(Box::new(finding));
         }
         finding.verdict = Verdict::Undecided;
@@ -648,8 +650,21 @@ impl Checker {
         Judged::Verdict(Box::new(finding))
     }
 
-    fn proof(&self, _left: &Expr, _right: &Expr) -> Option<String> {
-        None
+    /// A proof for all integers, if one is found.
+    fn proof(&self, chain: &Chain, at: usize, place: &Place, attempt: &Attempt) -> Option<String> {
+        let choices = attempt.choices;
+        let equal = matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv | Rel::Define);
+        let tally = &attempt.outcomes.tallies[at - (chain.relations.len() - attempt.outcomes.tallies.len())];
+        let plain =
+            tally.record.unknown.is_empty() && tally.record.paired.is_empty() && tally.condition.is_none();
+        if !equal || !plain || choices.total_above || choices.powers || tally.record.infinite {
+            return None;
+        }
+        let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
+        let limits = Limits { time: Some(Duration::from_millis(300)), ..self.limits.clone() };
+        let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+        let proof = budget::run(&limits, || prove(left, right, &lookup)).ok()??;
+        Some(proof.reason)
     }
 
     fn notes(&self, tally: &Tally) -> Vec<String> {
