@@ -1,19 +1,19 @@
 //! Judging the statements of a document one after the other.
 
 use std::rc::Rc;
-use std::time::Duration;
 
+use super::attempt::{Attempt, restricted};
 use super::context::{Body, Condition, Context, Definition, Letters};
 use super::document::Document;
 use super::finding::{FileReport, Finding, Verdict};
 use super::known::definable;
 use super::lint;
-use super::model::{Ambiguity, Choices, Curve};
+use super::model::{Choices, Curve};
 use super::names::Head;
 use super::prove::prove;
 use super::refute;
 use super::statement::{Chain, Place, Said, Side, Statement, statements};
-use super::trial::{Outcomes, Tally, Trial};
+use super::trial::Tally;
 use crate::budget::{self, Limits};
 use crate::expr::{Expr, Kind, Rel};
 use crate::source::{SourceFile, Span};
@@ -86,12 +86,6 @@ pub(super) struct Checker {
     pub(super) ignored: usize,
     findings: Vec<Finding>,
     pub(super) problems: Vec<crate::diagnostic::Diagnostic>,
-}
-
-/// An attempt to judge a chain under one way of reading it.
-pub(super) struct Attempt {
-    pub(super) outcomes: Outcomes,
-    pub(super) choices: Choices,
 }
 
 impl Checker {
@@ -216,6 +210,23 @@ impl Checker {
                 finding.verdict = Verdict::Definition;
                 finding.reason = Some(reason.to_owned());
             }
+            // w_0 = w_2 = 1
+            if let Some(Side { expr: value, .. }) = chain.sides.last()
+                && matches!(value.kind, Kind::Number(_))
+                && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
+            {
+                for side in &chain.sides {
+                    let certain = |head: &Head| {
+                        head.lower
+                            .iter()
+                            .chain(&head.upper)
+                            .all(|index| matches!(index.kind, Kind::Number(_)))
+                    };
+                    if let Some(head) = Head::of(&side.expr).filter(certain) {
+                        self.define(head, Body::Formula(value.clone()), &[], place, side.expr.span);
+                    }
+                }
+            }
             return findings;
         }
         let curve = refute::curve_spoken_of(&statement.recent);
@@ -267,7 +278,11 @@ impl Checker {
         let derivative = head.parenthesized
             && head.arguments.is_some()
             && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
-        if derivative || lint::missing_argument(head, &body.expr).is_some() {
+        // The pieces of one B-spline follow from the recursion for all.
+        let pieces = head.base == "N"
+            && matches!(body.expr.kind, Kind::Cases(_))
+            && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        if derivative || pieces || lint::missing_argument(head, &body.expr).is_some() {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
@@ -419,117 +434,6 @@ impl Checker {
         (bare && !known).then_some(head.base)
     }
 
-    /// Tries the readings of ambiguous notations until one makes everything true; else the first.
-    fn attempts(
-        &self,
-        sides: &[&Expr],
-        relations: &[Rel],
-        chain: &Chain,
-        place: &Place,
-        curve: Option<Curve>,
-    ) -> Attempt {
-        let run = |choices: Choices| -> Attempt {
-            Attempt {
-                outcomes: self.trial(sides, relations, chain, place, curve.clone(), choices).run(),
-                choices,
-            }
-        };
-        let first = run(Choices::default());
-        let bad =
-            |attempt: &Attempt| attempt.outcomes.tallies.iter().map(|tally| tally.fails.len()).sum::<usize>();
-        let good =
-            |attempt: &Attempt| attempt.outcomes.tallies.iter().map(|tally| tally.holds).sum::<usize>();
-        if bad(&first) == 0 && good(&first) > 0 {
-            return first;
-        }
-        let mut ambiguous = std::collections::BTreeSet::new();
-        let mut far = false;
-        for tally in &first.outcomes.tallies {
-            ambiguous.extend(tally.record.ambiguous.iter().copied());
-            far |= tally.record.definitions.iter().any(|(_, near)| !near);
-        }
-        let mut options = vec![Choices::default()];
-        for ambiguity in ambiguous {
-            let more: Vec<Choices> = options
-                .iter()
-                .map(|choices| {
-                    let mut other = *choices;
-                    match ambiguity {
-                        Ambiguity::Binomial => other.total_above = true,
-                        Ambiguity::Bernstein => other.degree_first = true,
-                        Ambiguity::Power => other.powers = true,
-                        Ambiguity::Spline => other.spline_degree = true,
-                    }
-                    other
-                })
-                .collect();
-            options.extend(more);
-        }
-        if far {
-            let more: Vec<Choices> =
-                options.iter().map(|choices| Choices { near_only: true, ..*choices }).collect();
-            options.extend(more);
-        }
-        // A formula with integers in it speaks of functions in general.
-        let general = !first.outcomes.integers.is_empty()
-            || first.outcomes.tallies.iter().any(|tally| tally.record.infinite);
-        let examples = |attempt: &Attempt| {
-            attempt.outcomes.tallies.iter().any(|tally| !tally.record.definitions.is_empty())
-        };
-        let mut best = first;
-        if general && examples(&best) {
-            let attempt = run(Choices { general: true, ..Choices::default() });
-            if good(&attempt) + bad(&attempt) > 0 {
-                best = attempt;
-                for choices in &mut options {
-                    choices.general = true;
-                }
-                if bad(&best) == 0 {
-                    return best;
-                }
-            }
-        }
-        for choices in options.into_iter().skip(1) {
-            let attempt = run(choices);
-            if bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
-                || bad(&attempt) == 0 && good(&attempt) > 0
-            {
-                best = attempt;
-            }
-            if bad(&best) == 0 {
-                break;
-            }
-        }
-        best
-    }
-
-    pub(super) fn trial<'a>(
-        &self,
-        sides: &[&'a Expr],
-        relations: &[Rel],
-        chain: &Chain,
-        place: &'a Place,
-        curve: Option<Curve>,
-        choices: Choices,
-    ) -> Trial<'a> {
-        let mut earlier: Vec<&Condition> =
-            self.context.conditions.iter().filter(|c| !chain.conditions.contains(&c.expr)).collect();
-        // The nearest and latest first.
-        earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
-        earlier.reverse();
-        Trial {
-            sides: sides.to_vec(),
-            relations: relations.to_vec(),
-            conditions: chain.conditions.clone(),
-            earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
-            context: self.context.clone(),
-            place,
-            curve,
-            choices,
-            limits: self.limits.clone(),
-        }
-    }
-
     fn verdict(
         &self,
         tally: &Tally,
@@ -661,7 +565,7 @@ impl Checker {
             return None;
         }
         let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
-        let limits = Limits { time: Some(Duration::from_millis(300)), ..self.limits.clone() };
+        let limits = Limits { time: Some(super::trial::share(&self.limits, 16)), ..self.limits.clone() };
         let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
         let proof = budget::run(&limits, || prove(left, right, &lookup)).ok()??;
         Some(proof.reason)
@@ -685,31 +589,6 @@ enum Judged {
     Verdict(Box<Finding>),
     /// It defines its name anew.
     Redefinition(Option<String>),
-}
-
-/// A relation that fails only where it is not meant: for integers that are 0, or for indices beyond
-/// the degree. Nothing is restricted if the file itself says for which integers it holds.
-fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
-    let enough = tally.holds_inner >= 2 || tally.holds >= 6;
-    if !enough || outcomes.integers.is_empty() || tally.fails.len() > tally.holds.max(12) {
-        return None;
-    }
-    let ranges = chain.conditions.iter().any(|condition| {
-        matches!(&condition.kind, Kind::Chain(_, links)
-            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))))
-    });
-    if tally.fails.iter().all(|failure| failure.outside) {
-        return Some("true for indices from 0 to the degree");
-    }
-    if ranges {
-        return None;
-    }
-    let zero = |integers: &[(String, i64)]| integers.iter().any(|(_, value)| *value == 0);
-    tally
-        .fails
-        .iter()
-        .all(|failure| failure.outside || zero(&failure.integers))
-        .then_some("true for positive integers")
 }
 
 /// A finding for a relation, not judged yet.
@@ -750,9 +629,4 @@ fn of_side(side: &Side, verdict: Verdict, relation: usize) -> Finding {
         warning: None,
         notes: Vec::new(),
     }
-}
-
-/// Whether a relation holds in every instance that makes sense, and in some.
-pub(super) fn all_hold(outcomes: &Outcomes) -> bool {
-    outcomes.tallies.iter().all(|tally| tally.fails.is_empty() && tally.holds > 0)
 }

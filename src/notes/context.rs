@@ -1,6 +1,6 @@
 //! What names mean, and where: the definitions and conditions met so far.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::names::{Head, walk};
 use super::statement::{Place, Said, Statement};
@@ -162,14 +162,5 @@ impl Context {
             .filter(move |(_, d)| !near(d) && matches!(d.body, Body::Formula(_)))
             .map(|(i, d)| (i, d, false));
         first.chain(second)
-    }
-
-    /// The bases of all names defined so far.
-    pub fn bases(&self) -> BTreeMap<&str, usize> {
-        let mut counts = BTreeMap::new();
-        for definition in &self.definitions {
-            *counts.entry(definition.head.base.as_str()).or_insert(0) += 1;
-        }
-        counts
     }
 }

@@ -8,6 +8,7 @@ use super::names::{Head, bases, is_index_letter};
 use super::refute::calls;
 use super::statement::Place;
 use crate::expr::{Expr, Kind};
+use crate::value::Value;
 use crate::write;
 
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
@@ -35,6 +36,34 @@ pub fn definable(expr: &Expr) -> Option<Head> {
     }
     if matches!(head.base.as_str(), "Delta" | "nabla" | "D") {
         return None;
+    }
+    // f(t_1, t_2, t_3) has places; f(t_2, t_3, t) is a value at knots.
+    let numbered: Vec<(String, i64)> = head
+        .flat()
+        .iter()
+        .filter_map(|argument| {
+            let own = Head::of(argument)?;
+            match own.lower.as_slice() {
+                [Expr { kind: Kind::Number(q), .. }] => Some((own.base, Value::number(q.clone()).as_int()?)),
+                _ => None,
+            }
+        })
+        .collect();
+    if let Some((_, first)) = numbered.first()
+        && !head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis)
+    {
+        let mut expected: Option<(String, i64)> = None;
+        let in_order = numbered.iter().all(|(base, index)| {
+            let fits = match &expected {
+                Some((known, next)) if known == base => index == next,
+                _ => *index <= 1,
+            };
+            expected = Some((base.clone(), index + 1));
+            fits
+        });
+        if numbered.len() != head.flat().len() || !in_order || *first > 1 {
+            return None;
+        }
     }
     let mut names: Vec<String> = Vec::new();
     let arguments = head.flat();

@@ -64,7 +64,7 @@ impl Checker {
                         .iter()
                         .map(|v| powers.iter().find(|(symbol, _)| symbol == v).map_or(0, |(_, e)| *e))
                         .collect();
-                    (exponents.into(), Fraction::from_rational(&c))
+                    (exponents, Fraction::from_rational(&c))
                 });
             let form = TotalDegreePolarForm::new(variables.len(), degree, terms).ok()?;
             let points: Vec<Vec<Fraction>> = (1..=degree as i64)

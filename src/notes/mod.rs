@@ -8,12 +8,14 @@
 //! can be nothing but a claim (`refute`), and gets a suggestion (`repair`). The outcome is a list of
 //! findings (`finding`), printed by `report`.
 
+mod attempt;
 mod check;
 mod compare;
 mod context;
 mod declare;
 pub mod document;
 pub mod extract;
+mod features;
 pub mod finding;
 mod known;
 mod lint;

@@ -259,7 +259,7 @@ pub fn decide(
             }
             _ => false,
         };
-        let differences = super::trial::has_divided_differences(&[left, right]);
+        let differences = super::features::has_divided_differences(&[left, right]);
         let identity = bare && sums && calls(right, name);
         if !(identity || differences && sl == sr && !sl.is_empty()) {
             return Decision::Open(format!("a condition on {name}, or it needs to be known what {name} is"));

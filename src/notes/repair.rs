@@ -6,7 +6,7 @@
 //! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
 //! for single edits and stops after a time.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::check::Checker;
 use super::model::{Choices, Curve};
@@ -17,9 +17,6 @@ use crate::expr::{Expr, Kind, Rel, Sign, Term};
 use crate::number::{Rational, integer};
 use crate::write;
 use num_traits::{One, Signed, Zero};
-
-/// The search for one relation ends after this time.
-const LONGEST: Duration = Duration::from_millis(400);
 
 /// A repair of the relation number `at`, as LaTeX.
 pub fn suggestion(
@@ -54,7 +51,7 @@ pub fn suggestion(
         .map(|side| &side.expr);
     let mut best: Option<(Expr, Expr)> = None;
     for (left, right) in candidates {
-        if start.elapsed() > LONGEST {
+        if start.elapsed() > super::trial::share(&checker.limits, 10) {
             break;
         }
         crate::budget::steps(64);
@@ -262,10 +259,8 @@ struct Pool {
 impl Pool {
     fn collect(&mut self, expr: &Expr) {
         walk(expr, &mut |part| match &part.kind {
-            Kind::Subscript(..) => {
-                if !self.siblings.iter().any(|known| known.same_as(part)) {
-                    self.siblings.push(part.clone());
-                }
+            Kind::Subscript(..) if !self.siblings.iter().any(|known| known.same_as(part)) => {
+                self.siblings.push(part.clone());
             }
             Kind::Name(name) if !self.names.contains(name) => self.names.push(name.clone()),
             _ => {}
@@ -405,14 +400,11 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 list.push((1, base.as_ref().clone()));
             }
         }
-        Kind::Apply(callee, groups) => {
-            // A call that lost a power: (1 − τ) for (t − τ)^i is two slips and not found.
-            if groups.len() == 1 && groups[0].len() > 1 {
-                for i in 0..groups[0].len() - 1 {
-                    let mut swapped = groups[0].clone();
-                    swapped.swap(i, i + 1);
-                    list.push((3, new(Kind::Apply(callee.clone(), vec![swapped]))));
-                }
+        Kind::Apply(callee, groups) if groups.len() == 1 => {
+            for i in 1..groups[0].len() {
+                let mut swapped = groups[0].clone();
+                swapped.swap(i - 1, i);
+                list.push((3, new(Kind::Apply(callee.clone(), vec![swapped]))));
             }
         }
         Kind::Group(_) => {
@@ -434,19 +426,17 @@ fn with_span(mut expr: Expr, like: &Expr) -> Expr {
     expr
 }
 
+/// What is called for a node: the node, whether it stands in an index, and a function that gives the
+/// whole formula with the node replaced.
+type Visit<'a> = &'a mut dyn FnMut(&Expr, bool, &dyn Fn(Expr) -> Expr);
+
 /// Calls `visit` for every node with a function that gives the whole formula with the node replaced.
-fn at_every_node(expr: &Expr, in_index: bool, visit: &mut dyn FnMut(&Expr, bool, &dyn Fn(Expr) -> Expr)) {
+fn at_every_node(expr: &Expr, in_index: bool, visit: Visit<'_>) {
     let mut path = Vec::new();
     descend(expr, expr, in_index, &mut path, visit);
 }
 
-fn descend(
-    whole: &Expr,
-    node: &Expr,
-    in_index: bool,
-    path: &mut Vec<usize>,
-    visit: &mut dyn FnMut(&Expr, bool, &dyn Fn(Expr) -> Expr),
-) {
+fn descend(whole: &Expr, node: &Expr, in_index: bool, path: &mut Vec<usize>, visit: Visit<'_>) {
     if node.kind == Kind::Ellipsis {
         return;
     }

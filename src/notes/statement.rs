@@ -451,6 +451,13 @@ fn attach(statements: &mut [Statement]) {
     }
 }
 
+/// Whether what follows explains the formula before: "where", but not "for".
+fn looks_back(gap: &str) -> bool {
+    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim().to_lowercase();
+    let chinese = ["其中", "这里"].iter().any(|word| gap.starts_with(word) && gap.chars().count() <= 8);
+    chinese || ["where", "with", "wo", "wobei", "mit", "où", "avec"].contains(&gap.as_str())
+}
+
 /// "where v_i = p_i − q_i" after a formula is known in it: such definitions go before it.
 fn give_first(statements: &mut [Statement]) {
     let mut at = 1;
@@ -458,7 +465,7 @@ fn give_first(statements: &mut [Statement]) {
         let formula = statements[at].place.formula;
         let defines = match &statements[at].said {
             Said::Chain(chain) => {
-                announces_condition(&statements[at].gap)
+                looks_back(&statements[at].gap)
                     && chain.relations.first().is_some_and(|(rel, _)| matches!(rel, Rel::Eq | Rel::Define))
                     && super::names::Head::of(&chain.sides[0].expr).is_some()
             }

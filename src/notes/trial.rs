@@ -4,12 +4,13 @@
 //! not defined). In an instance each side is evaluated exactly; a side that makes no sense there,
 //! such as a binomial of a negative number, makes the instance invalid for its relations only.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
+use super::features::{has_divided_differences, has_groups, has_splines, pairs};
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
 use super::names::{Head, implied_index, integer_names, own_names, walk};
 use super::statement::Place;
@@ -29,11 +30,10 @@ const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 /// More instances than this are not tried.
 const MOST: usize = 260;
 
-/// A single instance is stopped after this time.
-const LONGEST_INSTANCE: Duration = Duration::from_millis(300);
-
-/// No further instances are tried after this time.
-const LONG_ENOUGH: Duration = Duration::from_millis(150);
+/// A part of the time that one formula may take; ample time if that is not limited.
+pub fn share(limits: &Limits, part: u32) -> Duration {
+    limits.time.unwrap_or(Duration::from_secs(60)) / part
+}
 
 /// What is tried.
 pub struct Trial<'a> {
@@ -111,78 +111,6 @@ pub struct Outcomes {
     pub degrees: bool,
     /// How many instances made sense.
     pub instances: usize,
-}
-
-/// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
-/// or f has several arguments.
-pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
-    let mut called: BTreeMap<String, usize> = BTreeMap::new();
-    for side in sides {
-        walk(side, &mut |part| {
-            if let Kind::Apply(callee, groups) = &part.kind
-                && let Some(head) = Head::of(callee)
-            {
-                let count = groups.iter().flatten().count();
-                let most = called.entry(head.base).or_insert(0);
-                *most = (*most).max(count);
-            }
-        });
-    }
-    let mut found = BTreeSet::new();
-    for (base, count) in &called {
-        if base.chars().next().is_some_and(char::is_lowercase) {
-            let capital = super::model::capital_of(base);
-            if *count > 1 || called.contains_key(&capital) {
-                found.insert(capital);
-            }
-        }
-    }
-    found
-}
-
-/// Whether divided differences f[x_0, x_1] occur.
-pub fn has_divided_differences(sides: &[&Expr]) -> bool {
-    let mut found = false;
-    for side in sides {
-        walk(side, &mut |part| {
-            if let Kind::Mul(factors) = &part.kind {
-                found = found
-                    || factors.windows(2).any(|pair| {
-                        matches!(&pair[0].kind, Kind::Name(name) if matches!(name.as_str(), "f" | "g" | "F" | "p"))
-                            && matches!(&pair[1].kind, Kind::List(_))
-                    });
-            }
-        });
-    }
-    found
-}
-
-/// Whether functions of two groups of arguments occur: f(u_1, u_2; v_1, v_2).
-fn has_groups(sides: &[&Expr]) -> bool {
-    let mut found = false;
-    for side in sides {
-        walk(side, &mut |part| {
-            if let Kind::Apply(callee, groups) = &part.kind {
-                found =
-                    found || groups.len() == 2 && Head::of(callee).is_some_and(|head| head.lower.is_empty());
-            }
-        });
-    }
-    found
-}
-
-fn has_splines(sides: &[&Expr]) -> bool {
-    let mut found = false;
-    for side in sides {
-        walk(side, &mut |part| {
-            if let Kind::Apply(callee, _) = &part.kind
-                && let Some(head) = Head::of(callee)
-            {
-                found = found || head.base == "N" && head.lower.len() + head.upper.len() == 2;
-            }
-        });
-    }
-    found
 }
 
 impl Trial<'_> {
@@ -287,7 +215,7 @@ impl Trial<'_> {
                 break;
             }
             tried += 1;
-            let limits = Limits { time: Some(LONGEST_INSTANCE), ..self.limits.clone() };
+            let limits = Limits { time: Some(share(&self.limits, 16)), ..self.limits.clone() };
             let done = budget::run(&limits, || self.instance(&bound, splines, &mut outcomes));
             match done {
                 Ok(()) => {}
@@ -299,7 +227,7 @@ impl Trial<'_> {
                     break;
                 }
             }
-            if tried >= MOST || start.elapsed() > LONG_ENOUGH {
+            if tried >= MOST || start.elapsed() > share(&self.limits, 32) {
                 break;
             }
             budget::steps(1000);

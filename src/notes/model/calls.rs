@@ -110,10 +110,7 @@ impl Model {
         }
         let lifted = head.parenthesized
             && matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Add(terms) if terms.len() == 1));
-        match self.degree {
-            Some(degree) => Some(degree + usize::from(lifted)),
-            None => None,
-        }
+        self.degree.map(|degree| degree + usize::from(lifted))
     }
 
     /// The values of a list of arguments: with dots and braces written out and powers repeated.
@@ -347,7 +344,7 @@ impl Model {
         };
         if let [group] = values
             && group.iter().any(|value| matches!(value, Value::Vector(_)))
-            && let Some(result) = self.affine_by_definition(machine, &head, group, expr)
+            && let Some(result) = self.affine_by_definition(machine, &head, group)
         {
             return result;
         }

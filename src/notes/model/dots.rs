@@ -128,11 +128,9 @@ impl Model {
                 names.push((name.clone(), value));
             }
         });
-        let mut head = neutral.clone();
         let mut values = Vec::with_capacity(before.len());
         for part in before {
             let value = machine.eval(part)?;
-            head = combine(head, value.clone())?;
             values.push(value);
         }
         for (name, end) in names {
@@ -160,7 +158,6 @@ impl Model {
             }
             return Ok(Some(total));
         }
-        let _ = head;
         Ok(None)
     }
 
@@ -572,9 +569,7 @@ impl Steps {
         let count = ends.iter().map(|(_, a, b)| (b - a).abs()).max()?;
         // One index that goes back by one leaves nothing between the ends.
         if let [(path, a, b)] = ends.as_slice() {
-            let down = matches!(first_integer(first, path), Some(Kind::Number(_))) || b < a;
-            let count = if down && b < a { b - a } else { b - a };
-            return Some(Steps { first: first.clone(), places: vec![(path.clone(), *a, 1)], count });
+            return Some(Steps { first: first.clone(), places: vec![(path.clone(), *a, 1)], count: b - a });
         }
         let mut places = Vec::with_capacity(ends.len());
         for (path, a, b) in ends {
@@ -594,13 +589,6 @@ impl Steps {
         }
         term
     }
-}
-
-fn first_integer<'a>(expr: &'a Expr, path: &[usize]) -> Option<&'a Kind> {
-    let Some((first, rest)) = path.split_first() else { return Some(&expr.kind) };
-    let mut children = Vec::new();
-    expr.for_each_child(&mut |child| children.push(child));
-    first_integer(children.get(*first)?, rest)
 }
 
 fn replace(expr: &mut Expr, path: &[usize], by: &Expr) {
@@ -630,12 +618,8 @@ fn differences(
     }
     let whole = matches!(a.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_));
     if whole && let (Some(x), Some(y)) = (integer(machine, a), integer(machine, b)) {
-        if x != y || path.is_empty() {
-            found.push((path.clone(), x, y));
-        } else {
-            // Equal by chance: t_1, …, t_n with n = 1.
-            found.push((path.clone(), x, y));
-        }
+        // They may be equal by chance: t_1, …, t_n with n = 1.
+        found.push((path.clone(), x, y));
         return Some(());
     }
     if std::mem::discriminant(&a.kind) != std::mem::discriminant(&b.kind) {

@@ -220,7 +220,7 @@ impl Model {
         expr: &Expr,
     ) -> Evaluated {
         self.record.borrow_mut().paired.insert(capital.to_owned());
-        if let Some(result) = self.affine_by_definition(machine, head, arguments, expr) {
+        if let Some(result) = self.affine_by_definition(machine, head, arguments) {
             return result;
         }
         if !self.flexible.get() {
@@ -265,7 +265,6 @@ impl Model {
         machine: &mut Machine,
         head: &Head,
         arguments: &[Value],
-        expr: &Expr,
     ) -> Option<Evaluated> {
         let at = arguments.iter().position(|value| matches!(value, Value::Vector(_)))?;
         let Value::Vector(v) = &arguments[at] else { return None };
@@ -280,7 +279,7 @@ impl Model {
                 let list = &values[0];
                 list.iter()
                     .any(|value| matches!(value, Value::Vector(_)))
-                    .then(|| model.affine_by_definition(machine, head, list, expr))
+                    .then(|| model.affine_by_definition(machine, head, list))
                     .flatten()
             })
         };

@@ -1,0 +1,144 @@
+//! The notes checker on files: the project's own notes, and the kinds of slips it is for.
+
+use std::path::Path;
+
+use polarform::notes::document::Document;
+use polarform::notes::extract::{Container, document, read_files};
+use polarform::notes::finding::{Finding, Verdict};
+use polarform::notes::{Options, check_document};
+use polarform::source::SourceFile;
+
+fn check(text: &str) -> Vec<Finding> {
+    let document: Document = document(SourceFile::new("notes.md", text), Container::Markdown);
+    let findings = check_document(&document, &Options::default()).findings;
+    findings.into_iter().filter(|finding| finding.relation > 0).collect()
+}
+
+fn verdicts(text: &str) -> Vec<Verdict> {
+    check(text).iter().map(|finding| finding.verdict).collect()
+}
+
+#[test]
+fn the_project_s_own_notes_pass() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = vec![root.join("README.md")];
+    files.extend(std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path()));
+    files.retain(|path| path.extension().is_some_and(|e| e == "md"));
+    for file in files {
+        for document in read_files(&file).unwrap() {
+            let report = check_document(&document, &Options::default());
+            let wrong: Vec<&Finding> = report.findings.iter().filter(|f| f.is_suspicious()).collect();
+            assert!(wrong.is_empty(), "{}: {wrong:#?}", file.display());
+            assert!(report.problems.is_empty(), "{}: {:?}", file.display(), report.problems);
+        }
+    }
+}
+
+#[test]
+fn slips_are_found_and_repaired() {
+    for (text, repair) in [
+        (
+            "Given $F(t) = t^2 + 2t$, $G(t) = t^3 + 1$, $f(t_1,t_2) = t_1t_2 + t_1 + t_2$, $g(t_1,t_2,t_3) = t_1t_2t_3 + 1$.\n\n\
+             $$f(g(t_1,t_2,t_3), g(t_4,t_5,t_6)) = t_1t_2t_3t_4t_5t_6 + t_1t_2t_3 + t_4t_5t_6 + 1$$",
+            "+ 3",
+        ),
+        (
+            "$F(t) = \\sum_{i=0}^n c_i t^i$\n\n$$f(t_1,t_2,t_3) = c_0 + c_1\\frac{t_1+t_2+t_3}{3} + c_1\\frac{t_1t_2+t_1t_3+t_2t_3}{3} + c_3t_1t_2t_3$$",
+            "c_2 \\frac{t_1 t_2",
+        ),
+        (
+            "The polar form of a Bezier curve of degree n is\n\n$$f(t_1,\\ldots,t_n) = \\sum_{i=0}^n \\binom{n}{i} \\sigma_{i,n-i}(t_1,\\ldots,t_n)$$",
+            "b_i",
+        ),
+        (
+            "$$\\Phi(\\tau) = \\prod_{j=1}^n (t_j - \\tau)$$\n\nTherefore the polar form of F is\n\n$$f(t_1,\\ldots,t_n) = \\sum_{i=0}^n \\Phi^{(n-i)}(\\tau) F^{(i)}(\\tau)$$",
+            "(-1)^{n-i}",
+        ),
+        (
+            "$$B_i^n(t) = \\left(1-\\frac{i}{n+1}\\right)B_i^{n+1}(t) + \\frac{i+1}{n+1}B_{i-1}^{n+1}(t)$$",
+            "B_{i+1}^{n+1}(t)",
+        ),
+        (
+            "$B = \\{1, u, v, u^2, uv, v^2\\}$ has the polar forms\n\n$$B = \\{1, \\frac12(u_1+u_2), \\frac12(v_1+v_2), u_1u_2, \\frac14(u_1v_1+u_1v_2+u_2v_1+u_2v_2), v_1v_2\\}$$",
+            "u_1 v_2",
+        ),
+    ] {
+        let wrong: Vec<Finding> = check(text).into_iter().filter(|f| f.verdict == Verdict::Refuted).collect();
+        assert_eq!(wrong.len(), 1, "{text}");
+        let suggestion = wrong[0].suggestion.as_deref().unwrap_or("none");
+        assert!(suggestion.contains(repair), "{suggestion}");
+        assert!(wrong[0].witness.is_some(), "{text}");
+    }
+}
+
+#[test]
+fn families_are_proved() {
+    for text in [
+        "$B_i^n(t) = (1-t) B_i^{n-1}(t) + t B_{i-1}^{n-1}(t)$",
+        "$B_i^n(t) = B_{n-i}^n(1-t)$",
+        "$\\frac{d}{dt} B_i^n(t) = n(B_{i-1}^{n-1}(t) - B_i^{n-1}(t))$",
+        "$\\sum_{i=0}^n B_i^n(t) = 1$",
+        "$\\binom{n}{k} = \\binom{n-1}{k} + \\binom{n-1}{k-1}$",
+    ] {
+        assert_eq!(verdicts(text), [Verdict::Proved], "{text}");
+    }
+}
+
+#[test]
+fn conditions_and_equations_are_no_claims() {
+    for text in [
+        "$\\alpha + \\beta + \\gamma = 1$",
+        "We solve $x^2 - 3x + 2 = 0$.",
+        "The curves meet if $f(b,b) = g(b,b)$ and $f(b,c) = g(b,c)$.",
+        "$S'(x_0) = m_0$",
+        "$F(0) = 1$",
+        "$t_{i+1} - t_i = h$",
+        "$S(x_i - 0) = S(x_i + 0)$",
+        "Let $x = y + z$. In the next example let $x = y - z$.",
+        "$a = x_0 < x_1 < \\cdots < x_n = b$",
+        "Take $M_0 = M_n = 0$.",
+    ] {
+        assert!(!verdicts(text).contains(&Verdict::Refuted), "{text}");
+    }
+}
+
+#[test]
+fn declarations_count() {
+    let text = "<!-- polarform: F(t) := t^2 -->\n\n$F(3) = 10$\n\n<!-- polarform: ignore -->\n\n$F(3) = 11$\n\n$F(3) = 9$";
+    assert_eq!(verdicts(text), [Verdict::Refuted, Verdict::Undecided, Verdict::Proved]);
+    let options = Options { context: Some("G(t) := t + 1".to_owned()), ..Options::default() };
+    let file = document(SourceFile::new("a.md", "$G(1) = 3$"), Container::Markdown);
+    assert_eq!(check_document(&file, &options).findings[0].verdict, Verdict::Refuted);
+}
+
+#[test]
+fn one_unread_side_spoils_itself_only() {
+    let findings = check("$$(t+1)^2 = \\unknowncommand{t} = t^2 + 2t + 1 = t^2 + 2t$$");
+    let words: Vec<&str> = findings.iter().map(|finding| finding.verdict.word()).collect();
+    assert_eq!(words, ["unread", "proved", "refuted"]);
+}
+
+#[test]
+fn nothing_makes_it_panic() {
+    for text in [
+        "",
+        "$$",
+        "$",
+        "$$\\frac{$$",
+        "$a=$",
+        "$=b$",
+        "$\\begin{aligned} a &= \\\\ &= $",
+        "$f(,) = g$",
+        "$B_i^n = $ $B_{-1}^{-2}(t) = 0$",
+        "$\\sum_{i=0}^{10^{9}} i = n$",
+        "$n!!! = (((((((((n)))))))))$",
+        "$f(\\ldots) = f(\\ldots, \\ldots)$",
+        "$t_1 + \\cdots = \\cdots + t_n$",
+        "$x^{x^{x^{x}}} = x$",
+        "$9^{9^{9}} = 1$",
+        "$\\binom{10^{12}}{5 \\cdot 10^{11}} = 1$",
+        "$P_n(b_0,\\ldots; t) = \\Delta^{n} b_0$",
+    ] {
+        let _ = check(text);
+    }
+}
