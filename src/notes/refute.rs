@@ -200,6 +200,13 @@ pub fn decide(
     if outcomes.degrees && tally.holds > 0 && degrees.is_some_and(|least| least == 2) {
         return Decision::Sampled("true for functions of degree at most 1, that is, affine ones".to_owned());
     }
+    // n is not said here: true for one degree, as in an example for n = 3.
+    if outcomes.degrees && outcomes.integers.is_empty() && tally.holds > 0 {
+        let failed: BTreeSet<usize> = tally.fails.iter().filter_map(|failure| failure.degree).collect();
+        if (1..=4).any(|degree| !failed.contains(&degree)) {
+            return Decision::Open("true for some degrees only: which one is meant?".to_owned());
+        }
+    }
     let standard = is_standard(head);
     if let Some(head) = head
         && first
