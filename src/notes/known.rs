@@ -137,12 +137,14 @@ impl Checker {
         }
         let function = self.context.letters.is_function(&head.base);
         let plain = head.lower.is_empty() && head.upper.is_empty();
+        let plain_below = head.lower.is_empty();
         let base_known = || {
-            self.context.visible(&head.base, place).any(|(_, d, near)| {
-                near && d.head.upper.is_empty()
-                    && d.head.arguments.is_some()
-                    && d.head.lower.len() == head.lower.len()
-            })
+            plain_below
+                && self.context.visible(&head.base, place).any(|(_, d, near)| {
+                    near && d.head.upper.is_empty()
+                        && d.head.arguments.is_some()
+                        && d.head.lower.len() == head.lower.len()
+                })
         };
         // F^{(q)}(u), f^r(t), f^{(+1)}(…), f_u(u, v)
         if let ([upper], Some(_)) = (head.upper.as_slice(), &head.arguments)

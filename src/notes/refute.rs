@@ -242,6 +242,35 @@ pub fn decide(
             return Decision::Redefinition(None);
         }
     }
+    if let Some(head) = head
+        && first
+        && !standard
+    {
+        // A second definition of a name: a claim only where the first one is at hand.
+        let defined = checker.context.visible(&head.base, &statement.place).find(|(_, definition, near)| {
+            *near && definition.head.arguments.is_some() == head.arguments.is_some()
+        });
+        let elsewhere = defined.is_none()
+            && checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
+                definition.head.flat().len() == head.flat().len()
+                    && definition.head.lower.len() == head.lower.len()
+                    && definition.head.arguments.is_some() == head.arguments.is_some()
+            });
+        let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
+            || curve_spoken_of(&statement.recent).is_some();
+        // A recursion that differs from an earlier one defines the family anew.
+        let recursion = !head.lower.is_empty() && calls(right, &head.base);
+        if elsewhere && !of_capital || recursion {
+            return Decision::Redefinition(None);
+        }
+        if let Some((_, definition, _)) = defined
+            && !of_capital
+            && !bases(right).contains(&head.base)
+            && definition.place.group != statement.place.group
+        {
+            return Decision::Redefinition(None);
+        }
+    }
     if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.recent).is_none() {
         return Decision::Open("a condition, by the words before it".to_owned());
     }
@@ -350,35 +379,6 @@ pub fn decide(
                 first,
                 &format!("it contradicts line {line}, which stands in another section"),
             );
-        }
-    }
-    if let Some(head) = head
-        && first
-        && !standard
-    {
-        // A second definition of a name: a claim only where the first one is at hand.
-        let defined = checker.context.visible(&head.base, &statement.place).find(|(_, definition, near)| {
-            *near && definition.head.arguments.is_some() == head.arguments.is_some()
-        });
-        let elsewhere = defined.is_none()
-            && checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
-                definition.head.flat().len() == head.flat().len()
-                    && definition.head.lower.len() == head.lower.len()
-                    && definition.head.arguments.is_some() == head.arguments.is_some()
-            });
-        let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
-            || curve_spoken_of(&statement.recent).is_some();
-        // A recursion that differs from an earlier one defines the family anew.
-        let recursion = !head.lower.is_empty() && calls(right, &head.base);
-        if elsewhere && !of_capital || recursion {
-            return Decision::Redefinition(None);
-        }
-        if let Some((_, definition, _)) = defined
-            && !of_capital
-            && !bases(right).contains(&head.base)
-            && definition.place.group != statement.place.group
-        {
-            return Decision::Redefinition(None);
         }
     }
     refuted(failure)

@@ -389,7 +389,11 @@ impl Model {
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         for (number, definition, near) in context.visible(&head.base, &self.place) {
             // n = 3 holds for its paragraph.
-            let fixed = definition.head.arguments.is_none() && is_index_letter(&definition.head.base);
+            let own = &definition.head;
+            let fixed = own.arguments.is_none()
+                && own.lower.is_empty()
+                && own.upper.is_empty()
+                && is_index_letter(&own.base);
             if fixed && definition.place.group != self.place.group {
                 continue;
             }
@@ -416,18 +420,14 @@ impl Model {
         let outermost = self.depth.get() == 0;
         let result = self.unfold(machine, definition, bound);
         // A definition that leads nowhere is as good as none.
-        if outermost
-            && let Err(error) = &result
-            && matches!(
+        if let Err(error) = &result {
+            let nowhere = matches!(
                 error.code,
-                Code::Recursion
-                    | Code::UnknownName
-                    | Code::UnknownFunction
-                    | Code::Unsupported
-                    | Code::AmbiguousProduct
-            )
-        {
-            return None;
+                Code::UnknownName | Code::UnknownFunction | Code::Unsupported | Code::AmbiguousProduct
+            );
+            if nowhere || outermost && error.code == Code::Recursion {
+                return None;
+            }
         }
         self.record.borrow_mut().definitions.insert((number, near));
         Some(result)
