@@ -42,6 +42,7 @@
 //! | exact solving, inverse, rank, determinant | [`linalg`] |
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
+//! | checking lecture notes | [`notes`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
@@ -51,7 +52,7 @@
 //! - functions that are not rational, such as sin, exp and roots
 //! - solving equations (linear systems apart) and general simplification
 //! - coefficients in finite fields or in algebraic extensions of Q
-//! - splines, interpolation, figures and the checking of whole lecture notes: planned
+//! - splines, interpolation and figures: planned
 //!
 //! # Limits and panics
 //! Library functions work without limits; run them under [`budget::run`] to bound time and

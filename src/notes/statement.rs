@@ -22,6 +22,12 @@ pub struct Place {
 }
 
 impl Place {
+    /// Whether both stand in sections of one section.
+    pub fn is_beside(&self, other: &Place) -> bool {
+        let parent = self.scope.len().saturating_sub(1);
+        parent > 0 && other.scope.len() == self.scope.len() && other.scope[..parent] == self.scope[..parent]
+    }
+
     /// Whether what was said there holds here, as far as the layout tells.
     pub fn sees(&self, earlier: &Place) -> bool {
         self.scope.starts_with(&earlier.scope)

@@ -81,7 +81,7 @@ impl Model {
             return None;
         }
         let (_, definition, _) = self.context.visible(&capital, &self.place).next()?;
-        let super::Body::Formula(body) = &definition.body else { return None };
+        let crate::notes::context::Body::Formula(body) = &definition.body else { return None };
         if definition.head.flat().len() != 1 || !crate::notes::names::integer_names(body).is_empty() {
             return None;
         }
