@@ -86,6 +86,13 @@ impl Checker {
         }
         for choices in options.into_iter().skip(1) {
             let attempt = run(choices);
+            // Everything is zero: that is no reading anybody means.
+            let solid = |attempt: &Attempt| {
+                attempt.outcomes.tallies.iter().map(|tally| tally.nonzero + tally.fails.len()).sum::<usize>()
+            };
+            if solid(&attempt) * 2 < solid(&best) {
+                continue;
+            }
             if bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
                 || bad(&attempt) == 0 && good(&attempt) > 0
             {

@@ -274,7 +274,8 @@ pub fn decide(
     if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.recent).is_none() {
         return Decision::Open("a condition, by the words before it".to_owned());
     }
-    let known = !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
+    let differences = [left, right].iter().any(|side| bases(side).contains("Delta"));
+    let known = differences || !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
     let unknown: BTreeSet<&String> = tally.record.unknown.iter().collect();
     let unpaired: Vec<&&String> =
         unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
@@ -327,7 +328,8 @@ pub fn decide(
         let same = sl == sr;
         let expansion =
             at > 0 && has_structure(left) && has_structure(right) && (sl.is_subset(&sr) || sr.is_subset(&sl));
-        if numbers || expansion || (same && (at > 0 || degrees_agree(&failure))) {
+        let family = same && !outcomes.integers.is_empty() && (has_structure(left) || has_structure(right));
+        if numbers || expansion || family || (same && (at > 0 || degrees_agree(&failure))) {
             return refuted(failure);
         }
         return Decision::Open("an equation between names without a meaning".to_owned());
@@ -605,5 +607,6 @@ pub fn counterexample(failure: &Failure) -> Option<String> {
     for (name, list) in functions {
         parts.push(format!("{name} with the coefficients {} of 1, t, ...", list.join(", ")));
     }
-    Some(format!("{}: left {}, right {}", parts.join(", "), witness.left, witness.right))
+    let place = if parts.is_empty() { String::new() } else { format!("{}: ", parts.join(", ")) };
+    Some(format!("{place}left {}, right {}", witness.left, witness.right))
 }

@@ -83,6 +83,8 @@ pub struct Failure {
 pub struct Tally {
     /// Instances in which it holds.
     pub holds: usize,
+    /// Those among them in which the sides are not zero.
+    pub nonzero: usize,
     /// Those among them in which nothing is extreme.
     pub holds_inner: usize,
     /// Instances in which it fails.
@@ -426,6 +428,8 @@ impl Trial<'_> {
                 Outcome::Holds => {
                     valid = true;
                     tally.holds += 1;
+                    tally.nonzero +=
+                        usize::from(!left.as_rational().is_some_and(|q| num_traits::Zero::is_zero(&q)));
                     tally.holds_inner += usize::from(inner);
                 }
                 Outcome::Fails(_) => {
@@ -489,7 +493,11 @@ impl Conditions<'_> {
         degree: Option<usize>,
         tally: &mut Tally,
     ) -> Outcome {
-        let plain = compare::relation(rel, left, right, self.own);
+        let ranges: Vec<Expr> = match rel {
+            Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => self.own.iter().chain(self.earlier).cloned().collect(),
+            _ => Vec::new(),
+        };
+        let plain = compare::relation(rel, left, right, &ranges);
         if !matches!(plain, Outcome::Fails(_)) {
             return plain;
         }
@@ -511,7 +519,7 @@ impl Conditions<'_> {
             solved.push((symbol, value));
             let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
             if let (Some(l), Some(r)) = (l, r) {
-                let outcome = compare::relation(rel, &l, &r, self.own);
+                let outcome = compare::relation(rel, &l, &r, &ranges);
                 if matches!(outcome, Outcome::Holds) {
                     if at >= self.own.len() {
                         tally.condition = Some(at - self.own.len());

@@ -25,7 +25,8 @@ impl Model {
             let fixed = own.arguments.is_none()
                 && own.lower.is_empty()
                 && own.upper.is_empty()
-                && is_index_letter(&own.base);
+                && is_index_letter(&own.base)
+                && matches!(&definition.body, Body::Formula(body) if matches!(body.kind, Kind::Number(_)));
             if fixed && definition.place.group != self.place.group {
                 continue;
             }
@@ -59,7 +60,7 @@ impl Model {
                 error.code,
                 Code::UnknownName | Code::UnknownFunction | Code::Unsupported | Code::AmbiguousProduct
             );
-            if nowhere || outermost && error.code == Code::Recursion {
+            if nowhere || outermost && matches!(error.code, Code::Recursion | Code::Undecided) {
                 return None;
             }
         }
