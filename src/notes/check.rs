@@ -598,35 +598,13 @@ pub(super) fn blank(chain: &Chain, at: usize) -> Finding {
     let sign_text = write::latex(&Expr::relation(Expr::name("a"), rel, Expr::name("b")));
     let sign_text = sign_text.trim_start_matches('a').trim_end_matches('b').trim().to_owned();
     let reading = Expr::relation(left.expr.clone(), rel, right.expr.clone());
-    Finding {
-        span: left.expr.span.to(sign).to(right.expr.span),
-        mark: sign,
-        latex: format!("{} {} {}", left.latex, sign_text, right.latex),
-        reading: write::latex(&reading),
-        relation: at + 1,
-        verdict: Verdict::Undecided,
-        reason: None,
-        witness: None,
-        suggestion: None,
-        instances: None,
-        warning: None,
-        notes: Vec::new(),
-    }
+    let latex = format!("{} {} {}", left.latex, sign_text, right.latex);
+    let span = left.expr.span.to(sign).to(right.expr.span);
+    Finding::new(span, sign, latex, write::latex(&reading), at + 1)
 }
 
 fn of_side(side: &Side, verdict: Verdict, relation: usize) -> Finding {
-    Finding {
-        span: side.expr.span,
-        mark: side.expr.span,
-        latex: side.latex.clone(),
-        reading: write::latex(&side.expr),
-        relation,
-        verdict,
-        reason: None,
-        witness: None,
-        suggestion: None,
-        instances: None,
-        warning: None,
-        notes: Vec::new(),
-    }
+    let span = side.expr.span;
+    let finding = Finding::new(span, span, side.latex.clone(), write::latex(&side.expr), relation);
+    Finding { verdict, ..finding }
 }

@@ -79,6 +79,24 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// A finding that says nothing yet: undecided, without reasons.
+    pub fn new(span: Span, mark: Span, latex: String, reading: String, relation: usize) -> Self {
+        Finding {
+            span,
+            mark,
+            latex,
+            reading,
+            relation,
+            verdict: Verdict::Undecided,
+            reason: None,
+            witness: None,
+            suggestion: None,
+            instances: None,
+            warning: None,
+            notes: Vec::new(),
+        }
+    }
+
     /// Whether a person should look at it.
     pub fn is_suspicious(&self) -> bool {
         self.verdict == Verdict::Refuted || self.warning.is_some()

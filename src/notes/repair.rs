@@ -138,13 +138,21 @@ fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
     pool.collect(expr);
     pool.collect(other);
     let mut found: Vec<(u32, Expr)> = Vec::new();
+    let mut binomials: Vec<Expr> = Vec::new();
+    walk(expr, &mut |part| {
+        if let Kind::Binomial(n, k, _) = &part.kind {
+            binomials.extend([n.as_ref().clone(), k.as_ref().clone()]);
+        }
+    });
     at_every_node(expr, false, &mut |node, in_index, rebuild| {
         for (cost, replacement) in node_edits(node, in_index, &pool) {
+            // A lost factor is likelier than another binomial.
+            let cost = cost + if binomials.iter().any(|part| part.same_as(node)) { 3 } else { 0 };
             // The same slip may have been made wherever the name stands.
             if matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
                 let mut all = expr.clone();
                 if replace_all(&mut all, node, &replacement) > 1 {
-                    found.push((cost + 2, all));
+                    found.push((cost, all));
                 }
             }
             found.push((cost, rebuild(replacement)));
