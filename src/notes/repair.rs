@@ -32,7 +32,7 @@ pub fn suggestion(
     let start = Instant::now();
     let holds = |left: &Expr, right: &Expr, quick: bool| -> bool {
         let trial = checker.trial(&[left, right], &[rel], chain, place, curve.clone(), choices);
-        let outcomes = if quick { trial.first(4) } else { trial.run() };
+        let outcomes = if quick { trial.first(3) } else { trial.run() };
         is_true(&outcomes, quick)
     };
     // The slip is on the right more often than on the left, and there the edits are listed first.
@@ -51,7 +51,7 @@ pub fn suggestion(
         .map(|side| &side.expr);
     let mut best: Option<(Expr, Expr)> = None;
     for (left, right) in candidates {
-        if start.elapsed() > super::trial::share(&checker.limits, 10) {
+        if start.elapsed() > super::trial::share(&checker.limits, 16) {
             break;
         }
         crate::budget::steps(64);
@@ -138,16 +138,18 @@ fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
     pool.collect(expr);
     pool.collect(other);
     let mut found: Vec<(u32, Expr)> = Vec::new();
-    let mut binomials: Vec<Expr> = Vec::new();
+    let mut binomials = Vec::new();
     walk(expr, &mut |part| {
-        if let Kind::Binomial(n, k, _) = &part.kind {
-            binomials.extend([n.as_ref().clone(), k.as_ref().clone()]);
+        if let Kind::Binomial(..) = &part.kind {
+            binomials.push(part.span);
         }
     });
     at_every_node(expr, false, &mut |node, in_index, rebuild| {
         for (cost, replacement) in node_edits(node, in_index, &pool) {
             // A lost factor is likelier than another binomial.
-            let cost = cost + if binomials.iter().any(|part| part.same_as(node)) { 3 } else { 0 };
+            let within =
+                binomials.iter().any(|span| span.start <= node.span.start && node.span.end <= span.end);
+            let cost = cost + if within { 3 } else { 0 };
             // The same slip may have been made wherever the name stands.
             if matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
                 let mut all = expr.clone();
@@ -299,7 +301,7 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 ]);
             }
             for value in near {
-                if !value.is_negative() {
+                if !value.is_negative() && !(in_index && value.is_zero()) {
                     list.push((if in_index { 0 } else { 1 }, with_span(Expr::number(&value), node)));
                 }
             }

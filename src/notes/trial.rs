@@ -229,6 +229,10 @@ impl Trial<'_> {
                     break;
                 }
             }
+            // One failure is enough for whoever asks for a few.
+            if count.is_some() && outcomes.tallies.iter().any(|tally| !tally.fails.is_empty()) {
+                break;
+            }
             if tried >= MOST || start.elapsed() > share(&self.limits, 32) {
                 break;
             }
