@@ -301,7 +301,8 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 ]);
             }
             for value in near {
-                if !value.is_negative() && !(in_index && value.is_zero()) {
+                let usable = if in_index { value.is_positive() } else { !value.is_negative() };
+                if usable {
                     list.push((if in_index { 0 } else { 1 }, with_span(Expr::number(&value), node)));
                 }
             }
