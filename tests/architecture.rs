@@ -9,7 +9,8 @@ const TIERS: &[&[&str]] = &[
     &["budget", "number", "source"],
     &["ring", "expr", "diagnostic"],
     &["linalg", "poly"],
-    &["basis", "blossom", "syntax", "latex"],
+    &["basis", "blossom", "piecewise", "syntax", "latex"],
+    &["curve"],
     &["value"],
     &["write"],
     &["eval"],
@@ -19,7 +20,7 @@ const TIERS: &[&[&str]] = &[
 ];
 
 /// The mathematics knows nothing of syntax, spans or terminals.
-const MATHEMATICS: &[&str] = &["number", "ring", "linalg", "poly", "basis", "blossom"];
+const MATHEMATICS: &[&str] = &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve"];
 const LANGUAGE: &[&str] = &["source", "expr", "diagnostic", "syntax", "latex"];
 
 const LONGEST_FILE: usize = 650;
