@@ -10,10 +10,20 @@
 //! Techniques* (2002).
 
 pub mod affine;
+mod bezier;
+mod hull;
+mod join;
 
 use std::fmt;
 
 use crate::ring::Ring;
+
+pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use hull::{convex_hull, in_convex_polygon};
+pub use join::{
+    Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
+    joining_conditions,
+};
 
 /// A point or a vector: its coordinates.
 pub type Point<C> = Vec<C>;
