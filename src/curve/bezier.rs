@@ -362,7 +362,7 @@ impl<C: Field> BezierCurve<C> {
 
     /// The power coefficients of each coordinate, lowest first, n + 1 of them.
     pub fn power(&self) -> Vec<Vec<C>> {
-        self.polar_forms().iter().map(PolarForm::diagonal).collect()
+        self.polar_forms().iter().map(|form| form.coefficients().to_vec()).collect()
     }
 
     /// b_0, then the edge vectors b_1 − b_0, …, b_n − b_{n−1}: the coefficients in Bézier's
