@@ -13,6 +13,7 @@ use crate::source::SourceFile;
 use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
 use crate::write::{
     Format, claim_json, expanded_terms, text, value_json, write_expanded, write_expr, write_grouped,
+    write_table,
 };
 
 /// Polar forms of a larger degree are written out without building the formula.
@@ -94,7 +95,18 @@ impl Output {
                     return self.written(&curve);
                 }
             }
-            let expr = value.to_expr_in(self.notation);
+            if let Value::Table(table) = value {
+                let body =
+                    write_table(table, self.format).map_err(|error| Trouble::problem(error.to_string()))?;
+                return match &name {
+                    Some(name) if self.format != Format::Sympy => Ok(self.written(name)? + " =\n" + &body),
+                    _ => Ok(body),
+                };
+            }
+            let expr = match self.format {
+                Format::Latex => value.display_expr(self.notation),
+                _ => value.to_expr_in(self.notation),
+            };
             // The cases of a function stand on lines of their own, as they are typed.
             if let (Value::Function(_), Kind::Sequence(cases), Format::Text | Format::Unicode) =
                 (value, &expr.kind, self.format)

@@ -139,6 +139,27 @@ codes! {
     /// Something the program does not support.
     Unsupported = "E314": "not supported",
 
+    /// Control points, weights or nets of sizes that do not fit together.
+    ///
+    /// Example: `bezier([[0, 0], [1]])`. All points need the same number of coordinates.
+    ControlPoints = "E315": "control points do not fit",
+    /// Knots that decrease, are repeated too often, or whose number does not fit.
+    ///
+    /// Example: `bspline(2, [0, 0, 0, 1, 1, 1], [1, 2])`. m control points of degree n need m + n + 1 knots.
+    Knots = "E316": "knots do not fit",
+    /// A curve has no value at a parameter outside of its interval.
+    ///
+    /// Example: `bezier([0, 1])(2)`. `extended(c, t)` gives the value of the polynomial there.
+    OutsideDomain = "E317": "parameter outside of the domain",
+    /// A weight is zero, or the weights add up to zero at the parameter.
+    ZeroWeight = "E318": "zero weight",
+    /// The corners of a triangle or frame are affinely dependent.
+    ///
+    /// Example: `barycentric([1, 1], [[0, 0], [1, 1], [2, 2]])`.
+    Degenerate = "E319": "degenerate corners",
+    /// A number has no rational square root, so an exact answer does not exist.
+    Irrational = "E320": "irrational",
+
     /// The time limit was reached.
     ///
     /// Allow more with `--timeout SECONDS`.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::arguments::{self, Arguments};
 use super::curves::{is_curve, levelled};
 use super::names::{name_of, stands_for_itself};
-use super::{Evaluated, Machine, arithmetic, builtins, wrong_kind};
+use super::{Evaluated, Machine, arithmetic, builtins, geometry, wrong_kind};
 use crate::blossom::Argument;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::expr::{Expr, Kind};
@@ -42,6 +42,14 @@ impl Machine {
                 Value::Function(function) => {
                     let values = self.arguments(groups)?;
                     self.call(&function, values, whole.span)
+                }
+                Value::Geometry(geometry) => {
+                    let values = self.arguments(groups)?;
+                    geometry::call_geometry(&geometry, &values, whole.span)
+                }
+                Value::Piecewise(function) => {
+                    let values = self.arguments(groups)?;
+                    geometry::call_piecewise(&function, &values, whole.span)
                 }
                 // A curve is a list of functions or polar forms, one for each coordinate.
                 Value::List(items) if is_curve(&items) => {
@@ -85,8 +93,14 @@ impl Machine {
         }
         Ok(match self.callee(callee)? {
             Callee::Value(value) => {
-                !matches!(&value, Value::Function(_) | Value::Polar(_) | Value::Builtin(_))
-                    && !matches!(&value, Value::List(items) if is_curve(items))
+                !matches!(
+                    &value,
+                    Value::Function(_)
+                        | Value::Polar(_)
+                        | Value::Builtin(_)
+                        | Value::Geometry(_)
+                        | Value::Piecewise(_)
+                ) && !matches!(&value, Value::List(items) if is_curve(items))
             }
             _ => false,
         })
@@ -269,6 +283,11 @@ impl Machine {
                     }
                 }
             }
+        }
+        if let Some(Value::Geometry(_) | Value::Piecewise(_)) = all.values().next()
+            && let Some(method) = builtins::method(builtin.name)
+        {
+            return method(&all).at(span);
         }
         if builtins::COORDINATEWISE.contains(&builtin.name)
             && let Some(Value::List(items)) = all.values().next()

@@ -85,6 +85,11 @@ impl Arguments {
         other
     }
 
+    /// The first `count` arguments given by place.
+    pub(super) fn only(&self, count: usize) -> Self {
+        Arguments { positional: self.positional.iter().take(count).cloned().collect(), named: Vec::new() }
+    }
+
     /// Number of arguments given by place.
     pub fn len(&self) -> usize {
         self.positional.len()

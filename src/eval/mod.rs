@@ -18,6 +18,7 @@ mod claim;
 mod curves;
 mod define;
 mod family;
+mod geometry;
 mod names;
 mod products;
 

@@ -6,15 +6,21 @@
 
 mod factors;
 mod function;
+mod geometry;
 mod outcome;
+mod piecewise;
 mod polar;
 mod steps;
+mod table;
 mod to_expr;
 
 pub use function::{Clause, Function, Parameter, Scope, Shape};
+pub use geometry::{Form, Geometry, homogeneous};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
+pub use piecewise::PiecewiseFunction;
 pub use polar::{Notation, Polar, PolarKind};
 pub use steps::{Line, combination_steps, polar_steps};
+pub use table::{Cell, Table};
 pub use to_expr::{curve_expr, exact_term, polynomial_expr, symbol_expr};
 
 use std::sync::Arc;
@@ -43,6 +49,12 @@ pub enum Value {
     Matrix(DMatrix<Fraction>),
     /// The outcome of a claim.
     Claim(Arc<Claim>),
+    /// A curve or surface.
+    Geometry(Arc<Geometry>),
+    /// A piecewise polynomial.
+    Piecewise(Arc<PiecewiseFunction>),
+    /// A scheme or report of several columns.
+    Table(Arc<Table>),
     /// Words, such as the answer of `degree(0)`.
     Text(String),
 }
@@ -74,6 +86,9 @@ impl Value {
             Value::Function(_) | Value::Builtin(_) => "a function",
             Value::List(_) => "a list",
             Value::Matrix(_) => "a matrix",
+            Value::Geometry(geometry) => geometry.kind(),
+            Value::Piecewise(_) => "a piecewise polynomial",
+            Value::Table(_) => "a table",
             Value::Claim(_) => "a claim",
             Value::Text(_) => "a text",
         }

@@ -390,6 +390,21 @@ impl Value {
         self.to_expr_in(Notation::Grouped)
     }
 
+    /// The value as a formula for reading: curves in their basis, piecewise functions by cases.
+    /// Other values are as by [`Value::to_expr_in`].
+    pub fn display_expr(&self, notation: Notation) -> Expr {
+        match self {
+            Value::Geometry(geometry) => geometry.display_expr(),
+            Value::Piecewise(function) => function.display_expr(),
+            Value::List(items)
+                if items.iter().any(|item| matches!(item, Value::Geometry(_) | Value::Piecewise(_))) =>
+            {
+                Kind::List(items.iter().map(|item| item.display_expr(notation)).collect()).into()
+            }
+            _ => self.to_expr_in(notation),
+        }
+    }
+
     /// The value as a formula, polar forms in the given notation.
     pub fn to_expr_in(&self, notation: Notation) -> Expr {
         match self {
@@ -405,6 +420,9 @@ impl Value {
                 Kind::List(items.iter().map(|item| item.to_expr_in(notation)).collect()).into()
             }
             Value::Matrix(matrix) => matrix_expr(matrix),
+            Value::Geometry(geometry) => geometry.to_expr(),
+            Value::Piecewise(function) => function.to_expr(),
+            Value::Table(table) => table.to_expr(),
             Value::Claim(claim) => Kind::Text(claim.verdict().word().to_owned()).into(),
             Value::Text(text) => Kind::Text(text.clone()).into(),
         }

@@ -7,7 +7,7 @@ use super::text::Text;
 use super::{latex, text};
 use crate::expr::Rel;
 use crate::poly::{Fraction, Symbol};
-use crate::value::{Claim, Notation, Polar, PolarKind, Value};
+use crate::value::{Claim, Geometry, Notation, Polar, PolarKind, Value};
 
 fn scalar(f: &Fraction) -> String {
     text(&crate::value::polynomial_expr(f))
@@ -55,9 +55,35 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
                 .collect();
             json!({"kind": "matrix", "rows": rows, "latex": latex(&value.to_expr())})
         }
+        Value::Geometry(geometry) => geometry_json(geometry),
+        Value::Piecewise(function) => json!({"kind": "piecewise", "variable": function.variable.to_string(),
+            "breaks": function.function.breaks().iter().map(scalar).collect::<Vec<_>>(),
+            "pieces": function.formulas().iter().map(scalar).collect::<Vec<_>>(),
+            "outside": matches!(function.function.outside(), crate::piecewise::Outside::Zero).then_some("0"),
+            "text": text(&value.to_expr()), "latex": latex(&function.display_expr())}),
+        Value::Table(table) => super::table_json(table),
         Value::Claim(claim) => claim_json(claim),
         Value::Text(words) => json!({"kind": "text", "text": words}),
     }
+}
+
+fn geometry_json(geometry: &Geometry) -> Json {
+    let form = geometry.form();
+    let row = |point: &Vec<Fraction>| point.iter().map(scalar).collect::<Vec<_>>();
+    let points: Vec<_> = geometry.control_points().iter().map(row).collect();
+    let mut data = match geometry {
+        Geometry::Bezier(curve, _) => {
+            let (a, b) = curve.interval();
+            json!({"kind": "bezier", "degree": curve.degree(), "interval": [scalar(a), scalar(b)]})
+        }
+        Geometry::Spline(spline, _) => json!({"kind": "bspline", "degree": spline.degree(),
+            "knots": spline.knots().knots().iter().map(scalar).collect::<Vec<_>>()}),
+    };
+    data["points"] = json!(points);
+    data["rational"] = json!(form.rational);
+    data["text"] = json!(text(&geometry.to_expr()));
+    data["latex"] = json!(latex(&geometry.display_expr()));
+    data
 }
 
 /// Forms of a larger degree are written with σ_{i,n} in JSON.

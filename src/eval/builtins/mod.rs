@@ -1,10 +1,15 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
+mod curves;
+mod joins;
 mod matrices;
 mod numbers;
+mod on_geometry;
 mod polar;
 mod polynomials;
+mod splines;
 
+pub(super) use on_geometry::method;
 pub(super) use polar::expand_polar;
 
 use super::{Arguments, Evaluated, Machine};
@@ -33,7 +38,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 4]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 7]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -47,9 +52,22 @@ pub static BUILTINS: &[&Builtin] = &{
         }
         list
     }
-    const COUNT: usize =
-        polar::TABLE.len() + polynomials::TABLE.len() + matrices::TABLE.len() + numbers::TABLE.len();
-    all::<COUNT>([polar::TABLE, polynomials::TABLE, matrices::TABLE, numbers::TABLE])
+    const COUNT: usize = polar::TABLE.len()
+        + polynomials::TABLE.len()
+        + matrices::TABLE.len()
+        + curves::TABLE.len()
+        + splines::TABLE.len()
+        + joins::TABLE.len()
+        + numbers::TABLE.len();
+    all::<COUNT>([
+        polar::TABLE,
+        polynomials::TABLE,
+        matrices::TABLE,
+        curves::TABLE,
+        splines::TABLE,
+        joins::TABLE,
+        numbers::TABLE,
+    ])
 };
 
 /// Functions that work on a curve coordinate by coordinate when their first argument is a list

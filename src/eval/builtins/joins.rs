@@ -1,0 +1,346 @@
+//! How curves meet, and one function for changes of representation.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use super::curves::polar_label;
+use crate::curve::{self, BezierCurve, GeometricFailure};
+use crate::diagnostic::{At, Code, Diagnostic};
+use crate::eval::arguments::Arguments;
+use crate::eval::geometry::{as_rational_form, bezier, curve_error, spline, spline_error};
+use crate::eval::wrong_kind;
+use crate::expr::{Accent, Expr, Kind};
+use crate::number::Rational;
+use crate::poly::Fraction;
+use crate::spline::KnotVector;
+use crate::value::{Cell, Form, Geometry, Table, Value, polynomial_expr};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const TOPIC: &str = "Continuity and conversion";
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "joining_conditions",
+        signature: "joining_conditions(c, d, k)",
+        summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
+        example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("joining_conditions(c, d, k)", 2..=3, &["k"])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            let k = args.named_size("k", 2)?.unwrap_or(1);
+            let form = polynomial_pair(args, left, right)?;
+            let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["order", "polar value", "required", "found", "holds"]);
+            for condition in conditions {
+                let holds = condition.holds();
+                table.rows.push(vec![
+                    Cell::Value(Value::int(condition.order as i64)),
+                    Cell::Formula(polar_label(&condition.label)),
+                    Cell::Value(form.plain(condition.required)),
+                    Cell::Value(form.plain(condition.found)),
+                    Cell::words(if holds { "yes" } else { "no" }),
+                ]);
+            }
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "continuity",
+        signature: "continuity(c, d, at=t)",
+        summary: "up to which order two curves agree at t, and the first polar values that differ",
+        example: "continuity(bezier([0, 1, 2]), bezier([2, 3, 5], 1, 2))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("continuity(c, d, at=t)", 2..=3, &["at"])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            let form = polynomial_pair(args, left, right)?;
+            let t = match args.named_or("at", 2) {
+                Some((Value::Scalar(t), _)) => t.clone(),
+                Some((other, span)) => return Err(wrong_kind("a number or symbol", other).at(span)),
+                None if f.interval().1 == g.interval().0 => g.interval().0.clone(),
+                None => {
+                    return Err(Diagnostic::error(
+                        Code::Domain,
+                        "the curves have no common end; where do they meet?",
+                    )
+                    .at(args.span(1))
+                    .hint("name the parameter: continuity(c, d, at=1)"));
+                }
+            };
+            let report = curve::continuity_at(&f, &g, &t).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["continuity", "order", "polar value", "left", "right"]);
+            let word = match report.order {
+                _ if report.same => "C^oo: one polynomial".to_owned(),
+                Some(k) => format!("C^{k}"),
+                None => "none".to_owned(),
+            };
+            let mut row = vec![Cell::words(word)];
+            if let Some((order, p, q)) = report.failure {
+                let n = f.degree().max(g.degree());
+                let mut arguments = vec![polynomial_expr(&t); n - order];
+                let hat: Expr = Kind::Accent(Accent::Hat, Box::new(Expr::int(1))).into();
+                arguments.extend(vec![hat; order]);
+                let label = if arguments.is_empty() {
+                    Expr::name("f")
+                } else {
+                    Expr::apply(Expr::name("f"), arguments)
+                };
+                row.extend([
+                    Cell::Value(Value::int(order as i64)),
+                    Cell::Formula(label),
+                    Cell::Value(form.plain(p)),
+                    Cell::Value(form.plain(q)),
+                ]);
+            } else {
+                table.header.truncate(1);
+            }
+            table.rows.push(row);
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "geometric_continuity",
+        signature: "geometric_continuity(c, d)",
+        summary: "up to which G^k (k <= 2) two curves meet, with the change of parameter beta_1, beta_2",
+        example: "geometric_continuity(bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("geometric_continuity(c, d)", 2..=2, &[])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            polynomial_pair(args, left, right)?;
+            let (f, g) = (numeric(&f, args, 0)?, numeric(&g, args, 1)?);
+            let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["continuity", "beta_1", "beta_2", "why not more"]);
+            let word = report.order.map_or("none".to_owned(), |k| format!("G^{k}"));
+            let number = |q: Option<Rational>| q.map_or(Cell::Empty, |q| Cell::Value(Value::number(q)));
+            let why = match report.failure {
+                None => "higher orders are not examined",
+                Some(GeometricFailure::PointsDiffer) => "the points differ",
+                Some(GeometricFailure::NotRegular) => "a derivative is zero there",
+                Some(GeometricFailure::TangentsDiffer) => "the tangents differ",
+                Some(GeometricFailure::Opposite) => "the tangents are opposite: a cusp",
+                Some(GeometricFailure::CurvaturesDiffer) => "the curvatures differ",
+            };
+            table.rows.push(vec![
+                Cell::words(word),
+                number(report.beta1),
+                number(report.beta2),
+                Cell::words(why),
+            ]);
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "same_curve",
+        signature: "same_curve(c, d)",
+        summary: "whether two representations are the same curve with the same parameters",
+        example: "same_curve(bezier([0, 1]), elevate(bezier([0, 1])))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("same_curve(c, d)", 2..=2, &[])?;
+            let word = |same: bool| Value::Text(if same { "yes" } else { "no" }.to_owned());
+            let ((f, left), (g, right)) = (args.spline(0)?, args.spline(1)?);
+            if f.domain() != g.domain() {
+                return Ok(word(false));
+            }
+            if left.rational || right.rational {
+                return Err(Diagnostic::error(Code::Unsupported, "only polynomial curves are compared")
+                    .at(args.span(0))
+                    .hint("compare homogeneous(c) and homogeneous(d); weights may differ by a factor"));
+            }
+            let merged = |s: &crate::spline::BSpline<Fraction>| {
+                s.power_pieces().iter().map(crate::piecewise::Piecewise::merged).collect::<Vec<_>>()
+            };
+            Ok(word(merged(&f) == merged(&g)))
+        },
+    },
+    Builtin {
+        name: "homogeneous",
+        signature: "homogeneous(c)",
+        summary: "the polynomial curve of the homogeneous coordinates of a rational one, weight last",
+        example: "homogeneous(bezier([0, 1, 2], weights=[1, 2, 1]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("homogeneous(c)", 1..=1, &[])?;
+            Ok(match &*args.geometry(0)? {
+                Geometry::Bezier(curve, form) => bezier(as_rational_form(curve, *form), Form::default()),
+                Geometry::Spline(s, form) if form.rational => spline(s.clone(), Form::default()),
+                Geometry::Spline(s, _) => {
+                    let one = num_traits::One::one();
+                    let points = s.points().iter().map(|p| crate::value::homogeneous(p, &one)).collect();
+                    let lifted =
+                        crate::spline::BSpline::new(s.knots().clone(), points).map_err(spline_error)?;
+                    spline(lifted, Form::default())
+                }
+            })
+        },
+    },
+    Builtin {
+        name: "convert",
+        signature: "convert(c, to)",
+        summary: "a curve as: bezier, bspline, power, polar, pieces, hermite or [lagrange, t_0, ...]",
+        example: "convert(bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]), bezier)",
+        topic: TOPIC,
+        call: |machine, args| {
+            args.expect("convert(c, to)", 2..=2, &["to"])?;
+            convert(machine, args)
+        },
+    },
+];
+
+/// Both curves have to be polynomial.
+fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
+    for (i, form) in [left, right].into_iter().enumerate() {
+        if form.rational {
+            return Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational")
+                .at(args.span(i))
+                .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"));
+        }
+    }
+    Ok(Form { scalar: left.scalar && right.scalar, rational: false })
+}
+
+/// The curve over the numbers.
+fn numeric(curve: &BezierCurve<Fraction>, args: &Arguments, i: usize) -> Result<BezierCurve<Rational>> {
+    let number = |x: &Fraction| {
+        x.as_rational().ok_or_else(|| {
+            Diagnostic::error(Code::Undecided, "geometric continuity of curves with symbols is not decided")
+                .at(args.span(i))
+                .hint("give the symbols values first")
+        })
+    };
+    let points = curve.points().iter().map(|point| point.iter().map(number).collect::<Result<_>>());
+    let points = points.collect::<Result<_>>()?;
+    let (a, b) = curve.interval();
+    BezierCurve::new(points, number(a)?, number(b)?).map_err(curve_error)
+}
+
+fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value> {
+    let target = args.value(1)?;
+    let word = match target {
+        Value::Text(word) => word.as_str(),
+        Value::Builtin(word) => word,
+        Value::List(items) => match items.first() {
+            Some(Value::Text(word)) => word.as_str(),
+            Some(Value::Builtin(word)) => word,
+            _ => "",
+        },
+        _ => "",
+    };
+    // A Bézier curve also from a spline that is one polynomial.
+    let single = || -> Result<(BezierCurve<Fraction>, Form)> {
+        if let Value::Geometry(geometry) = args.value(0)?
+            && let Geometry::Spline(s, form) = &**geometry
+        {
+            let (a, b) = s.domain();
+            let pieces = s.bezier_pieces();
+            let whole = pieces[0].part(a, b).map_err(curve_error)?;
+            for (i, piece) in pieces.iter().enumerate() {
+                let (from, to) = piece.interval();
+                if &whole.part(from, to).map_err(curve_error)? != piece {
+                    return Err(Diagnostic::error(
+                        Code::NotReducible,
+                        format!("piece {i} is another polynomial than piece 0"),
+                    )
+                    .at(args.span(0))
+                    .hint("pieces(s) are the Bézier curves of the spline, one for each interval"));
+                }
+            }
+            return Ok((whole, *form));
+        }
+        args.bezier(0)
+    };
+    match word {
+        "bezier" => single().map(|(curve, form)| bezier(curve, form)),
+        "bspline" => {
+            if let Value::List(items) = args.value(0)?
+                && items.iter().all(|item| matches!(item, Value::Geometry(_)))
+                && !items.is_empty()
+            {
+                return joined(args, items);
+            }
+            args.spline(0).map(|(s, form)| spline(s, form))
+        }
+        "polar" => {
+            let (curve, form) = single()?;
+            let args = args.with_first(bezier(curve, form)).only(1);
+            super::on_geometry::method("polar").map_or_else(|| Err(internal()), |call| call(&args))
+        }
+        "power" => {
+            let (curve, form) = single()?;
+            let args = args.with_first(bezier(curve, form)).only(1);
+            super::on_geometry::method("coefficients").map_or_else(|| Err(internal()), |call| call(&args))
+        }
+        "pieces" => {
+            let (s, form) = args.spline(0)?;
+            Ok(Value::List(s.bezier_pieces().into_iter().map(|piece| bezier(piece, form)).collect()))
+        }
+        "lagrange" | "newton" | "hermite" | "taylor" | "bernstein" => {
+            let (curve, form) = single()?;
+            polynomial_pair(args, form, form)?;
+            let n = Value::int(curve.degree() as i64);
+            let power = Value::Text("power".to_owned());
+            let target = match (word, target) {
+                ("hermite", Value::Text(_) | Value::Builtin(_)) => {
+                    let (a, b) = curve.interval();
+                    Value::List(vec![target.clone(), Value::Scalar(a.clone()), Value::Scalar(b.clone())])
+                }
+                _ => target.clone(),
+            };
+            let change = super::builtin("change_of_basis").ok_or_else(internal)?;
+            let mut call = Arguments::default();
+            for value in [n, power, target] {
+                call.push(value, args.span(1));
+            }
+            let Value::Matrix(matrix) = (change.call)(machine, &call)? else { return Err(internal()) };
+            let mut rows = Vec::with_capacity(curve.dimension());
+            for column in curve.power() {
+                let column = nalgebra::DMatrix::from_vec(column.len(), 1, column);
+                let product =
+                    crate::linalg::multiply(&matrix, &column).map_err(crate::eval::arithmetic::linalg)?;
+                rows.push(Value::List(product.iter().cloned().map(Value::Scalar).collect()));
+            }
+            Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })
+        }
+        _ => Err(wrong_kind("a representation", target).at(args.span(1)).hint(
+            "bezier, bspline, power, polar, pieces, hermite, [lagrange, t_0, ...] or [newton, t_0, ...]",
+        )),
+    }
+}
+
+fn internal() -> Diagnostic {
+    Diagnostic::error(Code::Internal, "a function of the program is missing")
+}
+
+/// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
+fn joined(args: &Arguments, items: &[Value]) -> Result<Value> {
+    let mut pieces = Vec::with_capacity(items.len());
+    let mut form = Form::default();
+    for item in items {
+        let (curve, own) = args.with_first(item.clone()).bezier(0).at(args.span(0))?;
+        form = own;
+        pieces.push(curve);
+    }
+    let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
+    let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
+    for pair in pieces.windows(2) {
+        let at = pair[1].interval().0.clone();
+        if pair[0].interval().1 != &at {
+            return Err(curve_error(crate::curve::CurveError::NoCommonEnd).at(args.span(0)));
+        }
+        let order = curve::continuity_at(&pair[0], &pair[1], &at).map_err(curve_error)?.order;
+        let Some(order) = order else {
+            return Err(Diagnostic::error(Code::NotReducible, format!("the curves do not meet at {at}"))
+                .at(args.span(0)));
+        };
+        // One polynomial keeps a simple knot, so that each piece stays one.
+        knots.extend(vec![at; (n - order.min(n)).max(1)]);
+    }
+    let last = &pieces[pieces.len() - 1];
+    knots.extend(vec![last.interval().1.clone(); n + 1]);
+    let knots = KnotVector::new(n, knots).map_err(spline_error)?;
+    let s = crate::spline::BSpline::from_pieces(knots, &pieces).map_err(spline_error).at(args.span(0))?;
+    Ok(spline(s, form))
+}

@@ -1,0 +1,262 @@
+//! What functions such as `derivative` and `elevate` do with curves.
+
+use std::sync::Arc;
+
+use crate::diagnostic::{At, Code, Diagnostic};
+use crate::eval::arguments::{self, Arguments};
+use crate::eval::geometry::{bezier, curve_error, scalar_list, spline, spline_error};
+use crate::eval::{Evaluated, wrong_kind};
+use crate::poly::{Fraction, Symbol};
+use crate::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
+use num_traits::Zero;
+
+/// The meaning of a function for a curve as its first argument, if it has one.
+pub(in crate::eval) fn method(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
+    Some(match name {
+        "polar" => polar,
+        "elevate" => elevate,
+        "reduce" => reduce,
+        "derivative" | "diff" => derivative,
+        "integrate" => integrate,
+        "bezier_points" => bezier_points,
+        "compose" => compose,
+        "degree" => degree,
+        "coefficients" => coefficients,
+        _ => return None,
+    })
+}
+
+/// A rational curve has no polar form of its own: only its homogeneous one.
+fn polynomial(form: Form, args: &Arguments) -> Result<(), Diagnostic> {
+    if !form.rational {
+        return Ok(());
+    }
+    Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational, not polynomial")
+        .at(args.span(0))
+        .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"))
+}
+
+fn forms_value(forms: Vec<crate::blossom::PolarForm<Fraction>>, form: Form) -> Value {
+    let wrap = |form| {
+        Value::Polar(Arc::new(Polar { kind: PolarKind::Univariate(form), variables: vec![Symbol::new("t")] }))
+    };
+    let mut list: Vec<Value> = forms.into_iter().map(wrap).collect();
+    if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
+}
+
+fn polar(args: &Arguments) -> Evaluated {
+    args.expect("polar(c, span=j)", 1..=1, &["span", "degree"])?;
+    let geometry = args.geometry(0)?;
+    polynomial(geometry.form(), args)?;
+    let curve = match &*geometry {
+        Geometry::Bezier(curve, _) => curve.clone(),
+        Geometry::Spline(spline, _) => {
+            let span = match args.named_size("span", usize::MAX)? {
+                Some(span) => span,
+                None => match spline.knots().spans().as_slice() {
+                    [only] => *only,
+                    many => {
+                        let list: Vec<String> = many.iter().map(usize::to_string).collect();
+                        return Err(Diagnostic::error(
+                            Code::Undecided,
+                            "a spline has a polar form for each knot interval",
+                        )
+                        .at(args.span(0))
+                        .hint(format!("name one: polar(s, span=j) with j one of {}", list.join(", "))));
+                    }
+                },
+            };
+            spline.bezier_piece(span).map_err(spline_error)?
+        }
+    };
+    let by = match args.named_size("degree", usize::MAX)? {
+        Some(degree) => degree.checked_sub(curve.degree()).ok_or_else(|| {
+            Diagnostic::error(Code::DegreeTooSmall, format!("the curve has degree {}", curve.degree()))
+        })?,
+        None => 0,
+    };
+    let forms = curve.polar_forms().into_iter().map(|form| form.elevate(by)).collect();
+    Ok(forms_value(forms, geometry.form()))
+}
+
+fn elevate(args: &Arguments) -> Evaluated {
+    args.expect("elevate(c, k)", 1..=2, &["k"])?;
+    let by = args.named_size("k", 1)?.unwrap_or(1);
+    match &*args.geometry(0)? {
+        Geometry::Bezier(curve, form) => Ok(bezier(curve.elevate(by), *form)),
+        Geometry::Spline(s, form) => s.elevate(by).map(|s| spline(s, *form)).map_err(spline_error),
+    }
+}
+
+fn reduce(args: &Arguments) -> Evaluated {
+    args.expect("reduce(c, k)", 1..=2, &["k"])?;
+    let by = args.named_size("k", 1)?.unwrap_or(1);
+    match &*args.geometry(0)? {
+        Geometry::Bezier(curve, form) => {
+            curve.reduce(by).map(|c| bezier(c, *form)).map_err(curve_error).at(args.span(0))
+        }
+        Geometry::Spline(s, form) => {
+            s.reduce(by).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
+        }
+    }
+}
+
+fn derivative(args: &Arguments) -> Evaluated {
+    args.expect("derivative(c, k)", 1..=2, &["k"])?;
+    let order = args.named_size("k", 1)?.unwrap_or(1);
+    if let Value::Piecewise(function) = args.value(0)? {
+        let derived = function.function.derivative(order);
+        let variable = function.variable.clone();
+        return Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function: derived, variable })));
+    }
+    match &*args.geometry(0)? {
+        Geometry::Bezier(curve, form) if form.rational => (0..order)
+            .try_fold(curve.clone(), |curve, _| rational_derivative(&curve))
+            .map(|c| bezier(c, *form))
+            .at(args.span(0)),
+        Geometry::Bezier(curve, form) => Ok(bezier(curve.derivative(order), *form)),
+        Geometry::Spline(_, form) if form.rational => Err(Diagnostic::error(
+            Code::Unsupported,
+            "derivatives of rational splines are taken piece by piece",
+        )
+        .at(args.span(0))
+        .hint("derivative(pieces(s)_0) is that of the first piece")),
+        Geometry::Spline(s, form) => {
+            s.nth_derivative(order).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
+        }
+    }
+}
+
+/// (p/w)' = (p' w − p w')/w², as a rational curve of degree 2n.
+fn rational_derivative(
+    curve: &crate::curve::BezierCurve<Fraction>,
+) -> Result<crate::curve::BezierCurve<Fraction>, Diagnostic> {
+    use crate::curve::BezierCurve;
+    let (a, b) = curve.interval();
+    let d = curve.dimension() - 1;
+    let pick = |curve: &BezierCurve<Fraction>, from: usize, to: usize| {
+        let points = curve.points().iter().map(|point| point[from..to].to_vec()).collect();
+        BezierCurve::new(points, a.clone(), b.clone()).map_err(curve_error)
+    };
+    let (points, weight) = (pick(curve, 0, d)?, pick(curve, d, d + 1)?);
+    let change = curve.derivative(1).elevate(usize::from(curve.degree() > 0));
+    let (points_change, weight_change) = (pick(&change, 0, d)?, pick(&change, d, d + 1)?);
+    let left = weight.product(&points_change).map_err(curve_error)?;
+    let right = weight_change.product(&points).map_err(curve_error)?;
+    let bottom = weight.product(&weight).map_err(curve_error)?;
+    let joined = (0..left.points().len()).map(|i| {
+        let mut point = crate::curve::difference(&left.points()[i], &right.points()[i]);
+        point.push(bottom.points()[i][0].clone());
+        point
+    });
+    BezierCurve::new(joined.collect(), a.clone(), b.clone()).map_err(curve_error)
+}
+
+/// The integral over the whole interval.
+fn integrate(args: &Arguments) -> Evaluated {
+    args.expect("integrate(c)", 1..=1, &[])?;
+    if let Value::Piecewise(function) = args.value(0)? {
+        return Ok(Value::Scalar(function.function.integral()));
+    }
+    let geometry = args.geometry(0)?;
+    polynomial(geometry.form(), args)?;
+    let form = geometry.form();
+    match &*geometry {
+        Geometry::Bezier(curve, _) => Ok(form.plain(curve.integral())),
+        Geometry::Spline(spline, _) => Ok(form.plain(spline.integral())),
+    }
+}
+
+pub(super) fn antiderivative(args: &Arguments) -> Evaluated {
+    match args.value(0)? {
+        Value::Piecewise(function) => {
+            let primitive = function.function.antiderivative();
+            let variable = function.variable.clone();
+            Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function: primitive, variable })))
+        }
+        Value::Geometry(geometry) => {
+            polynomial(geometry.form(), args)?;
+            match &**geometry {
+                Geometry::Bezier(curve, form) => {
+                    let start = vec![Fraction::zero(); curve.dimension()];
+                    curve.antiderivative(start).map(|c| bezier(c, *form)).map_err(curve_error)
+                }
+                Geometry::Spline(s, form) => {
+                    s.antiderivative().map(|s| spline(s, *form)).map_err(spline_error)
+                }
+            }
+        }
+        other => Err(wrong_kind("a curve or piecewise polynomial", other)
+            .at(args.span(0))
+            .hint("integrate(F, t) is an antiderivative of a formula")),
+    }
+}
+
+fn bezier_points(args: &Arguments) -> Evaluated {
+    args.expect("bezier_points(c)", 1..=3, &[])?;
+    let (curve, form) = args.bezier(0)?;
+    let curve = match args.len() {
+        1 => curve,
+        _ => {
+            let (a, b) = super::curves::ends(args, 1)?;
+            curve.part(&a, &b).map_err(curve_error).at(args.span(1))?
+        }
+    };
+    match form.split(curve.points()) {
+        Some((values, _)) => Ok(Value::List(values)),
+        None => Err(curve_error(crate::curve::CurveError::ZeroDenominator).at(args.span(0))),
+    }
+}
+
+/// c(G(t)) over [a, b].
+fn compose(args: &Arguments) -> Evaluated {
+    args.expect("compose(c, G, a, b)", 2..=4, &[])?;
+    let (curve, form) = args.bezier(0)?;
+    let inner = args.univariate(1, usize::MAX)?;
+    let inner = crate::blossom::PolarForm::with_degree(&inner.coefficients, inner.coefficients.len() - 1)
+        .map_err(arguments::polar)?;
+    let (a, b) = super::curves::ends(args, 2)?;
+    curve.compose(&inner, a, b).map(|c| bezier(c, form)).map_err(curve_error)
+}
+
+fn degree(args: &Arguments) -> Evaluated {
+    args.expect("degree(c)", 1..=1, &[])?;
+    if let Value::Piecewise(function) = args.value(0)? {
+        return Ok(Value::int(function.function.degree() as i64));
+    }
+    Ok(Value::int(match &*args.geometry(0)? {
+        Geometry::Bezier(curve, _) => curve.degree(),
+        Geometry::Spline(spline, _) => spline.degree(),
+    } as i64))
+}
+
+/// The power coefficients of each coordinate, lowest first.
+fn coefficients(args: &Arguments) -> Evaluated {
+    args.expect("coefficients(c)", 1..=1, &[])?;
+    let (curve, form) = args.bezier(0)?;
+    polynomial(form, args)?;
+    let mut rows: Vec<Value> = curve.power().into_iter().map(scalar_list).collect();
+    Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })
+}
+
+/// The product of two curves or splines over one interval.
+pub(super) fn product(args: &Arguments) -> Evaluated {
+    let splines = [args.value(0)?, args.value(1)?].into_iter().any(
+        |value| matches!(value, Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..))),
+    );
+    let joint = |left: Form, right: Form, dimension: usize| -> Result<Form, Diagnostic> {
+        polynomial(left, args)?;
+        polynomial(right, args)?;
+        Ok(Form { scalar: dimension == 1, rational: false })
+    };
+    if splines {
+        let ((f, left), (g, right)) = (args.spline(0)?, args.spline(1)?);
+        let product = f.product(&g).map_err(spline_error).at(args.span(1))?;
+        let form = joint(left, right, product.dimension())?;
+        return Ok(spline(product, form));
+    }
+    let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+    let product = f.product(&g).map_err(curve_error).at(args.span(1))?;
+    let form = joint(left, right, product.dimension())?;
+    Ok(bezier(product, form))
+}

@@ -1,0 +1,325 @@
+//! Curves and surfaces in the language: reading their parts from arguments, their values, and the
+//! words for their errors.
+
+use std::sync::Arc;
+
+use super::Arguments;
+use super::wrong_kind;
+use crate::curve::{BezierCurve, CurveError, Point};
+use crate::diagnostic::{At, Code, Diagnostic};
+use crate::piecewise::PiecewiseError;
+use crate::poly::Fraction;
+use crate::ring::Ring;
+use crate::source::Span;
+use crate::spline::{BSpline, SplineError};
+use crate::value::{Form, Geometry, PiecewiseFunction, Value, homogeneous};
+use num_traits::{One, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// The diagnostic for an error of curves.
+pub(super) fn curve_error(error: CurveError) -> Diagnostic {
+    let message = error.to_string();
+    let (code, hint) = match error {
+        CurveError::TooFewPoints { .. } => (Code::ControlPoints, "a point is a list such as [1, 2]"),
+        CurveError::Dimensions { .. } => {
+            (Code::ControlPoints, "give every point the same number of coordinates")
+        }
+        CurveError::EmptyInterval => (Code::Coincident, "choose two different ends, such as 0 and 1"),
+        CurveError::WeightCount { .. } => (Code::ControlPoints, "give one weight for each control point"),
+        CurveError::ZeroWeight { .. } => (
+            Code::ZeroWeight,
+            "a weight of 0 needs homogeneous points: homogeneous=1, coordinates with the weight last",
+        ),
+        CurveError::ZeroDenominator => (Code::ZeroWeight, "the point lies at infinity"),
+        CurveError::OutsideDomain => {
+            (Code::OutsideDomain, "extended(c, t) gives the value of the polynomial there")
+        }
+        CurveError::Arguments { .. } => (Code::Arity, "a polar form has as many arguments as its degree"),
+        CurveError::Degrees { .. } => (Code::Shape, "elevate(c, k) raises a degree"),
+        CurveError::DimensionsOf { .. } => (Code::Shape, "both need the same number of coordinates"),
+        CurveError::NotReducible { .. } => (
+            Code::NotReducible,
+            "differences(control_points(c), n) shows the difference that would have to vanish",
+        ),
+        CurveError::RaggedNet { .. } => (Code::ControlPoints, "give every row the same number of points"),
+        CurveError::NotTriangular { .. } => {
+            (Code::ControlPoints, "a triangular patch of degree n has (n+1)(n+2)/2 points")
+        }
+        CurveError::Degenerate => (Code::Degenerate, "choose corners in general position"),
+        CurveError::NoCommonEnd => (Code::Coincident, "over(c, a, b) moves a curve to another interval"),
+        CurveError::Irrational { .. } => {
+            (Code::Irrational, "choose numbers whose root is rational, or another parameterization")
+        }
+        CurveError::Impossible { .. } => (Code::Domain, "there is no such object"),
+    };
+    Diagnostic::error(code, message).hint(hint)
+}
+
+/// The diagnostic for an error of splines.
+pub(super) fn spline_error(error: SplineError) -> Diagnostic {
+    let message = error.to_string();
+    let (code, hint) = match error {
+        SplineError::Curve(inner) => return curve_error(inner),
+        SplineError::TooFewKnots { .. } | SplineError::PointCount { .. } => {
+            (Code::Knots, "m control points of degree n need m + n + 1 knots")
+        }
+        SplineError::DecreasingKnots { .. } => (Code::Knots, "write the knots in increasing order"),
+        SplineError::Multiplicity { .. } => (Code::Knots, "a knot can be repeated degree + 1 times at most"),
+        SplineError::NoDomain => (Code::Knots, "the domain is [t_n, t_m], for m control points of degree n"),
+        SplineError::NoSuchFunction { .. } => (Code::Domain, "choose a smaller number"),
+        SplineError::OutsideDomain => (Code::OutsideDomain, "extended(s, t) takes the nearest piece"),
+        SplineError::Unordered => {
+            (Code::Undecided, "name the knot interval: deboor(s, t, span=j) for t_j <= t < t_(j+1)")
+        }
+        SplineError::NotAKnot { .. } => (Code::Domain, "only inner knots can be removed"),
+        SplineError::NotSmooth { .. } => (Code::NotReducible, "smoothness(s) tells how the pieces meet"),
+        SplineError::PieceDegree { .. } => (Code::NotReducible, "pieces(s) are its polynomial pieces"),
+        SplineError::Domains => (Code::Shape, "both need the same domain, piece by piece"),
+    };
+    Diagnostic::error(code, message).hint(hint)
+}
+
+pub(super) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
+    let code = match error {
+        PiecewiseError::Counts { .. } | PiecewiseError::Order { .. } => Code::Knots,
+        PiecewiseError::OutsideDomain => Code::OutsideDomain,
+        PiecewiseError::Unordered => Code::Undecided,
+    };
+    let hint = match code {
+        Code::Undecided => "give the variable a number, or take one of its pieces",
+        Code::OutsideDomain => "the function is given between its breakpoints only",
+        _ => "m pieces stand between m + 1 increasing breakpoints",
+    };
+    Diagnostic::error(code, error.to_string()).hint(hint)
+}
+
+/// A list of points: numbers and symbols (then `true`) or lists of coordinates.
+pub(super) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
+    match value {
+        Value::List(items) if !items.is_empty() => {
+            let scalars: Option<Vec<Point<Fraction>>> =
+                items.iter().map(|item| item.as_scalar().map(|x| vec![x.clone()])).collect();
+            if let Some(points) = scalars {
+                return Some((points, true));
+            }
+            let point = |item: &Value| match item {
+                Value::List(coordinates) => {
+                    coordinates.iter().map(|x| x.as_scalar().cloned()).collect::<Option<Point<Fraction>>>()
+                }
+                _ => None,
+            };
+            items.iter().map(point).collect::<Option<_>>().map(|points| (points, false))
+        }
+        // The rows of a matrix are points as well.
+        Value::Matrix(matrix) => {
+            Some((matrix.row_iter().map(|row| row.iter().cloned().collect()).collect(), false))
+        }
+        _ => None,
+    }
+}
+
+/// One point: coordinates, or a single number.
+pub(super) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
+    match value {
+        Value::Scalar(x) => Some((vec![x.clone()], true)),
+        Value::List(items) => {
+            items.iter().map(|x| x.as_scalar().cloned()).collect::<Option<_>>().map(|p| (p, false))
+        }
+        _ => None,
+    }
+}
+
+pub(super) fn scalar_list(items: impl IntoIterator<Item = Fraction>) -> Value {
+    Value::List(items.into_iter().map(Value::Scalar).collect())
+}
+
+pub(super) fn bezier(curve: BezierCurve<Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Bezier(curve, form)))
+}
+
+pub(super) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Spline(spline, form)))
+}
+
+impl Arguments {
+    /// Control points at a place, with weights or homogeneous coordinates if they are named.
+    pub(super) fn control_points(&self, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {
+        let value = self.value(i)?;
+        let (points, scalar) = points_of(value).ok_or_else(|| {
+            wrong_kind("a list of control points", value)
+                .at(self.span(i))
+                .hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
+        })?;
+        let wanted = self.named_or("homogeneous", usize::MAX);
+        let already = wanted.is_some_and(|(value, _)| value.as_int() == Some(1));
+        let Some((weights, span)) = self.named_or("weights", usize::MAX) else {
+            let form =
+                Form { scalar: (scalar && !already) || (already && points[0].len() == 2), rational: already };
+            if already && points[0].len() < 2 {
+                let error = Diagnostic::error(
+                    Code::ControlPoints,
+                    "homogeneous points have a coordinate and a weight",
+                );
+                return Err(error.at(self.span(i)).hint("write the weight as the last coordinate"));
+            }
+            return Ok((points, form));
+        };
+        let Value::List(items) = weights else {
+            return Err(wrong_kind("a list of weights", weights).at(span));
+        };
+        let weights: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
+        let weights =
+            weights.ok_or_else(|| wrong_kind("a list of weights", weights_value(items)).at(span))?;
+        if weights.len() != points.len() {
+            let error = CurveError::WeightCount { weights: weights.len(), points: points.len() };
+            return Err(curve_error(error).at(span));
+        }
+        if let Some(index) = weights.iter().position(Zero::is_zero) {
+            return Err(curve_error(CurveError::ZeroWeight { index }).at(span));
+        }
+        let points = points.iter().zip(&weights).map(|(point, weight)| homogeneous(point, weight)).collect();
+        Ok((points, Form { scalar, rational: true }))
+    }
+
+    /// A curve or surface.
+    pub(super) fn geometry(&self, i: usize) -> Result<Arc<Geometry>> {
+        match self.value(i)? {
+            Value::Geometry(geometry) => Ok(geometry.clone()),
+            other => Err(wrong_kind("a curve", other)
+                .at(self.span(i))
+                .hint("bezier([[0, 0], [1, 2], [2, 0]]) makes one")),
+        }
+    }
+
+    /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1].
+    pub(super) fn bezier(&self, i: usize) -> Result<(BezierCurve<Fraction>, Form)> {
+        let value = self.value(i)?;
+        match value {
+            Value::Geometry(geometry) => match &**geometry {
+                Geometry::Bezier(curve, form) => return Ok((curve.clone(), *form)),
+                other => {
+                    return Err(Diagnostic::error(
+                        Code::Type,
+                        format!("expected a Bézier curve, not {}", other.kind()),
+                    )
+                    .at(self.span(i))
+                    .hint("pieces(s) are the Bézier curves of a spline"));
+                }
+            },
+            Value::Scalar(_) | Value::Function(_) | Value::Polar(_) => {
+                let form = self.with_first(value.clone()).univariate_in(0, None).at(self.span(i))?;
+                let curve = BezierCurve::from_power(&[form.coefficients], Fraction::zero(), Fraction::one());
+                return Ok((curve.map_err(curve_error)?, Form { scalar: true, rational: false }));
+            }
+            Value::List(items) if super::curves::is_curve(items) => {
+                let coordinates = items.iter().map(|item| {
+                    self.with_first(item.clone()).univariate_in(0, None).map(|given| given.coefficients)
+                });
+                let coordinates: Vec<Vec<Fraction>> = coordinates.collect::<Result<_>>().at(self.span(i))?;
+                let curve = BezierCurve::from_power(&coordinates, Fraction::zero(), Fraction::one());
+                return Ok((curve.map_err(curve_error)?, Form::default()));
+            }
+            _ => {}
+        }
+        Err(wrong_kind("a Bézier curve", value)
+            .at(self.span(i))
+            .hint("bezier([[0, 0], [1, 2], [2, 0]]) makes one"))
+    }
+
+    /// A spline; a Bézier curve is one without inner knots.
+    pub(super) fn spline(&self, i: usize) -> Result<(BSpline<Fraction>, Form)> {
+        let value = self.value(i)?;
+        if let Value::Geometry(geometry) = value {
+            match &**geometry {
+                Geometry::Spline(spline, form) => return Ok((spline.clone(), *form)),
+                Geometry::Bezier(curve, form) => {
+                    let (a, b) = curve.interval();
+                    let knots = crate::spline::KnotVector::clamped(curve.degree(), a, &[], b)
+                        .map_err(spline_error)?;
+                    let spline = BSpline::new(knots, curve.points().to_vec()).map_err(spline_error)?;
+                    return Ok((spline, *form));
+                }
+            }
+        }
+        Err(wrong_kind("a B-spline curve", value)
+            .at(self.span(i))
+            .hint("bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]) makes one"))
+    }
+
+    /// All further scalars.
+    pub(super) fn scalars_from(&self, first: usize) -> Result<Vec<Fraction>> {
+        (first..self.len()).map(|i| self.scalar(i)).collect()
+    }
+
+    /// Scalars from one list, or written one after the other.
+    pub(super) fn scalars_or_list(&self, first: usize) -> Result<Vec<Fraction>> {
+        match self.value(first) {
+            Ok(Value::List(_)) => self.scalars(first),
+            _ => self.scalars_from(first),
+        }
+    }
+}
+
+/// The first item that is not a weight.
+fn weights_value(items: &[Value]) -> &Value {
+    items.iter().find(|item| item.as_scalar().is_none()).unwrap_or(&items[0])
+}
+
+/// The value of a curve at the arguments of a call.
+pub(super) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Result<Value> {
+    let [(argument, place)] = values else {
+        let error = Diagnostic::error(
+            Code::Arity,
+            format!("{} takes one parameter, not {}", geometry.kind(), values.len()),
+        );
+        return Err(error.at(span).hint("polar(c)(u, v, ...) is a value of its polar form"));
+    };
+    let t = argument.as_scalar().ok_or_else(|| wrong_kind("a number or symbol", argument).at(*place))?;
+    match geometry {
+        Geometry::Bezier(curve, form) => {
+            if curve.contains(t) == Some(false) {
+                let (a, b) = curve.interval();
+                return Err(curve_error(CurveError::OutsideDomain)
+                    .at(*place)
+                    .reason(format!("the interval is [{a}, {b}]")));
+            }
+            form.value(curve.value(t)).map_err(curve_error).at(span)
+        }
+        Geometry::Spline(spline, form) => {
+            let point = spline.value(t).map_err(|error| {
+                let (a, b) = spline.domain();
+                let outside = error == SplineError::OutsideDomain;
+                let problem = spline_error(error).at(*place);
+                if outside { problem.reason(format!("the domain is [{a}, {b}]")) } else { problem }
+            })?;
+            form.value(point).map_err(curve_error).at(span)
+        }
+    }
+}
+
+/// The value of a piecewise polynomial.
+pub(super) fn call_piecewise(
+    function: &PiecewiseFunction,
+    values: &[(Value, Span)],
+    span: Span,
+) -> Result<Value> {
+    let [(argument, place)] = values else {
+        return Err(
+            Diagnostic::error(Code::Arity, format!("one argument needed, {} given", values.len())).at(span)
+        );
+    };
+    let t = argument.as_scalar().ok_or_else(|| wrong_kind("a number or symbol", argument).at(*place))?;
+    function.value(t).map_err(piecewise_error).at(*place)
+}
+
+/// The curve with homogeneous coordinates, all weights 1 if it is polynomial.
+pub(super) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> BezierCurve<Fraction> {
+    if form.rational {
+        return curve.clone();
+    }
+    let one = Fraction::from_rational(&crate::number::Rational::from_integer(1.into()));
+    let points = curve.points().iter().map(|point| homogeneous(point, &one)).collect();
+    let (a, b) = curve.interval();
+    BezierCurve::new(points, a.clone(), b.clone()).expect("only a coordinate was added")
+}
