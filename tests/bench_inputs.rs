@@ -147,3 +147,46 @@ fn polar_products_w8() {
         assert_eq!(times(f, plus(f, 1)), expected(&format!("W8/fateman/{k}")));
     }
 }
+
+#[test]
+fn splines_w9() {
+    for n in [3, 10] {
+        let t = residues(&in_w9_knots());
+        let x = point(0);
+        let quotient = |a: u64, b: u64| times(a, inverse(b));
+        let mut values = Vec::new();
+        for i in 0..t.len() - n - 1 {
+            for span in i..=i + n {
+                // N_j^k for j = i, …, with only the interval `span` counted
+                let mut row: Vec<u64> = (i..=i + n).map(|j| u64::from(j == span)).collect();
+                for k in 1..=n {
+                    row = (0..row.len() - 1)
+                        .map(|a| {
+                            let j = i + a;
+                            let rise = quotient(minus(x, t[j]), minus(t[j + k], t[j]));
+                            let fall = quotient(minus(t[j + k + 1], x), minus(t[j + k + 1], t[j + 1]));
+                            plus(times(rise, row[a]), times(fall, row[a + 1]))
+                        })
+                        .collect();
+                }
+                values.push(row[0]);
+            }
+        }
+        assert_eq!(ck_residues(values), expected(&format!("W9/basis{n}")));
+    }
+
+    let (mut t, points, fresh) = in_w9_insertion();
+    let mut d: Vec<[u64; 2]> = points.iter().map(|p| [modp(&p[0]), modp(&p[1])]).collect();
+    for u in &fresh {
+        let span = t.partition_point(|knot| knot <= u) - 1;
+        let mixed: Vec<[u64; 2]> = (span - 2..=span)
+            .map(|i| {
+                let ratio = modp(&((u - &t[i]) / (&t[i + 3] - &t[i])));
+                [0, 1].map(|axis| plus(times(minus(1, ratio), d[i - 1][axis]), times(ratio, d[i][axis])))
+            })
+            .collect();
+        d.splice(span - 2..span, mixed);
+        t.insert(span + 1, u.clone());
+    }
+    assert_eq!(ck_residues(d.into_iter().flatten()), expected("W9/insert1000"));
+}

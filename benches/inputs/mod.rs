@@ -19,6 +19,8 @@
 //! | W7 | degree elevation 100 → 200, subdivision of degree 200 at 1/3 | [`in_w7`] |
 //! | W8 m | expanded polar form of F G | [`in_w8`] |
 //! | W8 fateman k | f (f + 1) for f = (1 + x + y + z + w)^k | k alone |
+//! | W9 basis n | all B-spline basis functions of degree n on 50 knots | [`in_w9_knots`] |
+//! | W9 insert | 1000 knots inserted into a cubic of 1000 control points | [`in_w9_insertion`] |
 
 // Every benchmark includes this file and uses a part of it.
 #![allow(dead_code)]
@@ -127,6 +129,34 @@ pub fn in_w8(m: usize) -> (Vec<Rational>, Vec<Rational>) {
     (lcg.poly(m, 100, 100), lcg.poly(m, 100, 100))
 }
 
+/// `count` increasing knots from 0 on.
+fn knots(lcg: &mut Lcg, count: usize) -> Vec<Rational> {
+    let mut list = vec![Rational::from_integer(Int::from(0))];
+    for _ in 1..count {
+        let step = Rational::new(Int::from(lcg.below(9) + 1), Int::from(lcg.below(9) + 1));
+        list.push(&list[list.len() - 1] + step);
+    }
+    list
+}
+
+/// 50 knots.
+pub fn in_w9_knots() -> Vec<Rational> {
+    knots(&mut Lcg::new(900), 50)
+}
+
+/// 1004 knots, 1000 control points in the plane, 1000 further knots in the order of insertion.
+pub fn in_w9_insertion() -> (Vec<Rational>, Vec<Vec<Rational>>, Vec<Rational>) {
+    let mut lcg = Lcg::new(901);
+    let t = knots(&mut lcg, 1004);
+    let points = (0..1000).map(|_| vec![lcg.rat(1000, 1000), lcg.rat(1000, 1000)]).collect();
+    let fresh = (0..1000).map(|_| {
+        let s = 3 + lcg.below(997) as usize;
+        &t[s] + (&t[s + 1] - &t[s]) * Rational::new(Int::from(lcg.below(15) + 1), Int::from(16))
+    });
+    let fresh = fresh.collect();
+    (t, points, fresh)
+}
+
 /// The prime 2^61 − 1.
 pub const P: u64 = (1 << 61) - 1;
 
@@ -227,4 +257,7 @@ const EXPECTED: &[(&str, u64)] = &[
     ("W8/fateman/8", 853521835298218450),
     ("W8/fateman/12", 779602828084918809),
     ("W8/fateman/16", 1238188987469243973),
+    ("W9/basis10", 1041621730699439575),
+    ("W9/basis3", 589777664599715480),
+    ("W9/insert1000", 736049157021878726),
 ];

@@ -220,10 +220,14 @@ impl<C: Field> BSpline<C> {
             ratios.push((0..level.len() - 1).map(ratio).collect());
             levels.push(self.step(span, r, level, &Argument::Point(u.clone())));
         }
-        // Point i of level r: u_1, …, u_r, t_{k+1}, …, t_{k+n−r} with k = span − n + r + i.
+        // Point i of level r: t_{k+1}, …, t_{k+n−r} with k = span − n + r + i, and u_1, …, u_r between
+        // the knots before the interval and those after it.
         let label = |r: usize, i: usize| {
             let k = span + r + i - n;
-            arguments[..r].iter().chain(&self.knots.knots()[k + 1..=k + n - r]).cloned().collect()
+            let knots = self.knots.knots();
+            let before = &knots[k + 1..=(k + n - r).min(span)];
+            let after = &knots[(span + 1).max(k + 1)..=k + n - r];
+            before.iter().chain(&arguments[..r]).chain(after).cloned().collect()
         };
         let labels = (0..=n).map(|r| (0..=n - r).map(|i| label(r, i)).collect()).collect();
         Ok(DeBoor { span, tableau: Tableau { levels, labels }, ratios })

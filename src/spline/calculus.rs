@@ -22,9 +22,10 @@ impl<C: Field> BSpline<C> {
     /// ```
     pub fn derivative(&self) -> Result<Self, SplineError> {
         let n = self.degree();
-        let knots = self.knots().knots();
+        let tight = self.tight();
+        let knots = tight.knots().knots();
         if let Some((knot, _)) = self.inner_knots().into_iter().find(|(_, k)| *k > n) {
-            let place = knots.iter().position(|other| *other == knot).unwrap_or(0);
+            let place = self.knots().knots().iter().position(|other| *other == knot).unwrap_or(0);
             return Err(SplineError::NotSmooth { knot: place });
         }
         if n == 0 {
@@ -32,7 +33,7 @@ impl<C: Field> BSpline<C> {
             return BSpline::new(self.knots().clone(), points);
         }
         let degree = Rational::from_integer(Int::from(n));
-        let points = self.points().windows(2).enumerate().map(|(i, pair)| {
+        let points = tight.points().windows(2).enumerate().map(|(i, pair)| {
             let unit = knots[i + n + 1].minus(&knots[i + 1]).inverse();
             let unit = unit.expect("inner knots have multiplicity n at most");
             scaled(&difference(&pair[1], &pair[0]), &unit.scaled(&degree))
@@ -40,6 +41,20 @@ impl<C: Field> BSpline<C> {
         let points: Vec<Point<C>> = points.collect();
         let inner = KnotVector::new(n - 1, knots[1..knots.len() - 1].to_vec())?;
         BSpline::new(inner, points)
+    }
+
+    /// The same curve without the control points that have no influence: those whose basis function
+    /// vanishes on the domain, with t_{i+n+1} at its start or t_i at its end.
+    pub fn tight(&self) -> Self {
+        let n = self.degree();
+        let knots = self.knots().knots();
+        let (start, end) = self.domain();
+        let from = knots.iter().rposition(|knot| knot == start).unwrap_or(n).saturating_sub(n);
+        let last = knots.iter().position(|knot| knot == end).unwrap_or(self.points().len());
+        let (knots, points) = (knots[from..=last + n].to_vec(), self.points()[from..last].to_vec());
+        KnotVector::new(n, knots)
+            .and_then(|knots| BSpline::new(knots, points))
+            .unwrap_or_else(|_| self.clone())
     }
 
     /// The k-th derivative.

@@ -18,6 +18,7 @@ mod calculus;
 mod convert;
 mod degree;
 mod insertion;
+mod integers;
 mod knots;
 #[cfg(test)]
 mod tests;
@@ -112,10 +113,10 @@ impl fmt::Display for SplineError {
                 write!(f, "degree {degree} needs at least {needed} knots, {given} given")
             }
             SplineError::DecreasingKnots { index } => {
-                write!(f, "knot {index} is smaller than the one before it")
+                write!(f, "knot t_{index} is smaller than the one before it")
             }
             SplineError::Multiplicity { index, found, allowed } => {
-                write!(f, "knot {index} is repeated {found} times, at most {allowed} are possible")
+                write!(f, "knot t_{index} is repeated {found} times, at most {allowed} are possible")
             }
             SplineError::PointCount { points, knots, degree } => {
                 let needed = knots.saturating_sub(degree + 1);

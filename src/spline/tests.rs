@@ -15,29 +15,36 @@ fn small() -> impl Strategy<Value = Rational> {
 
 /// Knots with many repetitions, clamped or not.
 fn any_knots() -> impl Strategy<Value = KnotVector<Rational>> {
-    (0usize..5, prop::collection::vec((0i64..3, 1i64..4), 2..9), any::<bool>()).prop_map(
-        |(n, steps, clamped)| {
-            let mut inner = vec![];
-            let mut at = z(0);
-            for (step, denominator) in steps {
-                at += q(step, denominator);
-                let repeated = inner.iter().filter(|x| **x == at).count();
-                if repeated <= n {
-                    inner.push(at.clone());
-                }
+    (0usize..5, prop::collection::vec((0i64..3, 1i64..4), 2..9), 0..3).prop_map(|(n, steps, ends)| {
+        let mut inner = vec![];
+        let mut at = z(0);
+        for (step, denominator) in steps {
+            at += q(step, denominator);
+            let repeated = inner.iter().filter(|x| **x == at).count();
+            if repeated <= n {
+                inner.push(at.clone());
             }
-            let start = &inner[0] - z(1);
-            let end = &inner[inner.len() - 1] + z(1);
-            if clamped {
-                return KnotVector::clamped(n, &start, &inner, &end).unwrap();
-            }
-            let mut knots: Vec<Rational> = (1..=n as i64 + 1).rev().map(|k| &start - z(k)).collect();
-            knots.push(start);
+        }
+        let start = &inner[0] - z(1);
+        let end = &inner[inner.len() - 1] + z(1);
+        if ends == 0 {
+            return KnotVector::clamped(n, &start, &inner, &end).unwrap();
+        }
+        if ends == 1 {
+            // control points without influence at both ends
+            let mut knots: Vec<Rational> = (1..=n as i64).rev().map(|k| &start - z(k)).collect();
+            knots.extend(vec![start; n + 1]);
             knots.extend(inner);
-            knots.extend((0..=n as i64 + 1).map(|k| &end + z(k)));
-            KnotVector::new(n, knots).unwrap()
-        },
-    )
+            knots.extend(vec![end.clone(); n + 1]);
+            knots.extend((1..=n as i64).map(|k| &end + z(k)));
+            return KnotVector::new(n, knots).unwrap();
+        }
+        let mut knots: Vec<Rational> = (1..=n as i64 + 1).rev().map(|k| &start - z(k)).collect();
+        knots.push(start);
+        knots.extend(inner);
+        knots.extend((0..=n as i64 + 1).map(|k| &end + z(k)));
+        KnotVector::new(n, knots).unwrap()
+    })
 }
 
 fn any_spline() -> impl Strategy<Value = Spline> {
@@ -161,14 +168,14 @@ proptest! {
         let fine = s.insert_all(&fresh).unwrap();
         let one_by_one = fresh.iter().fold(s.clone(), |s, t| s.insert(t).unwrap());
         prop_assert_eq!(&fine, &one_by_one);
-        prop_assert_eq!(&s.refine(fine.knots().clone()).unwrap(), &fine);
+        prop_assert_eq!(s.refine(fine.knots().clone()).unwrap().tight(), fine.tight());
         prop_assert_eq!(s.knots().with(&fresh).unwrap(), fine.knots().clone());
         prop_assert_eq!(merged(&fine), merged(&s));
         let mut back = fine;
         for t in &fresh {
             back = back.remove(t, 1).unwrap().unwrap();
         }
-        prop_assert_eq!(back, s);
+        prop_assert_eq!(back.tight(), s.tight());
     }
 
     #[test]
@@ -223,7 +230,7 @@ proptest! {
     #[test]
     fn calculus(s in any_spline(), k in 0usize..60) {
         let primitive = s.antiderivative().unwrap();
-        prop_assert_eq!(&primitive.derivative().unwrap(), &s);
+        prop_assert_eq!(primitive.derivative().unwrap().tight(), s.tight());
         let (a, b) = s.domain();
         let ends = crate::curve::difference(&primitive.value(b).unwrap(), &primitive.value(a).unwrap());
         prop_assert_eq!(ends, s.integral());
@@ -332,7 +339,7 @@ fn symbolic_knots_give_the_textbook_ratios() {
     // α = (t − t_1)/(t_4 − t_1), as in every textbook
     let expected = (t.clone() - symbol("t", 1)) / (symbol("t", 4) - symbol("t", 1));
     assert_eq!(scheme.ratios[0][0], expected);
-    assert_eq!(scheme.tableau.labels[1][0], [t.clone(), symbol("t", 2), symbol("t", 3)]);
+    assert_eq!(scheme.tableau.labels[1][0], [symbol("t", 2), symbol("t", 3), t.clone()]);
     assert_eq!(s.value_on(3, &t).unwrap(), *scheme.tableau.result());
     // two ways to the basis function with symbolic knots
     let small = KnotVector::new(2, (0..4).map(|i| symbol("t", i)).collect()).unwrap();
