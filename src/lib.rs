@@ -65,6 +65,7 @@ pub mod curve;
 pub mod diagnostic;
 pub mod eval;
 pub mod expr;
+pub mod interpolate;
 pub mod latex;
 pub mod linalg;
 pub mod notes;

@@ -10,7 +10,7 @@ const TIERS: &[&[&str]] = &[
     &["ring", "expr", "diagnostic"],
     &["linalg", "poly"],
     &["basis", "blossom", "piecewise", "syntax", "latex"],
-    &["curve"],
+    &["curve", "interpolate"],
     &["value"],
     &["write"],
     &["eval"],
@@ -20,7 +20,8 @@ const TIERS: &[&[&str]] = &[
 ];
 
 /// The mathematics knows nothing of syntax, spans or terminals.
-const MATHEMATICS: &[&str] = &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve"];
+const MATHEMATICS: &[&str] =
+    &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve", "interpolate"];
 const LANGUAGE: &[&str] = &["source", "expr", "diagnostic", "syntax", "latex"];
 
 const LONGEST_FILE: usize = 650;
