@@ -167,16 +167,23 @@ pub(super) fn as_many(what: &'static str, given: usize, needed: usize) -> Result
     if given == needed { Ok(()) } else { Err(InterpolationError::Lengths { what, given, needed }) }
 }
 
-/// All data have the dimension of the first.
-pub(super) fn same_dimension<'a, C: Ring, V: Datum<C> + 'a>(
+/// All points have the dimension of the first.
+pub(super) fn same_dimension<C: Ring, V: Datum<C>>(points: &[V]) -> Result<(), InterpolationError> {
+    match points.first() {
+        Some(first) => fitting("point", points, first),
+        None => Ok(()),
+    }
+}
+
+/// All data have the dimension of a point.
+pub(super) fn fitting<'a, C: Ring, V: Datum<C> + 'a>(
+    what: &'static str,
     data: impl IntoIterator<Item = &'a V>,
+    point: &V,
 ) -> Result<(), InterpolationError> {
-    let mut data = data.into_iter().enumerate();
-    let Some((_, first)) = data.next() else { return Ok(()) };
-    match data.find(|(_, datum)| datum.dimension() != first.dimension()) {
-        Some((index, datum)) => {
-            Err(InterpolationError::Dimensions { index, given: datum.dimension(), needed: first.dimension() })
-        }
+    let needed = point.dimension();
+    match data.into_iter().map(Datum::dimension).enumerate().find(|(_, given)| *given != needed) {
+        Some((index, given)) => Err(InterpolationError::Dimensions { what, index, given, needed }),
         None => Ok(()),
     }
 }

@@ -27,7 +27,9 @@ pub enum InterpolationError {
     },
     /// A point has another number of coordinates than the first one.
     Dimensions {
-        /// The place of the offending point.
+        /// What the offending datum is: "point", "condition", …
+        what: &'static str,
+        /// Its place.
         index: usize,
         /// Its number of coordinates.
         given: usize,
@@ -52,6 +54,17 @@ pub enum InterpolationError {
     NotIncreasing {
         /// The place of the offending node.
         index: usize,
+    },
+    /// A datum of a node has another number of coordinates than the first one.
+    DatumDimensions {
+        /// The place of the node.
+        node: usize,
+        /// The place of the datum: 0 for the value, 1 for the derivative, …
+        datum: usize,
+        /// Its number of coordinates.
+        given: usize,
+        /// That of the first value.
+        needed: usize,
     },
     /// A node of Hermite data has no value.
     NoData {
@@ -131,8 +144,14 @@ impl fmt::Display for InterpolationError {
                 write!(f, "at least {needed} point{plural} needed, {given} given")
             }
             E::Lengths { what, given, needed } => write!(f, "{needed} {what} needed, {given} given"),
-            E::Dimensions { index, given, needed } => {
-                write!(f, "point {index} has {given} coordinates, the first has {needed}")
+            E::Dimensions { what, index, given, needed } => {
+                let plural = if *given == 1 { "" } else { "s" };
+                write!(f, "{what} {index} has {given} coordinate{plural}, the first point has {needed}")
+            }
+            E::DatumDimensions { node, datum, given, needed } => {
+                let plural = if *given == 1 { "" } else { "s" };
+                write!(f, "datum {datum} of node {node} has {given} coordinate{plural}, ")?;
+                write!(f, "the first point has {needed}")
             }
             E::EqualNodes { first, second } => write!(f, "the nodes x_{first} and x_{second} are equal"),
             E::NodesApart { first, second } => write!(

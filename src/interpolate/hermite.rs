@@ -11,7 +11,7 @@
 //! 2.1.5; G. Farin, *Curves and Surfaces for CAGD* (2002), section 7.5.
 
 use super::InterpolationError;
-use super::datum::{Datum, distinct, enough, same_dimension};
+use super::datum::{Datum, distinct, enough, fitting, same_dimension};
 use super::newton::DividedDifferences;
 use crate::budget;
 use crate::number::{Int, Rational};
@@ -38,7 +38,13 @@ impl<C: Field, V: Datum<C>> DividedDifferences<C, V> {
         if let Some(index) = data.iter().position(|(_, values)| values.is_empty()) {
             return Err(InterpolationError::NoData { index });
         }
-        same_dimension(data.iter().flat_map(|(_, values)| values))?;
+        let needed = data[0].1[0].dimension();
+        for (node, (_, values)) in data.iter().enumerate() {
+            if let Some(datum) = values.iter().position(|datum| datum.dimension() != needed) {
+                let given = values[datum].dimension();
+                return Err(InterpolationError::DatumDimensions { node, datum, given, needed });
+            }
+        }
         distinct(&data.iter().map(|(node, _)| node.clone()).collect::<Vec<C>>())?;
         let repeated = data.iter().flat_map(|(node, values)| std::iter::repeat_n(node.clone(), values.len()));
         let values: Vec<V> = data.iter().flat_map(|(_, values)| values.iter().cloned()).collect();
@@ -100,7 +106,10 @@ pub fn hermite_bezier<C: Field, V: Datum<C>>(
 ) -> Result<Vec<V>, InterpolationError> {
     let count = left.len() + right.len();
     enough(count, 1)?;
-    same_dimension(left.iter().chain(right))?;
+    if let Some(first) = left.first() {
+        fitting("datum", left.iter().chain(right), first)?;
+    }
+    same_dimension(right)?;
     if a == b {
         return Err(InterpolationError::EqualNodes { first: 0, second: 1 });
     }

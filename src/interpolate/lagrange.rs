@@ -9,7 +9,7 @@
 //! 46 (2004).
 
 use super::InterpolationError;
-use super::datum::{Datum, check, combination, divided, enough, reciprocal, same_dimension, times_linear};
+use super::datum::{Datum, check, combination, distinct, divided, enough, fitting, reciprocal, times_linear};
 use crate::budget;
 use crate::ring::{Field, Ring};
 
@@ -50,7 +50,7 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
     /// [`InterpolationError::EqualNodes`], [`InterpolationError::Dimensions`]; nothing is changed
     /// then.
     pub fn insert(&mut self, node: C, value: V) -> Result<(), InterpolationError> {
-        same_dimension([&self.values[0], &value])?;
+        fitting("value", [&value], &self.values[0])?;
         if let Some(first) = self.nodes.iter().position(|x| *x == node) {
             return Err(InterpolationError::EqualNodes { first, second: self.nodes.len() });
         }
@@ -173,7 +173,7 @@ pub fn polynomial_through<C: Field, V: Datum<C>>(
 /// [`InterpolationError`] when there are no nodes, or two are equal.
 pub fn barycentric_weights<C: Field>(nodes: &[C]) -> Result<Vec<C>, InterpolationError> {
     enough(nodes.len(), 1)?;
-    super::datum::distinct(nodes)?;
+    distinct(nodes)?;
     Ok(weights_of(nodes))
 }
 

@@ -15,7 +15,7 @@
 
 use super::InterpolationError;
 use super::datum::{
-    Datum, as_many, check, divided, enough, over_factorial, reciprocal, same_dimension, times_linear,
+    Datum, as_many, check, divided, enough, fitting, over_factorial, reciprocal, same_dimension, times_linear,
 };
 use crate::budget;
 use crate::ring::{Field, Ring};
@@ -124,7 +124,7 @@ impl<C: Field, V: Datum<C>> DividedDifferences<C, V> {
     /// # Errors
     /// [`InterpolationError::Dimensions`].
     pub fn insert(&mut self, node: C, datum: V) -> Result<usize, InterpolationError> {
-        same_dimension([&self.columns[0][0], &datum])?;
+        fitting("datum", [&datum], &self.columns[0][0])?;
         let count = self.nodes.len();
         let (place, multiplicity) = match self.nodes.iter().rposition(|x| *x == node) {
             Some(last) => (last + 1, self.nodes.iter().filter(|x| **x == node).count()),
@@ -162,6 +162,11 @@ impl<C: Field, V: Datum<C>> DividedDifferences<C, V> {
     /// The degree n of the interpolating polynomial: one less than there are nodes.
     pub fn degree(&self) -> usize {
         self.nodes.len() - 1
+    }
+
+    /// All columns: the values, the first differences, and so on to f[x_0, …, x_n].
+    pub fn columns(&self) -> &[Vec<V>] {
+        &self.columns
     }
 
     /// f[x_i, …, x_{i+k}] for i = 0, …, n−k.

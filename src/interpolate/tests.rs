@@ -421,7 +421,12 @@ fn errors_name_the_offender() {
     let ragged = [vec![z(0)], vec![z(1), z(2)]];
     assert_eq!(
         polynomial_through(&nodes[..2], &ragged).unwrap_err().to_string(),
-        "point 1 has 2 coordinates, the first has 1"
+        "point 1 has 2 coordinates, the first point has 1"
+    );
+    let uneven = [(z(0), vec![vec![z(1)]]), (z(1), vec![vec![z(2)], vec![]])];
+    assert_eq!(
+        DividedDifferences::hermite(&uneven).unwrap_err().to_string(),
+        "datum 1 of node 1 has 0 coordinates, the first point has 1"
     );
     let hermite = DividedDifferences::hermite(&[(z(0), vec![z(1)]), (z(1), vec![])]);
     assert_eq!(hermite.unwrap_err().to_string(), "the node x_1 has no value");

@@ -31,16 +31,17 @@ use crate::ring::{Field, Ring};
 /// assert_eq!(vandermonde(&[2, 3].map(z), 2), DMatrix::from_row_slice(2, 3, &[1, 2, 4, 1, 3, 9].map(z)));
 /// ```
 pub fn vandermonde<C: Ring>(nodes: &[C], degree: usize) -> DMatrix<C> {
-    budget::charge_terms((nodes.len() as u64).saturating_mul((degree as u64).saturating_add(1)));
+    let columns = degree.saturating_add(1);
+    budget::charge_terms((nodes.len() as u64).saturating_mul(columns as u64));
     let powers = |x: &C| {
         std::iter::successors(Some(C::one()), |power| {
             budget::step();
             Some(power.times(x))
         })
-        .take(degree + 1)
+        .take(columns)
         .collect::<Vec<C>>()
     };
-    DMatrix::from_row_iterator(nodes.len(), degree + 1, nodes.iter().flat_map(powers))
+    DMatrix::from_row_iterator(nodes.len(), columns, nodes.iter().flat_map(powers))
 }
 
 /// det V = ∏_{i<j} (x_j − x_i) of the square matrix for n + 1 nodes; 0 if two are equal, 1 for at
@@ -92,8 +93,7 @@ pub fn vandermonde_inverse<C: Field>(nodes: &[C]) -> Result<DMatrix<C>, Interpol
 /// assert_eq!(matrix, DMatrix::from_row_slice(3, 3, &[1, 2, 4, 0, 1, 4, 1, 5, 25].map(z)));
 /// ```
 pub fn confluent_vandermonde<C: Ring>(nodes: &[(C, usize)]) -> DMatrix<C> {
-    let size = nodes.iter().fold(0usize, |sum, (_, m)| sum.saturating_add(*m));
-    budget::charge_terms((size as u64).saturating_mul(size as u64));
+    let size = charged_size(nodes);
     let mut matrix = DMatrix::zeros(size, size);
     let mut row = 0;
     for (x, multiplicity) in nodes {
@@ -113,6 +113,13 @@ pub fn confluent_vandermonde<C: Ring>(nodes: &[(C, usize)]) -> DMatrix<C> {
     matrix
 }
 
+/// Σ m_i, charged for as a square matrix.
+fn charged_size<C>(nodes: &[(C, usize)]) -> usize {
+    let size = nodes.iter().fold(0usize, |sum, (_, m)| sum.saturating_add(*m));
+    budget::charge_terms((size as u64).saturating_mul(size as u64));
+    size
+}
+
 /// Its determinant ∏_i ∏_{k<m_i} k! · ∏_{i<j} (x_j − x_i)^{m_i m_j}.
 ///
 /// ```
@@ -121,6 +128,7 @@ pub fn confluent_vandermonde<C: Ring>(nodes: &[(C, usize)]) -> DMatrix<C> {
 /// assert_eq!(confluent_determinant(&[(z(2), 2), (z(5), 1)]), z(9));
 /// ```
 pub fn confluent_determinant<C: Ring>(nodes: &[(C, usize)]) -> C {
+    charged_size(nodes);
     let mut product = C::one();
     for (j, (right, m)) in nodes.iter().enumerate() {
         let factorials: Int = (0..*m).map(factorial).product();

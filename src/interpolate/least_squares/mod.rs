@@ -20,7 +20,7 @@ use num_traits::Signed;
 use crate::basis::{Basis, change_of_basis, evaluate_basis};
 use crate::budget;
 use crate::interpolate::InterpolationError;
-use crate::interpolate::datum::{Datum, as_many, combination, distinct, enough, same_dimension};
+use crate::interpolate::datum::{Datum, as_many, combination, distinct, enough, fitting, same_dimension};
 use crate::linalg::{multiply, rank, reduced_row_echelon, solve};
 use crate::ring::Field;
 
@@ -130,7 +130,8 @@ pub fn least_squares_under<C: Field, V: Datum<C>>(
     as_many("right sides", right.len(), rows)?;
     as_many("rows of conditions", conditions.matrix.nrows(), count)?;
     as_many("columns of conditions", conditions.matrix.ncols(), columns)?;
-    same_dimension(right.iter().chain(&conditions.values))?;
+    same_dimension(right)?;
+    fitting("condition", &conditions.values, &right[0])?;
     let weights = weights.map_or_else(|| vec![C::one(); rows], <[C]>::to_vec);
     check_weights(&weights, rows)?;
     check_conditions(&conditions.matrix)?;

@@ -27,7 +27,7 @@ mod tests;
 use crate::budget;
 use crate::interpolate::InterpolationError;
 use crate::interpolate::datum::{
-    Datum, as_many, enough, increasing, reciprocal, same_dimension, share, times_linear, value_of,
+    Datum, as_many, enough, fitting, increasing, reciprocal, same_dimension, share, times_linear, value_of,
 };
 use crate::interpolate::hermite::hermite_bezier;
 use crate::number::rational;
@@ -93,7 +93,8 @@ impl<C: Field, V: Datum<C>> Steps<C, V> {
     fn new(nodes: &[C], values: &[V], ends: &Ends<V>) -> Result<Self, InterpolationError> {
         enough(nodes.len(), 2)?;
         as_many("values", values.len(), nodes.len())?;
-        same_dimension(values.iter().chain(ends.data()))?;
+        same_dimension(values)?;
+        fitting("end", ends.data(), &values[0])?;
         increasing(nodes)?;
         if matches!(ends, Ends::Periodic) && values[0] != values[values.len() - 1] {
             return Err(InterpolationError::NotPeriodic);
