@@ -40,6 +40,7 @@
 //! | polar forms: in one variable, tensor-product, of total degree | [`blossom`] |
 //! | A_n, raising the degree, change of basis | [`basis`] |
 //! | exact solving, inverse, rank, determinant | [`linalg`] |
+//! | interpolation, cubic splines, least squares, parameters for points | [`interpolate`] |
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | checking lecture notes | [`notes`] |
@@ -65,6 +66,7 @@ pub mod curve;
 pub mod diagnostic;
 pub mod eval;
 pub mod expr;
+pub mod interpolate;
 pub mod latex;
 pub mod linalg;
 pub mod notes;

@@ -10,7 +10,7 @@ const TIERS: &[&[&str]] = &[
     &["ring", "expr", "diagnostic"],
     &["linalg", "poly"],
     &["basis", "blossom", "piecewise", "syntax", "latex"],
-    &["curve"],
+    &["curve", "interpolate"],
     &["spline"],
     &["value"],
     &["write"],
@@ -22,7 +22,7 @@ const TIERS: &[&[&str]] = &[
 
 /// The mathematics knows nothing of syntax, spans or terminals.
 const MATHEMATICS: &[&str] =
-    &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve", "spline"];
+    &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve", "interpolate", "spline"];
 const LANGUAGE: &[&str] = &["source", "expr", "diagnostic", "syntax", "latex"];
 
 const LONGEST_FILE: usize = 650;
