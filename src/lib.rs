@@ -43,6 +43,7 @@
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | checking lecture notes | [`notes`] |
+//! | drawings: what is on them; SVG, TikZ, terminal | [`scene`], [`figure`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
@@ -64,12 +65,14 @@ pub mod cli;
 pub mod diagnostic;
 pub mod eval;
 pub mod expr;
+pub mod figure;
 pub mod latex;
 pub mod linalg;
 pub mod notes;
 pub mod number;
 pub mod poly;
 pub mod ring;
+pub mod scene;
 pub mod session;
 pub mod source;
 pub mod syntax;

@@ -1,0 +1,93 @@
+//! Bézier curves with their control polygons.
+
+use super::Curve;
+use super::curve::add_polygon;
+use crate::expr::{Expr, Rel};
+use crate::number::Rational;
+use crate::scene::{
+    Dash, Direction, Entry, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, Text,
+    convex_hull, exact_text,
+};
+
+/// Bézier curves, their control polygons, hulls, and points at given parameters.
+///
+/// ```
+/// use polarform::number::{integer as z, rational};
+/// use polarform::scene::pictures::{BezierPicture, Curve};
+/// let curve = Curve::new(vec![[z(0), z(0)], [z(1), z(2)], [z(3), z(2)], [z(4), z(0)]]);
+/// let picture = BezierPicture { hull: true, parameters: vec![rational(1, 3)], ..BezierPicture::of(curve) };
+/// assert_eq!(picture.scene()?.panels().len(), 1);
+/// # Ok::<(), polarform::scene::SceneError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BezierPicture {
+    /// The curves, each in its own colour.
+    pub curves: Vec<Curve>,
+    /// Parameters in [0, 1] whose points are marked on each curve.
+    pub parameters: Vec<Rational>,
+    /// Whether the control polygons are drawn.
+    pub polygon: bool,
+    /// Whether the convex hulls of the control points are shaded.
+    pub hull: bool,
+}
+
+impl BezierPicture {
+    /// One curve with its control polygon.
+    pub fn of(curve: Curve) -> Self {
+        BezierPicture { curves: vec![curve], parameters: Vec::new(), polygon: true, hull: false }
+    }
+
+    /// The picture.
+    ///
+    /// # Errors
+    /// [`SceneError`] for coordinates too large, curves through infinity, and curves without
+    /// control points.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        let several = self.curves.len() > 1;
+        let mut scene = Scene::new(if several { "Bézier curves" } else { "Bézier curve" });
+        if self.hull {
+            for (number, curve) in self.curves.iter().enumerate() {
+                let places: Vec<_> = curve.places().into_iter().map(|(_, place)| place).collect();
+                let corners: Vec<Spot> =
+                    convex_hull(&places).iter().map(Spot::exact).collect::<Result<_, _>>()?;
+                if let Some(hull) = Path::lines(corners, Style::fill(Ink::Series(number), 0.12)) {
+                    scene.add(hull.close());
+                }
+            }
+        }
+        // polygons below all curves, names above
+        let mut polygons = Scene::new("");
+        for (number, curve) in self.curves.iter().enumerate() {
+            let path = curve.path(Style::curve(number))?;
+            if self.polygon {
+                let ink = if several { Ink::Series(number) } else { Ink::Text };
+                let style =
+                    Style::line(Ink::Guide, 1.2).dashed(if several { Dash::Dashed } else { Dash::Solid });
+                add_polygon(&mut polygons, curve, (Shape::Dot, ink), style)?;
+            }
+            polygons.add(path);
+            for parameter in &self.parameters {
+                let point = curve.at(parameter).ok_or_else(|| SceneError::AtInfinity {
+                    what: format!("the curve at t = {parameter}"),
+                })?;
+                let spot = Spot::exact(&point)?;
+                polygons.add(Marker::new(spot, Shape::Diamond, Ink::Accent));
+                let text = Expr::relation(Expr::name("t"), Rel::Eq, exact_text(parameter));
+                polygons.add(Label::beside(spot, text, Direction::South).small());
+            }
+            if let Some(name) = &curve.name {
+                polygons.explain(Entry {
+                    text: Text::Formula(name.clone()),
+                    style: Some(Style::curve(number)),
+                    marker: None,
+                });
+            }
+        }
+        scene.append(polygons);
+        let degrees: Vec<String> =
+            self.curves.iter().map(|curve| curve.points.len().saturating_sub(1).to_string()).collect();
+        let plural = if several { "s of degrees" } else { " of degree" };
+        Ok(scene
+            .with_description(format!("Bézier curve{plural} {} with control points.", degrees.join(", "))))
+    }
+}
