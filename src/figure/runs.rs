@@ -303,8 +303,13 @@ fn between(before: &Expr, after: &Expr) -> &'static str {
         (_, Kind::Number(_)) => "·",
         (_, Kind::Pow(base, _)) if matches!(base.kind, Kind::Number(_)) => "·",
         (Kind::Number(value), _) if value.is_integer() => "",
-        (_, Kind::Group(_) | Kind::Add(_)) | (Kind::Group(_), _) => "",
-        _ => THIN,
+        // words are kept apart, letters are not
+        (Kind::Name(name), _) | (_, Kind::Name(name))
+            if unicode(&Expr::name(name.as_str())).chars().count() > 1 =>
+        {
+            THIN
+        }
+        _ => "",
     }
 }
 
@@ -365,7 +370,8 @@ mod tests {
             ("Delta", "Δ"),
             ("F'(t)", "*F*′(*t*)"),
             ("2 t (1 - t)", "2*t*(1~−~*t*)"),
-            ("a/(b c)", "*a*/(*b*~*c*)"),
+            ("a/(b c)", "*a*/(*bc*)"),
+            ("a max", "*a*~max"),
             ("2*10^30", "2·10^30"),
             ("hat(v)", "*v\u{302}*"),
             ("1/3", "1/3"),

@@ -21,7 +21,7 @@ use crate::write::unicode;
 /// ```
 pub fn terminal(scene: &Scene, columns: usize, rows: usize) -> String {
     let (columns, rows) = (columns.clamp(1, 1000), rows.clamp(1, 1000));
-    let page = layout(scene, &|_, _| Extent::default());
+    let page = layout(&scene.clone().without_words_below(), &|_, _| Extent::default());
     let mut low = [f64::INFINITY; 2];
     let mut high = [f64::NEG_INFINITY; 2];
     for mark in &page.marks {
@@ -140,23 +140,29 @@ impl Canvas {
         };
         let signs: Vec<char> = words.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         let [x, y] = dot([text.area.low[0], text.area.low[1]]);
-        let row = (y.max(0.0).round() / 4.0).floor();
-        let start = match text.fixed.0 {
-            -1 => x / 2.0 + 1.0,
-            0 => x / 2.0 - signs.len() as f64 / 2.0,
-            _ => x / 2.0 - signs.len() as f64,
+        let (column, row) = ((x / 2.0).max(0.0) as usize, (y / 4.0).max(0.0) as usize);
+        let length = signs.len();
+        let latest = self.columns.saturating_sub(length);
+        let (right, left, middle) =
+            (column + 2, column.saturating_sub(length), column.saturating_sub(length / 2).min(latest));
+        let wanted = match text.fixed.0 {
+            -1 => column + 1,
+            0 => middle,
+            _ => left,
         };
-        let latest = self.columns as f64 - signs.len() as f64;
-        if latest < 0.0 {
-            return;
-        }
-        let start = start.round().clamp(0.0, latest) as usize;
-        let first = row as usize * self.columns + start;
-        let free = |cells: &[Option<char>]| cells.iter().all(Option::is_none);
-        if let Some(cells) = self.signs.get_mut(first..first + signs.len())
-            && free(cells)
+        let above = row.saturating_sub(1);
+        for (row, start) in
+            [(row, wanted), (row, right), (row, left), (above, middle), (row + 1, middle), (above, right)]
         {
-            cells.iter_mut().zip(signs).for_each(|(cell, sign)| *cell = Some(sign));
+            let first = row * self.columns + start;
+            if start <= latest
+                && length <= self.columns
+                && let Some(cells) = self.signs.get_mut(first..first + length)
+                && cells.iter().all(Option::is_none)
+            {
+                cells.iter_mut().zip(signs).for_each(|(cell, sign)| *cell = Some(sign));
+                return;
+            }
         }
     }
 

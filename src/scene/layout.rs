@@ -80,29 +80,27 @@ struct Sheet {
 /// The panel in this width, or wider when fixed labels need it.
 fn fitted(panel: &Panel, width: f64, measure: Measure) -> Sheet {
     let world = bounds(panel);
-    let mut width = width;
+    let map = |inner: f64| Map::new(world, panel.aspect, inner);
+    let mut inner = (width - 48.0).max(0.4 * width);
     for _ in 0..ENLARGEMENTS {
-        let map = Map::new(world, panel.aspect, width);
-        if !crowded(panel, &map, measure) {
+        if !crowded(panel, &map(inner), measure) {
             break;
         }
-        width *= 1.12;
+        inner *= 1.12;
     }
-    let mut inner = (width - 48.0).max(0.4 * width);
-    let mut sheet = laid_out(panel, &Map::new(world, panel.aspect, inner), width, measure);
+    let mut sheet = laid_out(panel, &map(inner), width, measure);
     for _ in 0..ROUNDS {
         let missing = width - sheet.bounds.width();
         let next = (inner + missing).clamp(0.4 * width, width);
-        // a picture limited by its height stays narrower
-        if missing.abs() < 1.0 || (next - inner).abs() < 0.5 {
-            break;
-        }
-        let map = Map::new(world, panel.aspect, next);
-        if missing > 0.0 && map.size[0] < next {
+        let enough = missing.abs() < 1.0 || (next - inner).abs() < 0.5;
+        // a picture limited by its height stays narrower, one with wide labels wider
+        let narrower = missing > 0.0 && map(next).size[0] < next;
+        let wider = missing < 0.0 && crowded(panel, &map(next), measure);
+        if enough || narrower || wider {
             break;
         }
         inner = next;
-        sheet = laid_out(panel, &map, width, measure);
+        sheet = laid_out(panel, &map(inner), width, measure);
     }
     sheet
 }

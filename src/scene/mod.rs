@@ -158,20 +158,13 @@ impl Scene {
         }
     }
 
-    /// Adds what is in the first panel of another scene on top of the last panel.
-    fn append(&mut self, other: Scene) {
-        if let (Some(panel), Some(others)) = (self.panels.last_mut(), other.panels.into_iter().next()) {
-            panel.items.extend(others.items);
-            panel.legend.extend(others.legend);
+    /// The same without legends and captions.
+    pub(crate) fn without_words_below(mut self) -> Self {
+        for panel in &mut self.panels {
+            panel.legend.clear();
+            panel.caption = None;
         }
-    }
-
-    /// Adds only the labels of the first panel of another scene.
-    fn append_labels(&mut self, mut other: Scene) {
-        for panel in &mut other.panels {
-            panel.items.retain(|item| matches!(item, Item::Label(_)));
-        }
-        self.append(other);
+        self
     }
 
     /// Adds an entry to the legend of the last panel.

@@ -24,8 +24,8 @@ impl Obstacles {
             Mark::Path { start, strokes, closed, style, .. } => {
                 let Some(ink) = style.stroke else { return };
                 let weight = match ink {
-                    Ink::Guide => 0.7,
-                    _ => 1.6,
+                    Ink::Guide => 1.2,
+                    _ => 2.2,
                 };
                 trace(*start, strokes, &mut |a, b| self.lines.push((a, b, weight)));
                 if *closed && let Some(last) = strokes.last() {
@@ -48,7 +48,7 @@ impl Obstacles {
             let apart = (0..2).any(|k| a[k].max(b[k]) < area.low[k] || a[k].min(b[k]) > area.high[k]);
             if !apart && let Some((first, last)) = area.clip(*a, *b) {
                 let length = (last - first) * (a[0] - b[0]).hypot(a[1] - b[1]);
-                cost += weight * LINE * (0.35 + length / 10.0);
+                cost += weight * LINE * (0.8 + length / 10.0);
             }
         }
         for (other, weight) in &self.boxes {

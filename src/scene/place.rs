@@ -26,6 +26,8 @@ const RINGS: [(f64, f64); 3] = [(1.0, 0.0), (2.0, 1.5), (3.4, 3.5)];
 /// What an eighth of a turn away from the direction wanted costs.
 const TURN: f64 = 0.3;
 const ROUNDS: usize = 6;
+/// Pixels between two labels.
+const APART: f64 = 4.0;
 
 struct Candidate {
     area: Rect,
@@ -44,7 +46,9 @@ pub(super) fn place(labels: &[Movable], obstacles: &Obstacles) -> Vec<Option<Pla
             let cost = |k: usize| {
                 let Candidate { area, cost, .. } = &candidates[i][k];
                 let covers = |j: usize| {
-                    j != i && chosen[j].is_some_and(|other| area.overlap(&candidates[j][other].area) > 0.0)
+                    j != i
+                        && chosen[j]
+                            .is_some_and(|other| area.grown(APART).overlap(&candidates[j][other].area) > 0.0)
                 };
                 cost + LABEL * (0..labels.len()).filter(|&j| covers(j)).count() as f64
             };

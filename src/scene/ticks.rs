@@ -3,9 +3,9 @@
 use num_traits::{One, Signed, ToPrimitive, pow};
 
 use crate::expr::{Expr, Kind, Quotient, Sign, Term};
-use crate::number::{Int, Rational, integer};
+use crate::number::{Int, Rational, integer, rational};
 
-/// About `count` multiples of 1, 2 or 5 times a power of ten in [from, to], ascending.
+/// About `count` multiples of 1, 2, 5/2 or 5 times a power of ten in [from, to], ascending.
 ///
 /// Empty when `from > to` or an end is beyond the range of floating-point numbers; for
 /// `from = to` only that number.
@@ -14,7 +14,7 @@ use crate::number::{Int, Rational, integer};
 /// use polarform::number::{integer, rational};
 /// use polarform::scene::nice_ticks;
 /// let ticks = nice_ticks(&integer(0), &integer(1), 4);
-/// assert_eq!(ticks, [0, 1, 2, 3, 4, 5].map(|i| rational(i, 5)));
+/// assert_eq!(ticks, [0, 1, 2, 3, 4].map(|i| rational(i, 4)));
 /// ```
 pub fn nice_ticks(from: &Rational, to: &Rational, count: usize) -> Vec<Rational> {
     if from == to {
@@ -28,10 +28,15 @@ pub fn nice_ticks(from: &Rational, to: &Rational, count: usize) -> Vec<Rational>
         return Vec::new();
     }
     let exponent = wanted.log10().floor() as i32;
-    let Some(step) = [1, 2, 5, 10, 20]
+    // quarters, but not 5/2
+    let quarter = if exponent == 0 { None } else { Some(rational(5, 2)) };
+    let digits = [Some(integer(1)), Some(integer(2)), quarter, Some(integer(5)), Some(integer(10))];
+    let farness = |step: &Rational| step.to_f64().map_or(f64::INFINITY, |step| (step / wanted).ln().abs());
+    let Some(step) = digits
         .into_iter()
-        .map(|digit| integer(digit) * power_of_ten(exponent))
-        .find(|step| step.to_f64().is_some_and(|step| step >= wanted * 0.75))
+        .flatten()
+        .map(|digit| digit * power_of_ten(exponent))
+        .min_by(|a, b| farness(a).total_cmp(&farness(b)))
     else {
         return Vec::new();
     };
@@ -105,7 +110,6 @@ fn decimal_power(value: &Rational) -> Option<(Int, i64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::rational;
     use proptest::prelude::*;
 
     fn text(value: &Rational) -> String {

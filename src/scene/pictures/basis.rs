@@ -33,7 +33,7 @@ pub struct Function {
 pub struct Knot {
     /// The number.
     pub at: Rational,
-    /// How many marks are above each other.
+    /// How many dots are below it.
     pub multiplicity: usize,
     /// What is written below; the number, if nothing else is said.
     pub label: Option<Expr>,
@@ -110,6 +110,8 @@ impl BasisPicture {
             paths.push(joined(pieces, Style { width: 2.0, ..Style::curve(number) })?);
         }
         let (low, high) = range(&paths);
+        // below the least value room for a name
+        let low = if low < 0.0 { low - 0.1 * (high - low) } else { low };
         self.axes(
             &mut scene,
             &graphs,
@@ -117,19 +119,47 @@ impl BasisPicture {
             if high > low || high > 0.0 { high } else { low + 1.0 },
         )?;
         for (paths, function) in paths.into_iter().zip(&self.functions) {
-            let highest = paths.iter().flat_map(places).max_by(|a, b| {
+            let extreme = paths.iter().flat_map(places).max_by(|a, b| {
                 // of equal ones the first, so that names do not depend on noise
-                a.y().total_cmp(&b.y()).then(b.x().total_cmp(&a.x()))
+                a.y().abs().total_cmp(&b.y().abs()).then(b.x().total_cmp(&a.x()))
             });
-            paths.into_iter().for_each(|path| scene.add(path));
-            if let (Some(at), Some(label)) = (highest, &function.label) {
-                scene.add(Label::beside(at, label.clone(), Direction::North));
+            if let (Some(extreme), Some(label)) = (extreme, &function.label) {
+                let (at, direction) = self.name_place(&paths, extreme)?;
+                scene.add(Label::beside(at, label.clone(), direction));
             }
+            paths.into_iter().for_each(|path| scene.add(path));
         }
         Ok(scene.with_description(format!(
             "The graphs of {} functions over the interval from {from} to {to}.",
             self.functions.len()
         )))
+    }
+
+    /// Where the name of a function stands: above its maximum, below its minimum; a little inside
+    /// if that is an end of the interval, where it would look like the name of an axis.
+    fn name_place(&self, paths: &[Path], extreme: Spot) -> Result<(Spot, Direction), SceneError> {
+        let [from, to] =
+            [&self.interval[0], &self.interval[1]].map(|end| Spot::exact(&[end.clone(), Rational::zero()]));
+        let (from, to) = (from?.x(), to?.x());
+        let margin = 0.06 * (to - from);
+        let inside = extreme.x().clamp(from + margin, to - margin);
+        // not so far that the function is no longer large
+        let near = |place: &Spot| {
+            place.y().abs() >= 0.8 * extreme.y().abs() && (place.x() - extreme.x()).abs() <= 1.5 * margin
+        };
+        let distance = |place: &Spot| (place.x() - inside).abs();
+        let nearest =
+            paths.iter().flat_map(places).filter(near).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let at = if inside == extreme.x() { extreme } else { nearest.unwrap_or(extreme) };
+        let up = if extreme.y() < 0.0 { -1.0 } else { 1.0 };
+        let right = if inside > extreme.x() {
+            1.0
+        } else if inside < extreme.x() {
+            -1.0
+        } else {
+            0.0
+        };
+        Ok((at, Direction::of(right, up)))
     }
 
     fn axes(&self, scene: &mut Scene, graphs: &[Vec<Graph>], low: f64, high: f64) -> Result<(), SceneError> {
@@ -143,7 +173,7 @@ impl BasisPicture {
         let mut ticks = Vec::new();
         let mut marks: Vec<(f64, usize)> = Vec::new();
         if self.knots.is_empty() {
-            for value in nice_ticks(from, to, 5) {
+            for value in nice_ticks(from, to, 4) {
                 let at = value.to_f64().unwrap_or(f64::NAN);
                 ticks.push(Tick { at, label: Some(exact_text(&value).into()) });
             }
@@ -165,9 +195,12 @@ impl BasisPicture {
             name: self.variable.clone().map(Text::Formula),
         });
         for (at, multiplicity) in marks {
-            for k in 0..multiplicity.min(40) {
+            // side by side below the number
+            let count = multiplicity.min(40);
+            for k in 0..count {
                 let marker = Marker::new(Spot::new(at, low)?, Shape::Dot, Ink::Text);
-                scene.add(Marker { radius: 2.3, ..marker }.moved(0.0, 6.0 * k as f64));
+                let right = 6.5 * (k as f64 - (count as f64 - 1.0) / 2.0);
+                scene.add(Marker { radius: 2.3, ..marker }.moved(right, -29.0));
             }
         }
         // round numbers between the exact ordinates, those in sight

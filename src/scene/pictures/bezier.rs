@@ -1,7 +1,7 @@
 //! Bézier curves with their control polygons.
 
 use super::Curve;
-use super::curve::add_polygon;
+use super::curve::{add_points, add_polygon};
 use crate::expr::{Expr, Rel};
 use crate::number::Rational;
 use crate::scene::{
@@ -55,35 +55,33 @@ impl BezierPicture {
                 }
             }
         }
-        // polygons below all curves, names above
-        let mut polygons = Scene::new("");
-        for (number, curve) in self.curves.iter().enumerate() {
-            let path = curve.path(Style::curve(number))?;
-            if self.polygon {
-                let ink = if several { Ink::Series(number) } else { Ink::Text };
-                let style =
-                    Style::line(Ink::Guide, 1.2).dashed(if several { Dash::Dashed } else { Dash::Solid });
-                add_polygon(&mut polygons, curve, (Shape::Dot, ink), style)?;
-            }
-            polygons.add(path);
-            for parameter in &self.parameters {
-                let point = curve.at(parameter).ok_or_else(|| SceneError::AtInfinity {
-                    what: format!("the curve at t = {parameter}"),
-                })?;
-                let spot = Spot::exact(&point)?;
-                polygons.add(Marker::new(spot, Shape::Diamond, Ink::Accent));
-                let text = Expr::relation(Expr::name("t"), Rel::Eq, exact_text(parameter));
-                polygons.add(Label::beside(spot, text, Direction::South).small());
-            }
-            if let Some(name) = &curve.name {
-                polygons.explain(Entry {
-                    text: Text::Formula(name.clone()),
-                    style: Some(Style::curve(number)),
-                    marker: None,
-                });
+        if self.polygon {
+            let dash = if several { Dash::Dashed } else { Dash::Solid };
+            for curve in &self.curves {
+                add_polygon(&mut scene, curve, Style::line(Ink::Guide, 1.2).dashed(dash))?;
             }
         }
-        scene.append(polygons);
+        for (number, curve) in self.curves.iter().enumerate() {
+            scene.add(curve.path(Style::curve(number))?);
+            if let Some(name) = &curve.name {
+                let style = Some(Style::curve(number));
+                scene.explain(Entry { text: Text::Formula(name.clone()), style, marker: None });
+            }
+        }
+        for (number, curve) in self.curves.iter().enumerate() {
+            if self.polygon {
+                let ink = if several { Ink::Series(number) } else { Ink::Text };
+                add_points(&mut scene, curve, Shape::Dot, ink)?;
+            }
+            for parameter in &self.parameters {
+                let what = || format!("the curve at t = {parameter}");
+                let point = curve.at(parameter).ok_or_else(|| SceneError::AtInfinity { what: what() })?;
+                let spot = Spot::exact(&point)?;
+                scene.add(Marker::new(spot, Shape::Diamond, Ink::Accent));
+                let text = Expr::relation(Expr::name("t"), Rel::Eq, exact_text(parameter));
+                scene.add(Label::beside(spot, text, Direction::South).small());
+            }
+        }
         let degrees: Vec<String> =
             self.curves.iter().map(|curve| curve.points.len().saturating_sub(1).to_string()).collect();
         let plural = if several { "s of degrees" } else { " of degree" };

@@ -1,7 +1,7 @@
 //! Spline curves.
 
 use super::Curve;
-use super::curve::add_polygon;
+use super::curve::{add_points, add_polygon};
 use crate::expr::Expr;
 use crate::scene::{Dash, Direction, Ink, Label, Marker, Scene, SceneError, Shape, Style};
 
@@ -48,12 +48,13 @@ impl BsplinePicture {
             return Err(SceneError::Empty { what: "pieces" });
         }
         let mut scene = Scene::new("Spline curve");
-        add_polygon(&mut scene, &self.points, (Shape::Dot, Ink::Text), Style::line(Ink::Guide, 1.2))?;
+        add_polygon(&mut scene, &self.points, Style::line(Ink::Guide, 1.2))?;
         let mut ends = Vec::new();
         for (number, piece) in self.pieces.iter().enumerate() {
             if self.bezier_points {
                 let style = Style::line(Ink::Series(number % 2), 0.9).dashed(Dash::Dashed);
-                add_polygon(&mut scene, piece, (Shape::Cross, Ink::Series(number % 2)), style)?;
+                add_polygon(&mut scene, piece, style)?;
+                add_points(&mut scene, piece, Shape::Cross, Ink::Series(number % 2))?;
             }
             // neighbours in two colours
             let path = piece.path(Style::curve(number % 2))?;
@@ -63,6 +64,7 @@ impl BsplinePicture {
             ends.push(path.end());
             scene.add(path);
         }
+        add_points(&mut scene, &self.points, Shape::Dot, Ink::Text)?;
         for (i, &end) in ends.iter().enumerate() {
             let marker = Marker::new(end, Shape::Square, Ink::Text);
             scene.add(Marker { radius: 2.8, ..marker });

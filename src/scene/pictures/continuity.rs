@@ -1,6 +1,6 @@
 //! How smoothly two curves join.
 
-use super::curve::{add_names, add_polygon, levels};
+use super::curve::{add_names, add_points, add_polygon, levels};
 use super::{Curve, Plane};
 use crate::number::Rational;
 use crate::scene::{Dash, Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
@@ -100,11 +100,13 @@ impl ContinuityPicture {
                 scene.add(Marker { radius: 2.4, ..Marker::new(spot, Shape::Dot, Ink::Accent) });
             }
         }
-        add_polygon(&mut scene, &left, (Shape::Dot, Ink::Series(0)), style)?;
-        scene.add(left.path(Style::curve(0))?);
         let mut right = Curve::new(self.right.clone());
-        add_polygon(&mut scene, &right, (Shape::Dot, Ink::Series(1)), style)?;
+        add_polygon(&mut scene, &left, style)?;
+        add_polygon(&mut scene, &right, style)?;
+        scene.add(left.path(Style::curve(0))?);
         scene.add(right.path(Style::curve(1))?);
+        add_points(&mut scene, &left, Shape::Dot, Ink::Series(0))?;
+        add_points(&mut scene, &right, Shape::Dot, Ink::Series(1))?;
         // where the curves meet, one name is enough
         right.labels = self.right_labels.clone();
         add_names(&mut scene, &right, usize::from(self.left.last() == self.right.first()))?;
@@ -126,6 +128,7 @@ impl ContinuityPicture {
                 "The two curves are the same polynomial; all derivatives agree.".to_owned()
             }
             Some(0) => "The two curves meet; their first derivatives differ.".to_owned(),
+            Some(1) => "The two curves join with a continuous first derivative, and no more.".to_owned(),
             Some(k) => format!("The two curves join with {k} continuous derivatives, and no more."),
         };
         Ok(scene.with_description(found))

@@ -137,20 +137,18 @@ pub(super) fn outward(points: &[Spot], i: usize) -> Direction {
     Direction::of(sign * across.0, sign * across.1)
 }
 
-/// Adds control points with their polygon and names.
-pub(super) fn add_polygon(
-    scene: &mut Scene,
-    curve: &Curve,
-    marker: (Shape, Ink),
-    style: Style,
-) -> Result<(), SceneError> {
-    let places = curve.places();
-    let spots = spots(&places)?;
-    if let Some(polygon) = Path::lines(spots.iter().copied(), style) {
+/// Adds the control polygon, below what comes later.
+pub(super) fn add_polygon(scene: &mut Scene, curve: &Curve, style: Style) -> Result<(), SceneError> {
+    if let Some(polygon) = Path::lines(spots(&curve.places())?, style) {
         scene.add(polygon);
     }
-    for &spot in &spots {
-        scene.add(Marker::new(spot, marker.0, marker.1));
+    Ok(())
+}
+
+/// Adds the control points with their names.
+pub(super) fn add_points(scene: &mut Scene, curve: &Curve, shape: Shape, ink: Ink) -> Result<(), SceneError> {
+    for spot in spots(&curve.places())? {
+        scene.add(Marker::new(spot, shape, ink));
     }
     add_names(scene, curve, 0)
 }

@@ -1,5 +1,6 @@
 //! A curve and its derivative.
 
+use super::curve::add_names;
 use super::{BezierPicture, Curve, Plane};
 use crate::number::integer;
 use crate::scene::{Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
@@ -49,8 +50,7 @@ impl HodographPicture {
             right.add(Path::line(Spot::default(), Spot::exact(&point)?, Style::guide()).with_arrow());
         }
         right.add(hodograph.path(Style::curve(1))?);
-        let names = BezierPicture { polygon: true, ..BezierPicture::of(hodograph) }.scene()?;
-        right.append_labels(names);
+        add_names(&mut right, &hodograph, 0)?;
         right.add(Marker::new(Spot::default(), Shape::Cross, Ink::Text));
         Ok(BezierPicture::of(curve).scene()?.beside(right))
     }

@@ -10,7 +10,7 @@ use crate::scene::{Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Sty
 /// How many pieces the surface has in each direction.
 const PIECES: usize = 14;
 
-/// A tensor-product Bézier surface over [0, 1]², seen isometrically, with its control net.
+/// A tensor-product Bézier surface over [0, 1]², seen from above, with its control net.
 ///
 /// The control points F(u, v) = Σ B_i^m(u) B_j^n(v) b_ij stand in rows of equal i.
 ///

@@ -1,4 +1,7 @@
-//! Space seen from far away, from the direction (1, 1, 1).
+//! Space seen from far away: an orthographic projection.
+//!
+//! The eye is above, turned off the diagonal of x and y, so that the points of a lattice do not
+//! fall on each other as they do in the isometric projection.
 
 use super::Space;
 use crate::scene::spot::rounded;
@@ -12,14 +15,21 @@ pub(super) fn point([x, y, z]: &Space) -> Result<Point, SceneError> {
     Ok([rounded(x, "x")?, rounded(y, "y")?, rounded(z, "z")?])
 }
 
-/// The isometric projection: z upwards, x to the lower left, y to the lower right.
+/// Sine and cosine of the angle from the x-axis to the eye, and of the eye above the plane: 32°
+/// and 26°.
+const TURN: (f64, f64) = (0.529_919, 0.848_048);
+const RISE: (f64, f64) = (0.438_371, 0.898_794);
+
+/// The projection: z upwards, x to the lower left, y to the lower right.
 pub(super) fn project([x, y, z]: Point) -> Result<Spot, SceneError> {
-    Spot::new((y - x) * (3.0_f64.sqrt() / 2.0), z - (x + y) / 2.0)
+    let ((sin, cos), (up, flat)) = (TURN, RISE);
+    Spot::new(y * cos - x * sin, z * flat - (x * cos + y * sin) * up)
 }
 
-/// How near a point is to the eye, up to scale.
+/// How near a point is to the eye, apart from a constant.
 pub(super) fn nearness([x, y, z]: Point) -> f64 {
-    x / 3.0 + y / 3.0 + z / 3.0
+    let ((sin, cos), (up, flat)) = (TURN, RISE);
+    (x * cos + y * sin) * flat + z * up
 }
 
 /// How much light a flat piece with these corners gets, from 0 to 1; 1/2 if it has no area.

@@ -64,7 +64,7 @@ impl PyramidPicture {
         }
         budget::charge_terms(self.levels.iter().map(|level| 5 * level.len() as u64).sum());
         // weights need room between neighbours
-        let row = if self.weights.is_empty() { 46.0 } else { 62.0 };
+        let row = if self.weights.is_empty() { 46.0 } else { 68.0 };
         let rows = match self.apex {
             Apex::Right => longest - 1,
             Apex::Top | Apex::Bottom => self.levels.len() - 1,

@@ -77,9 +77,6 @@ impl TriangleDomain {
             .collect::<Result<_, _>>()?;
         for corners in upright(n) {
             let corners = corners.map(|at| places[at]);
-            if let Some(path) = Path::lines(corners, Style::fill(Ink::Series(0), 0.1)) {
-                scene.add(path.close());
-            }
             for (from, to) in [(0, 1), (1, 2), (2, 0)] {
                 scene.add(Path::line(corners[from], corners[to], Style::line(Ink::Guide, 1.1)).trim());
             }
@@ -97,7 +94,7 @@ impl TriangleDomain {
     }
 }
 
-/// A triangular Bézier surface, seen isometrically, with its control net.
+/// A triangular Bézier surface, seen from above, with its control net.
 ///
 /// F = Σ n!/(i! j! k!) u^i v^j w^k b_ijk for u + v + w = 1; the control points in the order of
 /// [`TriangleDomain`].
