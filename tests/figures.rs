@@ -3,7 +3,6 @@
 #[path = "common/pictures.rs"]
 mod pictures;
 
-use std::path::Path;
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
@@ -16,7 +15,10 @@ use polarform::scene::pictures::{
     BasisPicture, BezierPicture, Curve, Function, PatchPicture, Piece, PyramidPicture, casteljau_labels,
     polar_labels,
 };
-use polarform::scene::{Direction, Label, Layout, Mark, Scene, SceneError, Spot, layout};
+use polarform::scene::{
+    Aspect, Axis, Direction, Ink, Label, Layout, Mark, Marker, Orientation, Path, Scene, SceneError, Shape,
+    Spot, Style, Tick, layout,
+};
 use proptest::prelude::*;
 
 /// What must hold of every page: everything is on it, and no label covers another.
@@ -193,6 +195,27 @@ fn crowded_pictures_stay_legible() {
 }
 
 #[test]
+fn sizes_that_are_none() {
+    let mut scene = Scene::new("sizes").with_width(f64::NAN);
+    let [a, b] = [Spot::default(), Spot::new(1.0, 1.0).unwrap()];
+    let style = Style { width: f64::NAN, opacity: f64::INFINITY, ..Style::curve(0) };
+    scene.add(Path::line(a, b, style).with_arrow());
+    scene.add(Path::line(a, a, Style::curve(0)).with_arrow());
+    scene.add(
+        Marker { radius: f64::NEG_INFINITY, ..Marker::new(a, Shape::Ring, Ink::Accent) }.moved(f64::NAN, 1e9),
+    );
+    scene.add(Label { gap: f64::NAN, ..Label::beside(b, "b", Direction::West) });
+    let axis =
+        Axis { orientation: Orientation::Vertical, from: a, length: f64::NAN, ticks: Vec::new(), name: None };
+    let tick = |at: f64| Tick { at, label: Some("x".into()) };
+    scene.add(Axis { ticks: vec![tick(f64::NAN), tick(0.5), tick(f64::INFINITY)], ..axis });
+    scene = scene.with_aspect(Aspect::Free { height: f64::NAN });
+    check("sizes", &layout(&scene, &measure));
+    well_formed("sizes", &svg(&scene, &SvgOptions::default()));
+    terminal(&scene, 10, 10);
+}
+
+#[test]
 fn high_degree() {
     let list = (0..=60).map(|i: i64| [integer(i), integer(if i % 2 == 0 { 0 } else { 9 })]).collect();
     let scene = BezierPicture::of(Curve::new(list)).scene().unwrap();
@@ -250,7 +273,7 @@ fn latex_accepts_the_pictures() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
-fn compile(folder: &Path, name: &str, document: &str) {
+fn compile(folder: &std::path::Path, name: &str, document: &str) {
     fs::write(folder.join(format!("{name}.tex")), document).unwrap();
     let run = Command::new("pdflatex")
         .args(["-interaction=nonstopmode", "-halt-on-error", &format!("{name}.tex")])

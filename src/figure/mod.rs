@@ -24,10 +24,6 @@
 //! assert!(picture.starts_with("<svg"));
 //! # Ok::<(), polarform::scene::SceneError>(())
 //! ```
-//! ```
-//! use polarform::figure::{SvgOptions, svg};
-//! use polarform::number::integer as z;
-//! ```
 
 mod measure;
 mod palette;

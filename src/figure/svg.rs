@@ -211,13 +211,13 @@ impl Painter {
             0 => ((area.low[0] + area.high[0]) / 2.0, Some("middle")),
             _ => (area.high[0], Some("end")),
         };
-        let mut rise = 0.0;
+        let runs = runs(&text.text);
+        let before = std::iter::once(0.0).chain(runs.iter().map(|run| run.rise));
         html! {
             text class=[class] color=[color] x=(number(x)) y=(number(text.baseline)) fill="currentColor"
                 font-size=(number(em)) text-anchor=[anchor] xml:space="preserve" {
-                @for run in runs(&text.text) {
-                    @let up = (run.rise - rise) * em;
-                    @let _moved = rise = run.rise;
+                @for (run, before) in runs.iter().zip(before) {
+                    @let up = (run.rise - before) * em;
                     @let dy = (up.abs() > 0.004).then(|| number(-up));
                     @let dx = (run.shift.abs() > 0.004).then(|| number(run.shift * em));
                     @let size = (run.scale != 1.0).then(|| number(run.scale * em));

@@ -3,7 +3,7 @@
 //! Lines are drawn with braille characters, each of which is a grid of 2 by 4 dots (Unicode
 //! block U+2800); points are marked, and labels stand beside them where there is room.
 
-use crate::scene::{Extent, Mark, Placed, Scene, Stroke, Style, Text, layout};
+use crate::scene::{Dash, Extent, Ink, Mark, Placed, Scene, Stroke, Style, Text, layout, trace};
 use crate::write::unicode;
 
 /// The drawing in `columns` by `rows` characters at most; lines have no blanks at their ends.
@@ -33,7 +33,7 @@ pub fn terminal(scene: &Scene, columns: usize, rows: usize) -> String {
         match mark {
             Mark::Path { start, strokes, .. } => {
                 add(*start);
-                crate::scene::trace(*start, strokes, &mut |_, to| add(to));
+                trace(*start, strokes, &mut |_, to| add(to));
             }
             Mark::Marker { at, .. } => add(*at),
             Mark::Text(text) => add(text.area.low),
@@ -102,7 +102,7 @@ impl Canvas {
     ) {
         let Some(ink) = style.stroke else { return };
         // what only guides the eye has every third dot
-        let sparse = ink == crate::scene::Ink::Guide || style.dash != crate::scene::Dash::Solid;
+        let sparse = ink == Ink::Guide || style.dash != Dash::Solid;
         let mut count = 0_usize;
         let mut draw = |a: [f64; 2], b: [f64; 2]| {
             let (a, b) = (dot(a), dot(b));
@@ -111,7 +111,7 @@ impl Canvas {
                 let t = k as f64 / steps as f64;
                 let place = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
                 count += 1;
-                if sparse && count % 3 != 0 {
+                if sparse && !count.is_multiple_of(3) {
                     continue;
                 }
                 if let Some(cell) = self.cell(place) {
@@ -120,7 +120,7 @@ impl Canvas {
                 }
             }
         };
-        crate::scene::trace(start, strokes, &mut draw);
+        trace(start, strokes, &mut draw);
         if closed && let Some(last) = strokes.last() {
             draw(last.end(), start);
         }

@@ -77,6 +77,14 @@ struct Sheet {
     hidden: usize,
 }
 
+/// No length on the page that a caller gives is larger, in pixels.
+const LARGEST: f64 = 1e4;
+
+/// A length that a caller gives, within bounds; 0 for what is no number.
+fn sane(pixels: f64, least: f64) -> f64 {
+    if pixels.is_nan() { 0.0 } else { pixels.clamp(least, LARGEST) }
+}
+
 /// The panel in this width, or wider when fixed labels need it.
 fn fitted(panel: &Panel, width: f64, measure: Measure) -> Sheet {
     let world = bounds(panel);
@@ -239,8 +247,14 @@ fn laid_out(panel: &Panel, map: &Map, width: f64, measure: Measure) -> Sheet {
             Item::Path(path) => marks.push(drawn(path, map, &fixed)),
             Item::Marker(marker) => {
                 let [x, y] = map.place(marker.at);
-                let at = [x + marker.offset[0], y - marker.offset[1]];
-                marks.push(Mark::Marker { at, shape: marker.shape, radius: marker.radius, ink: marker.ink });
+                let [right, up] = marker.offset.map(|pixels| sane(pixels, -LARGEST));
+                let at = [x + right, y - up];
+                marks.push(Mark::Marker {
+                    at,
+                    shape: marker.shape,
+                    radius: sane(marker.radius, 0.0),
+                    ink: marker.ink,
+                });
             }
             Item::Axis(axis) => axis_marks(axis, map, measure, &mut marks),
             Item::Label(label) => {
@@ -248,7 +262,7 @@ fn laid_out(panel: &Panel, map: &Map, width: f64, measure: Measure) -> Sheet {
                     movable.push(Movable {
                         text: &label.text,
                         at: map.place(label.at),
-                        gap: label.gap,
+                        gap: sane(label.gap, 0.0),
                         extent: measure(&label.text, label.size),
                         direction,
                         size: label.size,
@@ -303,7 +317,10 @@ fn drawn(path: &Path, map: &Map, fixed: &[Placed]) -> Mark {
     {
         (start, *end) = (outside(start, *end, fixed), outside(*end, start, fixed));
     }
-    Mark::Path { start, strokes, closed: path.closed, style: path.style, arrow: path.arrow }
+    let width = sane(path.style.width, 0.0);
+    let opacity = sane(path.style.opacity, 0.0).min(1.0);
+    let style = Style { width, opacity, ..path.style };
+    Mark::Path { start, strokes, closed: path.closed, style, arrow: path.arrow }
 }
 
 /// The first place on the way from `from` to `to` that is outside of the label around `from`.

@@ -33,7 +33,11 @@ impl Obstacles {
                 }
             }
             Mark::Marker { at, radius, shape, .. } => {
-                let reach = if *shape == Shape::Dot { radius * 0.9 } else { *radius };
+                let reach = match shape {
+                    Shape::Dot => radius * 0.9,
+                    Shape::Ring => radius + 2.0,
+                    _ => *radius,
+                };
                 self.boxes.push((Rect::around(*at, reach), MARKER));
             }
             Mark::Text(text) => self.boxes.push((text.area, LABEL)),

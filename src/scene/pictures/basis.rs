@@ -236,7 +236,7 @@ fn ordinates(coefficients: &[Rational], [a, b]: &[Rational; 2]) -> Vec<Rational>
         shifted.push(Rational::zero());
     }
     let n = shifted.len() - 1;
-    budget::charge_terms((n as u64 + 1).pow(2));
+    budget::charge_terms((n as u64 + 1).saturating_pow(2));
     for first in 0..n {
         for k in (first..n).rev() {
             budget::step();

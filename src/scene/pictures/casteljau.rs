@@ -4,7 +4,7 @@ use super::Plane;
 use super::curve::{levels, outward};
 use crate::expr::Expr;
 use crate::number::Rational;
-use crate::scene::{Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
+use crate::scene::{Direction, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
 
 /// All points of de Casteljau's algorithm at t, level by level, with the curve.
 ///
@@ -79,7 +79,7 @@ impl CasteljauPicture {
 
 /// A point of a later level lies on a leg of the level before: its name stands across that leg,
 /// on the side where the polygon has no further points.
-fn outward_of_level(levels: &[Vec<Spot>], number: usize, i: usize) -> crate::scene::Direction {
+fn outward_of_level(levels: &[Vec<Spot>], number: usize, i: usize) -> Direction {
     let Some(before) = number.checked_sub(1).and_then(|n| levels.get(n)) else {
         return outward(&levels[0], i);
     };
@@ -91,5 +91,5 @@ fn outward_of_level(levels: &[Vec<Spot>], number: usize, i: usize) -> crate::sce
         .map(|product| if product.is_finite() { product } else { 0.0 })
         .sum();
     let sign = if side > 0.0 { -1.0 } else { 1.0 };
-    crate::scene::Direction::of(sign * across.0, sign * across.1)
+    Direction::of(sign * across.0, sign * across.1)
 }

@@ -2,6 +2,7 @@
 
 use super::curve::{add_names, add_points, add_polygon, levels};
 use super::{Curve, Plane};
+use crate::expr::Expr;
 use crate::number::Rational;
 use crate::scene::{Dash, Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
 
@@ -38,9 +39,9 @@ pub struct ContinuityPicture {
     /// Up to which derivative the construction is shown; at most the degree.
     pub smoothness: usize,
     /// The names of the control points on the left.
-    pub left_labels: Vec<crate::expr::Expr>,
+    pub left_labels: Vec<Expr>,
     /// The names of those on the right; the first one is not shown where the curves meet.
-    pub right_labels: Vec<crate::expr::Expr>,
+    pub right_labels: Vec<Expr>,
 }
 
 impl ContinuityPicture {
@@ -186,9 +187,9 @@ mod tests {
             // the coefficients of change · (t − s)^{k+1}
             let s = steps.0 - 1;
             let mut other = coefficients.clone();
-            for j in 0..=k + 1 {
+            for (j, coefficient) in other.iter_mut().enumerate().take(k + 2) {
                 let binomial = crate::number::binomial(k + 1, j).as_small().unwrap();
-                other[j] += change * binomial * pow(-s, k + 1 - j);
+                *coefficient += change * binomial * pow(-s, k + 1 - j);
             }
             let picture = ContinuityPicture {
                 left: points(&coefficients, &knots[0], &knots[1]),

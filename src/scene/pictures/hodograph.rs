@@ -2,6 +2,7 @@
 
 use super::curve::add_names;
 use super::{BezierPicture, Curve, Plane};
+use crate::expr::Expr;
 use crate::number::integer;
 use crate::scene::{Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
 
@@ -25,9 +26,9 @@ pub struct HodographPicture {
     /// The control points, at least two.
     pub points: Vec<Plane>,
     /// Their names.
-    pub labels: Vec<crate::expr::Expr>,
+    pub labels: Vec<Expr>,
     /// The names of the control points of the derivative.
-    pub derivative_labels: Vec<crate::expr::Expr>,
+    pub derivative_labels: Vec<Expr>,
 }
 
 impl HodographPicture {

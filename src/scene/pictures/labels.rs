@@ -24,7 +24,7 @@ pub fn polar_labels(form: &Expr, degree: usize, r: &Expr, s: &Expr) -> Vec<Expr>
 /// assert_eq!(labels[1].iter().map(text).collect::<Vec<_>>(), ["f(r, t)", "f(t, s)"]);
 /// ```
 pub fn casteljau_labels(form: &Expr, degree: usize, r: &Expr, s: &Expr, t: &Expr) -> Vec<Vec<Expr>> {
-    budget::charge_terms((degree as u64 + 1).pow(2));
+    budget::charge_terms((degree as u64).saturating_add(1).saturating_pow(2));
     let label = |level: usize, i: usize| {
         let counts = [(r, degree - level - i), (t, level), (s, i)];
         let arguments = counts.iter().flat_map(|(e, count)| std::iter::repeat_n((*e).clone(), *count));

@@ -14,7 +14,7 @@ const PIECES: usize = 14;
 /// The (i, j, k) with i + j + k = n in the order in which control points are given:
 /// descending by i, then by j.
 pub(super) fn indices(degree: usize) -> Vec<[usize; 3]> {
-    budget::charge_terms((degree as u64 + 1) * (degree as u64 + 2) / 2);
+    budget::charge_terms(expected(degree) as u64);
     let row = |i: usize| (0..=degree - i).rev().map(move |j| [i, j, degree - i - j]);
     (0..=degree).rev().flat_map(row).collect()
 }
@@ -36,7 +36,7 @@ fn upright(degree: usize) -> Vec<[usize; 3]> {
 }
 
 fn expected(degree: usize) -> usize {
-    (degree + 1).saturating_mul(degree + 2) / 2
+    degree.saturating_add(1).saturating_mul(degree.saturating_add(2)) / 2
 }
 
 /// The names of the control points of a triangular surface, each at its place in the domain.
