@@ -35,7 +35,7 @@ impl Obstacles {
             Mark::Marker { at, radius, shape, .. } => {
                 let reach = match shape {
                     Shape::Dot => radius * 0.9,
-                    Shape::Ring => radius + 2.0,
+                    Shape::Ring => radius + 1.0,
                     _ => *radius,
                 };
                 self.boxes.push((Rect::around(*at, reach), MARKER));
