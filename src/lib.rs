@@ -44,6 +44,7 @@
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | checking lecture notes | [`notes`] |
+//! | drawings: what is on them; SVG, TikZ, terminal | [`scene`], [`figure`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
@@ -66,6 +67,7 @@ pub mod curve;
 pub mod diagnostic;
 pub mod eval;
 pub mod expr;
+pub mod figure;
 pub mod interpolate;
 pub mod latex;
 pub mod linalg;
@@ -74,6 +76,7 @@ pub mod number;
 pub mod piecewise;
 pub mod poly;
 pub mod ring;
+pub mod scene;
 pub mod session;
 pub mod source;
 pub mod spline;

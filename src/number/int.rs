@@ -16,7 +16,7 @@ use std::hash::{Hash, Hasher};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 use std::str::FromStr;
 
-use num_bigint::{BigInt, ParseBigIntError, Sign};
+use num_bigint::{BigInt, ParseBigIntError, Sign, ToBigInt};
 use num_integer::Integer;
 use num_traits::{FromPrimitive, Num, One, Signed, ToPrimitive, Zero};
 
@@ -477,6 +477,13 @@ impl ToPrimitive for Int {
             Small(x) => Some(*x as f64),
             Big(b) => b.to_f64(),
         }
+    }
+}
+
+/// Gives `Rational::to_f64`, correctly rounded however long the two numbers are.
+impl ToBigInt for Int {
+    fn to_bigint(&self) -> Option<BigInt> {
+        Some(self.to_big())
     }
 }
 

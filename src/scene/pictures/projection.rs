@@ -1,0 +1,65 @@
+//! Space seen from far away: an orthographic projection.
+//!
+//! The eye is above, turned off the diagonal of x and y, so that the points of a lattice do not
+//! fall on each other as they do in the isometric projection.
+
+use super::Space;
+use crate::scene::spot::rounded;
+use crate::scene::{SceneError, Spot};
+
+/// A point of space in floating-point numbers.
+pub(super) type Point = [f64; 3];
+
+/// The exact point, each coordinate rounded once.
+pub(super) fn point([x, y, z]: &Space) -> Result<Point, SceneError> {
+    Ok([rounded(x, "x")?, rounded(y, "y")?, rounded(z, "z")?])
+}
+
+/// Sine and cosine of the angle from the x-axis to the eye, and of the eye above the plane: 32°
+/// and 26°.
+const TURN: (f64, f64) = (0.529_919, 0.848_048);
+const RISE: (f64, f64) = (0.438_371, 0.898_794);
+
+/// The projection: z upwards, x to the lower left, y to the lower right.
+pub(super) fn project([x, y, z]: Point) -> Result<Spot, SceneError> {
+    let ((sin, cos), (up, flat)) = (TURN, RISE);
+    Spot::new(y * cos - x * sin, z * flat - (x * cos + y * sin) * up)
+}
+
+/// How near a point is to the eye, apart from a constant.
+pub(super) fn nearness([x, y, z]: Point) -> f64 {
+    let ((sin, cos), (up, flat)) = (TURN, RISE);
+    (x * cos + y * sin) * flat + z * up
+}
+
+/// How much light a flat piece with these corners gets, from 0 to 1; 1/2 if it has no area.
+pub(super) fn light(a: Point, b: Point, c: Point) -> f64 {
+    let scale = [a, b, c].iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if scale == 0.0 {
+        return 0.5;
+    }
+    let edge = |p: Point| [0, 1, 2].map(|k| p[k] / scale - a[k] / scale);
+    let (u, v) = (edge(b), edge(c));
+    let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    // from above, a little from the left
+    let sun = [0.5, -0.1, 0.86];
+    let product: f64 = normal.iter().zip(sun).map(|(n, s)| n * s).sum();
+    if length > 0.0 { (product / length).abs().min(1.0) } else { 0.5 }
+}
+
+/// (1 − t) a + t b
+pub(super) fn between(a: Point, b: Point, t: f64) -> Point {
+    [0, 1, 2].map(|k| (1.0 - t) * a[k] + t * b[k])
+}
+
+/// The point of a Bézier curve in space, for t in [0, 1].
+pub(super) fn de_casteljau(points: &[Point], t: f64) -> Point {
+    let mut row = points.to_vec();
+    for length in (1..row.len()).rev() {
+        for i in 0..length {
+            row[i] = between(row[i], row[i + 1], t);
+        }
+    }
+    row.first().copied().unwrap_or_default()
+}
