@@ -10,6 +10,12 @@
 //! Techniques* (2002).
 
 pub mod affine;
+pub mod domain;
+pub mod edge;
+pub mod patch;
+pub mod patch_conversion;
+mod polygon;
+pub mod triangle;
 
 use std::fmt;
 
@@ -103,6 +109,8 @@ pub enum CurveError {
     Degenerate,
     /// The two curves do not meet in a common parameter.
     NoCommonEnd,
+    /// The two patches have no common edge.
+    NoCommonEdge,
     /// A number has no rational square root.
     Irrational {
         /// What the root is needed for.
@@ -151,6 +159,7 @@ impl fmt::Display for CurveError {
             CurveError::NoCommonEnd => {
                 f.write_str("the first interval does not end where the second one starts")
             }
+            CurveError::NoCommonEdge => f.write_str("the two patches have no common edge"),
             CurveError::Irrational { what } => write!(f, "{what} needs a square root that is not rational"),
             CurveError::Impossible { why } => f.write_str(why),
         }
