@@ -74,6 +74,7 @@ pub mod poly;
 pub mod ring;
 pub mod session;
 pub mod source;
+pub mod spline;
 pub mod syntax;
 pub mod value;
 pub mod write;

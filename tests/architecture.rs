@@ -11,6 +11,7 @@ const TIERS: &[&[&str]] = &[
     &["linalg", "poly"],
     &["basis", "blossom", "piecewise", "syntax", "latex"],
     &["curve"],
+    &["spline"],
     &["value"],
     &["write"],
     &["eval"],
@@ -20,7 +21,8 @@ const TIERS: &[&[&str]] = &[
 ];
 
 /// The mathematics knows nothing of syntax, spans or terminals.
-const MATHEMATICS: &[&str] = &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve"];
+const MATHEMATICS: &[&str] =
+    &["number", "ring", "linalg", "poly", "basis", "blossom", "piecewise", "curve", "spline"];
 const LANGUAGE: &[&str] = &["source", "expr", "diagnostic", "syntax", "latex"];
 
 const LONGEST_FILE: usize = 650;

@@ -12,12 +12,13 @@
 use super::{CurveError, Point, difference, dimension};
 use crate::blossom::Argument;
 use crate::number::Rational;
+use crate::piecewise::compare;
 use crate::ring::{Field, Ring};
 
 /// An interval with two different ends, in either order.
 ///
 /// ```
-/// use polarform::curve::{CurveError, domain::Interval};
+/// use polarform::curve::{CurveError, Interval};
 /// use polarform::number::{integer as z, rational as q};
 /// let interval = Interval::new(z(1), z(5))?;
 /// assert_eq!(interval.local(&z(2)), q(1, 4));
@@ -67,6 +68,12 @@ impl<C: Field> Interval<C> {
         u.minus(&self.a).times(&self.inverse)
     }
 
+    /// Whether a parameter lies between the ends; `None` if that depends on symbols.
+    pub fn contains(&self, u: &C) -> Option<bool> {
+        let s = self.local(u);
+        Some(not_negative(&s)? && not_negative(&C::one().minus(&s))?)
+    }
+
     /// [b, a]
     pub fn reversed(&self) -> Self {
         Interval { a: self.b.clone(), b: self.a.clone(), inverse: -self.inverse.clone() }
@@ -112,7 +119,7 @@ pub enum Corner {
 /// A triangle of the parameter plane, in either orientation.
 ///
 /// ```
-/// use polarform::curve::{CurveError, domain::Triangle};
+/// use polarform::curve::{CurveError, Triangle};
 /// use polarform::number::{integer as z, rational as q};
 /// let triangle = Triangle::new([vec![z(0), z(0)], vec![z(2), z(0)], vec![z(0), z(3)]])?;
 /// assert_eq!(triangle.area(), z(3));
@@ -201,10 +208,24 @@ impl<C: Field> Triangle<C> {
         }
     }
 
+    /// Whether p lies inside or on the border; `None` if that depends on symbols.
+    ///
+    /// # Errors
+    /// [`CurveError::DimensionsOf`] unless p has 2 coordinates.
+    pub fn contains(&self, p: &[C]) -> Result<Option<bool>, CurveError> {
+        let signs = self.barycentric(p)?.map(|x| not_negative(&x));
+        Ok(signs.into_iter().try_fold(true, |inside, sign| Some(inside && sign?)))
+    }
+
     /// λ_0 a + λ_1 b + λ_2 c
     pub fn point(&self, barycentric: &[C; 3]) -> Point<C> {
         super::combination(2, barycentric.iter().zip(&self.corners))
     }
+}
+
+/// Whether x ≥ 0, if x is a number.
+fn not_negative<C: Ring>(x: &C) -> Option<bool> {
+    compare(x, &C::zero()).map(std::cmp::Ordering::is_ge)
 }
 
 fn plane(size: usize) -> Result<(), CurveError> {
@@ -228,6 +249,8 @@ mod tests {
                     let found = triangle.barycentric(&p).unwrap();
                     prop_assert_eq!(barycentric(&corners, &p).unwrap(), found.to_vec());
                     prop_assert_eq!(triangle.point(&found), p.clone());
+                    let inside = found.iter().all(|x| *x >= z(0));
+                    prop_assert_eq!(triangle.contains(&p), Ok(Some(inside)));
                     prop_assert_eq!(signed_volume(&corners).unwrap(), triangle.area() * z(2));
                     let vector = triangle.coordinates(&Argument::Vector(p.clone())).unwrap();
                     prop_assert_eq!(triangle.point(&vector), p);
@@ -247,6 +270,11 @@ mod tests {
         assert_eq!(Triangle::new(corners), Err(CurveError::DimensionsOf { left: 2, right: 1 }));
         assert!(Triangle::<Rational>::unit().barycentric(&[z(1)]).is_err());
         assert!(Interval::<Rational>::unit().split(&z(1)).is_err());
+        let backwards = Interval::new(z(3), z(1)).unwrap();
+        assert_eq!(
+            [0, 1, 2, 3, 4].map(|u| backwards.contains(&z(u)) == Some(true)),
+            [false, true, true, true, false]
+        );
         assert_eq!(Interval::<Rational>::unit().reversed(), Interval::new(z(1), z(0)).unwrap());
     }
 }

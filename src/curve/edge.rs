@@ -80,7 +80,7 @@ impl<C: Field> TensorPatch<C> {
     /// [`CurveError::DimensionsOf`].
     ///
     /// ```
-    /// use polarform::curve::{CurveError, domain::Interval, patch::{Direction, TensorPatch}};
+    /// use polarform::curve::{CurveError, Direction, Interval, TensorPatch};
     /// use polarform::number::integer as z;
     /// let line = |heights: [i64; 2]| heights.map(|h| vec![vec![z(h)]]).to_vec();
     /// let first = TensorPatch::new(line([0, 1]), Interval::unit(), Interval::unit())?;

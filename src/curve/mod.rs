@@ -10,16 +10,30 @@
 //! Techniques* (2002).
 
 pub mod affine;
-pub mod domain;
-pub mod edge;
-pub mod patch;
-pub mod patch_conversion;
+mod bezier;
+mod domain;
+mod edge;
+mod hull;
+mod join;
+mod patch;
+mod patch_conversion;
 mod polygon;
-pub mod triangle;
+mod triangle;
 
 use std::fmt;
 
 use crate::ring::Ring;
+
+pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use domain::{Corner, Interval, Triangle};
+pub use edge::{EdgeEquation, EdgeReport};
+pub use hull::{convex_hull, in_convex_polygon};
+pub use join::{
+    Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
+    joining_conditions,
+};
+pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
+pub use triangle::{TrianglePatch, indices};
 
 /// A point or a vector: its coordinates.
 pub type Point<C> = Vec<C>;

@@ -15,7 +15,7 @@
 
 use super::domain::Interval;
 use super::polygon::{self, falling};
-use super::{CurveError, Point, scaled};
+use super::{BezierCurve, CurveError, Point, scaled};
 use crate::blossom::{Argument, TensorPolarForm};
 use crate::budget;
 use crate::number::{Rational, binomial_row};
@@ -60,7 +60,7 @@ pub enum Scheme {
 /// A tensor-product Bézier patch.
 ///
 /// ```
-/// use polarform::curve::{CurveError, domain::Interval, patch::TensorPatch};
+/// use polarform::curve::{CurveError, Interval, TensorPatch};
 /// use polarform::number::{integer as z, rational as q};
 /// // the bilinear patch z = u v
 /// let net = vec![vec![vec![z(0), z(0), z(0)], vec![z(0), z(1), z(0)]],
@@ -291,6 +291,16 @@ impl<C: Field> TensorPatch<C> {
             Side::VStart => column(0),
             Side::VEnd => column(n),
         }
+    }
+
+    /// A boundary curve.
+    pub fn boundary_curve(&self, side: Side) -> BezierCurve<C> {
+        let along = match side {
+            Side::UStart | Side::UEnd => &self.v,
+            Side::VStart | Side::VEnd => &self.u,
+        };
+        BezierCurve::new(self.boundary(side), along.start().clone(), along.end().clone())
+            .expect("points of equal dimension over an interval with two ends")
     }
 
     /// The control points of the derivative across a boundary curve, along it: ∂f/∂u on the sides

@@ -27,7 +27,7 @@ impl<C: Field> TensorPatch<C> {
     /// [`CurveError::TooFewPoints`] for points without coordinates.
     ///
     /// ```
-    /// use polarform::curve::{CurveError, domain::{Interval, Triangle}, patch::TensorPatch};
+    /// use polarform::curve::{CurveError, Interval, TensorPatch, Triangle};
     /// use polarform::number::{integer as z, rational as q};
     /// let net = vec![vec![vec![z(0)], vec![z(0)]], vec![vec![z(0)], vec![z(1)]]]; // u v
     /// let patch = TensorPatch::new(net, Interval::unit(), Interval::unit())?;

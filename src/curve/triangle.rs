@@ -23,7 +23,7 @@ use crate::ring::{Field, Ring};
 /// The multi-indices (i, j, k) with sum n, in the order of the control points.
 ///
 /// ```
-/// use polarform::curve::triangle::indices;
+/// use polarform::curve::indices;
 /// assert_eq!(indices(1), [[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
 /// ```
 pub fn indices(n: usize) -> Vec<[usize; 3]> {
@@ -69,7 +69,7 @@ fn values<C: Ring>(points: &[Point<C>], n: usize, [p, q, r]: [&[C; 3]; 3]) -> Ve
 /// A triangular Bézier patch.
 ///
 /// ```
-/// use polarform::curve::{CurveError, domain::Triangle, triangle::TrianglePatch};
+/// use polarform::curve::{CurveError, Triangle, TrianglePatch};
 /// use polarform::number::{integer as z, rational as q};
 /// // x y of degree 2 over the unit triangle: only f(b, c) = 1/2 is not 0
 /// let points = [z(0), z(0), z(0), z(0), q(1, 2), z(0)].map(|x| vec![x]).to_vec();

@@ -60,6 +60,10 @@ proptest! {
             }
         }
         prop_assert_eq!(patch.transposed().value(&v, &u), value.clone());
+        let (end, curve) = (patch.u.end(), patch.boundary_curve(Side::UEnd));
+        prop_assert_eq!(curve.value(&v), patch.value(end, &v));
+        let (end, curve) = (patch.v.end(), patch.boundary_curve(Side::VEnd));
+        prop_assert_eq!(curve.value(&u), patch.value(&u, end));
         prop_assert_eq!(patch.reversed(Direction::U).reversed(Direction::V).value(&u, &v), value);
     }
 

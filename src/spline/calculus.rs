@@ -1,0 +1,96 @@
+//! Derivatives, integrals and smoothness of splines.
+
+use super::{BSpline, KnotVector, SplineError};
+use crate::curve::{BezierCurve, Point, difference, scaled, sum};
+use crate::number::{Int, Rational};
+use crate::ring::Field;
+
+impl<C: Field> BSpline<C> {
+    /// The derivative, of degree n − 1: control points n (d_{i+1} − d_i)/(t_{i+n+1} − t_{i+1}), the
+    /// outermost knots dropped. For degree 0 it is the zero function of degree 0.
+    ///
+    /// # Errors
+    /// [`SplineError::NotSmooth`] at an inner knot of multiplicity n + 1, where the curve may jump.
+    ///
+    /// ```
+    /// use polarform::number::integer as z;
+    /// use polarform::spline::{BSpline, KnotVector};
+    /// let knots = KnotVector::clamped(2, &z(0), &[], &z(1))?;
+    /// let parabola = BSpline::new(knots, vec![vec![z(0)], vec![z(0)], vec![z(1)]])?;
+    /// assert_eq!(parabola.derivative()?.points(), [[z(0)], [z(2)]]);
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn derivative(&self) -> Result<Self, SplineError> {
+        let n = self.degree();
+        let knots = self.knots().knots();
+        if let Some((knot, _)) = self.inner_knots().into_iter().find(|(_, k)| *k > n) {
+            let place = knots.iter().position(|other| *other == knot).unwrap_or(0);
+            return Err(SplineError::NotSmooth { knot: place });
+        }
+        if n == 0 {
+            let points = vec![vec![C::zero(); self.dimension()]; self.points().len()];
+            return BSpline::new(self.knots().clone(), points);
+        }
+        let degree = Rational::from_integer(Int::from(n));
+        let points = self.points().windows(2).enumerate().map(|(i, pair)| {
+            let unit = knots[i + n + 1].minus(&knots[i + 1]).inverse();
+            let unit = unit.expect("inner knots have multiplicity n at most");
+            scaled(&difference(&pair[1], &pair[0]), &unit.scaled(&degree))
+        });
+        let points: Vec<Point<C>> = points.collect();
+        let inner = KnotVector::new(n - 1, knots[1..knots.len() - 1].to_vec())?;
+        BSpline::new(inner, points)
+    }
+
+    /// The k-th derivative.
+    ///
+    /// # Errors
+    /// As [`BSpline::derivative`].
+    pub fn nth_derivative(&self, k: usize) -> Result<Self, SplineError> {
+        (0..k.min(self.degree() + 1)).try_fold(self.clone(), |spline, _| spline.derivative())
+    }
+
+    /// The antiderivative of degree n + 1: e_0 = 0, e_{i+1} = e_i + (t_{i+n+1} − t_i)/(n+1) d_i, the
+    /// outermost knots repeated once more.
+    ///
+    /// # Errors
+    /// None for a valid spline; those of [`BSpline::new`] are passed on.
+    pub fn antiderivative(&self) -> Result<Self, SplineError> {
+        let n = self.degree();
+        let knots = self.knots().knots();
+        let share = Rational::new(Int::ONE, Int::from(n + 1));
+        let mut points = vec![vec![C::zero(); self.dimension()]];
+        for (i, point) in self.points().iter().enumerate() {
+            let weight = knots[i + n + 1].minus(&knots[i]).scaled(&share);
+            points.push(sum(&points[points.len() - 1], &scaled(point, &weight)));
+        }
+        let mut longer = vec![knots[0].clone()];
+        longer.extend_from_slice(knots);
+        longer.push(knots[knots.len() - 1].clone());
+        BSpline::new(KnotVector::new(n + 1, longer)?, points)
+    }
+
+    /// The integral over the domain.
+    pub fn integral(&self) -> Point<C> {
+        let zero = vec![C::zero(); self.dimension()];
+        self.bezier_pieces().iter().fold(zero, |total, piece| sum(&total, &piece.integral()))
+    }
+
+    /// For each knot inside of the domain: its multiplicity s, the smoothness n − s that the
+    /// knots promise (−1: a jump), and the exact one of this curve (`None`: a jump; `Some(n)` if the
+    /// pieces are one polynomial).
+    pub fn smoothness(&self) -> Vec<(C, usize, Option<usize>)> {
+        let pieces: Vec<BezierCurve<C>> = self.bezier_pieces();
+        let knots = self.inner_knots();
+        pieces
+            .windows(2)
+            .zip(knots)
+            .map(|(pair, (knot, multiplicity))| {
+                let order = crate::curve::continuity_at(&pair[0], &pair[1], &knot)
+                    .expect("the pieces have one dimension")
+                    .order;
+                (knot, multiplicity, order)
+            })
+            .collect()
+    }
+}
