@@ -18,6 +18,9 @@ mod join;
 mod patch;
 mod patch_conversion;
 mod polygon;
+mod projective;
+mod rational;
+mod rational_surface;
 mod triangle;
 
 use std::fmt;
@@ -33,6 +36,8 @@ pub use join::{
     joining_conditions,
 };
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
+pub use rational::RationalCurve;
+pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use triangle::{TrianglePatch, indices};
 
 /// A point or a vector: its coordinates.
