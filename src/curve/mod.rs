@@ -11,6 +11,8 @@
 
 pub mod affine;
 mod bezier;
+mod circle;
+mod conic;
 mod domain;
 mod edge;
 mod hull;
@@ -21,6 +23,8 @@ mod polygon;
 mod projective;
 mod rational;
 mod rational_surface;
+mod revolve;
+mod sphere;
 mod triangle;
 
 use std::fmt;
@@ -28,6 +32,8 @@ use std::fmt;
 use crate::ring::Ring;
 
 pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
+pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
 pub use domain::{Corner, Interval, Triangle};
 pub use edge::{EdgeEquation, EdgeReport};
 pub use hull::{convex_hull, in_convex_polygon};
@@ -38,6 +44,8 @@ pub use join::{
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
+pub use revolve::{revolve, revolve_along};
+pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub use triangle::{TrianglePatch, indices};
 
 /// A point or a vector: its coordinates.

@@ -184,6 +184,7 @@ impl<C: Field> TensorPatch<C> {
             Scheme::Bilinear => m,
             _ => m + n,
         };
+        budget::charge_terms((levels as u64 + 1) * (m as u64 + 1) * (n as u64 + 1));
         let mut nets = vec![self.net.clone()];
         for level in 0..levels {
             let last = &nets[level];
@@ -235,6 +236,8 @@ impl<C: Field> TensorPatch<C> {
 
     /// The same surface of degree (m + by_u, n + by_v).
     pub fn elevate(&self, by_u: usize, by_v: usize) -> Self {
+        let size = |points: usize, by: usize| (points as u64).saturating_add(by as u64);
+        budget::charge_terms(size(self.net.len(), by_u).saturating_mul(size(self.net[0].len(), by_v)));
         let net = in_v(&self.net, |row| polygon::elevated(row, by_v));
         self.with_net(in_u(&net, |column| polygon::elevated(column, by_u)))
     }

@@ -103,6 +103,7 @@ impl<C: Field> RationalCurve<C> {
     /// # Errors
     /// [`CurveError::ZeroDenominator`].
     pub fn derivatives(&self, t: &C, k: usize) -> Result<Vec<Point<C>>, CurveError> {
+        crate::budget::charge_terms(k as u64);
         let homogeneous: Vec<Vec<Point<C>>> =
             (0..=k).map(|r| vec![self.homogeneous.derivative(r).value(t)]).collect();
         Ok(quotient_derivatives(&homogeneous)?.into_iter().flatten().collect())
@@ -199,7 +200,7 @@ impl<C: Field> RationalCurve<C> {
     }
 
     /// The same curve with first and last weight 1, by a change of parameter that keeps the ends:
-    /// λ^n = w_0 / w_n, with λ > 0 where there is a choice.
+    /// λ^n = w_0 / w_n, with λ > 0 where there is a choice. Roots of symbols are not looked for.
     ///
     /// # Errors
     /// [`CurveError::ZeroWeight`] if an end is at infinity, [`CurveError::Irrational`] if there is

@@ -14,6 +14,7 @@ use super::projective::{check_weight, lifted, parted, projected, quotient_deriva
 use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
 use super::{BezierCurve, CurveError, Point, polygon};
+use crate::budget;
 use crate::ring::{Field, Ring};
 
 /// A rational tensor-product patch.
@@ -39,7 +40,8 @@ impl<C: Field> RationalPatch<C> {
     ///
     /// # Errors
     /// [`CurveError::WeightCount`] (of all points, or of the first row that differs),
-    /// [`CurveError::ZeroWeight`] with the place in its row, and those of [`TensorPatch::new`].
+    /// [`CurveError::ZeroWeight`] with the place counted along the rows, and those of
+    /// [`TensorPatch::new`].
     pub fn new(
         points: Net<C>,
         weights: Vec<Vec<C>>,
@@ -54,8 +56,15 @@ impl<C: Field> RationalPatch<C> {
                 points: count(&mut plain.net().iter().map(Vec::len)),
             });
         }
+        let along = plain.degrees().1 + 1;
+        let lift = |(i, (row, weights)): (usize, (&Vec<Point<C>>, &Vec<C>))| {
+            lifted(row, weights).map_err(|error| match error {
+                CurveError::ZeroWeight { index } => CurveError::ZeroWeight { index: i * along + index },
+                other => other,
+            })
+        };
         let net: Result<Net<C>, CurveError> =
-            plain.net().iter().zip(&weights).map(|(row, weights)| lifted(row, weights)).collect();
+            plain.net().iter().zip(&weights).enumerate().map(lift).collect();
         Ok(RationalPatch { homogeneous: TensorPatch::new(net?, u, v)? })
     }
 
@@ -321,6 +330,8 @@ fn three(dimension: usize) -> Result<(), CurveError> {
 
 /// Entries (r, s) with r + s ≤ k.
 fn triangular<T>(k: usize, entry: impl Fn(usize, usize) -> T) -> Vec<Vec<T>> {
+    let size = k as u64 + 1;
+    budget::charge_terms(size.saturating_mul(size) / 2);
     (0..=k).map(|r| (0..=k - r).map(|s| entry(r, s)).collect()).collect()
 }
 
@@ -468,6 +479,10 @@ mod tests {
         assert_eq!(patch.points()[1][2], Some(points[5].clone()));
         let few = RationalPatch::new(net.clone(), rows[..1].to_vec(), unit(), unit());
         assert_eq!(few, Err(CurveError::WeightCount { weights: 3, points: 6 }));
+        let mut zero = rows.clone();
+        zero[1][2] = z(0);
+        let zero = RationalPatch::new(net.clone(), zero, unit(), unit());
+        assert_eq!(zero, Err(CurveError::ZeroWeight { index: 5 }));
         let short = RationalPatch::new(net, vec![rows[0].clone(), vec![]], unit(), unit());
         assert_eq!(short, Err(CurveError::WeightCount { weights: 0, points: 3 }));
         assert!(patch.normal_at(&z(0), &z(0)).is_err() && patch.tangent_planes().is_err());

@@ -321,8 +321,10 @@ impl<C: Field> TrianglePatch<C> {
 
     /// ∂^{r+s}/∂x^r ∂y^s with x, y the coordinates of the parameter plane.
     pub fn partial_derivative(&self, r: usize, s: usize) -> Self {
-        let mut directions = vec![vec![C::one(), C::zero()]; r];
-        directions.resize(r + s, vec![C::zero(), C::one()]);
+        // one more than the degree gives zero already
+        let most = self.degree + 1;
+        let mut directions = vec![vec![C::one(), C::zero()]; r.min(most)];
+        directions.extend(vec![vec![C::zero(), C::one()]; s.min(most)]);
         self.derivative(&directions).expect("the unit vectors lie in the plane")
     }
 
