@@ -5,9 +5,12 @@ mod joins;
 mod matrices;
 mod numbers;
 mod on_geometry;
+mod on_surface;
 mod polar;
 mod polynomials;
+mod rational;
 mod splines;
+mod surfaces;
 
 pub(super) use on_geometry::method;
 pub(super) use polar::expand_polar;
@@ -38,7 +41,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 7]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 9]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -58,6 +61,8 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + surfaces::TABLE.len()
+        + rational::TABLE.len()
         + numbers::TABLE.len();
     all::<COUNT>([
         polar::TABLE,
@@ -65,6 +70,8 @@ pub static BUILTINS: &[&Builtin] = &{
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,
+        rational::TABLE,
+        surfaces::TABLE,
         joins::TABLE,
         numbers::TABLE,
     ])
