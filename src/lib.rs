@@ -43,6 +43,7 @@
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | checking lecture notes | [`notes`] |
+//! | results woven into lecture notes | [`weave`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
@@ -74,4 +75,5 @@ pub mod session;
 pub mod source;
 pub mod syntax;
 pub mod value;
+pub mod weave;
 pub mod write;

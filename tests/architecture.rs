@@ -15,6 +15,7 @@ const TIERS: &[&[&str]] = &[
     &["eval"],
     &["session"],
     &["notes"],
+    &["weave"],
     &["cli"],
 ];
 
