@@ -40,7 +40,8 @@ impl Markup {
                 self.items(pieces).into_iter().map(|item| format!("- {item}")).collect()
             }
             (Style::List, Markup::Latex) => {
-                let items = self.items(pieces).into_iter().map(|item| format!("\\item {item}"));
+                // A bracket right after \item would be its label.
+                let items = self.items(pieces).into_iter().map(|item| format!("\\item {{}}{item}"));
                 enclosed("itemize", "", items)
             }
             (Style::Table, _) => self.table(pieces),
@@ -74,10 +75,11 @@ impl Markup {
             // Dollars are no trouble outside of formulas.
             Markup::Markdown => crate::write::write_words(reason, crate::write::Format::Latex),
             Markup::Latex => {
-                let pieces = reason.split('`').enumerate().map(|(i, piece)| match crate::syntax::parse(piece) {
-                    Ok(formula) if i % 2 == 1 => format!("${}$", crate::write::latex(&formula)),
-                    _ => escaped(piece),
-                });
+                let pieces =
+                    reason.split('`').enumerate().map(|(i, piece)| match crate::syntax::parse(piece) {
+                        Ok(formula) if i % 2 == 1 => format!("${}$", crate::write::latex(&formula)),
+                        _ => escaped(piece),
+                    });
                 pieces.collect()
             }
         }
@@ -89,7 +91,9 @@ impl Markup {
         for piece in pieces {
             match piece {
                 Piece::Steps(lines) => items.extend(
-                    lines.iter().map(|line| format!("{}: {}", line_in_words(line), self.reason(&line.reason))),
+                    lines
+                        .iter()
+                        .map(|line| format!("{}: {}", line_in_words(line), self.reason(&line.reason))),
                 ),
                 other => items.push(self.inline(other, false)),
             }
@@ -117,7 +121,9 @@ impl Markup {
         }
         match self {
             Markup::Markdown => {
-                let rows = rows.iter().map(|(left, right)| format!("| {} | {} |", cell(left), cell(right)));
+                let rows = rows
+                    .iter()
+                    .map(|(left, right)| format!("| {} | {} |", within_cell(left), within_cell(right)));
                 ["| | |", "| --- | --- |"].into_iter().map(str::to_owned).chain(rows).collect()
             }
             Markup::Latex => {
@@ -152,7 +158,7 @@ impl Markup {
                 let lines: Vec<String> = lines.map(typewriter).collect();
                 let last = lines.len().saturating_sub(1);
                 let lines = lines.into_iter().enumerate();
-                let lines = lines.map(|(i, line)| if i < last { line + r"\\" } else { line });
+                let lines = lines.map(|(i, line)| if i < last { line + r"\\{}" } else { line });
                 enclosed("quote", r"\ttfamily", lines)
             }
         }
@@ -196,8 +202,8 @@ fn line_in_words(line: &StepLine) -> String {
     if left.is_empty() { format!("${right}$") } else { format!("${left} {right}$") }
 }
 
-/// The text of a cell: a bar would end it.
-fn cell(text: &str) -> String {
+/// The text of a cell of Markdown: a bar would end it.
+pub(super) fn within_cell(text: &str) -> String {
     if !text.contains('|') {
         return text.to_owned();
     }
@@ -232,7 +238,9 @@ mod tests {
         assert!(display.starts_with("$$\nf(t_1, t_2) = t_1 t_2\n$$\n\n$$\nf(0, 1) = 1 \\quad"), "{display}");
         assert!(shown(Style::List).starts_with("- $f(t_1, t_2) = t_1 t_2$\n- $f(0, 1) = 1 \\quad"));
         let table = shown(Style::Table);
-        assert!(table.contains("| $f(t_1, t_2)$ | $t_1 t_2$ |\n| $f(0, 1) = 1$ | false: left $0$, right $1$ |"));
+        assert!(
+            table.contains("| $f(t_1, t_2)$ | $t_1 t_2$ |\n| $f(0, 1) = 1$ | false: left $0$, right $1$ |")
+        );
         assert!(table.lines().all(|line| line.matches('|').count() == 3), "{table}");
         let code = shown(Style::Code);
         assert!(code.starts_with("```text\nf(t1, t2) = t1 t2\nf(0, 1) = 1    [false: left 0, right 1]\n"));
@@ -248,6 +256,9 @@ mod tests {
         assert_eq!(lines[2], r"F(t) &= t^2 + 2 t && \text{a polynomial of degree at most 2} \\");
         assert!(lines.iter().all(|line| line == "$$" || !line.contains('$')), "{lines:?}");
         let latex = Markup::Latex.block(&pieces, Style::List).join("\n");
-        assert!(latex.contains(r"\item $\sigma_{2,2} = t_1 t_2$: replaces $t^2$: the only product"), "{latex}");
+        assert!(
+            latex.contains(r"\item {}$\sigma_{2,2} = t_1 t_2$: replaces $t^2$: the only product"),
+            "{latex}"
+        );
     }
 }

@@ -217,7 +217,8 @@ mod tests {
 
     #[test]
     fn all_options() {
-        let options = read("steps=taylor,notation=\"sigma\" style=table  show=last equation lang=en #eq:a .b");
+        let options =
+            read("steps=taylor,notation=\"sigma\" style=table  show=last equation lang=en #eq:a .b");
         assert_eq!(options.steps, Some(Method::Taylor));
         assert_eq!((options.notation, options.style), (Notation::Sigma, Style::Table));
         assert_eq!((options.show, options.equation, options.hide), (Show::Last, true, false));

@@ -70,7 +70,9 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
     let name = answer.outcome.defined.as_ref().map(symbol_expr);
     let piece = match value {
         Value::Text(words) => Piece::Words(words.clone()),
-        Value::List(items) if !items.is_empty() && items.iter().all(|item| matches!(item, Value::Text(_))) => {
+        Value::List(items)
+            if !items.is_empty() && items.iter().all(|item| matches!(item, Value::Text(_))) =>
+        {
             let words = items.iter().filter_map(|item| match item {
                 Value::Text(words) => Some(words.as_str()),
                 _ => None,
@@ -147,9 +149,17 @@ pub(super) fn remark(judgement: &Judgement) -> String {
     if let Some(witness) = &judgement.witness
         && !witness.assignment.is_empty()
     {
-        let values = witness.assignment.iter().map(|(name, value)| format!("`{} = {value}`", text(&symbol_expr(name))));
+        let values = witness
+            .assignment
+            .iter()
+            .map(|(name, value)| format!("`{} = {value}`", text(&symbol_expr(name))));
         let values: Vec<String> = values.collect();
-        return format!("false: for {} left `{}`, right `{}`", values.join(", "), witness.left, witness.right);
+        return format!(
+            "false: for {} left `{}`, right `{}`",
+            values.join(", "),
+            witness.left,
+            witness.right
+        );
     }
     let (left, right) = (text(&judgement.left.to_expr()), text(&judgement.right.to_expr()));
     if left.len().max(right.len()) > LONGEST_SIDE {

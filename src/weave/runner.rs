@@ -121,7 +121,8 @@ impl Runner {
             Verdict::Undecided => (Verdict::Undecided, Code::Undecided),
         };
         self.refuted += usize::from(verdict == Verdict::Refuted);
-        let what = if verdict == Verdict::Refuted { "this claim is false" } else { "this claim is undecided" };
+        let what =
+            if verdict == Verdict::Refuted { "this claim is false" } else { "this claim is undecided" };
         let mut problem = Diagnostic::error(code, what).at(span);
         if let Some(judgement) = claim.judgements.iter().find(|judgement| judgement.verdict == verdict) {
             problem = problem.reason(words_as_text(&remark(judgement)));
@@ -210,14 +211,12 @@ fn rename(lines: &mut [Line], call: &Expr, name: Option<Expr>) {
     };
     let combination = callee(call).is_some_and(|(name, _)| name.starts_with("polar_"));
     let result = if combination { "h" } else { "f" };
-    let names: Vec<(&str, Kind)> = [
-        name.map(|name| (result, name.kind)),
-        source.map(|source| ("F", source.kind.clone())),
-    ]
-    .into_iter()
-    .flatten()
-    .filter(|(old, new)| *new != Kind::Name((*old).to_owned()))
-    .collect();
+    let names: Vec<(&str, Kind)> =
+        [name.map(|name| (result, name.kind)), source.map(|source| ("F", source.kind.clone()))]
+            .into_iter()
+            .flatten()
+            .filter(|(old, new)| *new != Kind::Name((*old).to_owned()))
+            .collect();
     if names.is_empty() {
         return;
     }

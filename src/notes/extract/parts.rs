@@ -202,7 +202,9 @@ mod tests {
         assert_eq!(parts[1].text, "f(0)\n\n  1\n");
         let one = parts[1].places.span(Span::new(8, 9));
         assert_eq!(&text[one.range()], "1");
-        assert!(text[parts[1].span.range()].starts_with("```p") && text[parts[1].span.range()].ends_with("```"));
+        assert!(
+            text[parts[1].span.range()].starts_with("```p") && text[parts[1].span.range()].ends_with("```")
+        );
     }
 
     #[test]

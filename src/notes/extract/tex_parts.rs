@@ -144,7 +144,9 @@ impl Scanner<'_> {
     /// A part for each of the names in braces.
     fn named(&mut self, kind: PartKind, at: usize, after: usize) -> usize {
         let rest = nearby(&self.text[after..]);
-        let Some(inner) = rest.strip_prefix('{').and_then(|rest| rest.split('}').next()) else { return after };
+        let Some(inner) = rest.strip_prefix('{').and_then(|rest| rest.split('}').next()) else {
+            return after;
+        };
         let end = after + inner.len() + 2;
         if end > after + rest.len() || inner.contains(['#', '\\', '{']) {
             return after;
@@ -215,7 +217,8 @@ mod tests {
 
     #[test]
     fn queries() {
-        let text = "a \\polarform{f(0, \\frac{1}{2})} % \\polarform{x}\n\\verb|\\polarform{y}| \\polarform {g\n(1)}";
+        let text =
+            "a \\polarform{f(0, \\frac{1}{2})} % \\polarform{x}\n\\verb|\\polarform{y}| \\polarform {g\n(1)}";
         let parts = shown(text);
         assert_eq!(parts.len(), 2, "{parts:?}");
         assert_eq!(parts[0].1, "f(0, \\frac{1}{2})");

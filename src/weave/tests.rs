@@ -1,0 +1,1 @@
+//! Texts woven whole.
