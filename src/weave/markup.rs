@@ -222,7 +222,9 @@ mod tests {
         let run = |statement: &&str| {
             let answer = session.run(statement).unwrap();
             let lines = match (&answer.outcome.value, statement.starts_with("polar(")) {
-                (Value::Polar(polar), true) => crate::value::polar_steps(polar, Default::default()),
+                (Value::Polar(polar), true) => {
+                    crate::value::polar_steps(polar, crate::blossom::Method::Elementary)
+                }
                 _ => Vec::new(),
             };
             render(&answer, &lines, &BlockOptions::default()).unwrap()
@@ -232,7 +234,7 @@ mod tests {
 
     #[test]
     fn styles_of_markdown() {
-        let pieces = pieces(&["f := polar(t^2)", "f(0, 1) = 1", "abs(x)", "degree(0)"]);
+        let pieces = pieces(&["f := polar(t^2)", "f(0, 1) = 1", "[1, 2; 3, 4]", "degree(0)"]);
         let shown = |style| Markup::Markdown.block(&pieces, style).join("\n");
         let display = shown(Style::Display);
         assert!(display.starts_with("$$\nf(t_1, t_2) = t_1 t_2\n$$\n\n$$\nf(0, 1) = 1 \\quad"), "{display}");

@@ -196,12 +196,16 @@ impl Planner<'_> {
                 if holes.is_empty() {
                     return at + 1;
                 }
+                let first_line = |text: &str| text.split('\n').next().map(|line| line.trim_end().to_owned());
                 let old = at.checked_sub(1).map(|before| &self.parts[before]).filter(|before| {
                     let gap = &self.text[before.span.end..part.span.start];
-                    let multiline = gap.matches('\n').count() == 1 && before.text.contains('\n');
-                    let blank = gap.chars().all(|c| c.is_whitespace() || c == '>');
-                    matches!(before.kind, PartKind::Formula { .. })
-                        && (gap.is_empty() || (multiline && blank))
+                    // Only a display of several lines has its comment on the next line.
+                    let display = formula
+                        && whole.contains('\n')
+                        && first_line(whole) == first_line(&before.text)
+                        && gap.matches('\n').count() == 1
+                        && gap.chars().all(|c| c.is_whitespace() || c == '>');
+                    matches!(before.kind, PartKind::Formula { .. }) && (gap.is_empty() || display)
                 });
                 // A formula that is open itself is not the result of another.
                 let old = old.filter(|before| match &before.kind {

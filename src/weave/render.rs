@@ -110,7 +110,7 @@ fn named(value: &Value, name: Option<Expr>, statement: &Expr, options: &BlockOpt
     let left = name.as_ref().unwrap_or(statement);
     let (left_latex, left_text) = (latex(left), text(left));
     // A value that is written as it is asked for is no equation.
-    let equation = name.is_some() || (options.equation && left_latex != body_latex);
+    let equation = name.is_some() || (options.equation && left_text != body_text);
     let (latex, text) = if equation {
         (format!("{left_latex} = {body_latex}"), format!("{left_text} = {body_text}"))
     } else {

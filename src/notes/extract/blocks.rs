@@ -178,7 +178,9 @@ impl Blocks<'_> {
                 return next;
             }
         }
-        if fresh || self.lines.is_empty() {
+        // A comment on a line of its own does not go on with the paragraph of a quotation.
+        let comment = !all && cursor.rest().trim_start().starts_with("<!--");
+        if fresh || comment || self.lines.is_empty() {
             self.end_paragraph();
             self.close_unless(fresh, matched);
         }

@@ -88,11 +88,11 @@ impl Scanner<'_> {
         let closing = format!(r"\end{{{name}}}");
         if name == NAME {
             let (info, from) = self.brackets(end);
-            let body = from + (line_at(self.text, from).len() + 1).min(self.text.len() - from);
             let found = self.find(from, &closing);
-            // What follows on the line of \begin belongs to the code.
-            let body = if self.text[from..body].trim().is_empty() { body } else { from };
-            let to = found.unwrap_or(self.text.len()).max(body);
+            // Code begins on the line of \begin, or on the next one if nothing else stands there.
+            let rest = self.text[from..].trim_start_matches([' ', '\t', '\r']);
+            let body = if rest.starts_with('\n') { self.text.len() - rest.len() + 1 } else { from };
+            let to = found.unwrap_or(body).max(body);
             let kind = PartKind::Code { info, closed: found.is_some() };
             let code = &self.text[body..to];
             self.layout.parts.push(Part {
