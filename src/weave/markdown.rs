@@ -205,12 +205,29 @@ impl Weaver<'_> {
         }
     }
 
+    /// The span with the end of its line, and a blank line after it if there is one before it, too.
+    fn whole_lines(&self, span: Span) -> Span {
+        let blank = |line: &str| line.trim().is_empty() && line.ends_with('\n');
+        let mut following = self.text[span.end..].split_inclusive('\n');
+        let mut end = span.end;
+        let Some(rest) = following.next().filter(|rest| blank(rest)) else { return span };
+        end += rest.len();
+        let before = &self.text[..span.start];
+        let first = before.is_empty() || before.ends_with("\n\n") || before.ends_with("\n\r\n");
+        if let Some(line) = following.next().filter(|line| first && blank(line)) {
+            end += line.len();
+        }
+        Span::new(span.start, end)
+    }
+
     /// The block with its results, or these alone.
     fn template_block(&mut self, block: &Block, lines: &[String], margin: &str, after: Span) {
         let lines = lines.iter().map(String::as_str);
         if block.options.hide || block.in_comment {
             let shown = self.lines(lines, margin);
-            self.edit(block.span.to(after), shown, block.info);
+            let all = block.span.to(after);
+            let all = if shown.is_empty() && margin.is_empty() { self.whole_lines(all) } else { all };
+            self.edit(all, shown, block.info);
             return;
         }
         // The options are of no use to readers.

@@ -76,6 +76,7 @@ fn a_block_and_its_result() {
     assert!(settled.starts_with("<!--\n```polarform hide show=last style=inline\n"), "{settled}");
     assert!(settled.ends_with("```\n-->\n<!-- woven -->\n\n$4$\n\n<!-- /woven -->\n"), "{settled}");
     assert_eq!(copied(&settled), "$4$\n");
+    assert_eq!(copied("a\n\n```polarform hide show=none\na := 2\n```\n\n{{ a }}\n"), "a\n\n$2$\n");
     // Without results there is no region.
     assert_eq!(
         in_place(&right.replacen("polarform", "polarform show=none", 1)),
