@@ -313,7 +313,7 @@ fn a_real_tex_compiles_it_before_and_after() {
     let lecture = folder.write("lecture.tex", LECTURE);
     folder.write("polarform.sty", polarform::weave::PACKAGE);
     let Some(before) = pdflatex(&folder, "lecture.tex") else {
-        eprintln!("there is no pdflatex here");
+        // There is no TeX on this machine.
         return;
     };
     assert!(before.contains("run polarform weave lecture.tex"), "{before}");
@@ -351,4 +351,107 @@ fn two_hundred_results() {
     assert!(ran.time < Duration::from_secs(10), "{:?}", ran.time);
     let ran = run(&["weave", &notes]);
     assert!(ran.out.ends_with("nothing changed\n") && ran.time < Duration::from_secs(2), "{:?}", ran.time);
+}
+
+/// Everything that is woven into a lecture with all styles and derivations.
+const EVERYTHING: &str = "\
+```polarform show=none hide
+F(t) := t^3 + 3t^2 + 5t + 1
+f := polar(F)
+```
+
+so $f(0, 1, 1) = {{ f(0, 1, 1) }}$, {{ f }}, {{ 1 + 1 = 3 }}, {{ (t + 1)^2 = t^2 + 1 }} and {{ degree(0) }}.
+
+$$
+{{ bernstein_to_power(3) }}
+$$
+
+> - in a list
+>
+>   ```polarform style=list steps=taylor
+>   g := polar(t^2 + 2t)
+>   ```
+>
+>   $$
+>   {{ g }}
+>   $$
+
+```polarform steps=probability notation=sigma
+g := polar(t^2 + 2t)
+```
+
+```polarform steps=parts
+polar(F)
+```
+
+```polarform steps=laguerre style=table
+polar(F)
+```
+
+```polarform steps=bezier equation
+polar(t^2)
+f(r, s, 1/2)
+abs(-3)
+```
+
+```polarform style=inline
+polar_compose(t^2, t^2 + 1)
+[1, 2; 3, 4]
+```
+
+```polarform steps
+h := polar_compose(t^2, t^2 + 1)
+polar_sum(t^3, t^2)
+```
+";
+
+fn formulas(text: &str) -> Vec<String> {
+    use polarform::notes::document::Item;
+    use polarform::notes::extract::{Container, document};
+    let file = polarform::source::SourceFile::new("a.md", text);
+    let items = document(file.clone(), Container::Markdown).items.into_iter();
+    let formula = |item: Item| match item {
+        Item::Formula(formula) => Some(file.slice(formula.span).to_owned()),
+        _ => None,
+    };
+    items.filter_map(formula).collect()
+}
+
+#[test]
+fn a_real_renderer_accepts_what_is_woven() {
+    use polarform::weave::{Mode, Options, weave_markdown};
+    let file = polarform::source::SourceFile::new("a.md", EVERYTHING);
+    let copy = weave_markdown(&file, &Options { mode: Mode::Template, ..Options::default() });
+    let in_place = weave_markdown(&file, &Options::default());
+    let told: Vec<&str> = copy.problems.iter().map(|failure| failure.problem.code.id()).collect();
+    assert_eq!(told, ["E704", "E704"], "{:?}", copy.problems);
+    // The comments hide nothing but themselves.
+    let mut shown = formulas(&copy.text);
+    // Words are a formula in place only.
+    let without_words = |formulas: Vec<String>| -> Vec<String> {
+        formulas.into_iter().filter(|formula| !formula.starts_with(r"\text{the zero")).collect()
+    };
+    shown = without_words(shown);
+    let blank = |formula: &String| formula.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(
+        without_words(formulas(&in_place.text)).iter().map(blank).collect::<Vec<_>>(),
+        shown.iter().map(blank).collect::<Vec<_>>()
+    );
+    let options = katex::Opts::builder().output_type(katex::OutputType::Mathml).build().expect("all is set");
+    for formula in formulas(&in_place.text) {
+        if let Err(error) = katex::render_with_opts(&formula, &options) {
+            panic!("{formula}: {error}");
+        }
+    }
+    // Another reader of Markdown sees the same formulas.
+    let html = |text: &str| {
+        let mut constructs = markdown::Constructs::gfm();
+        (constructs.math_flow, constructs.math_text) = (true, true);
+        let parse = markdown::ParseOptions { constructs, ..markdown::ParseOptions::default() };
+        let options = markdown::Options { parse, ..markdown::Options::default() };
+        markdown::to_html_with_options(text, &options).expect("Markdown has no errors")
+    };
+    let count = |text: &str| html(text).matches("language-math").count();
+    assert_eq!(count(&in_place.text), formulas(&in_place.text).len(), "{}", html(&in_place.text));
+    assert_eq!(count(&copy.text), formulas(&copy.text).len(), "{}", html(&copy.text));
 }

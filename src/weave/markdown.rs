@@ -1,5 +1,7 @@
 //! Weaving Markdown: from the sites of a text to the bytes that change.
 
+use std::borrow::Cow;
+
 use super::markup::{Markup, within_cell};
 use super::options::BlockOptions;
 use super::plan::{Block, Plan, Site, SiteKind, Template};
@@ -17,6 +19,10 @@ pub(super) struct Edit {
     pub(super) new: String,
     /// The query that this is the result of.
     pub(super) query: Span,
+    /// The number of its site.
+    pub(super) site: usize,
+    /// Whether a result stands there afterwards.
+    pub(super) settles: bool,
 }
 
 /// Runs the queries of a text and says what changes in it. `place` leads from the text to the file.
@@ -34,8 +40,9 @@ pub(super) fn edits(
         runner.problem(problem, file);
     }
     let line_end = line_end(text);
-    let mut weaver = Weaver { text, runner, file, place, options, line_end, edits: Vec::new() };
-    for site in &plan.sites {
+    let mut weaver = Weaver { text, runner, file, place, options, line_end, site: 0, edits: Vec::new() };
+    for (number, site) in plan.sites.iter().enumerate() {
+        weaver.site = number;
         match &site.kind {
             SiteKind::Template(template) => weaver.template(site, template),
             SiteKind::Block(block) => weaver.block(site, block),
@@ -43,7 +50,43 @@ pub(super) fn edits(
     }
     let mut edits = weaver.edits;
     edits.retain(|edit| text[edit.span.range()] != edit.new);
+    if options.mode == Mode::InPlace {
+        for query in keep_what_is_found_again(text, plan, &mut edits, options) {
+            let problem = Diagnostic::error(Code::UnclosedFormula, "a result would not be found again here")
+                .at(place(query))
+                .reason("nothing was written")
+                .hint(r"look for a lone $ near it; a currency is written \$")
+                .hint("or weave into another file with -o");
+            runner.problem(problem, file);
+        }
+    }
     edits
+}
+
+/// So many results that would not be found again are left out one by one.
+const MOST_DOUBTS: usize = 20;
+
+/// Leaves out results that the next run would not take for results: what is a formula depends on what
+/// stands around it, where dollars are not balanced. Gives the queries of those left out.
+fn keep_what_is_found_again(text: &str, plan: &Plan, edits: &mut Vec<Edit>, options: &Options) -> Vec<Span> {
+    let mut doubtful = Vec::new();
+    while !edits.is_empty() {
+        let after = edited(text, edits);
+        let again = super::plan::plan(&after, &options.blocks);
+        let settled = |number: usize| {
+            let at = edits.partition_point(|edit| edit.site < number);
+            edits[at..].iter().take_while(|edit| edit.site == number).any(|edit| edit.settles)
+        };
+        let Some(first) = plan.first_difference(text, &again, &after, settled) else { break };
+        let before = edits.iter().rev().map(|edit| edit.site).find(|site| *site <= first);
+        let site = before.unwrap_or(edits[0].site);
+        doubtful.extend(edits.iter().find(|edit| edit.site == site).map(|edit| edit.query));
+        edits.retain(|edit| edit.site != site);
+        if doubtful.len() >= MOST_DOUBTS {
+            edits.clear();
+        }
+    }
+    doubtful
 }
 
 /// How the lines of a text end.
@@ -74,12 +117,19 @@ struct Weaver<'a> {
     place: &'a dyn Fn(Span) -> Span,
     options: &'a Options,
     line_end: &'static str,
+    /// The number of the site that is woven.
+    site: usize,
     edits: Vec<Edit>,
 }
 
 impl Weaver<'_> {
     fn edit(&mut self, span: Span, new: String, query: Span) {
-        self.edits.push(Edit { span, new, query });
+        self.edits.push(Edit { span, new, query, site: self.site, settles: false });
+    }
+
+    /// A change after which a result stands in the text.
+    fn settle(&mut self, span: Span, new: String, query: Span) {
+        self.edits.push(Edit { span, new, query, site: self.site, settles: true });
     }
 
     fn template(&mut self, site: &Site, template: &Template) {
@@ -92,7 +142,7 @@ impl Weaver<'_> {
             let place = |span: Span| (self.place)(template.places.span(span.shifted(hole.start + 2)));
             match self.runner.query(&code, self.file, &place, &self.options.blocks) {
                 Some(piece) => {
-                    result.push_str(&template.text[at..hole.start]);
+                    result.push_str(&self.typed(&template.text[at..hole.start]));
                     let bare = template.formula || self.options.mode == Mode::InPlace;
                     let shown = Markup::Markdown.inline(&piece, bare);
                     let shown = if in_table { within_cell(&shown) } else { shown };
@@ -110,15 +160,24 @@ impl Weaver<'_> {
         if !complete {
             return;
         }
-        result.push_str(&template.text[at..]);
+        result.push_str(&self.typed(&template.text[at..]));
+        // Two dollars side by side would be the sign of a display.
+        let span = template.result.unwrap_or(template.span);
+        let comes = !template.formula || template.result.is_some_and(Span::is_empty);
+        if comes && result.starts_with('$') && self.text[..span.start].ends_with('$') {
+            result.insert(0, ' ');
+        }
+        if comes && result.ends_with('$') && self.text[template.span.end..].starts_with('$') {
+            result.push_str(if self.options.mode == Mode::Template { " " } else { "" });
+        }
         let query = template.places.span(Span::new(template.holes[0].start, template.holes[0].end));
         let result = self.lines(result.split('\n').map(|line| line.trim_end_matches('\r')), &site.margin);
         match (self.options.mode, template.result) {
             (Mode::Template, _) => self.edit(template.span, result, query),
-            (Mode::InPlace, Some(old)) => self.edit(old, result, query),
+            (Mode::InPlace, Some(old)) => self.settle(old, result, query),
             (Mode::InPlace, None) => {
                 let comment = self.comment(template, &site.margin);
-                self.edit(template.span, result + &comment, query);
+                self.settle(template.span, result + &comment, query);
             }
         }
     }
@@ -130,13 +189,18 @@ impl Weaver<'_> {
         before.into_iter().chain(after).any(|side| side.contains('|'))
     }
 
+    /// A part of a template as it can be kept in a comment. Two hyphens end one in some renderers; in a
+    /// formula a blank between them changes nothing.
+    fn typed<'t>(&self, text: &'t str) -> Cow<'t, str> {
+        match self.options.mode {
+            Mode::InPlace if text.contains("--") => text.replace("--", "- -").into(),
+            _ => text.into(),
+        }
+    }
+
     /// The comment that keeps the template beside its result.
     fn comment(&self, template: &Template, margin: &str) -> String {
-        // Two hyphens end a comment in some renderers; in a formula a blank between them changes nothing.
-        let mut source = template.text.replace("--", "- -");
-        if source.ends_with('-') {
-            source.push(' ');
-        }
+        let source = self.typed(&template.text);
         let alone =
             self.text[template.span.end..].split('\n').next().is_none_or(|rest| rest.trim().is_empty());
         if source.contains('\n') && alone {
@@ -196,11 +260,11 @@ impl Weaver<'_> {
         match block.region {
             Some(old) => {
                 let region = self.lines(region, margin);
-                self.edit(old, region, query);
+                self.settle(old, region, query);
             }
             None => {
                 let region = self.lines([""].into_iter().chain(region), margin);
-                self.edit(after, region, query);
+                self.settle(after, region, query);
             }
         }
     }

@@ -35,6 +35,7 @@ pub fn weave_notebook(file: &SourceFile, options: &Options) -> Woven {
                     span: place(edit.span),
                     new: escaped(&edit.new),
                     query: place(edit.query),
+                    ..edit
                 }));
             }
         }

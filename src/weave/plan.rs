@@ -107,6 +107,40 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// The number of the first site that another plan, of the text after weaving, does not have in its
+    /// place with a result; `settled` tells for which sites there must be one.
+    pub(super) fn first_difference(
+        &self,
+        text: &str,
+        after: &Plan,
+        text_after: &str,
+        settled: impl Fn(usize) -> bool,
+    ) -> Option<usize> {
+        let same = |(number, (one, two)): (usize, (&Site, &Site))| match (&one.kind, &two.kind) {
+            (SiteKind::Template(one), SiteKind::Template(two)) => {
+                let has_result = |template: &Template| template.result.is_some_and(|span| !span.is_empty());
+                let wanted = settled(number) || has_result(one);
+                plain(&one.text) == plain(&two.text) && (has_result(two) || !wanted)
+            }
+            (SiteKind::Block(one), SiteKind::Block(two)) => {
+                one.code == two.code
+                    && text[one.info.range()] == text_after[two.info.range()]
+                    && (two.region.is_some() || !settled(number))
+            }
+            _ => false,
+        };
+        let (here, there) = (self.sites.len(), after.sites.len());
+        let first = self.sites.iter().zip(&after.sites).enumerate().map(same).position(|same| !same);
+        first.or((here != there).then(|| here.min(there)))
+    }
+}
+
+/// A template as it stands in a comment.
+fn plain(template: &str) -> String {
+    template.lines().map(str::trim).collect::<Vec<_>>().join("\n").replace("--", "- -")
+}
+
 struct Planner<'a> {
     text: &'a str,
     parts: &'a [Part],
@@ -122,7 +156,7 @@ impl Planner<'_> {
             PartKind::Query => {
                 let text = format!("{{{{{}}}}}", part.text);
                 let template = Template {
-                    holes: vec![0..text.len()],
+                    holes: std::iter::once(0..text.len()).collect(),
                     text,
                     places: Places::plain(part.span.start),
                     formula: false,
@@ -191,7 +225,7 @@ impl Planner<'_> {
                 let formula = only.kind != PartKind::Query;
                 let holes = match &only.kind {
                     PartKind::Formula { inner, .. } => holes(whole, inner.clone()),
-                    _ => vec![0..whole.len()],
+                    _ => std::iter::once(0..whole.len()).collect(),
                 };
                 if holes.is_empty() {
                     return at + 1;

@@ -294,7 +294,13 @@ impl<'a> Inline<'a> {
             let text = Span::new(at + 2, at + 2 + len);
             return self.formula(Style::Inline, text, at, text.end + 2);
         }
-        match inline_end(self.text, at) {
+        // Who writes into the text must not take a price and the code after it for a formula.
+        let strict = self.out.layout.is_some();
+        let has_code = |end: usize| {
+            let content = &self.text[at..end];
+            content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))
+        };
+        match inline_end(self.text, at).filter(|&end| !strict || !has_code(end)) {
             Some(end) => self.formula(Style::Inline, Span::new(at + 1, end), at, end + 1),
             None => {
                 if !is_currency(self.text, at) && !self.ends_cell(at) {
