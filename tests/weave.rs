@@ -277,7 +277,7 @@ fn latex() {
     assert_eq!(folder.files(), ["lecture.polarform.tex", "lecture.tex", "polarform.sty"]);
     assert_eq!(folder.read("lecture.tex"), LECTURE);
     assert_eq!(folder.read("polarform.sty"), polarform::weave::PACKAGE);
-    assert!(folder.read("lecture.polarform.tex").contains(r"\polarformresult{f(\tfrac12, r)}"));
+    assert!(folder.read("lecture.polarform.tex").contains(r"\polarformresult{1}{1}{f(\tfrac12, r)}"));
     assert!(run(&["weave", &lecture]).out.ends_with("nothing changed\n"));
     assert_eq!(run(&["weave", "--check", &lecture]).status, Some(0));
     folder.write("lecture.tex", LECTURE.replace("+ 2t", "+ 4t"));
@@ -334,6 +334,52 @@ fn a_real_tex_compiles_it_before_and_after() {
     let changed = pdflatex(&folder, "lecture.tex").expect("it is there");
     assert_eq!(changed.matches("No result for").count(), 1, "{changed}");
     assert!(changed.contains("No result for the block"), "{changed}");
+}
+
+/// A name that is defined anew, and the places where LaTeX moves text to or sets it twice.
+const REDEFINED: &str = r"\documentclass[twoside]{book}
+\usepackage{polarform,hyperref}
+\pagestyle{headings}
+\begin{document}
+\tableofcontents\listoffigures
+\chapter{One}
+\begin{polarform}[show=none, hide]
+f := polar(t^2 + 2t)
+\end{polarform}
+\section{First \polarform{f(0,1)}, $\polarform{f(0,\tfrac12)}$}
+\newpage Here \polarform{f(0,1)}.
+\begin{figure}\caption{Before \polarform{f(0,1)}}\end{figure}
+\begin{gather} \polarform{f := polar(t^2 + 4t)} \\ \polarform{f(0,1)} \end{gather}
+Now \polarform{f(0,1)}.
+\begin{figure}\caption{After \polarform{f(0,1)}}\end{figure}
+\section{Second \polarform{f(0,1)}}
+\newpage Text.
+\end{document}
+";
+
+#[test]
+fn the_same_query_has_the_result_of_its_place() {
+    let folder = Folder::new("states");
+    let file = folder.write("book.tex", REDEFINED);
+    assert_eq!(run(&["weave", &file]).status, Some(0));
+    for _ in 0..3 {
+        let Some(said) = pdflatex(&folder, "book.tex") else { return };
+        assert!(!said.contains("Package polarform Warning"), "{said}");
+    }
+    let mut command = Command::new("pdftotext");
+    let Ok(output) = command.args(["book.pdf", "-"]).current_dir(&folder.0).output() else { return };
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for (wanted, times) in [
+        ("First 1", 2),
+        ("Here 1.", 1),
+        ("Before 1", 2),
+        ("Now 2.", 1),
+        ("After 2", 2),
+        ("Second 2", 2),
+        ("SECOND 2", 1),
+    ] {
+        assert_eq!(text.matches(wanted).count(), times, "{wanted} in {text}");
+    }
 }
 
 /// The bars: 200 results, and a second run with nothing to do. A debug build on a busy machine has

@@ -22,11 +22,13 @@ pub(super) struct Runner {
     pub(super) refuted: usize,
     /// How many results there are.
     pub(super) results: usize,
+    /// How many of them define a name.
+    pub(super) definitions: usize,
 }
 
 impl Runner {
     pub(super) fn new(session: Session) -> Self {
-        Runner { session, problems: Vec::new(), refuted: 0, results: 0 }
+        Runner { session, problems: Vec::new(), refuted: 0, results: 0, definitions: 0 }
     }
 
     /// Notes a problem of a file.
@@ -80,6 +82,7 @@ impl Runner {
                 if let Value::Claim(claim) = &answer.outcome.value {
                     self.judged(claim, answer.statement.span, file, place);
                 }
+                self.definitions += usize::from(answer.outcome.defined.is_some());
                 let span = answer.statement.span;
                 let piece = self.shown(session, &answer, options).map_err(|problem| problem.at(span))?;
                 self.results += 1;

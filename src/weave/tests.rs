@@ -177,12 +177,12 @@ fn latex_keeps_old_results_of_failing_queries() {
         |query: &str, before: &str| weave_latex(&document(query), before, &mut |_| None, &Options::default());
     let first = weave("b := 5", "");
     assert_eq!((first.results, first.stale.len(), first.failed), (4, 3, false), "{:?}", first.problems);
-    assert!(first.text.contains("\\polarformresult{b := 5}{b = 5}\n"));
+    assert!(first.text.contains("\\polarformresult{0}{1}{b := 5}{b = 5}\n"));
     assert!(first.text.contains("\\begin{polarformquery}[show=last]\na := 2\na^2\n\\end{polarformquery}\n"));
     assert!(weave("b := 5", &first.text).unchanged);
     let broken = first.text.replace("b := 5", "nope(1)");
     let second = weave("nope(1)", &broken);
-    assert!(second.failed && second.text.contains("\\polarformresult{nope(1)}{b = 5}"), "{}", second.text);
+    assert!(second.failed && second.text.contains("{nope(1)}{b = 5}"), "{}", second.text);
     assert!(!weave("nope(1)", &second.text).unchanged);
     let third = weave("nope2(1)", &first.text);
     assert!(!third.text.contains("nope2"));
@@ -215,10 +215,22 @@ fn the_same_query_with_two_results() {
         "\\polarform{a := 2}\\polarform{a}\\polarform{a := 3}\\polarform{a}\\polarform{2}\\polarform{2}";
     let woven = weave_latex(&SourceFile::new("m.tex", text), "", &mut |_| None, &Options::default());
     assert!(
-        woven.text.contains("%%% 2\n\\polarformresult{a}{2}\n")
-            && woven.text.contains("%%% 4\n\\polarformresult{a}{3}\n")
+        woven.text.contains("%%% 2\n\\polarformresult{1}{1}{a}{2}\n")
+            && woven.text.contains("%%% 4\n\\polarformresult{2}{2}{a}{3}\n")
     );
-    assert_eq!(woven.text.matches("\\polarformresult{2}").count(), 1);
+    assert_eq!(woven.text.matches("{2}{2}\n").count(), 1);
+}
+
+#[test]
+fn latex_cannot_tell_the_last_values_apart() {
+    let woven = weave_latex(
+        &SourceFile::new("m.tex", "\\polarform{1}\\polarform{ans + 1}\\polarform{ans + 1}\\polarform{2}"),
+        "",
+        &mut |_| None,
+        &Options::default(),
+    );
+    assert_eq!(codes(&woven), [Code::Unsupported]);
+    assert!(woven.failed && woven.text.contains("{ans + 1}{2}") && !woven.text.contains("{3}"));
 }
 
 #[test]

@@ -1,17 +1,19 @@
 //! Weaving LaTeX: the results go to a file beside the document, in the manner of SageTeX.
 //!
 //! The document says `\usepackage{polarform}`, `\polarform{…}` and `\begin{polarform}`; it is never
-//! changed. The package reads the results by the text of their queries, so that the document compiles
-//! without the program, too, and what is missing or belongs to another query shows as `??`.
+//! changed. The package finds a result by the text of its query, so that the document compiles without
+//! the program, too, and what is missing or belongs to another query shows as `??`. Equal queries are
+//! told apart by the *state*: the number of queries before them that define a name. TeX counts states
+//! itself; a running number of queries would go wrong wherever TeX sets a text twice.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::markdown::signature;
 use super::markup::Markup;
 use super::options::BlockOptions;
 use super::runner::Runner;
-use super::side::{Before, Entry, block_key, body, file as side_file, inline_key};
+use super::side::{Before, Entry, Key, block_result, body, file as side_file, inline_result};
 use super::stamp::Digest;
 use super::{Options, Woven};
 use crate::diagnostic::{Code, Diagnostic};
@@ -51,7 +53,7 @@ pub fn side_name(document: &Path) -> PathBuf {
 ///             $1 + 1 = \\polarform{1 + 1}$\n\\end{document}\n";
 /// let document = SourceFile::new("a.tex", text);
 /// let woven = weave_latex(&document, "", &mut |_| None, &Options::default());
-/// assert!(woven.text.contains("\\polarformresult{1 + 1}{2}"));
+/// assert!(woven.text.contains("\\polarformresult{0}{0}{1 + 1}{2}"));
 /// assert!(weave_latex(&document, &woven.text, &mut |_| None, &Options::default()).unchanged);
 /// ```
 pub fn weave_latex(document: &SourceFile, before: &str, load: &mut Load, options: &Options) -> Woven {
@@ -69,20 +71,43 @@ pub fn weave_latex(document: &SourceFile, before: &str, load: &mut Load, options
         return Woven::unchanged(before);
     }
     let mut woven = Woven::default();
-    let mut entries = Vec::new();
+    let mut entries: Vec<Entry> = Vec::new();
+    let mut state = 0;
+    let mut known: BTreeMap<(usize, Key), String> = BTreeMap::new();
     for query in &gathered.queries {
         let key = query.key();
-        match query.run(&mut runner, &options.blocks) {
-            Some(entry) => {
-                if !old.results(&key).contains(&entry.result.as_str()) {
+        let defined = runner.definitions;
+        let result = query.run(&mut runner, &options.blocks);
+        let next = state + usize::from(runner.definitions > defined);
+        let result = match result {
+            Some(result) => {
+                if !old.has(&key, &result) {
                     woven.stale.push((query.file.clone(), query.part.span));
                 }
-                entries.push(entry);
+                result
             }
             // The old result stays.
-            None => entries
-                .extend(old.results(&key).first().map(|result| Entry { key, result: (*result).to_owned() })),
+            None => match old.result(&key, state) {
+                Some(result) => result.to_owned(),
+                None => {
+                    state = next;
+                    continue;
+                }
+            },
+        };
+        if known.get(&(state, key.clone())).is_some_and(|before| *before != result) {
+            runner.problem(
+                Diagnostic::error(Code::Unsupported, "LaTeX cannot tell this query from an equal one before")
+                    .at(query.part.span)
+                    .reason("it has another result here")
+                    .hint("give a value a name, such as a := f(0, 1), and write it instead of ans"),
+                &query.file,
+            );
+            continue;
         }
+        known.insert((state, key.clone()), result.clone());
+        entries.push(Entry { key, result, state, next });
+        state = next;
     }
     if let Some(first) = gathered.queries.first().filter(|_| gathered.complete && !gathered.package) {
         runner.problem(
@@ -96,6 +121,10 @@ pub fn weave_latex(document: &SourceFile, before: &str, load: &mut Load, options
     woven.take(runner);
     let name = Path::new(document.name()).file_name().map(|name| name.to_string_lossy().into_owned());
     let body = body(&name.unwrap_or_default(), &entries);
+    if woven.stale.is_empty() && woven.is_clean() && body != old.body {
+        // The results are the same, but TeX would not find all of them.
+        woven.stale.extend(gathered.queries.first().map(|first| (first.file.clone(), first.part.span)));
+    }
     digest.add(&body);
     let stamp = digest.text();
     woven.text = side_file(&body, Some(stamp.as_str()).filter(|_| woven.is_clean()));
@@ -172,22 +201,21 @@ fn raw<'a>(file: &'a SourceFile, part: &Part) -> &'a str {
 }
 
 impl Query {
-    fn key(&self) -> String {
-        let raw = raw(&self.file, &self.part);
+    fn key(&self) -> Key {
+        let raw = raw(&self.file, &self.part).to_owned();
         match self.part.kind {
-            PartKind::Code { .. } => block_key(raw),
-            _ => inline_key(raw),
+            PartKind::Code { .. } => Key::Block(raw),
+            _ => Key::Inline(raw),
         }
     }
 
-    /// The entry of its result, or nothing if it fails.
-    fn run(&self, runner: &mut Runner, defaults: &BlockOptions) -> Option<Entry> {
+    /// What TeX is to set, or nothing if it fails.
+    fn run(&self, runner: &mut Runner, defaults: &BlockOptions) -> Option<String> {
         let part = &self.part;
-        let raw = raw(&self.file, part);
         let place = |span: Span| part.places.span(span);
         let PartKind::Code { info, .. } = &part.kind else {
             let piece = runner.query(&part.text, &self.file, &place, defaults)?;
-            return Some(Entry::inline(raw, &Markup::Latex.inline(&piece, true)));
+            return Some(inline_result(&Markup::Latex.inline(&piece, true)));
         };
         let options = match defaults.with(self.file.slice(*info), info.start) {
             Ok(options) => options,
@@ -197,7 +225,6 @@ impl Query {
             }
         };
         let pieces = runner.block(&part.text, &self.file, &place, &options)?;
-        let lines = Markup::Latex.block(&pieces, options.style);
-        Some(Entry::block(raw, !options.hide, &lines))
+        Some(block_result(!options.hide, &Markup::Latex.block(&pieces, options.style)))
     }
 }
