@@ -211,6 +211,17 @@ pub(super) enum Command {
     /// Check the formulas of lecture notes, or list them
     #[command(subcommand)]
     Notes(Notes),
+    /// Fill results into lecture notes: Markdown, LaTeX, notebooks, books of mdBook
+    #[command(after_help = "Examples:\n  \
+        polarform weave lecture.md                 in place: {{ f(0, 1) }}, ```polarform blocks\n  \
+        polarform weave lecture.md -o out.md       a copy with results only (- for standard output)\n  \
+        polarform weave --check lecture.md         is everything up to date?\n  \
+        polarform weave lecture.tex                \\polarform{f(0, 1)}; then pdflatex lecture\n  \
+        polarform weave --write-style .            the package polarform.sty\n\n\
+        docs/weave.md tells the rest.\n\
+        Exit status: 1 if a claim is refuted or, with --check, a result is out of date;\n\
+        2 if a query failed: its old result stays; else 0.")]
+    Weave(Weave),
     /// Explain an error code such as E304
     Explain {
         /// The code; without one, all codes are listed
@@ -281,6 +292,29 @@ pub(super) enum ReportKind {
     Sarif,
     /// A page for a browser
     Html,
+}
+
+/// How to weave.
+#[derive(Debug, Args)]
+pub(super) struct Weave {
+    /// Files of notes: .md and the like, .tex, .ipynb
+    #[arg(required_unless_present_any = ["mdbook", "write_style"], value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Write a copy that holds results in place of queries ('-' for standard output)
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write nothing; tell what is out of date
+    #[arg(long)]
+    pub check: bool,
+    /// Run all queries, even if nothing seems to have changed
+    #[arg(long)]
+    pub fresh: bool,
+    /// Write the LaTeX package polarform.sty into a folder
+    #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
+    pub write_style: Option<PathBuf>,
+    /// Be a preprocessor of mdBook: read a book from standard input and write it woven
+    #[arg(long, conflicts_with_all = ["output", "check", "write_style"])]
+    pub mdbook: bool,
 }
 
 /// Two polynomials.

@@ -7,6 +7,7 @@ mod output;
 mod repl;
 mod repl_helper;
 mod watch;
+mod weave;
 
 use std::process::ExitCode;
 
