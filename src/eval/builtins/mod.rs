@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod interpolation;
 mod joins;
 mod matrices;
 mod numbers;
@@ -38,7 +39,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 7]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 10]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -58,6 +59,9 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + interpolation::POLYNOMIALS.len()
+        + interpolation::SPLINES.len()
+        + interpolation::APPROXIMATION.len()
         + numbers::TABLE.len();
     all::<COUNT>([
         polar::TABLE,
@@ -66,6 +70,9 @@ pub static BUILTINS: &[&Builtin] = &{
         curves::TABLE,
         splines::TABLE,
         joins::TABLE,
+        interpolation::POLYNOMIALS,
+        interpolation::SPLINES,
+        interpolation::APPROXIMATION,
         numbers::TABLE,
     ])
 };
