@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod interpolate;
 mod notes;
 mod output;
 mod repl;

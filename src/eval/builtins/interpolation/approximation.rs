@@ -169,10 +169,8 @@ fn parameters_of(machine: &mut Machine, args: &Arguments) -> Result<Value> {
                 .hint("scale=unit ends at 1, scale=length at the sum of all distances"));
         }
     };
-    let decimals = match args.named_size("decimals", usize::MAX)? {
-        Some(decimals) => Some(u32::try_from(decimals).unwrap_or(u32::MAX)),
-        None => None,
-    };
+    let decimals = args.named_size("decimals", usize::MAX)?;
+    let decimals = decimals.map(|decimals| u32::try_from(decimals).unwrap_or(u32::MAX));
     let found = parameters(&points, method, scale, decimals).map_err(interpolation_error).at(span)?;
     if let Some(decimals) = found.decimals.filter(|_| !found.exact) {
         let plural = if decimals == 1 { "" } else { "s" };

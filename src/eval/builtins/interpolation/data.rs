@@ -97,7 +97,8 @@ impl Samples {
             return Err(occurs(&variable).at(args.span(0)));
         }
         if self.values.iter().flatten().any(used) {
-            return Err(occurs(&variable).at(args.span(1)));
+            let place = if args.len() > 1 { 1 } else { 0 };
+            return Err(occurs(&variable).at(args.span(place)));
         }
         Ok(variable)
     }
