@@ -17,8 +17,8 @@ use crate::eval::builtins::Builtin;
 use crate::eval::wrong_kind;
 use crate::expr::{Expr, Kind, Rel, Sign, Term};
 use crate::interpolate::{
-    DividedDifferences, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau, matrix_condition,
-    polynomial_through, power_bernstein_condition, vandermonde, vandermonde_determinant,
+    DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
+    matrix_condition, polynomial_through, power_bernstein_condition, vandermonde, vandermonde_determinant,
 };
 use crate::poly::{Fraction, Symbol};
 use crate::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
@@ -143,7 +143,9 @@ pub(in crate::eval::builtins) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("vandermonde([x_0, ..., x_n], degree=k)", 1..=2, &["degree"])?;
             let nodes = args.scalars(0)?;
-            let own = nodes.len().saturating_sub(1);
+            let Some(own) = nodes.len().checked_sub(1) else {
+                return Err(Samples::failed(args)(InterpolationError::TooFewPoints { needed: 1, given: 0 }));
+            };
             let degree = args.named_size("degree", 1)?.unwrap_or(own);
             Ok(Value::Matrix(vandermonde(&nodes, degree)))
         },
@@ -257,7 +259,15 @@ fn hermite_differences(
         let own = rest.iter().map(|item| datum(item, form, span)).collect::<Result<_>>()?;
         data.push((node.clone(), own));
     }
-    let table = DividedDifferences::hermite(&data).map_err(interpolation_error).at(span)?;
+    let failed = |error| {
+        let equal = matches!(error, InterpolationError::EqualNodes { .. });
+        let mut problem = interpolation_error(error);
+        if equal {
+            problem.hints = vec!["write all data of a node in one list: [x_0, f, f', ...]".to_owned()];
+        }
+        problem
+    };
+    let table = DividedDifferences::hermite(&data).map_err(failed).at(span)?;
     let places =
         data.iter().enumerate().flat_map(|(i, (_, own))| std::iter::repeat_n(i, own.len())).collect();
     let (nodes, values): (Vec<Fraction>, Vec<Vec<Datum>>) = data.into_iter().unzip();
