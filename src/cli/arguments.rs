@@ -209,6 +209,14 @@ pub(super) enum Command {
         polarform bspline --degree 2 --knots 0,0,0,1,2,2,2 --points 1,3,2,4 --scheme 1/2\n  \
         polarform bspline --degree 3 --knots t_0,t_1,t_2,t_3,t_4,t_5,t_6,t_7 --points d_0,d_1,d_2,d_3 --scheme t --span 3")]
     Bspline(BsplineArguments),
+    /// A polynomial or spline through points, or close to them
+    #[command(after_help = "Examples:\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2 --method newton --steps\n  \
+        polarform interpolate --nodes 0,1 --values \"[0, 0], [1, 0]\" --method hermite\n  \
+        polarform interpolate --nodes 0,1,2 --values 0,1,0 --method spline --ends not_a_knot\n  \
+        polarform interpolate --nodes 0..3 --values 0,1,1,2 --method least-squares --degree 1")]
+    Interpolate(Interpolate),
     /// Whether a claim such as "a = b" is true
     #[command(after_help = "Example:\n  \
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
@@ -326,6 +334,63 @@ pub(super) struct BsplineArguments {
     /// Each control point with its polar label
     #[arg(long, conflicts_with_all = ["at", "scheme", "pieces"])]
     pub labels: bool,
+}
+
+/// What to interpolate, and how.
+#[derive(Debug, Args)]
+pub(super) struct Interpolate {
+    /// The nodes
+    #[arg(long, value_name = "X0,X1,...", allow_hyphen_values = true)]
+    pub nodes: String,
+    /// Values at the nodes, points, or for hermite lists [f, f', ...]
+    #[arg(long, value_name = "Y0,Y1,...", allow_hyphen_values = true)]
+    pub values: String,
+    /// How to interpolate
+    #[arg(long, value_enum, default_value_t = Interpolation::Lagrange, value_name = "METHOD")]
+    pub method: Interpolation,
+    /// The value at this parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Ends of a spline: natural, clamped, periodic or not_a_knot
+    #[arg(long, value_name = "ENDS")]
+    pub ends: Option<String>,
+    /// Slopes of a spline with clamped ends
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub slopes: Option<String>,
+    /// Unknowns of the system of a spline: moments or slopes
+    #[arg(long, value_name = "UNKNOWNS")]
+    pub by: Option<String>,
+    /// The degree for least squares
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: Option<usize>,
+    /// Weights for least squares
+    #[arg(long, value_name = "W0,W1,...")]
+    pub weights: Option<String>,
+    /// The variable of the result
+    #[arg(long, default_value = "t", value_name = "NAME")]
+    pub variable: String,
+    /// Show the table or system it is found by
+    #[arg(long)]
+    pub steps: bool,
+}
+
+/// Ways to interpolate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Interpolation {
+    /// The polynomial; its steps are the basis polynomials
+    Lagrange,
+    /// In Newton's form; its steps are the divided differences
+    Newton,
+    /// With derivatives; its steps are the divided differences
+    Hermite,
+    /// The polynomial; its steps are Neville's tableau
+    Neville,
+    /// The polynomial; its steps are Aitken's tableau
+    Aitken,
+    /// The cubic spline; its steps are the system of equations
+    Spline,
+    /// The closest polynomial of a degree; its steps are the normal equations
+    LeastSquares,
 }
 
 /// What to do with lecture notes.

@@ -3,6 +3,7 @@
 mod arguments;
 mod commands;
 mod curves;
+mod interpolate;
 mod notes;
 mod output;
 mod repl;

@@ -128,7 +128,7 @@ impl Machine {
         for (name, value) in &self.locals {
             Arc::make_mut(&mut scope).insert(name.clone(), value.clone());
         }
-        Ok(Clause { parameters, body: body.clone(), formula, scope })
+        Ok(Clause { parameters, body: body.clone(), written: false, formula, scope })
     }
 
     pub(super) fn eval_big(

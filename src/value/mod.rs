@@ -7,6 +7,7 @@
 mod factors;
 mod function;
 mod geometry;
+mod newton;
 mod outcome;
 mod piecewise;
 mod polar;
@@ -16,6 +17,7 @@ mod to_expr;
 
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
+pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
 pub use polar::{Notation, Polar, PolarKind};

@@ -160,14 +160,14 @@ fn coefficient_parts(c: &Fraction) -> (Sign, Vec<Expr>) {
 }
 
 /// coefficient · body, as a term.
-fn weighted(coefficient: &Fraction, body: Option<Expr>) -> Term {
+pub(super) fn weighted(coefficient: &Fraction, body: Option<Expr>) -> Term {
     let (sign, mut factors) = coefficient_parts(coefficient);
     factors.extend(body);
     Term { sign, expr: Expr::product(factors) }
 }
 
 /// Adds a term to a sum; a plain sum is taken apart into its terms.
-fn push_term(terms: &mut Vec<Term>, term: Term) {
+pub(super) fn push_term(terms: &mut Vec<Term>, term: Term) {
     match term {
         Term { sign: Sign::Plus, expr: Expr { kind: Kind::Add(parts), .. } } => terms.extend(parts),
         other => terms.push(other),
@@ -493,8 +493,8 @@ fn function_expr(function: &super::Function) -> Expr {
                 })
                 .collect();
             let body = match &clause.formula {
-                Some(formula) => polynomial_expr(formula),
-                None => clause.body.clone(),
+                Some(formula) if !clause.written => polynomial_expr(formula),
+                _ => clause.body.clone(),
             };
             let shape = function.shape;
             let (lower, rest) = parameters.split_at(shape.lower);

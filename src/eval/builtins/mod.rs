@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod interpolation;
 mod joins;
 mod matrices;
 mod numbers;
@@ -41,7 +42,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 9]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: &[&'static [Builtin]]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -63,8 +64,11 @@ pub static BUILTINS: &[&Builtin] = &{
         + joins::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
+        + interpolation::POLYNOMIALS.len()
+        + interpolation::SPLINES.len()
+        + interpolation::APPROXIMATION.len()
         + numbers::TABLE.len();
-    all::<COUNT>([
+    all::<COUNT>(&[
         polar::TABLE,
         polynomials::TABLE,
         matrices::TABLE,
@@ -73,6 +77,9 @@ pub static BUILTINS: &[&Builtin] = &{
         rational::TABLE,
         surfaces::TABLE,
         joins::TABLE,
+        interpolation::POLYNOMIALS,
+        interpolation::SPLINES,
+        interpolation::APPROXIMATION,
         numbers::TABLE,
     ])
 };
