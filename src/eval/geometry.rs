@@ -47,6 +47,7 @@ pub(super) fn curve_error(error: CurveError) -> Diagnostic {
             (Code::ControlPoints, "a triangular patch of degree n has (n+1)(n+2)/2 points")
         }
         CurveError::Degenerate => (Code::Degenerate, "choose corners in general position"),
+        CurveError::NoCommonEdge => (Code::Coincident, "the domains have to share an edge"),
         CurveError::NoCommonEnd => (Code::Coincident, "over(c, a, b) moves a curve to another interval"),
         CurveError::Irrational { .. } => {
             (Code::Irrational, "choose numbers whose root is rational, or another parameterization")
