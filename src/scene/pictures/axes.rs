@@ -58,7 +58,8 @@ pub fn as_graph(
         low -= (&high - &low) * rational(1, 12);
     }
     let corner = Spot::exact(&[left.clone(), low.clone()])?;
-    let (east, north) = (Spot::exact(&[right.clone(), low.clone()])?, Spot::exact(&[left.clone(), high.clone()])?);
+    let (east, north) =
+        (Spot::exact(&[right.clone(), low.clone()])?, Spot::exact(&[left.clone(), high.clone()])?);
     let ticks = |from: &Rational, to: &Rational| -> Vec<Tick> {
         let at = |value: &Rational| value.to_f64().unwrap_or(f64::NAN);
         let values = nice_ticks(from, to, 4);
