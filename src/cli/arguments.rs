@@ -319,7 +319,7 @@ pub(super) struct FigureArguments {
     #[arg(value_enum)]
     pub kind: FigureKind,
     /// Curves, points, numbers: formulas of the language
-    #[arg(required = true, value_name = "QUERY", allow_hyphen_values = true)]
+    #[arg(required = true, value_name = "QUERY", allow_negative_numbers = true)]
     pub queries: Vec<String>,
     /// The file to write: .svg, .tex or .tikz, .txt, .json
     #[arg(long, short, value_name = "FILE")]

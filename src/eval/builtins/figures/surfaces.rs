@@ -28,12 +28,21 @@ const LARGEST_DOMAIN: usize = 40;
 /// Longer names of points would cover the surface.
 const LONGEST_NAMED: usize = 6;
 
+/// The side of the square or triangle over which heights stand: so that they do not tower over it.
+fn side<'a>(points: impl Iterator<Item = &'a Vec<Fraction>>) -> Rational {
+    let heights: Vec<Rational> = points.filter_map(|point| point.first()?.as_rational()).collect();
+    match (heights.iter().min(), heights.iter().max()) {
+        (Some(low), Some(high)) if low < high => (high - low) * rational(3, 2),
+        _ => rational(1, 1),
+    }
+}
+
 /// A point of space: its coordinates, or a height over a place of the domain.
-fn space(point: &[Fraction], over: impl FnOnce() -> [Rational; 2], span: Span) -> Result<Space> {
+fn space(point: &[Fraction], over: [Rational; 2], side: &Rational, span: Span) -> Result<Space> {
     match point {
         [x, y, z] => Ok([number(x, span)?, number(y, span)?, number(z, span)?]),
         [z] => {
-            let [x, y] = over();
+            let [x, y] = over.map(|part| part * side);
             Ok([x, y, number(z, span)?])
         }
         _ => Err(Diagnostic::error(
@@ -80,9 +89,10 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
         other => return Err(wrong(other)),
     };
     let m = rows.len() - 1;
+    let side = side(rows.iter().flatten());
     let point = |i: usize, (j, point): (usize, &Vec<Fraction>)| {
         let n = rows[i].len() - 1;
-        space(point, || [part(i, m), part(j, n)], span)
+        space(point, [part(i, m), part(j, n)], &side, span)
     };
     let net: Vec<Vec<Space>> = rows
         .iter()
@@ -170,8 +180,9 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         .at(span)
         .hint("degree n needs (n + 1)(n + 2)/2 points: 3, 6, 10, 15, ..."));
     };
+    let side = side(points.iter());
     let placed = points.iter().zip(indices(n));
-    let placed = placed.map(|(point, [i, j, _])| space(point, || [part(i, n), part(j, n)], span));
+    let placed = placed.map(|(point, [i, j, _])| space(point, [part(i, n), part(j, n)], &side, span));
     let usual = if corners.is_some() { Labels::Polar } else { Labels::None };
     let picture = TrianglePicture {
         degree: n,
