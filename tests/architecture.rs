@@ -18,6 +18,7 @@ const TIERS: &[&[&str]] = &[
     &["eval"],
     &["session"],
     &["notes"],
+    &["weave"],
     &["cli"],
 ];
 

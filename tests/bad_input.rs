@@ -66,6 +66,11 @@ fn errors_have_a_place_and_a_hint() {
         Code::Include,
         Code::Encoding,
         Code::BrokenNotebook,
+        Code::UnclosedQuery,
+        Code::BlockOption,
+        Code::OutOfDate,
+        Code::Refuted,
+        Code::Changed,
     ];
     let missing: Vec<_> =
         Code::ALL.iter().filter(|code| !codes.contains(code) && !elsewhere.contains(code)).collect();

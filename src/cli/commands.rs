@@ -182,6 +182,7 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
         Command::Check { claim, given } => check(session, output, claim, given),
         Command::Figure(figure) => super::figure::run(figure, global, session, output),
         Command::Notes(notes) => super::notes::run(notes, global, output),
+        Command::Weave(arguments) => super::weave::run(arguments, global, output),
         Command::Explain { code } => explain(output, code.as_deref()),
         Command::Functions { name } => functions(output, name.as_deref()),
     }

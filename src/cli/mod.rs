@@ -3,12 +3,13 @@
 mod arguments;
 mod commands;
 mod figure;
-mod files;
+mod figure_arguments;
 mod notes;
 mod output;
 mod repl;
 mod repl_helper;
 mod watch;
+mod weave;
 
 use std::process::ExitCode;
 

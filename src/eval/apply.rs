@@ -289,8 +289,8 @@ impl Machine {
                 }
             }
         }
-        if let Some(Value::Geometry(_) | Value::Piecewise(_)) = all.values().next()
-            && let Some(method) = builtins::method(builtin.name)
+        if let Some(first) = all.values().next()
+            && let Some(method) = builtins::method(builtin.name, first)
         {
             return method(&all).at(span);
         }

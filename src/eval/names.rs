@@ -48,7 +48,10 @@ const GREEK: &[&str] = &[
 ];
 
 /// Words that name a basis (`bernstein` is also a function).
-const BASES: &[&str] = &["power", "taylor", "lagrange", "newton", "hermite"];
+const BASES: &[&str] = &[
+    "power", "taylor", "lagrange", "newton", "hermite", "tensor", "triangle", "standard", "rational",
+    "quintic", "quartic", "quarters", "thirds", "bilinear",
+];
 
 /// Functions somebody may expect that have no exact rational values.
 const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];

@@ -48,7 +48,7 @@ pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
 pub use latex::{latex, write_latex};
 pub use sympy::{WriteError, sympy, write_sympy};
-pub use table::{table_json, write_table};
+pub use table::{latex_table, table_json, write_table};
 pub use text::{text, write_text};
 pub use unicode::{unicode, write_unicode};
 pub use words::write_words;

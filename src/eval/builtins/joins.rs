@@ -174,6 +174,7 @@ pub(super) const TABLE: &[Builtin] = &[
                         crate::spline::BSpline::new(s.knots().clone(), points).map_err(spline_error)?;
                     spline(lifted, Form::default())
                 }
+                _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
             })
         },
     },
@@ -266,12 +267,12 @@ fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value
         "polar" => {
             let (curve, form) = single()?;
             let args = args.with_first(bezier(curve, form)).only(1);
-            super::on_geometry::method("polar").map_or_else(|| Err(internal()), |call| call(&args))
+            super::on_geometry::polar(&args)
         }
         "power" => {
             let (curve, form) = single()?;
             let args = args.with_first(bezier(curve, form)).only(1);
-            super::on_geometry::method("coefficients").map_or_else(|| Err(internal()), |call| call(&args))
+            super::on_geometry::coefficients(&args)
         }
         "pieces" => {
             let (s, form) = args.spline(0)?;

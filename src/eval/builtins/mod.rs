@@ -6,9 +6,12 @@ mod joins;
 mod matrices;
 mod numbers;
 mod on_geometry;
+mod on_surface;
 mod polar;
 mod polynomials;
+mod rational;
 mod splines;
+mod surfaces;
 
 pub(super) use on_geometry::method;
 pub(super) use polar::expand_polar;
@@ -39,7 +42,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 8]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 10]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -60,6 +63,8 @@ pub static BUILTINS: &[&Builtin] = &{
         + splines::TABLE.len()
         + joins::TABLE.len()
         + figures::TABLE.len()
+        + surfaces::TABLE.len()
+        + rational::TABLE.len()
         + numbers::TABLE.len();
     all::<COUNT>([
         polar::TABLE,
@@ -67,6 +72,8 @@ pub static BUILTINS: &[&Builtin] = &{
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,
+        rational::TABLE,
+        surfaces::TABLE,
         joins::TABLE,
         figures::TABLE,
         numbers::TABLE,

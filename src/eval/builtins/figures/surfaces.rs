@@ -13,7 +13,7 @@ use crate::number::{Rational, rational};
 use crate::poly::Fraction;
 use crate::scene::pictures::{PatchPicture, TriangleDomain, TrianglePicture, triangle_labels};
 use crate::source::Span;
-use crate::value::{Value, polynomial_expr};
+use crate::value::{Form, Geometry, Value, polynomial_expr};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -68,6 +68,16 @@ fn digits(base: &str, digits: &[usize]) -> Expr {
     Kind::Subscript(Box::new(Expr::name(base)), index).into()
 }
 
+/// Surfaces with weights are not drawn.
+fn polynomial(form: Form, span: Span) -> Result<()> {
+    if !form.rational {
+        return Ok(());
+    }
+    Err(Diagnostic::error(Code::Unsupported, "only polynomial surfaces are drawn")
+        .at(span)
+        .hint("figure_bezier draws rational curves, such as boundary_curves(s)"))
+}
+
 pub(super) fn patch(args: &Arguments) -> Evaluated {
     expect(args, PATCH, 1..=1, &["labels", "polygon"])?;
     let span = args.span(0);
@@ -83,6 +93,16 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
             let row = |row: &Value| points_of(row).map(|(points, _)| points).ok_or_else(|| wrong(row));
             rows.iter().map(row).collect::<Result<_>>()?
         }
+        Value::Geometry(geometry) => match &**geometry {
+            Geometry::Patch(patch, form) => {
+                polynomial(*form, span)?;
+                patch.net().to_vec()
+            }
+            Geometry::Surface(..) => {
+                return Err(wrong(value).hint("pieces(s) are the patches of a spline surface"));
+            }
+            _ => return Err(wrong(value)),
+        },
         Value::Matrix(matrix) => {
             matrix.row_iter().map(|row| row.iter().map(|x| vec![x.clone()]).collect()).collect()
         }
@@ -166,7 +186,17 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         return finished(args, drawn(picture.scene(), span)?);
     }
     let value = args.value(0)?;
-    let (points, _) = points_of(value).ok_or_else(|| {
+    let points = match value {
+        Value::Geometry(geometry) => match &**geometry {
+            Geometry::Triangle(patch, form) => {
+                polynomial(*form, span)?;
+                Some(patch.points().to_vec())
+            }
+            _ => None,
+        },
+        _ => points_of(value).map(|(points, _)| points),
+    };
+    let points = points.ok_or_else(|| {
         wrong_kind("a degree, control points or heights", value)
             .at(span)
             .hint("for example figure_triangle(2, [r, s, t]) or figure_triangle([0, 1, 1, 0, 2, 0])")
