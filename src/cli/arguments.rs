@@ -218,6 +218,18 @@ pub(super) enum Command {
         #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
         raise_to: Option<usize>,
     },
+    /// A Bézier curve: values, de Casteljau's scheme, subdivision, degree, derivatives
+    #[command(after_help = "Examples:\n  \
+        polarform bezier \"[0, 0], [1, 2], [2, 0]\" --at 1/2\n  \
+        polarform bezier \"b_0, b_1, b_2, b_3\" --scheme t --format latex\n  \
+        polarform bezier \"[1, 0], [1, 1], [0, 1]\" --weights 1,1,2 --derivative 1")]
+    Bezier(BezierArguments),
+    /// A B-spline: basis functions, values, de Boor's scheme, knots in and out, Bézier pieces
+    #[command(after_help = "Examples:\n  \
+        polarform bspline --degree 2 --knots 0,1,2,3 --basis 0\n  \
+        polarform bspline --degree 2 --knots 0,0,0,1,2,2,2 --points 1,3,2,4 --scheme 1/2\n  \
+        polarform bspline --degree 3 --knots t_0,t_1,t_2,t_3,t_4,t_5,t_6,t_7 --points d_0,d_1,d_2,d_3 --scheme t --span 3")]
+    Bspline(BsplineArguments),
     /// Whether a claim such as "a = b" is true
     #[command(after_help = "Example:\n  \
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
@@ -262,6 +274,88 @@ pub(super) enum Command {
         /// A name
         name: Option<String>,
     },
+}
+
+/// What to ask about a Bézier curve.
+#[derive(Debug, Args)]
+pub(super) struct BezierArguments {
+    /// Control points: points such as [0, 1], numbers or symbols, separated by commas
+    #[arg(allow_hyphen_values = true)]
+    pub points: String,
+    /// The interval (0 and 1 if not given)
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub interval: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true)]
+    pub weights: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter, also outside of the interval
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Casteljau's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The parts between these parameters
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with_all = ["at", "scheme"])]
+    pub subdivide: Option<String>,
+}
+
+/// Changes to a curve, made in this order.
+#[derive(Debug, Args)]
+pub(super) struct Change {
+    /// Raise the degree by K
+    #[arg(long, value_name = "K")]
+    pub elevate: Option<usize>,
+    /// Lower the degree by K, where that is exact
+    #[arg(long, value_name = "K")]
+    pub reduce: Option<usize>,
+    /// The derivative of order K
+    #[arg(long, value_name = "K")]
+    pub derivative: Option<usize>,
+}
+
+/// What to ask about a B-spline.
+#[derive(Debug, Args)]
+pub(super) struct BsplineArguments {
+    /// The degree
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: usize,
+    /// The knots t_0, t_1, ..., all of them
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub knots: String,
+    /// Control points: one less than the knots minus the degree
+    #[arg(long, value_name = "D,...", allow_hyphen_values = true, required_unless_present = "basis")]
+    pub points: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "points")]
+    pub weights: Option<String>,
+    /// The basis function with this number, as a piecewise polynomial
+    #[arg(long, value_name = "I", conflicts_with = "points")]
+    pub basis: Option<usize>,
+    /// Insert knots
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub insert: Option<String>,
+    /// Remove a knot, where that is exact
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub remove: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Boor's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The knot interval of the scheme, if symbols hide it
+    #[arg(long, value_name = "J", requires = "scheme")]
+    pub span: Option<usize>,
+    /// The Bézier curves of all knot intervals
+    #[arg(long, conflicts_with_all = ["at", "scheme"])]
+    pub pieces: bool,
+    /// Each control point with its polar label
+    #[arg(long, conflicts_with_all = ["at", "scheme", "pieces"])]
+    pub labels: bool,
 }
 
 /// What to do with lecture notes.

@@ -179,6 +179,16 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             output.value(&matrix, None)?;
             Ok(Status::Fine)
         }
+        Command::Bezier(arguments) => {
+            let query = SourceFile::new("<bezier>", super::curves::bezier(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Bspline(arguments) => {
+            let query = SourceFile::new("<bspline>", super::curves::bspline(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
         Command::Check { claim, given } => check(session, output, claim, given),
         Command::Figure(figure) => super::figure::run(figure, global, session, output),
         Command::Notes(notes) => super::notes::run(notes, global, output),

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod curves;
 mod figure;
 mod figure_arguments;
 mod notes;

@@ -21,7 +21,7 @@ pub use piecewise::PiecewiseFunction;
 pub use polar::{Notation, Polar, PolarKind};
 pub use steps::{Line, combination_steps, polar_steps};
 pub use table::{Cell, Table};
-pub use to_expr::{curve_expr, exact_term, polynomial_expr, symbol_expr};
+pub use to_expr::{collected, curve_expr, exact_term, polynomial_expr, symbol_expr};
 
 use std::sync::Arc;
 

@@ -11,9 +11,9 @@ use crate::eval::geometry::{as_rational_form, bezier, curve_error, spline, splin
 use crate::eval::wrong_kind;
 use crate::expr::{Accent, Expr, Kind};
 use crate::number::Rational;
-use crate::poly::Fraction;
+use crate::poly::{Fraction, Symbol};
 use crate::spline::KnotVector;
-use crate::value::{Cell, Form, Geometry, Table, Value, polynomial_expr};
+use crate::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -38,7 +38,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 table.rows.push(vec![
                     Cell::Value(Value::int(condition.order as i64)),
                     Cell::Formula(polar_label(&condition.label)),
-                    Cell::Value(form.plain(condition.required)),
+                    collected_cell(form, condition.required, f.points()),
                     Cell::Value(form.plain(condition.found)),
                     Cell::words(if holds { "yes" } else { "no" }),
                 ]);
@@ -133,30 +133,6 @@ pub(super) const TABLE: &[Builtin] = &[
         },
     },
     Builtin {
-        name: "same_curve",
-        signature: "same_curve(c, d)",
-        summary: "whether two representations are the same curve with the same parameters",
-        example: "same_curve(bezier([0, 1]), elevate(bezier([0, 1])))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("same_curve(c, d)", 2..=2, &[])?;
-            let word = |same: bool| Value::Text(if same { "yes" } else { "no" }.to_owned());
-            let ((f, left), (g, right)) = (args.spline(0)?, args.spline(1)?);
-            if f.domain() != g.domain() {
-                return Ok(word(false));
-            }
-            if left.rational || right.rational {
-                return Err(Diagnostic::error(Code::Unsupported, "only polynomial curves are compared")
-                    .at(args.span(0))
-                    .hint("compare homogeneous(c) and homogeneous(d); weights may differ by a factor"));
-            }
-            let merged = |s: &crate::spline::BSpline<Fraction>| {
-                s.power_pieces().iter().map(crate::piecewise::Piecewise::merged).collect::<Vec<_>>()
-            };
-            Ok(word(merged(&f) == merged(&g)))
-        },
-    },
-    Builtin {
         name: "homogeneous",
         signature: "homogeneous(c)",
         summary: "the polynomial curve of the homogeneous coordinates of a rational one, weight last",
@@ -190,6 +166,21 @@ pub(super) const TABLE: &[Builtin] = &[
         },
     },
 ];
+
+/// A point that is a combination of symbolic points, written as one; any other as it is.
+fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cell {
+    let symbols: Option<Vec<Symbol>> = of
+        .iter()
+        .map(|point| match point.as_slice() {
+            [x] => crate::eval::arguments::symbol_of(&Value::Scalar(x.clone())),
+            _ => None,
+        })
+        .collect();
+    match symbols.and_then(|symbols| collected(&point[0], &symbols)) {
+        Some(formula) => Cell::Formula(formula),
+        None => Cell::Value(form.plain(point)),
+    }
+}
 
 /// Both curves have to be polynomial.
 fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
