@@ -135,7 +135,9 @@ fn looks() {
     let dark = svg_of(&["basis", "2", "--theme", "dark", "--standalone", "--width", "300"]);
     assert!(dark.contains("pf-dark") && dark.contains("class=\"paper\""));
     let words = svg_of(&["basis", "2", "--title", "a \"b\" <c>", "--caption", "below & beyond"]);
-    assert!(words.contains("<title>a &quot;b&quot; &lt;c&gt;</title>") && words.contains("below &amp; beyond"));
+    assert!(
+        words.contains("<title>a &quot;b&quot; &lt;c&gt;</title>") && words.contains("below &amp; beyond")
+    );
     let document = run(&["figure", "basis", "2", "--standalone", "--format", "latex"]).out;
     assert!(document.contains("\\begin{document}"));
 }
