@@ -1,6 +1,7 @@
 //! Bézier curves and B-splines as blossoms: exact values, labels, insertion, joins.
 //!
 //! Run with `cargo run --example curves_and_splines`.
+#![allow(clippy::print_stdout)]
 
 use polarform::curve::{BezierCurve, continuity_at, joining_conditions};
 use polarform::number::{Rational, integer, rational};

@@ -1,6 +1,7 @@
 //! Surfaces: a tensor-product patch, its normal, a triangular patch, an octant of a sphere.
 //!
 //! Run with `cargo run --example surfaces`.
+#![allow(clippy::print_stdout)]
 
 use polarform::curve::{CurveError, Interval, Scheme, TensorPatch, Triangle, TrianglePatch, sphere_octant};
 use polarform::number::{Rational, integer, rational};

@@ -110,7 +110,14 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("geometric_continuity(c, d)", 2..=2, &[])?;
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
             polynomial_pair(args, left, right)?;
-            let (f, g) = (numeric(&f, args, 0)?, numeric(&g, args, 1)?);
+            let (Some(f), Some(g)) = (numeric(&f), numeric(&g)) else {
+                return geometric_equations(
+                    &f,
+                    &g,
+                    Form { scalar: left.scalar && right.scalar, rational: false },
+                    args,
+                );
+            };
             let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
             let mut table = Table::with_header(["continuity", "beta_1", "beta_2", "why not more"]);
             let word = report.order.map_or("none".to_owned(), |k| format!("G^{k}"));
@@ -194,19 +201,39 @@ fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
     Ok(Form { scalar: left.scalar && right.scalar, rational: false })
 }
 
-/// The curve over the numbers.
-fn numeric(curve: &BezierCurve<Fraction>, args: &Arguments, i: usize) -> Result<BezierCurve<Rational>> {
-    let number = |x: &Fraction| {
-        x.as_rational().ok_or_else(|| {
-            Diagnostic::error(Code::Undecided, "geometric continuity of curves with symbols is not decided")
-                .at(args.span(i))
-                .hint("give the symbols values first")
-        })
-    };
-    let points = curve.points().iter().map(|point| point.iter().map(number).collect::<Result<_>>());
-    let points = points.collect::<Result<_>>()?;
+/// The curve over the numbers, if it has no symbols.
+fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
+    let points = curve.points().iter().map(|point| point.iter().map(Fraction::as_rational).collect());
     let (a, b) = curve.interval();
-    BezierCurve::new(points, number(a)?, number(b)?).map_err(curve_error)
+    BezierCurve::new(points.collect::<Option<_>>()?, a.as_rational()?, b.as_rational()?).ok()
+}
+
+/// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
+fn geometric_equations(
+    f: &BezierCurve<Fraction>,
+    g: &BezierCurve<Fraction>,
+    form: Form,
+    args: &Arguments,
+) -> Result<Value> {
+    if f.dimension() != g.dimension() {
+        let error = crate::curve::CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() };
+        return Err(curve_error(error).at(args.span(1)));
+    }
+    let beta = |i: i64| Fraction::from(crate::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
+    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| [0, 1, 2].map(|k| curve.derivative(k).value(t));
+    let (left, right) = (jet(f, f.interval().1), jet(g, g.interval().0));
+    let first = curve::scaled(&left[1], &beta(1));
+    let square = curve::scaled(&left[2], &(beta(1) * beta(1)));
+    let required = [left[0].clone(), first, curve::sum(&square, &curve::scaled(&left[1], &beta(2)))];
+    let mut table = Table::with_header(["order", "required", "found"]);
+    for (order, (required, found)) in required.into_iter().zip(right).enumerate() {
+        table.rows.push(vec![
+            Cell::Value(Value::int(order as i64)),
+            collected_cell(form, required, f.points()),
+            collected_cell(form, found, g.points()),
+        ]);
+    }
+    Ok(Value::Table(Arc::new(table)))
 }
 
 fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value> {
