@@ -83,6 +83,10 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             let problem = Diagnostic::error(Code::Type, format!("{name} is a function of the program"));
             return Err(problem.hint("write a call of it, with arguments"));
         }
+        Value::Figure(_) => {
+            let problem = Diagnostic::error(Code::Unsupported, "a figure is a file of its own");
+            return Err(problem.hint("polarform figure query \"...\" -o figure.svg writes it; include that"));
+        }
         Value::Claim(claim) => Piece::Formula(claimed(claim, &answer.statement)),
         Value::Polar(polar) => {
             let name = name.unwrap_or_else(|| Expr::name("f"));

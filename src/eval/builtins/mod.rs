@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod figures;
 mod interpolation;
 mod joins;
 mod matrices;
@@ -62,6 +63,7 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + figures::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
         + interpolation::POLYNOMIALS.len()
@@ -80,6 +82,7 @@ pub static BUILTINS: &[&Builtin] = &{
         interpolation::POLYNOMIALS,
         interpolation::SPLINES,
         interpolation::APPROXIMATION,
+        figures::TABLE,
         numbers::TABLE,
     ])
 };
@@ -88,6 +91,9 @@ pub static BUILTINS: &[&Builtin] = &{
 /// of polynomials, functions or polar forms.
 pub(super) const COORDINATEWISE: &[&str] =
     &["polar", "elevate", "reduce", "partial", "diagonal", "derivative", "diff"];
+
+/// Arguments whose value is a word, as in `labels=points`.
+pub(super) const WORD_ARGUMENTS: &[&str] = &["labels", "apex"];
 
 /// The function of that name.
 pub fn builtin(name: &str) -> Option<&'static Builtin> {
