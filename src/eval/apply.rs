@@ -263,12 +263,19 @@ impl Machine {
         span: Span,
     ) -> Evaluated {
         let mut all = Arguments::default();
+        let choice = |expr: &Expr, named: Option<&str>, place: usize| match &expr.kind {
+            Kind::Name(word) if builtins::is_choice(builtin.name, named, place) => {
+                Some(Value::Text(word.clone()))
+            }
+            _ => None,
+        };
         for group in groups {
             for item in group {
                 match arguments::named(item) {
                     Some((name, value)) => {
                         let value_span = value.span;
-                        let value = self.eval(value)?;
+                        let chosen = choice(value, Some(&name), 0);
+                        let value = chosen.map_or_else(|| self.eval(value), Ok)?;
                         all.push_named(name, value, value_span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
@@ -278,16 +285,26 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = self.eval(item)?;
+                        let value = choice(item, None, all.len()).map_or_else(|| self.eval(item), Ok)?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
+        self.run_builtin(builtin, &all, span)
+    }
+
+    /// Calls a function of the program with its arguments, as it applies to their kinds.
+    pub(super) fn run_builtin(
+        &mut self,
+        builtin: &'static builtins::Builtin,
+        all: &Arguments,
+        span: Span,
+    ) -> Evaluated {
         if let Some(Value::Geometry(_) | Value::Piecewise(_)) = all.values().next()
             && let Some(method) = builtins::method(builtin.name)
         {
-            return method(&all).at(span);
+            return method(all).at(span);
         }
         if builtins::COORDINATEWISE.contains(&builtin.name)
             && let Some(Value::List(items)) = all.values().next()
@@ -296,7 +313,7 @@ impl Machine {
             let each = items.into_iter().map(|item| (builtin.call)(self, &all.with_first(item)));
             return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
         }
-        (builtin.call)(self, &all).at(span)
+        (builtin.call)(self, all).at(span)
     }
 
     /// Calls a function with its index and bracket arguments.

@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod derive;
 mod joins;
 mod matrices;
 mod numbers;
@@ -9,6 +10,7 @@ mod polar;
 mod polynomials;
 mod splines;
 
+pub(super) use derive::is_choice;
 pub(super) use on_geometry::method;
 pub(super) use polar::expand_polar;
 
@@ -38,7 +40,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 7]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 8]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -58,6 +60,7 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + derive::TABLE.len()
         + numbers::TABLE.len();
     all::<COUNT>([
         polar::TABLE,
@@ -66,6 +69,7 @@ pub static BUILTINS: &[&Builtin] = &{
         curves::TABLE,
         splines::TABLE,
         joins::TABLE,
+        derive::TABLE,
         numbers::TABLE,
     ])
 };
