@@ -37,14 +37,15 @@
 //! | --- | --- |
 //! | numbers: fractions of integers of any size | [`number`] |
 //! | polynomials, fractions of them, symbols | [`poly`] |
+//! | curves, surfaces, splines, interpolation | [`curve`], [`spline`], [`interpolate`], [`piecewise`] |
 //! | polar forms: in one variable, tensor-product, of total degree | [`blossom`] |
 //! | A_n, raising the degree, change of basis | [`basis`] |
 //! | exact solving, inverse, rank, determinant | [`linalg`] |
-//! | interpolation, cubic splines, least squares, parameters for points | [`interpolate`] |
 //! | statements, names, claims | [`session`], [`eval`], [`value`] |
 //! | reading and writing formulas | [`syntax`], [`latex`], [`mod@write`] |
 //! | checking lecture notes | [`notes`] |
 //! | drawings: what is on them; SVG, TikZ, terminal | [`scene`], [`figure`] |
+//! | results woven into lecture notes | [`weave`] |
 //! | limits on time and size | [`budget`] |
 //!
 //! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
@@ -54,7 +55,6 @@
 //! - functions that are not rational, such as sin, exp and roots
 //! - solving equations (linear systems apart) and general simplification
 //! - coefficients in finite fields or in algebraic extensions of Q
-//! - splines, interpolation and figures: planned
 //!
 //! # Limits and panics
 //! Library functions work without limits; run them under [`budget::run`] to bound time and
@@ -83,4 +83,5 @@ pub mod source;
 pub mod spline;
 pub mod syntax;
 pub mod value;
+pub mod weave;
 pub mod write;

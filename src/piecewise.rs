@@ -246,7 +246,7 @@ impl<C: Ring> Piecewise<C> {
     }
 }
 
-/// i with breaks[i] ≤ t < breaks[i+1] and breaks[i] ≠ breaks[i+1]; the end of the last such
+/// i with `breaks[i]` ≤ t < `breaks[i+1]`, these two different; the end of the last such
 /// interval belongs to it. Cost: at most one comparison for each breakpoint.
 ///
 /// # Errors

@@ -145,7 +145,10 @@ pub fn read(file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
 }
 
 /// Runs `work` under limits; what stops it becomes a diagnostic, and so does a defect of ours.
-fn guarded<T>(limits: &Limits, work: impl FnOnce() -> Result<T, Diagnostic>) -> Result<T, Diagnostic> {
+pub(crate) fn guarded<T>(
+    limits: &Limits,
+    work: impl FnOnce() -> Result<T, Diagnostic>,
+) -> Result<T, Diagnostic> {
     match catch_unwind(AssertUnwindSafe(|| budget::run(limits, work))) {
         Ok(Ok(result)) => result,
         Ok(Err(stop)) => Err(stopped(&stop)),

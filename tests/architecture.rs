@@ -19,6 +19,7 @@ const TIERS: &[&[&str]] = &[
     &["eval"],
     &["session"],
     &["notes"],
+    &["weave"],
     &["cli"],
 ];
 

@@ -8,13 +8,16 @@ use polarform::blossom::Method;
 use polarform::eval::BUILTINS;
 use polarform::session::Session;
 use polarform::value::{Notation, Value, polar_steps};
-use polarform::write::latex;
+use polarform::write::{latex, latex_table};
 
 const NOTATIONS: [Notation; 4] = [Notation::Grouped, Notation::Expanded, Notation::Sigma, Notation::Ellipsis];
 
 /// The LaTeX of a value in every notation, and of all steps that lead to a polar form.
 fn write_down(formulas: &mut Vec<String>, value: &Value) {
-    formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.to_expr_in(notation))));
+    match value {
+        Value::Table(table) => formulas.push(latex_table(table)),
+        _ => formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.display_expr(notation)))),
+    }
     if let Value::Polar(polar) = value {
         let lines = Method::ALL.iter().flat_map(|&method| polar_steps(polar, method));
         formulas.extend(lines.map(|line| latex(&line.formula)));

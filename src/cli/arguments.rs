@@ -208,6 +208,26 @@ pub(super) enum Command {
         #[arg(long, conflicts_with_all = ["interval", "raise_to"])]
         steps: bool,
     },
+    /// A Bézier curve: values, de Casteljau's scheme, subdivision, degree, derivatives
+    #[command(after_help = "Examples:\n  \
+        polarform bezier \"[0, 0], [1, 2], [2, 0]\" --at 1/2\n  \
+        polarform bezier \"b_0, b_1, b_2, b_3\" --scheme t --format latex\n  \
+        polarform bezier \"[1, 0], [1, 1], [0, 1]\" --weights 1,1,2 --derivative 1")]
+    Bezier(BezierArguments),
+    /// A B-spline: basis functions, values, de Boor's scheme, knots in and out, Bézier pieces
+    #[command(after_help = "Examples:\n  \
+        polarform bspline --degree 2 --knots 0,1,2,3 --basis 0\n  \
+        polarform bspline --degree 2 --knots 0,0,0,1,2,2,2 --points 1,3,2,4 --scheme 1/2\n  \
+        polarform bspline --degree 3 --knots t_0,t_1,t_2,t_3,t_4,t_5,t_6,t_7 --points d_0,d_1,d_2,d_3 --scheme t --span 3")]
+    Bspline(BsplineArguments),
+    /// A polynomial or spline through points, or close to them
+    #[command(after_help = "Examples:\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2 --method newton --steps\n  \
+        polarform interpolate --nodes 0,1 --values \"[0, 0], [1, 0]\" --method hermite\n  \
+        polarform interpolate --nodes 0,1,2 --values 0,1,0 --method spline --ends not_a_knot\n  \
+        polarform interpolate --nodes 0..3 --values 0,1,1,2 --method least-squares --degree 1")]
+    Interpolate(Interpolate),
     /// Whether a claim such as "a = b" is true
     #[command(after_help = "Example:\n  \
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
@@ -222,6 +242,17 @@ pub(super) enum Command {
     /// Check the formulas of lecture notes, or list them
     #[command(subcommand)]
     Notes(Notes),
+    /// Fill results into lecture notes: Markdown, LaTeX, notebooks, books of mdBook
+    #[command(after_help = "Examples:\n  \
+        polarform weave lecture.md                 in place: {{ f(0, 1) }}, ```polarform blocks\n  \
+        polarform weave lecture.md -o out.md       a copy with results only (- for standard output)\n  \
+        polarform weave --check lecture.md         is everything up to date?\n  \
+        polarform weave lecture.tex                \\polarform{f(0, 1)}; then pdflatex lecture\n  \
+        polarform weave --write-style .            the package polarform.sty\n\n\
+        docs/weave.md tells the rest.\n\
+        Exit status: 1 if a claim is refuted or, with --check, a result is out of date;\n\
+        2 if a query failed: its old result stays; else 0.")]
+    Weave(Weave),
     /// Explain an error code such as E304
     Explain {
         /// The code; without one, all codes are listed
@@ -232,6 +263,145 @@ pub(super) enum Command {
         /// A name
         name: Option<String>,
     },
+}
+
+/// What to ask about a Bézier curve.
+#[derive(Debug, Args)]
+pub(super) struct BezierArguments {
+    /// Control points: points such as [0, 1], numbers or symbols, separated by commas
+    #[arg(allow_hyphen_values = true)]
+    pub points: String,
+    /// The interval (0 and 1 if not given)
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub interval: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true)]
+    pub weights: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter, also outside of the interval
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Casteljau's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The parts between these parameters
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with_all = ["at", "scheme"])]
+    pub subdivide: Option<String>,
+}
+
+/// Changes to a curve, made in this order.
+#[derive(Debug, Args)]
+pub(super) struct Change {
+    /// Raise the degree by K
+    #[arg(long, value_name = "K")]
+    pub elevate: Option<usize>,
+    /// Lower the degree by K, where that is exact
+    #[arg(long, value_name = "K")]
+    pub reduce: Option<usize>,
+    /// The derivative of order K
+    #[arg(long, value_name = "K")]
+    pub derivative: Option<usize>,
+}
+
+/// What to ask about a B-spline.
+#[derive(Debug, Args)]
+pub(super) struct BsplineArguments {
+    /// The degree
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: usize,
+    /// The knots t_0, t_1, ..., all of them
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub knots: String,
+    /// Control points: one less than the knots minus the degree
+    #[arg(long, value_name = "D,...", allow_hyphen_values = true, required_unless_present = "basis")]
+    pub points: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "points")]
+    pub weights: Option<String>,
+    /// The basis function with this number, as a piecewise polynomial
+    #[arg(long, value_name = "I", conflicts_with = "points")]
+    pub basis: Option<usize>,
+    /// Insert knots
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub insert: Option<String>,
+    /// Remove a knot, where that is exact
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub remove: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Boor's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The knot interval of the scheme, if symbols hide it
+    #[arg(long, value_name = "J", requires = "scheme")]
+    pub span: Option<usize>,
+    /// The Bézier curves of all knot intervals
+    #[arg(long, conflicts_with_all = ["at", "scheme"])]
+    pub pieces: bool,
+    /// Each control point with its polar label
+    #[arg(long, conflicts_with_all = ["at", "scheme", "pieces"])]
+    pub labels: bool,
+}
+
+/// What to interpolate, and how.
+#[derive(Debug, Args)]
+pub(super) struct Interpolate {
+    /// The nodes
+    #[arg(long, value_name = "X0,X1,...", allow_hyphen_values = true)]
+    pub nodes: String,
+    /// Values at the nodes, points, or for hermite lists [f, f', ...]
+    #[arg(long, value_name = "Y0,Y1,...", allow_hyphen_values = true)]
+    pub values: String,
+    /// How to interpolate
+    #[arg(long, value_enum, default_value_t = Interpolation::Lagrange, value_name = "METHOD")]
+    pub method: Interpolation,
+    /// The value at this parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Ends of a spline: natural, clamped, periodic or not_a_knot
+    #[arg(long, value_name = "ENDS")]
+    pub ends: Option<String>,
+    /// Slopes of a spline with clamped ends
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub slopes: Option<String>,
+    /// Unknowns of the system of a spline: moments or slopes
+    #[arg(long, value_name = "UNKNOWNS")]
+    pub by: Option<String>,
+    /// The degree for least squares
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: Option<usize>,
+    /// Weights for least squares
+    #[arg(long, value_name = "W0,W1,...")]
+    pub weights: Option<String>,
+    /// The variable of the result
+    #[arg(long, default_value = "t", value_name = "NAME")]
+    pub variable: String,
+    /// Show the table or system it is found by
+    #[arg(long)]
+    pub steps: bool,
+}
+
+/// Ways to interpolate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Interpolation {
+    /// The polynomial; its steps are the basis polynomials
+    Lagrange,
+    /// In Newton's form; its steps are the divided differences
+    Newton,
+    /// With derivatives; its steps are the divided differences
+    Hermite,
+    /// The polynomial; its steps are Neville's tableau
+    Neville,
+    /// The polynomial; its steps are Aitken's tableau
+    Aitken,
+    /// The cubic spline; its steps are the system of equations
+    Spline,
+    /// The closest polynomial of a degree; its steps are the normal equations
+    LeastSquares,
 }
 
 /// What to do with lecture notes.
@@ -292,6 +462,29 @@ pub(super) enum ReportKind {
     Sarif,
     /// A page for a browser
     Html,
+}
+
+/// How to weave.
+#[derive(Debug, Args)]
+pub(super) struct Weave {
+    /// Files of notes: .md and the like, .tex, .ipynb
+    #[arg(required_unless_present_any = ["mdbook", "write_style"], value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Write a copy that holds results in place of queries ('-' for standard output)
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write nothing; tell what is out of date
+    #[arg(long)]
+    pub check: bool,
+    /// Run all queries, even if nothing seems to have changed
+    #[arg(long)]
+    pub fresh: bool,
+    /// Write the LaTeX package polarform.sty into a folder
+    #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
+    pub write_style: Option<PathBuf>,
+    /// Be a preprocessor of mdBook: read a book from standard input and write it woven
+    #[arg(long, conflicts_with_all = ["output", "check", "write_style"])]
+    pub mdbook: bool,
 }
 
 /// Two polynomials.

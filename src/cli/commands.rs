@@ -169,8 +169,20 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             output.value(&matrix, None)?;
             Ok(Status::Fine)
         }
+        Command::Bezier(arguments) => {
+            let query = SourceFile::new("<bezier>", super::curves::bezier(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Bspline(arguments) => {
+            let query = SourceFile::new("<bspline>", super::curves::bspline(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Interpolate(wanted) => super::interpolate::run(wanted, session, output),
         Command::Check { claim, given } => check(session, output, claim, given),
         Command::Notes(notes) => super::notes::run(notes, global, output),
+        Command::Weave(arguments) => super::weave::run(arguments, global, output),
         Command::Explain { code } => explain(output, code.as_deref()),
         Command::Functions { name } => functions(output, name.as_deref()),
     }
@@ -202,19 +214,23 @@ fn basis(name: &str, text: &str, ends: &[Expr]) -> Result<Expr, Box<Failure>> {
 }
 
 /// Reads a text as one formula.
-fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
+pub(super) fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
     read(file, None).map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
 }
 
 /// Reads `a, b, c`.
-fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
+pub(super) fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
     Ok(match formula(file)? {
         Expr { kind: Kind::Sequence(items), .. } => items,
         one => vec![one],
     })
 }
 
-fn evaluated(session: &mut Session, file: &SourceFile, mut expr: Expr) -> Result<Value, Box<Failure>> {
+pub(super) fn evaluated(
+    session: &mut Session,
+    file: &SourceFile,
+    mut expr: Expr,
+) -> Result<Value, Box<Failure>> {
     match session.evaluate(&mut expr, Equals::Claims) {
         Ok(outcome) => Ok(outcome.value),
         Err(problem) => Err(Box::new(Failure { problem, file: file.clone() })),
@@ -222,13 +238,13 @@ fn evaluated(session: &mut Session, file: &SourceFile, mut expr: Expr) -> Result
 }
 
 /// The value of an operand given on the command line: `F(t) = t^2` is its right-hand side.
-fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
+pub(super) fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
     let answer = session.run_statement(file, None, Equals::DefinesUnbound)?;
     Ok(answer.outcome.value)
 }
 
 /// name(arguments, named), with errors placed at `span` of the file.
-fn query(
+pub(super) fn query(
     session: &mut Session,
     file: &SourceFile,
     span: Span,

@@ -2,11 +2,14 @@
 
 mod arguments;
 mod commands;
+mod curves;
+mod interpolate;
 mod notes;
 mod output;
 mod repl;
 mod repl_helper;
 mod watch;
+mod weave;
 
 use std::process::ExitCode;
 

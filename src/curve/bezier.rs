@@ -24,7 +24,7 @@ pub struct BezierCurve<C> {
     b: C,
 }
 
-/// All intermediate points of de Casteljau's or de Boor's algorithm: levels[r][i], level 0 the
+/// All intermediate points of de Casteljau's or de Boor's algorithm: `levels[r][i]`, level 0 the
 /// control points, the last level a single point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tableau<C> {

@@ -11,19 +11,42 @@
 
 pub mod affine;
 mod bezier;
+mod circle;
+mod conic;
+mod domain;
+mod edge;
 mod hull;
 mod join;
+mod patch;
+mod patch_conversion;
+mod polygon;
+mod projective;
+mod rational;
+mod rational_surface;
+mod revolve;
+mod sphere;
+mod triangle;
 
 use std::fmt;
 
 use crate::ring::Ring;
 
 pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
+pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
+pub use domain::{Corner, Interval, Triangle};
+pub use edge::{EdgeEquation, EdgeReport};
 pub use hull::{convex_hull, in_convex_polygon};
 pub use join::{
     Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
     joining_conditions,
 };
+pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
+pub use rational::RationalCurve;
+pub use rational_surface::{RationalPatch, RationalTriangle};
+pub use revolve::{revolve, revolve_along};
+pub use sphere::{sphere_octant, sphere_octant_triangle};
+pub use triangle::{TrianglePatch, indices};
 
 /// A point or a vector: its coordinates.
 pub type Point<C> = Vec<C>;
@@ -113,6 +136,8 @@ pub enum CurveError {
     Degenerate,
     /// The two curves do not meet in a common parameter.
     NoCommonEnd,
+    /// The two patches have no common edge.
+    NoCommonEdge,
     /// A number has no rational square root.
     Irrational {
         /// What the root is needed for.
@@ -161,6 +186,7 @@ impl fmt::Display for CurveError {
             CurveError::NoCommonEnd => {
                 f.write_str("the first interval does not end where the second one starts")
             }
+            CurveError::NoCommonEdge => f.write_str("the two patches have no common edge"),
             CurveError::Irrational { what } => write!(f, "{what} needs a square root that is not rational"),
             CurveError::Impossible { why } => f.write_str(why),
         }

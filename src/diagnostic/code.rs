@@ -208,6 +208,27 @@ codes! {
     ///
     /// Example: half of a file. Open and save it with Jupyter.
     BrokenNotebook = "E607": "broken notebook",
+
+    /// A query, a block of code or a woven result of a file begins and never ends.
+    ///
+    /// Example: `{{ f(0, 1)` without `}}`. Write the closing sign; braces that are none are written `\{{`.
+    UnclosedQuery = "E701": "unclosed query",
+    /// An option of a block that does not exist, or a value that it does not take.
+    ///
+    /// Example: a block that begins with `polarform stile=list`. The options are listed in docs/weave.md.
+    BlockOption = "E702": "bad option of a block",
+    /// A result in a file is not what its query gives today.
+    ///
+    /// `polarform weave FILE` puts the new one in its place.
+    OutOfDate = "E703": "out of date",
+    /// A claim in a file to be woven is false.
+    ///
+    /// Example: `{{ f(0, 1) = 2 }}` for the polar form of t^2 + 2t, whose value is 1.
+    Refuted = "E704": "refuted claim",
+    /// A file was written by another program while it was woven.
+    ///
+    /// Nothing was written. Weave it again.
+    Changed = "E705": "changed meanwhile",
 }
 
 impl fmt::Display for Code {

@@ -301,8 +301,8 @@ impl Machine {
         all: &Arguments,
         span: Span,
     ) -> Evaluated {
-        if let Some(Value::Geometry(_) | Value::Piecewise(_)) = all.values().next()
-            && let Some(method) = builtins::method(builtin.name)
+        if let Some(first) = all.values().next()
+            && let Some(method) = builtins::method(builtin.name, first)
         {
             return method(all).at(span);
         }
@@ -310,7 +310,11 @@ impl Machine {
             && let Some(Value::List(items)) = all.values().next()
         {
             let items = items.clone();
-            let each = items.into_iter().map(|item| (builtin.call)(self, &all.with_first(item)));
+            let each = items.into_iter().map(|item| {
+                let method = builtins::method(builtin.name, &item);
+                let own = all.with_first(item);
+                method.map_or_else(|| (builtin.call)(self, &own), |method| method(&own))
+            });
             return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
         }
         (builtin.call)(self, all).at(span)

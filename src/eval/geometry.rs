@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::Arguments;
 use super::wrong_kind;
-use crate::curve::{BezierCurve, CurveError, Point};
+use crate::curve::{BezierCurve, CurveError, Interval, Point, Triangle};
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::piecewise::PiecewiseError;
 use crate::poly::Fraction;
@@ -47,6 +47,7 @@ pub(super) fn curve_error(error: CurveError) -> Diagnostic {
             (Code::ControlPoints, "a triangular patch of degree n has (n+1)(n+2)/2 points")
         }
         CurveError::Degenerate => (Code::Degenerate, "choose corners in general position"),
+        CurveError::NoCommonEdge => (Code::Coincident, "the domains have to share an edge"),
         CurveError::NoCommonEnd => (Code::Coincident, "over(c, a, b) moves a curve to another interval"),
         CurveError::Irrational { .. } => {
             (Code::Irrational, "choose numbers whose root is rational, or another parameterization")
@@ -240,11 +241,96 @@ impl Arguments {
                     let spline = BSpline::new(knots, curve.points().to_vec()).map_err(spline_error)?;
                     return Ok((spline, *form));
                 }
+                _ => {}
             }
         }
         Err(wrong_kind("a B-spline curve", value)
             .at(self.span(i))
             .hint("bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]) makes one"))
+    }
+
+    /// A control net at a place: rows of points, with weights if they are named.
+    pub(super) fn net(&self, i: usize) -> Result<(Vec<Vec<Point<Fraction>>>, Form)> {
+        let wrong = |value: &Value| {
+            wrong_kind("a control net", value)
+                .at(self.span(i))
+                .hint("rows of points, such as [[[0, 0, 0], [0, 1, 1]], [[1, 0, 1], [1, 1, 0]]]")
+        };
+        let value = self.value(i)?;
+        let rows: Vec<Value> = match value {
+            Value::List(rows) => rows.clone(),
+            Value::Matrix(matrix) => matrix.row_iter().map(|row| scalar_list(row.iter().cloned())).collect(),
+            other => return Err(wrong(other)),
+        };
+        let weights = match self.named_or("weights", usize::MAX) {
+            None => None,
+            Some((Value::List(rows), _)) => Some(rows.clone()),
+            Some((Value::Matrix(matrix), _)) => {
+                Some(matrix.row_iter().map(|row| scalar_list(row.iter().cloned())).collect())
+            }
+            Some((other, span)) => return Err(wrong_kind("rows of weights", other).at(span)),
+        };
+        if let Some(weights) = &weights
+            && weights.len() != rows.len()
+        {
+            let error = CurveError::WeightCount { weights: weights.len(), points: rows.len() };
+            return Err(curve_error(error).at(self.span(i)));
+        }
+        let mut net = Vec::with_capacity(rows.len());
+        let mut form = Form::default();
+        for (k, row) in rows.into_iter().enumerate() {
+            if points_of(&row).is_none() {
+                return Err(wrong(value));
+            }
+            let mut part = Arguments::default();
+            part.push(row, self.span(i));
+            if let Some(weights) = &weights {
+                let place = self.named_or("weights", usize::MAX).map_or(self.span(i), |(_, span)| span);
+                part.push_named("weights".to_owned(), weights[k].clone(), place);
+            }
+            if let Some((value, span)) = self.named_or("homogeneous", usize::MAX) {
+                part.push_named("homogeneous".to_owned(), value.clone(), span);
+            }
+            let (points, own) = part.control_points(0)?;
+            form = own;
+            net.push(points);
+        }
+        Ok((net, form))
+    }
+
+    /// An interval `[a, b]` at a place; [0, 1] if it is missing.
+    pub(super) fn interval(&self, i: usize) -> Result<Interval<Fraction>> {
+        if self.len() <= i {
+            return Ok(Interval::unit());
+        }
+        let list = self.scalars(i)?;
+        let [a, b] = list.as_slice() else {
+            return Err(Diagnostic::error(Code::Shape, "an interval has two ends")
+                .at(self.span(i))
+                .hint("such as [0, 1]"));
+        };
+        Interval::new(a.clone(), b.clone()).map_err(curve_error).at(self.span(i))
+    }
+
+    /// A triangle `[[0, 0], [1, 0], [0, 1]]` in the plane at a place; that one if it is missing.
+    pub(super) fn triangle(&self, i: usize) -> Result<Triangle<Fraction>> {
+        if self.len() <= i {
+            return Ok(Triangle::unit());
+        }
+        let value = self.value(i)?;
+        let corners = points_of(value).and_then(|(points, _)| <[Point<Fraction>; 3]>::try_from(points).ok());
+        let corners = corners.ok_or_else(|| {
+            wrong_kind("three points of the plane", value)
+                .at(self.span(i))
+                .hint("such as [[0, 0], [1, 0], [0, 1]]")
+        })?;
+        Triangle::new(corners).map_err(curve_error).at(self.span(i))
+    }
+
+    /// A point at a place.
+    pub(super) fn point(&self, i: usize) -> Result<Point<Fraction>> {
+        let value = self.value(i)?;
+        point_of(value).map(|(point, _)| point).ok_or_else(|| wrong_kind("a point", value).at(self.span(i)))
     }
 
     /// All further scalars.
@@ -266,36 +352,84 @@ fn weights_value(items: &[Value]) -> &Value {
     items.iter().find(|item| item.as_scalar().is_none()).unwrap_or(&items[0])
 }
 
-/// The value of a curve at the arguments of a call.
+/// The value of a curve or surface at the arguments of a call.
 pub(super) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Result<Value> {
-    let [(argument, place)] = values else {
-        let error = Diagnostic::error(
-            Code::Arity,
-            format!("{} takes one parameter, not {}", geometry.kind(), values.len()),
-        );
-        return Err(error.at(span).hint("polar(c)(u, v, ...) is a value of its polar form"));
-    };
-    let t = argument.as_scalar().ok_or_else(|| wrong_kind("a number or symbol", argument).at(*place))?;
-    match geometry {
-        Geometry::Bezier(curve, form) => {
-            if curve.contains(t) == Some(false) {
-                let (a, b) = curve.interval();
-                return Err(curve_error(CurveError::OutsideDomain)
-                    .at(*place)
-                    .reason(format!("the interval is [{a}, {b}]")));
+    let form = geometry.form();
+    let point = match geometry {
+        Geometry::Bezier(curve, _) => {
+            let [(t, place)] = scalars(geometry, values, span)?;
+            if curve.contains(&t) == Some(false) {
+                return Err(outside(place, "interval", curve.interval()));
             }
-            form.value(curve.value(t)).map_err(curve_error).at(span)
+            curve.value(&t)
         }
-        Geometry::Spline(spline, form) => {
-            let point = spline.value(t).map_err(|error| {
-                let (a, b) = spline.domain();
-                let outside = error == SplineError::OutsideDomain;
-                let problem = spline_error(error).at(*place);
-                if outside { problem.reason(format!("the domain is [{a}, {b}]")) } else { problem }
-            })?;
-            form.value(point).map_err(curve_error).at(span)
+        Geometry::Spline(spline, _) => {
+            let [(t, place)] = scalars(geometry, values, span)?;
+            spline.value(&t).map_err(|error| match error {
+                SplineError::OutsideDomain => outside(place, "domain", spline.domain()),
+                other => spline_error(other).at(place),
+            })?
         }
+        Geometry::Patch(patch, _) => {
+            let [u, v] = scalars(geometry, values, span)?;
+            for ((t, place), interval) in [(&u, patch.u()), (&v, patch.v())] {
+                if interval.contains(t) == Some(false) {
+                    return Err(outside(*place, "interval", (interval.start(), interval.end())));
+                }
+            }
+            patch.value(&u.0, &v.0)
+        }
+        Geometry::Surface(surface, _) => {
+            let [(u, place), (v, _)] = scalars(geometry, values, span)?;
+            surface.value(&u, &v).map_err(spline_error).at(place)?
+        }
+        Geometry::Triangle(patch, _) => {
+            let p = plane_point(geometry, values, span)?;
+            if patch.triangle().contains(&p) == Ok(Some(false)) {
+                let problem = curve_error(CurveError::OutsideDomain).at(values[0].1);
+                return Err(problem.reason("the point lies outside of the triangle"));
+            }
+            patch.value(&p).map_err(curve_error).at(span)?
+        }
+    };
+    form.value(point).map_err(curve_error).at(span)
+}
+
+/// A point of the parameter plane: `[x, y]`, or x and y.
+fn plane_point(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Result<Point<Fraction>> {
+    if let [(value @ Value::List(_), place)] = values {
+        let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(*place))?;
+        return Ok(point);
     }
+    let [(x, _), (y, _)] = scalars(geometry, values, span)?;
+    Ok(vec![x, y])
+}
+
+/// As many scalars as the call needs.
+fn scalars<const N: usize>(
+    geometry: &Geometry,
+    values: &[(Value, Span)],
+    span: Span,
+) -> Result<[(Fraction, Span); N]> {
+    let list = values.iter().map(|(value, place)| match value {
+        Value::Scalar(x) => Ok((x.clone(), *place)),
+        other => Err(wrong_kind("a number or symbol", other).at(*place)),
+    });
+    let list: Vec<(Fraction, Span)> = list.collect::<Result<_>>()?;
+    let given = list.len();
+    <[(Fraction, Span); N]>::try_from(list).map_err(|_| {
+        let plural = if N == 1 { "" } else { "s" };
+        Diagnostic::error(
+            Code::Arity,
+            format!("{} takes {N} parameter{plural}, not {given}", geometry.kind()),
+        )
+        .at(span)
+        .hint("polar(c)(u, v, ...) is a value of its polar form")
+    })
+}
+
+fn outside(place: Span, what: &str, (a, b): (&Fraction, &Fraction)) -> Diagnostic {
+    curve_error(CurveError::OutsideDomain).at(place).reason(format!("the {what} is [{a}, {b}]"))
 }
 
 /// The value of a piecewise polynomial.

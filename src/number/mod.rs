@@ -7,11 +7,13 @@
 mod combinatorics;
 mod int;
 mod literal;
+mod root;
 
 pub use combinatorics::{Combinations, binomial, binomial_row, factorial, multinomial};
 pub use int::Int;
 pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal};
+pub use root::exact_root;
 
 /// An exact rational number in lowest terms with positive denominator.
 pub type Rational = num_rational::Ratio<Int>;

@@ -21,7 +21,7 @@ pub struct DeBoor<C> {
     pub span: usize,
     /// The points and their labels.
     pub tableau: Tableau<C>,
-    /// ratios[r][i] = (u − t_k)/(t_{k+n−r} − t_k): how point i of level r + 1 lies between points
+    /// `ratios[r][i]` = (u − t_k)/(t_{k+n−r} − t_k): how point i of level r + 1 lies between points
     /// i and i + 1 of level r.
     pub ratios: Vec<Vec<C>>,
 }

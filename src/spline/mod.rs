@@ -20,6 +20,7 @@ mod degree;
 mod insertion;
 mod integers;
 mod knots;
+mod surface;
 #[cfg(test)]
 mod tests;
 
@@ -30,6 +31,7 @@ use crate::curve::CurveError;
 pub use bspline::{BSpline, DeBoor};
 pub use insertion::Defect;
 pub use knots::KnotVector;
+pub use surface::SplineSurface;
 
 /// Why a spline cannot be made or changed.
 #[derive(Clone, Debug, PartialEq, Eq)]

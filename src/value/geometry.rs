@@ -3,11 +3,11 @@
 use num_traits::{One, Zero};
 
 use super::{Value, polynomial_expr};
-use crate::curve::{BezierCurve, CurveError, Point};
+use crate::curve::{BezierCurve, CurveError, Interval, Point, TensorPatch, TrianglePatch, indices};
 use crate::expr::{Expr, Kind, Rel, Sign, Term};
 use crate::poly::Fraction;
 use crate::ring::{Field, Ring};
-use crate::spline::BSpline;
+use crate::spline::{BSpline, SplineSurface};
 
 /// How the coordinates of control points are to be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -20,11 +20,18 @@ pub struct Form {
 
 /// A curve or surface.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "values hold it behind an Arc")]
 pub enum Geometry {
     /// A Bézier curve.
     Bezier(BezierCurve<Fraction>, Form),
     /// A B-spline curve.
     Spline(BSpline<Fraction>, Form),
+    /// A tensor-product Bézier patch.
+    Patch(TensorPatch<Fraction>, Form),
+    /// A triangular Bézier patch.
+    Triangle(TrianglePatch<Fraction>, Form),
+    /// A tensor-product B-spline surface.
+    Surface(SplineSurface<Fraction>, Form),
 }
 
 impl Form {
@@ -86,14 +93,29 @@ impl Geometry {
             Geometry::Bezier(..) => "a Bézier curve",
             Geometry::Spline(_, form) if form.rational => "a rational B-spline curve",
             Geometry::Spline(..) => "a B-spline curve",
+            Geometry::Patch(_, form) if form.rational => "a rational tensor-product patch",
+            Geometry::Patch(..) => "a tensor-product patch",
+            Geometry::Triangle(_, form) if form.rational => "a rational triangular patch",
+            Geometry::Triangle(..) => "a triangular patch",
+            Geometry::Surface(_, form) if form.rational => "a rational B-spline surface",
+            Geometry::Surface(..) => "a B-spline surface",
         }
     }
 
     /// How coordinates are read.
     pub fn form(&self) -> Form {
         match self {
-            Geometry::Bezier(_, form) | Geometry::Spline(_, form) => *form,
+            Geometry::Bezier(_, form)
+            | Geometry::Spline(_, form)
+            | Geometry::Patch(_, form)
+            | Geometry::Triangle(_, form)
+            | Geometry::Surface(_, form) => *form,
         }
+    }
+
+    /// Whether it has two parameters.
+    pub fn is_surface(&self) -> bool {
+        !matches!(self, Geometry::Bezier(..) | Geometry::Spline(..))
     }
 
     /// All control points in one list.
@@ -101,6 +123,9 @@ impl Geometry {
         match self {
             Geometry::Bezier(curve, _) => curve.points().to_vec(),
             Geometry::Spline(spline, _) => spline.points().to_vec(),
+            Geometry::Patch(patch, _) => patch.net().concat(),
+            Geometry::Triangle(patch, _) => patch.points().to_vec(),
+            Geometry::Surface(surface, _) => surface.net().concat(),
         }
     }
 
@@ -123,6 +148,33 @@ impl Geometry {
                 let extra = self.points_argument(spline.points(), *form, &mut arguments);
                 arguments.extend(extra);
                 Expr::apply(Expr::name("bspline"), arguments)
+            }
+            Geometry::Patch(patch, form) => {
+                let mut arguments = Vec::new();
+                let extra = net_argument(patch.net(), *form, &mut arguments);
+                if !(is_unit(patch.u()) && is_unit(patch.v())) {
+                    arguments.extend([patch.u(), patch.v()].map(interval_expr));
+                }
+                arguments.extend(extra);
+                Expr::apply(Expr::name("patch"), arguments)
+            }
+            Geometry::Triangle(patch, form) => {
+                let mut arguments = Vec::new();
+                let extra = self.points_argument(patch.points(), *form, &mut arguments);
+                if patch.triangle() != &crate::curve::Triangle::unit() {
+                    arguments.push(list(patch.triangle().corners().iter().map(|corner| scalars(corner))));
+                }
+                arguments.extend(extra);
+                Expr::apply(Expr::name("triangle_patch"), arguments)
+            }
+            Geometry::Surface(surface, form) => {
+                let (u, v) = surface.knots();
+                let degree = |n: usize| Expr::int(n as i64);
+                let mut arguments =
+                    vec![degree(u.degree()), degree(v.degree()), scalars(u.knots()), scalars(v.knots())];
+                let extra = net_argument(surface.net(), *form, &mut arguments);
+                arguments.extend(extra);
+                Expr::apply(Expr::name("spline_surface"), arguments)
             }
         }
     }
@@ -151,28 +203,13 @@ impl Geometry {
         let t = || Expr::name("t");
         match self {
             Geometry::Bezier(curve, form) => {
-                let n = curve.degree() as i64;
                 let (a, b) = curve.interval();
-                let local = if a.is_zero() && b.is_one() {
-                    t()
-                } else {
-                    let variable =
-                        Fraction::from(crate::poly::MultiPoly::symbol(crate::poly::Symbol::new("t")));
-                    let width = b.minus(a).inverse().expect("the ends differ");
-                    polynomial_expr(&variable.minus(a).times(&width))
-                };
-                let basis = |i: usize| {
-                    let index = Kind::Subscript(Box::new(Expr::name("B")), vec![Expr::int(i as i64)]);
-                    Expr::apply(Expr::from(index).power(Expr::int(n)), vec![local.clone()])
-                };
+                let interval = Interval::new(a.clone(), b.clone()).expect("the ends differ");
+                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, "t")]);
                 self.combination(curve.points(), *form, &basis)
             }
             Geometry::Spline(spline, form) => {
-                let n = spline.degree() as i64;
-                let basis = |i: usize| {
-                    let index = Kind::Subscript(Box::new(Expr::name("N")), vec![Expr::int(i as i64)]);
-                    Expr::apply(Expr::from(index).power(Expr::int(n)), vec![t()])
-                };
+                let basis = |i: usize| family("N", &[i], spline.degree(), vec![t()]);
                 let knots = spline.knots().knots();
                 let last = knots.len() as i64 - 1;
                 let name = |i: i64| Expr::from(Kind::Subscript(Box::new(t()), vec![Expr::int(i)]));
@@ -180,6 +217,30 @@ impl Geometry {
                 let values = Kind::Tuple(knots.iter().map(polynomial_expr).collect()).into();
                 let body = self.combination(spline.points(), *form, &basis);
                 Kind::Sequence(vec![body, Expr::relation(tuple, Rel::Eq, values)]).into()
+            }
+            Geometry::Patch(patch, form) => {
+                let (m, n) = patch.degrees();
+                let basis = |k: usize| {
+                    let (i, j) = (k / (n + 1), k % (n + 1));
+                    let left = family("B", &[i], m, vec![local(patch.u(), "u")]);
+                    Expr::product(vec![left, family("B", &[j], n, vec![local(patch.v(), "v")])])
+                };
+                self.combination(&patch.net().concat(), *form, &basis)
+            }
+            Geometry::Triangle(patch, form) => {
+                let places = indices(patch.degree());
+                let point = ["u", "v", "w"].map(Expr::name).to_vec();
+                let basis = |k: usize| family("B", &places[k], patch.degree(), point.clone());
+                self.combination(patch.points(), *form, &basis)
+            }
+            Geometry::Surface(surface, form) => {
+                let (u, v) = surface.knots();
+                let columns = v.count();
+                let basis = |k: usize| {
+                    let left = family("N", &[k / columns], u.degree(), vec![Expr::name("u")]);
+                    Expr::product(vec![left, family("N", &[k % columns], v.degree(), vec![Expr::name("v")])])
+                };
+                self.combination(&surface.net().concat(), *form, &basis)
             }
         }
     }
@@ -205,6 +266,42 @@ impl Geometry {
         }
         let bottom = (0..values.len()).map(|i| Some(weight(i).into_iter().chain([basis(i)]).collect()));
         top.over(summed(bottom))
+    }
+}
+
+fn is_unit(interval: &Interval<Fraction>) -> bool {
+    interval.start().is_zero() && interval.end().is_one()
+}
+
+fn interval_expr(interval: &Interval<Fraction>) -> Expr {
+    list([interval.start(), interval.end()].map(polynomial_expr))
+}
+
+/// The parameter relative to an interval: (u − a)/(b − a).
+fn local(interval: &Interval<Fraction>, name: &str) -> Expr {
+    let variable = Fraction::from(crate::poly::MultiPoly::symbol(crate::poly::Symbol::new(name)));
+    polynomial_expr(&interval.local(&variable))
+}
+
+/// B_{i,j,k}^n(…)
+fn family(name: &str, lower: &[usize], degree: usize, arguments: Vec<Expr>) -> Expr {
+    let indices = lower.iter().map(|&i| Expr::int(i as i64)).collect();
+    let head = Kind::Subscript(Box::new(Expr::name(name)), indices);
+    Expr::apply(Expr::from(head).power(Expr::int(degree as i64)), arguments)
+}
+
+/// The net as an argument of a call; the weights come after the rest.
+fn net_argument(net: &[Vec<Point<Fraction>>], form: Form, arguments: &mut Vec<Expr>) -> Option<Expr> {
+    let split: Option<Vec<_>> = net.iter().map(|row| form.split(row)).collect();
+    match split {
+        Some(rows) => {
+            arguments.push(list(rows.iter().map(|(values, _)| list(values.iter().map(Value::to_expr)))));
+            form.rational.then(|| named("weights", list(rows.iter().map(|(_, weights)| scalars(weights)))))
+        }
+        None => {
+            arguments.push(list(net.iter().map(|row| list(row.iter().map(|point| scalars(point))))));
+            Some(named("homogeneous", Expr::int(1)))
+        }
     }
 }
 

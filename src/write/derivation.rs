@@ -47,22 +47,33 @@ fn left_side(formula: &Expr) -> Option<&Expr> {
     }
 }
 
+/// The LaTeX of a formula up to its first relation, and from there on: at this place the lines of
+/// a derivation are aligned. Without a relation all of it stands on the right.
+///
+/// ```
+/// use polarform::write::split_at_relation;
+/// let formula = polarform::syntax::parse("p_1 = t = s").unwrap();
+/// assert_eq!(split_at_relation(&formula), ("p_1".to_owned(), "= t = s".to_owned()));
+/// ```
+pub fn split_at_relation(formula: &Expr) -> (String, String) {
+    let whole = latex(formula);
+    let left = left_side(formula).map(latex).unwrap_or_default();
+    match whole.strip_prefix(&left) {
+        Some(rest) => (left, rest.trim_start().to_owned()),
+        None => (String::new(), whole),
+    }
+}
+
 fn aligned(lines: &[Line], language: Language) -> String {
-    let mut before = None;
+    let mut before = String::new();
     let rows = lines.iter().map(|line| {
-        let whole = latex(&line.formula);
-        let left = left_side(&line.formula).map(latex);
-        let formula = match left.as_deref().and_then(|left| Some((left, whole.strip_prefix(left)?))) {
-            Some((left, right)) => {
-                let shown = if before.as_deref() == Some(left) { "" } else { left };
-                format!("{shown} &{}", right.trim_start())
-            }
-            None => format!("&{whole}"),
-        };
+        let (left, right) = split_at_relation(&line.formula);
+        let shown = if left == before { "" } else { &left };
+        let row = format!("{shown} &{right}");
         before = left;
         format!(
             "{} && \\text{{{}}}",
-            formula.trim_start(),
+            row.trim_start(),
             write_words(line.reason.text(language), Format::Latex)
         )
     });

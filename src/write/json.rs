@@ -77,6 +77,19 @@ fn geometry_json(geometry: &Geometry) -> Json {
             let (a, b) = curve.interval();
             json!({"kind": "bezier", "degree": curve.degree(), "interval": [scalar(a), scalar(b)]})
         }
+        Geometry::Patch(patch, _) => {
+            let (m, n) = patch.degrees();
+            let interval = |i: &crate::curve::Interval<Fraction>| [scalar(i.start()), scalar(i.end())];
+            json!({"kind": "patch", "degrees": [m, n], "intervals": [interval(patch.u()), interval(patch.v())]})
+        }
+        Geometry::Triangle(patch, _) => json!({"kind": "triangle", "degree": patch.degree(),
+            "corners": patch.triangle().corners().iter().map(row).collect::<Vec<_>>()}),
+        Geometry::Surface(surface, _) => {
+            let (u, v) = surface.knots();
+            let list = |knots: &[Fraction]| knots.iter().map(scalar).collect::<Vec<_>>();
+            json!({"kind": "spline_surface", "degrees": [u.degree(), v.degree()],
+                "knots": [list(u.knots()), list(v.knots())]})
+        }
         Geometry::Spline(spline, _) => json!({"kind": "bspline", "degree": spline.degree(),
             "knots": spline.knots().knots().iter().map(scalar).collect::<Vec<_>>()}),
     };

@@ -44,13 +44,13 @@ mod words;
 #[cfg(test)]
 mod tests;
 
-pub use derivation::{derivation_json, write_derivation};
+pub use derivation::{derivation_json, split_at_relation, write_derivation};
 pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
 pub use latex::{latex, write_latex};
 pub use sympy::{WriteError, sympy, write_sympy};
-pub use table::{table_json, write_table};
+pub use table::{latex_table, table_json, write_table};
 pub use text::{text, write_text};
 pub use unicode::{unicode, write_unicode};
 pub use words::write_words;

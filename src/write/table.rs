@@ -20,7 +20,7 @@ use crate::value::{Cell, Notation, Table, Value};
 /// ```
 pub fn write_table(table: &Table, format: Format) -> Result<String, WriteError> {
     match format {
-        Format::Latex => Ok(array(table)),
+        Format::Latex => Ok(latex_table(table)),
         Format::Json => Ok(table_json(table).to_string()),
         Format::Sympy => write_expr(&table.to_expr(), format),
         Format::Text | Format::Unicode => grid(table, format),
@@ -56,7 +56,8 @@ fn grid(table: &Table, format: Format) -> Result<String, WriteError> {
     Ok(rows.iter().map(line).collect::<Vec<_>>().join("\n"))
 }
 
-fn array(table: &Table) -> String {
+/// A table as a LaTeX array, without dollars.
+pub fn latex_table(table: &Table) -> String {
     let columns = table.rows.iter().map(Vec::len).chain([table.header.len()]).max().unwrap_or(0);
     let mut out = format!("\\begin{{array}}{{{}}}\n", "l".repeat(columns.max(1)));
     let joined = |cells: Vec<String>| cells.join(" & ");
@@ -92,6 +93,6 @@ pub fn table_json(table: &Table) -> Json {
         "kind": "table",
         "header": table.header.iter().map(words).collect::<Vec<_>>(),
         "rows": table.rows.iter().map(|row| row.iter().map(cell).collect::<Vec<_>>()).collect::<Vec<_>>(),
-        "latex": array(table),
+        "latex": latex_table(table),
     })
 }

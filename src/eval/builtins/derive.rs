@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use super::Builtin;
+use super::interpolation::{self, Samples};
 use crate::blossom::{Method, PolarForm};
 use crate::derive::{self, Combination};
 use crate::diagnostic::{At, Code, Diagnostic, nearest};
 use crate::eval::arguments::Arguments;
-use crate::eval::geometry::{curve_error, points_of, spline_error};
+use crate::eval::geometry::{curve_error, spline_error};
 use crate::eval::{Evaluated, Machine, wrong_kind};
-use crate::interpolate::{CubicSpline, DividedDifferences, Ends, InterpolationError};
+use crate::interpolate::{CubicSpline, DividedDifferences};
 use crate::poly::{Fraction, Symbol};
-use crate::value::{Derivation, Form, Geometry, Language, Polar, PolarKind, Value};
+use crate::value::{Derivation, Geometry, Language, Polar, PolarKind, Value};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -234,80 +235,17 @@ fn join(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
     derive::joining(&f, &g, form, k).map_err(curve_error).at(args.span(1))
 }
 
-/// Nodes, and numbers or points at them.
-struct Data {
-    nodes: Vec<Fraction>,
-    values: Vec<Vec<Fraction>>,
-    form: Form,
-}
-
-fn data(args: &Arguments) -> Result<Data> {
-    let nodes = args.scalars(0)?;
-    let value = args.value(1)?;
-    let (values, scalar) = points_of(value).ok_or_else(|| {
-        wrong_kind("a list of values", value)
-            .at(args.span(1))
-            .hint("numbers such as [1, 3, 2], or points such as [[0, 0], [1, 2]]")
-    })?;
-    Ok(Data { nodes, values, form: Form { scalar, rational: false } })
-}
-
-/// The diagnostic for data that cannot be interpolated.
-fn interpolation_error(error: InterpolationError) -> Diagnostic {
-    use InterpolationError as E;
-    let (code, hint) = match &error {
-        E::EqualNodes { .. } | E::NodesApart { .. } => {
-            (Code::Coincident, "write equal nodes one after the other, where they may be equal")
-        }
-        E::NotIncreasing { .. } => (Code::Knots, "write the nodes in increasing order, with their values"),
-        E::NotPeriodic => (Code::Domain, "repeat the first value at the end, or choose other ends"),
-        E::Singular { .. } => (Code::Singular, "choose other nodes or ends"),
-        _ => (Code::Shape, "give each node one value, all of one kind"),
-    };
-    Diagnostic::error(code, error.to_string()).hint(hint)
-}
-
 fn newton(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
     args.expect(form, 2..=2, &[])?;
-    let data = data(args)?;
-    let table = DividedDifferences::with_repeats(&data.nodes, &data.values)
-        .map_err(interpolation_error)
-        .at(args.span(0))?;
-    Ok(derive::newton(&table, data.form))
+    let samples = Samples::read(args)?;
+    let table = DividedDifferences::with_repeats(&samples.nodes, &samples.values);
+    Ok(derive::newton(&table.map_err(Samples::failed(args))?, samples.form))
 }
 
 fn moments(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
     args.expect(form, 2..=2, &["ends", "slopes", "moments"])?;
-    let data = data(args)?;
-    let ends = ends(args)?;
-    let spline = CubicSpline::by_moments(&data.nodes, &data.values, ends)
-        .map_err(interpolation_error)
-        .at(args.span(0))?;
-    Ok(derive::moments(&spline, data.form))
-}
-
-/// The ends by their word, or by the slopes or moments that are given.
-fn ends(args: &Arguments) -> Result<Ends<Vec<Fraction>>> {
-    let pair = |name: &str| -> Result<Option<[Vec<Fraction>; 2]>> {
-        let Some((value, span)) = args.named_or(name, usize::MAX) else { return Ok(None) };
-        let points = points_of(value).and_then(|(points, _)| <[Vec<Fraction>; 2]>::try_from(points).ok());
-        points
-            .map(Some)
-            .ok_or_else(|| wrong_kind("a value for each end", value).at(span).hint(format!("{name}=[a, b]")))
-    };
-    let (slopes, moments) = (pair("slopes")?, pair("moments")?);
-    let word = word(args, "ends")?;
-    match (word.map(|(word, _)| word), slopes, moments) {
-        (None | Some("natural"), None, None) => Ok(Ends::natural()),
-        (None | Some("clamped"), Some([a, b]), None) => Ok(Ends::clamped(a, b)),
-        (None, None, Some([a, b])) => Ok(Ends::second_derivatives(a, b)),
-        (Some("periodic"), None, None) => Ok(Ends::Periodic),
-        (Some("not_a_knot"), None, None) => Ok(Ends::not_a_knot()),
-        _ => {
-            let span = word.map_or(args.span(1), |(_, span)| span);
-            Err(Diagnostic::error(Code::Arity, "these conditions at the ends do not fit together")
-                .at(span)
-                .hint("ends=natural, ends=periodic, ends=not_a_knot, slopes=[a, b] or moments=[a, b]"))
-        }
-    }
+    let samples = Samples::read(args)?;
+    let ends = interpolation::ends(args, samples.form)?;
+    let spline = CubicSpline::by_moments(&samples.nodes, &samples.values, ends);
+    Ok(derive::moments(&spline.map_err(Samples::failed(args))?, samples.form))
 }

@@ -2,13 +2,17 @@
 
 mod curves;
 mod derive;
+mod interpolation;
 mod joins;
 mod matrices;
 mod numbers;
 mod on_geometry;
+mod on_surface;
 mod polar;
 mod polynomials;
+mod rational;
 mod splines;
+mod surfaces;
 
 pub(super) use derive::is_choice;
 pub(super) use on_geometry::method;
@@ -40,7 +44,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 8]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: &[&'static [Builtin]]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -61,15 +65,25 @@ pub static BUILTINS: &[&Builtin] = &{
         + splines::TABLE.len()
         + joins::TABLE.len()
         + derive::TABLE.len()
+        + surfaces::TABLE.len()
+        + rational::TABLE.len()
+        + interpolation::POLYNOMIALS.len()
+        + interpolation::SPLINES.len()
+        + interpolation::APPROXIMATION.len()
         + numbers::TABLE.len();
-    all::<COUNT>([
+    all::<COUNT>(&[
         polar::TABLE,
         polynomials::TABLE,
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,
+        rational::TABLE,
+        surfaces::TABLE,
         joins::TABLE,
         derive::TABLE,
+        interpolation::POLYNOMIALS,
+        interpolation::SPLINES,
+        interpolation::APPROXIMATION,
         numbers::TABLE,
     ])
 };

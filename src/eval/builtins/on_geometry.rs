@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::curve::RationalCurve;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::{self, Arguments};
 use crate::eval::geometry::{bezier, curve_error, scalar_list, spline, spline_error};
@@ -10,8 +11,16 @@ use crate::poly::{Fraction, Symbol};
 use crate::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
 use num_traits::Zero;
 
-/// The meaning of a function for a curve as its first argument, if it has one.
-pub(in crate::eval) fn method(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
+/// The meaning of a function for a curve or surface as its first argument, if it has one.
+pub(in crate::eval) fn method(name: &str, first: &Value) -> Option<fn(&Arguments) -> Evaluated> {
+    match first {
+        Value::Geometry(geometry) if geometry.is_surface() => super::on_surface::method(name),
+        Value::Geometry(_) | Value::Piecewise(_) => on_curve(name),
+        _ => None,
+    }
+}
+
+fn on_curve(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
     Some(match name {
         "polar" => polar,
         "elevate" => elevate,
@@ -36,6 +45,12 @@ fn polynomial(form: Form, args: &Arguments) -> Result<(), Diagnostic> {
         .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"))
 }
 
+fn not_a_curve(geometry: &Geometry, args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Type, format!("expected a curve, not {}", geometry.kind()))
+        .at(args.span(0))
+        .hint("boundary_curves(s) are curves of a surface")
+}
+
 fn forms_value(forms: Vec<crate::blossom::PolarForm<Fraction>>, form: Form) -> Value {
     let wrap = |form| {
         Value::Polar(Arc::new(Polar { kind: PolarKind::Univariate(form), variables: vec![Symbol::new("t")] }))
@@ -44,7 +59,7 @@ fn forms_value(forms: Vec<crate::blossom::PolarForm<Fraction>>, form: Form) -> V
     if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
 }
 
-fn polar(args: &Arguments) -> Evaluated {
+pub(super) fn polar(args: &Arguments) -> Evaluated {
     args.expect("polar(c, span=j)", 1..=1, &["span", "degree"])?;
     let geometry = args.geometry(0)?;
     polynomial(geometry.form(), args)?;
@@ -68,6 +83,7 @@ fn polar(args: &Arguments) -> Evaluated {
             };
             spline.bezier_piece(span).map_err(spline_error)?
         }
+        other => return Err(not_a_curve(other, args)),
     };
     let by = match args.named_size("degree", usize::MAX)? {
         Some(degree) => degree.checked_sub(curve.degree()).ok_or_else(|| {
@@ -85,6 +101,7 @@ fn elevate(args: &Arguments) -> Evaluated {
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) => Ok(bezier(curve.elevate(by), *form)),
         Geometry::Spline(s, form) => s.elevate(by).map(|s| spline(s, *form)).map_err(spline_error),
+        other => Err(not_a_curve(other, args)),
     }
 }
 
@@ -98,10 +115,11 @@ fn reduce(args: &Arguments) -> Evaluated {
         Geometry::Spline(s, form) => {
             s.reduce(by).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
         }
+        other => Err(not_a_curve(other, args)),
     }
 }
 
-fn derivative(args: &Arguments) -> Evaluated {
+pub(super) fn derivative(args: &Arguments) -> Evaluated {
     args.expect("derivative(c, k)", 1..=2, &["k"])?;
     let order = args.named_size("k", 1)?.unwrap_or(1);
     if let Value::Piecewise(function) = args.value(0)? {
@@ -110,10 +128,12 @@ fn derivative(args: &Arguments) -> Evaluated {
         return Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function: derived, variable })));
     }
     match &*args.geometry(0)? {
-        Geometry::Bezier(curve, form) if form.rational => (0..order)
-            .try_fold(curve.clone(), |curve, _| rational_derivative(&curve))
-            .map(|c| bezier(c, *form))
-            .at(args.span(0)),
+        Geometry::Bezier(curve, form) if form.rational => {
+            let curve =
+                RationalCurve::from_homogeneous(curve.clone()).map_err(curve_error).at(args.span(0))?;
+            let derived = (0..order).fold(curve, |curve, _| curve.derivative());
+            Ok(bezier(derived.homogeneous().clone(), *form))
+        }
         Geometry::Bezier(curve, form) => Ok(bezier(curve.derivative(order), *form)),
         Geometry::Spline(_, form) if form.rational => Err(Diagnostic::error(
             Code::Unsupported,
@@ -124,32 +144,8 @@ fn derivative(args: &Arguments) -> Evaluated {
         Geometry::Spline(s, form) => {
             s.nth_derivative(order).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
         }
+        other => Err(not_a_curve(other, args)),
     }
-}
-
-/// (p/w)' = (p' w − p w')/w², as a rational curve of degree 2n.
-fn rational_derivative(
-    curve: &crate::curve::BezierCurve<Fraction>,
-) -> Result<crate::curve::BezierCurve<Fraction>, Diagnostic> {
-    use crate::curve::BezierCurve;
-    let (a, b) = curve.interval();
-    let d = curve.dimension() - 1;
-    let pick = |curve: &BezierCurve<Fraction>, from: usize, to: usize| {
-        let points = curve.points().iter().map(|point| point[from..to].to_vec()).collect();
-        BezierCurve::new(points, a.clone(), b.clone()).map_err(curve_error)
-    };
-    let (points, weight) = (pick(curve, 0, d)?, pick(curve, d, d + 1)?);
-    let change = curve.derivative(1).elevate(usize::from(curve.degree() > 0));
-    let (points_change, weight_change) = (pick(&change, 0, d)?, pick(&change, d, d + 1)?);
-    let left = weight.product(&points_change).map_err(curve_error)?;
-    let right = weight_change.product(&points).map_err(curve_error)?;
-    let bottom = weight.product(&weight).map_err(curve_error)?;
-    let joined = (0..left.points().len()).map(|i| {
-        let mut point = crate::curve::difference(&left.points()[i], &right.points()[i]);
-        point.push(bottom.points()[i][0].clone());
-        point
-    });
-    BezierCurve::new(joined.collect(), a.clone(), b.clone()).map_err(curve_error)
 }
 
 /// The integral over the whole interval.
@@ -164,6 +160,7 @@ fn integrate(args: &Arguments) -> Evaluated {
     match &*geometry {
         Geometry::Bezier(curve, _) => Ok(form.plain(curve.integral())),
         Geometry::Spline(spline, _) => Ok(form.plain(spline.integral())),
+        other => Err(not_a_curve(other, args)),
     }
 }
 
@@ -184,6 +181,7 @@ pub(super) fn antiderivative(args: &Arguments) -> Evaluated {
                 Geometry::Spline(s, form) => {
                     s.antiderivative().map(|s| spline(s, *form)).map_err(spline_error)
                 }
+                other => Err(not_a_curve(other, args)),
             }
         }
         other => Err(wrong_kind("a curve or piecewise polynomial", other)
@@ -227,11 +225,12 @@ fn degree(args: &Arguments) -> Evaluated {
     Ok(Value::int(match &*args.geometry(0)? {
         Geometry::Bezier(curve, _) => curve.degree(),
         Geometry::Spline(spline, _) => spline.degree(),
+        other => return Err(not_a_curve(other, args)),
     } as i64))
 }
 
 /// The power coefficients of each coordinate, lowest first.
-fn coefficients(args: &Arguments) -> Evaluated {
+pub(super) fn coefficients(args: &Arguments) -> Evaluated {
     args.expect("coefficients(c)", 1..=1, &[])?;
     let (curve, form) = args.bezier(0)?;
     polynomial(form, args)?;

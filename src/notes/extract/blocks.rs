@@ -11,9 +11,10 @@ use std::borrow::Cow;
 use super::collect::Collector;
 use super::cursor::Cursor;
 use super::inline;
+use super::parts::{Part, PartKind};
 use super::signs::{braced_name, display_end, inline_end, is_math_environment, line_at};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::document::{Enclosure, Item, Style};
+use crate::notes::document::{Enclosure, Item, Places, Style};
 use crate::source::Span;
 
 /// Takes the Markdown text apart.
@@ -72,8 +73,14 @@ struct Fence {
     mark: u8,
     len: usize,
     start: Span,
-    /// The lines of a block of GitHub's ```math.
-    math: Option<Vec<Span>>,
+    /// What is said of it.
+    info: Span,
+    /// Whether it is a block of GitHub's ```math.
+    math: bool,
+    /// Its lines, if they are of interest.
+    lines: Option<Vec<Span>>,
+    /// The columns by which the opening fence is indented, and so may its lines.
+    indent: usize,
 }
 
 struct Blocks<'a> {
@@ -140,9 +147,13 @@ impl Blocks<'_> {
             } else if let Some((mark, len)) = cursor.fence() {
                 self.end_paragraph();
                 self.close_unless(fresh, matched);
-                let info = cursor.rest()[len..].trim();
-                let math = matches!(info, "math" | "{math}").then(Vec::new);
-                self.code = Some(Fence { mark, len, start: Span::new(cursor.at(), cursor.at() + len), math });
+                let rest = &cursor.rest()[len..];
+                let begin = cursor.end() - rest.trim_start().len();
+                let info = Span::new(begin, begin + rest.trim().len());
+                let math = matches!(rest.trim(), "math" | "{math}");
+                let lines = (math || self.out.layout.is_some()).then(Vec::new);
+                let start = Span::new(cursor.at(), cursor.at() + len);
+                self.code = Some(Fence { mark, len, start, info, math, lines, indent });
                 return next;
             } else if let Some((level, span)) = cursor.heading() {
                 self.end_paragraph();
@@ -167,7 +178,9 @@ impl Blocks<'_> {
                 return next;
             }
         }
-        if fresh || self.lines.is_empty() {
+        // A comment on a line of its own does not go on with the paragraph of a quotation.
+        let comment = !all && cursor.rest().trim_start().starts_with("<!--");
+        if fresh || comment || self.lines.is_empty() {
             self.end_paragraph();
             self.close_unless(fresh, matched);
         }
@@ -233,6 +246,7 @@ impl Blocks<'_> {
 
     fn heading(&mut self, level: u8, span: Span) {
         self.out.push(Item::Heading { level, span });
+        self.set_margin();
         inline::heading(&self.text[span.range()], span.start, self.out);
         self.out.end_paragraph();
     }
@@ -242,18 +256,24 @@ impl Blocks<'_> {
         let rest = cursor.rest().trim();
         let closes = rest.len() >= fence.len && rest.bytes().all(|byte| byte == fence.mark);
         if closes && cursor.indent() < 4 {
-            self.end_code(cursor.at(), true);
-        } else if let Some(lines) = &mut fence.math {
+            self.end_code(cursor.at() + cursor.rest().trim_end().len(), true);
+        } else if let Some(lines) = &mut fence.lines {
+            let mut cursor = cursor.clone();
+            cursor.skip_columns(fence.indent.min(cursor.indent()));
             lines.push(Span::new(cursor.at(), cursor.end()));
         }
     }
 
     fn end_code(&mut self, at: usize, closed: bool) {
         let Some(fence) = self.code.take() else { return };
-        if let Some(lines) = fence.math {
-            let masked = masked(self.text, &lines);
-            self.out.formula(Style::Display, &masked, lines.first().map_or(at, |line| line.start));
-            self.out.end_paragraph();
+        if let Some(lines) = &fence.lines {
+            let span = Span::new(fence.start.start, at);
+            self.note_code(&fence, lines, span, closed);
+            if fence.math {
+                let masked = masked(self.text, lines);
+                self.out.formula(Style::Display, &masked, lines.first().map_or(at, |line| line.start));
+                self.out.end_paragraph();
+            }
         }
         if !closed {
             self.out.problem(
@@ -262,6 +282,47 @@ impl Blocks<'_> {
                     .reason("it begins here")
                     .hint("close it with a line of the same marks; nothing in it was checked"),
             );
+        }
+    }
+
+    /// Notes a fenced block, if parts are wanted; one that holds a formula is a formula.
+    fn note_code(&mut self, fence: &Fence, lines: &[Span], span: Span, closed: bool) {
+        self.set_margin();
+        let Some(layout) = &mut self.out.layout else { return };
+        if fence.math && closed {
+            let ends = [fence.start.to(fence.info), Span::new(span.end - fence.len, span.end)];
+            let all = [&ends[..1], lines, &ends[1..]].concat();
+            let masked = masked(self.text, &all);
+            let first = lines.first().map_or(ends[1].start, |line| line.start);
+            let inner = first - span.start..ends[1].start - span.start;
+            layout.push(PartKind::Formula { style: Style::Display, inner }, span, &masked, span.start);
+            return;
+        }
+        let mut part = Part {
+            kind: PartKind::Code { info: fence.info, closed },
+            span,
+            text: String::new(),
+            places: Places::default(),
+            margin: layout.margin.clone(),
+        };
+        for line in lines {
+            part.places.push(part.text.len(), line.start, true);
+            part.text.push_str(self.text[line.range()].trim_end_matches('\r'));
+            part.text.push('\n');
+        }
+        layout.parts.push(part);
+    }
+
+    /// What a further line of the open blocks begins with.
+    fn set_margin(&mut self) {
+        let Some(layout) = &mut self.out.layout else { return };
+        layout.margin.clear();
+        for open in &self.open {
+            match open {
+                Open::Quotation => layout.margin.push_str("> "),
+                Open::Item(columns) => layout.margin.extend(std::iter::repeat_n(' ', *columns)),
+                Open::Division => {}
+            }
         }
     }
 
@@ -364,6 +425,7 @@ impl Blocks<'_> {
         if self.lines.is_empty() {
             return;
         }
+        self.set_margin();
         let lines = std::mem::take(&mut self.lines);
         let table = (1..lines.len()).find(|&row| {
             self.text[lines[row - 1].range()].contains('|')

@@ -2,6 +2,7 @@
 
 use super::clean::cleaned;
 use super::macros::Macros;
+use super::parts::Layout;
 use super::plain;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Document, Enclosure, Formula, Item, Style};
@@ -16,6 +17,8 @@ pub(super) struct Collector {
     items: Vec<Item>,
     problems: Vec<Diagnostic>,
     pub(super) macros: Macros,
+    /// Where everything stands, if that is asked for.
+    pub(super) layout: Option<Layout>,
     /// Whether something was said since the last paragraph or enclosure.
     said: bool,
 }

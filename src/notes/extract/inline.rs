@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::collect::Collector;
+use super::parts::{Opening, PartKind, query_at};
 use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Item, Style};
 use crate::source::Span;
 
@@ -111,6 +113,7 @@ impl<'a> Inline<'a> {
                     at + 1
                 }
                 b'h' | b'w' => self.address(at),
+                b'{' => self.query(at),
                 _ => at + 1,
             };
         }
@@ -137,6 +140,11 @@ impl<'a> Inline<'a> {
     /// The formula `text`, with the signs around it `from..to`.
     fn formula(&mut self, style: Style, text: Span, from: usize, to: usize) -> usize {
         self.say(from);
+        if let Some(layout) = &mut self.out.layout {
+            let inner = text.start - from..text.end - from;
+            let span = Span::new(from, to).shifted(self.start);
+            layout.push(PartKind::Formula { style, inner }, span, &self.text[from..to], span.start);
+        }
         self.out.formula(style, &self.text[text.range()], self.start + text.start);
         self.said = to;
         self.after_formula = true;
@@ -232,8 +240,43 @@ impl<'a> Inline<'a> {
         }
     }
 
+    /// `{{ … }}`, where parts are wanted.
+    fn query(&mut self, at: usize) -> usize {
+        let Some(layout) = &mut self.out.layout else { return at + 1 };
+        if !self.text[at + 1..].starts_with('{') {
+            return at + 1;
+        }
+        match query_at(self.text, at, false) {
+            Opening::Query(inner) => {
+                let end = inner.end + 2;
+                let span = Span::new(at, end).shifted(self.start);
+                // A query is one piece, however its lines are broken.
+                let text = self.text[inner.clone()].replace(['\n', '\r'], " ");
+                layout.push(PartKind::Query, span, &text, self.start + inner.start);
+                self.skip(at, end)
+            }
+            Opening::Unclosed => {
+                self.out.problem(
+                    Diagnostic::error(Code::UnclosedQuery, "{{ is never closed")
+                        .at(Span::new(at, at + 2).shifted(self.start))
+                        .reason("a query begins here")
+                        .hint(r"write }} after the query, or \{{ for the braces"),
+                );
+                self.skip(at, at + 2)
+            }
+            Opening::Other => {
+                let braces = self.text[at..].bytes().take_while(|&byte| byte == b'{').count();
+                self.skip(at, at + braces.max(1))
+            }
+        }
+    }
+
     /// `<!-- polarform: … -->`.
     fn comment(&mut self, from: usize, to: usize) {
+        if let Some(layout) = &mut self.out.layout {
+            let span = Span::new(from - 4, to + 3).shifted(self.start);
+            layout.push(PartKind::Comment, span, &self.text[from..to], self.start + from);
+        }
         let Some(colon) = self.text[from..to].trim_start().strip_prefix("polarform:") else { return };
         let text = colon.trim();
         let start = to - colon.len() + (colon.len() - colon.trim_start().len());
@@ -251,7 +294,13 @@ impl<'a> Inline<'a> {
             let text = Span::new(at + 2, at + 2 + len);
             return self.formula(Style::Inline, text, at, text.end + 2);
         }
-        match inline_end(self.text, at) {
+        // Who writes into the text must not take a price and the code after it for a formula.
+        let strict = self.out.layout.is_some();
+        let has_code = |end: usize| {
+            let content = &self.text[at..end];
+            content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))
+        };
+        match inline_end(self.text, at).filter(|&end| !strict || !has_code(end)) {
             Some(end) => self.formula(Style::Inline, Span::new(at + 1, end), at, end + 1),
             None => {
                 if !is_currency(self.text, at) && !self.ends_cell(at) {

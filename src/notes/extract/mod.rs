@@ -21,13 +21,17 @@ mod files;
 mod inline;
 mod macros;
 mod notebook;
+mod parts;
 mod plain;
 mod signs;
 mod tex;
+mod tex_parts;
 mod text;
 mod vocabulary;
 
 pub use files::{MAX_BYTES, read_file, read_files};
+pub use notebook::{Cell, markdown_cells};
+pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, query_at};
 
 use super::document::Document;
 use crate::source::SourceFile;

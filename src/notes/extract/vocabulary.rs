@@ -13,6 +13,7 @@ pub(super) const VERBATIM: &[&str] = &[
     "algorithm",
     "algorithmic",
     "alltt",
+    "polarform",
 ];
 
 pub(super) const QUOTATIONS: &[&str] = &["quote", "quotation", "displayquote", "verse"];

@@ -1,0 +1,274 @@
+//! The command that weaves.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, Read};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use super::Status;
+use super::arguments::{Global, Weave};
+use super::commands::{Ran, Stop};
+use super::output::Output;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::notes::extract::Container;
+use crate::session::Failure;
+use crate::source::{SourceFile, Span};
+use crate::weave::{
+    BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, read_input, replace_file, side_name,
+    weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
+};
+use crate::write::Format;
+
+/// The name of the LaTeX package.
+const STYLE: &str = "polarform.sty";
+
+pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
+    if matches!(global.format, Format::Latex | Format::Sympy | Format::Unicode) {
+        return Err(usage("weaving has no such format", "choose --format text or json, for messages"));
+    }
+    let mode = if arguments.output.is_some() { Mode::Template } else { Mode::InPlace };
+    let blocks = BlockOptions { notation: global.notation(), lang: global.lang, ..BlockOptions::default() };
+    let options = Options { mode, limits: global.limits(), blocks, fresh: arguments.fresh };
+    let weaver = Weaver { arguments, options, output };
+    if arguments.mdbook {
+        return weaver.book();
+    }
+    if let Some(folder) = &arguments.write_style {
+        let path = folder.join(STYLE);
+        write_file(&path, PACKAGE).map_err(failed)?;
+        weaver.say(&format!("{} written", path.display()))?;
+    }
+    if let (Some(target), [_, _, ..]) = (&arguments.output, arguments.files.as_slice()) {
+        let message = format!("several files cannot go to {}", target.display());
+        return Err(usage(&message, "weave them one after the other"));
+    }
+    let mut status = Status::Fine;
+    for path in &arguments.files {
+        let result = catch_unwind(AssertUnwindSafe(|| weaver.file(path))).unwrap_or_else(|_| {
+            Err(failed(
+                Diagnostic::error(Code::Internal, "polarform met a defect of its own")
+                    .hint("please report the file that led here"),
+            ))
+        });
+        status = status.max(match result {
+            Err(Stop::Failed(failure)) => {
+                output.failure(&failure);
+                Status::Failed
+            }
+            result => result?,
+        });
+    }
+    Ok(status)
+}
+
+struct Weaver<'a> {
+    arguments: &'a Weave,
+    options: Options,
+    output: &'a Output,
+}
+
+impl Weaver<'_> {
+    fn say(&self, line: &str) -> io::Result<()> {
+        if self.output.format == Format::Json { Ok(()) } else { self.output.line(line) }
+    }
+
+    fn file(&self, path: &Path) -> Ran {
+        let input = read_input(path).map_err(failed)?;
+        match (Container::of(path), &self.arguments.output) {
+            (Container::Latex, Some(_)) => Err(usage(
+                "a LaTeX document is not copied",
+                "its results go to a file beside it; leave out -o",
+            )),
+            (Container::Latex, None) => self.latex(path, &input),
+            (kind, Some(target)) => self.copy(kind, path, &input, target),
+            (kind, None) => {
+                let woven = match kind {
+                    Container::Notebook => weave_notebook(&input.file, &self.options),
+                    _ => weave_markdown(&input.file, &self.options),
+                };
+                self.tell(&woven);
+                if !self.arguments.check && woven.text != input.file.text() {
+                    replace_file(&input, &woven.text).map_err(failed)?;
+                }
+                self.finish(&path.display().to_string(), &woven)
+            }
+        }
+    }
+
+    /// Prints what is wrong.
+    fn tell(&self, woven: &Woven) {
+        for failure in &woven.problems {
+            self.output.failure(failure);
+        }
+    }
+
+    /// Says what was done, and how it ended.
+    fn finish(&self, name: &str, woven: &Woven) -> Ran {
+        let changed = woven.stale.len();
+        if self.arguments.check {
+            for (file, span) in &woven.stale {
+                let stale = Diagnostic::error(Code::OutOfDate, "the result of this query is out of date");
+                self.output.problem(&stale.at(*span).hint(self.remedy()), file);
+            }
+        }
+        let what = match (woven.unchanged, self.arguments.check) {
+            (true, _) => "nothing changed".to_owned(),
+            (false, true) => format!("{}, {changed} out of date", counted(woven.results)),
+            (false, false) => format!("{}, {changed} changed", counted(woven.results)),
+        };
+        if self.output.format == Format::Json {
+            self.output.line(&summary(name, woven).to_string())?;
+        } else {
+            self.output.line(&format!("{name}: {what}"))?;
+        }
+        Ok(if woven.failed {
+            Status::Failed
+        } else if woven.refuted > 0 || (self.arguments.check && changed > 0) {
+            Status::Refuted
+        } else {
+            Status::Fine
+        })
+    }
+
+    fn remedy(&self) -> String {
+        let files: Vec<String> = self.arguments.files.iter().map(|path| path.display().to_string()).collect();
+        let target = self.arguments.output.as_ref();
+        let target = target.map(|target| format!(" -o {}", target.display())).unwrap_or_default();
+        format!("run polarform weave {}{target}", files.join(" "))
+    }
+
+    /// A copy that holds results in place of queries. With a problem there is none.
+    fn copy(&self, kind: Container, path: &Path, input: &Input, target: &Path) -> Ran {
+        let name = path.display().to_string();
+        let standard = target == Path::new("-");
+        if !standard && identity(path) == identity(target) {
+            return Err(usage(
+                "the copy would take the place of its source",
+                "leave out -o to weave in place",
+            ));
+        }
+        let before = if standard { None } else { fs::read_to_string(target).ok() };
+        let markdown = kind == Container::Markdown;
+        if let Some(before) = before.as_ref().filter(|_| markdown)
+            && copy_is_fresh(&input.file, before, &self.options)
+        {
+            return self.finish(&name, &Woven { unchanged: true, ..Woven::default() });
+        }
+        let mut woven = match kind {
+            Container::Notebook => weave_notebook(&input.file, &self.options),
+            _ if standard => weave_markdown(&input.file, &self.options),
+            _ => weave_copy(&input.file, &self.options),
+        };
+        self.tell(&woven);
+        if self.arguments.check {
+            woven.stale.clear();
+            if before.as_deref() != Some(woven.text.as_str()) && !woven.failed {
+                let old = SourceFile::new(target.display().to_string(), before.unwrap_or_default());
+                woven.stale.push((old.clone(), first_difference(old.text(), &woven.text)));
+            }
+        } else if woven.failed {
+            self.say(&format!("{} was not written", target.display()))?;
+        } else if standard {
+            self.output.text(&woven.text)?;
+            return Ok(if woven.refuted > 0 { Status::Refuted } else { Status::Fine });
+        } else if before.as_deref() != Some(woven.text.as_str()) {
+            write_file(target, &woven.text).map_err(failed)?;
+        }
+        self.finish(&name, &woven)
+    }
+
+    fn latex(&self, path: &Path, input: &Input) -> Ran {
+        let side = side_name(path);
+        let before = fs::read_to_string(&side).unwrap_or_default();
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let mut load = |name: &str| {
+            let named = [folder.join(format!("{name}.tex")), folder.join(name)];
+            let path = named.into_iter().find(|path| path.is_file())?;
+            // What cannot be read is LaTeX's to tell.
+            read_input(&path).ok().map(|input| input.file)
+        };
+        let woven = weave_latex(&input.file, &before, &mut load, &self.options);
+        self.tell(&woven);
+        if !self.arguments.check {
+            if !woven.unchanged && woven.text != before {
+                write_file(&side, &woven.text).map_err(failed)?;
+            }
+            let style = folder.join(STYLE);
+            if !style.exists() && input.file.text().contains(r"\documentclass") {
+                write_file(&style, PACKAGE).map_err(failed)?;
+                self.say(&format!("{} written", style.display()))?;
+            }
+        }
+        self.finish(&path.display().to_string(), &woven)
+    }
+
+    /// `polarform weave --mdbook`, and `… --mdbook supports html`.
+    fn book(&self) -> Ran {
+        if self.arguments.files.first().is_some_and(|word| word == Path::new("supports")) {
+            // Markdown with formulas is for every renderer.
+            return Ok(Status::Fine);
+        }
+        let mut text = String::new();
+        let read = io::stdin().lock().read_to_string(&mut text);
+        read.map_err(|error| {
+            failed(Diagnostic::error(Code::File, format!("cannot read the book: {error}")))
+        })?;
+        let woven = weave_book(&text, &self.options)
+            .map_err(|error| usage(&error.to_string(), "mdBook starts this command; see docs/weave.md"))?;
+        self.tell(&woven);
+        if woven.failed {
+            return Ok(Status::Failed);
+        }
+        self.output.text(&woven.text)?;
+        Ok(if woven.refuted > 0 { Status::Refuted } else { Status::Fine })
+    }
+}
+
+fn summary(name: &str, woven: &Woven) -> serde_json::Value {
+    let stale: BTreeSet<(String, usize)> = woven
+        .stale
+        .iter()
+        .map(|(file, span)| (file.name().to_owned(), file.line_column(span.start).0))
+        .collect();
+    let stale: Vec<_> = stale.iter().map(|(file, line)| json!({"file": file, "line": line})).collect();
+    json!({
+        "file": name,
+        "unchanged": woven.unchanged,
+        "results": woven.results,
+        "changed": stale,
+        "refuted": woven.refuted,
+        "failed": woven.failed,
+    })
+}
+
+fn counted(results: usize) -> String {
+    if results == 1 { "1 result".to_owned() } else { format!("{results} results") }
+}
+
+/// The first line of the old text that is another one in the new text.
+fn first_difference(old: &str, new: &str) -> Span {
+    let mut at = 0;
+    for (a, b) in old.split_inclusive('\n').zip(new.split_inclusive('\n')) {
+        if a != b {
+            return Span::new(at, at + a.trim_end().len());
+        }
+        at += a.len();
+    }
+    Span::new(at.min(old.len()), old.len())
+}
+
+/// The same for all names of a file.
+fn identity(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
+}
+
+fn failed(problem: Diagnostic) -> Stop {
+    Stop::Failed(Box::new(Failure { problem, file: SourceFile::new("<files>", "") }))
+}
+
+fn usage(message: &str, hint: &str) -> Stop {
+    failed(Diagnostic::error(Code::Usage, message).hint(hint))
+}

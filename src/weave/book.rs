@@ -1,0 +1,73 @@
+//! Books of mdBook: a preprocessor that weaves every chapter as a template.
+//!
+//! mdBook writes `[context, book]` as JSON and reads the book back. Each chapter is a file of its own,
+//! with a session of its own. The book has its chapters under `items` (mdBook 0.5) or `sections` (0.4),
+//! and those below a chapter under `sub_items`.
+
+use std::fmt;
+
+use serde_json::Value;
+
+use super::{Mode, Options, Woven, weave_markdown};
+use crate::source::SourceFile;
+
+/// Why there is no book.
+#[derive(Debug)]
+pub enum BookError {
+    /// The text is no JSON.
+    Json(serde_json::Error),
+    /// It is JSON, but not `[context, book]`.
+    Shape,
+}
+
+impl fmt::Display for BookError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BookError::Json(error) => write!(f, "what mdBook should have sent is no JSON: {error}"),
+            BookError::Shape => f.write_str("mdBook should have sent [context, book]"),
+        }
+    }
+}
+
+impl std::error::Error for BookError {}
+
+/// Weaves the book that mdBook sends; the text of the outcome is the book to send back.
+///
+/// Cost: the queries, and time linear in the length of the text.
+///
+/// # Errors
+/// When the text is not what mdBook sends.
+///
+/// ```
+/// use polarform::weave::{Options, weave_book};
+/// let sent = r#"[{}, {"items": [{"Chapter": {"name": "One", "content": "{{ 1 + 1 }}"}}]}]"#;
+/// let woven = weave_book(sent, &Options::default()).unwrap();
+/// assert!(woven.text.contains(r#""content":"$2$""#));
+/// ```
+pub fn weave_book(text: &str, options: &Options) -> Result<Woven, BookError> {
+    let mut sent: Value = serde_json::from_str(text).map_err(BookError::Json)?;
+    let book = sent.get_mut(1).filter(|book| book.is_object()).ok_or(BookError::Shape)?;
+    let options = Options { mode: Mode::Template, ..options.clone() };
+    let mut woven = Woven::default();
+    let items = if book.get("items").is_some() { "items" } else { "sections" };
+    let items = book.get_mut(items).and_then(Value::as_array_mut).ok_or(BookError::Shape)?;
+    let mut waiting: Vec<&mut Value> = items.iter_mut().rev().collect();
+    while let Some(item) = waiting.pop() {
+        let Some(Value::Object(chapter)) = item.get_mut("Chapter") else { continue };
+        let name = ["source_path", "path", "name"].iter().find_map(|key| chapter.get(*key)?.as_str());
+        let name = name.unwrap_or("<chapter>").to_owned();
+        if let Some(Value::String(content)) = chapter.get_mut("content") {
+            let result = weave_markdown(&SourceFile::new(name, content.as_str()), &options);
+            content.clone_from(&result.text);
+            woven.failed |= result.failed;
+            woven.refuted += result.refuted;
+            woven.results += result.results;
+            woven.problems.extend(result.problems);
+        }
+        if let Some(Value::Array(below)) = chapter.get_mut("sub_items") {
+            waiting.extend(below.iter_mut().rev());
+        }
+    }
+    woven.text = book.to_string();
+    Ok(woven)
+}
