@@ -538,25 +538,55 @@ fn each_kind_in_each_language() {
     }
 }
 
+/// Queries that together give almost every reason.
+fn many() -> Vec<String> {
+    let mut queries = strings(&KINDS);
+    queries.extend(Method::ALL.map(|method| format!("derive(polar, t^3 - t^2 + 2 t - 1, method={method})")));
+    queries.extend(strings(&[
+        "derive(polar, polar_tensor(u v, u, v, 1, 1))",
+        "derive(polar, polar_total(u v, [u, v], degree=2))",
+        "derive(sum, t, t^3)",
+        "derive(product, t^4, t^4)",
+        "derive(product, 2, t)",
+        "derive(compose, t, t^2)",
+        "derive(compose, t^4, t^3)",
+        "derive(compose, 2, t)",
+        "derive(derivative, t^2, 0)",
+        "derive(derivative, t^2, 3)",
+        "derive(elevate, bezier([1, 2]))",
+        "derive(casteljau, bezier([1, 2], weights=[1, 2]), 1/2)",
+        "derive(join, bezier([0, 1]), bezier([2, 3], 1, 2))",
+        "derive(join, bezier([0, 1]), bezier([1, 2], 1, 2))",
+        "derive(join, bezier([[a, 0], [b, 1]]), bezier([[c, 1], [d, 2]], 1, 2))",
+        "derive(newton, [0, 0], [1, 2])",
+        "derive(moments, [0, 1, 2], [0, 1, 0], ends=periodic)",
+        "derive(moments, [0, 1, 2], [0, 1, 0], ends=not_a_knot)",
+        "derive(moments, [0, 1, 2], [0, 1, 0], slopes=[1, 1])",
+        "derive(moments, [0, 1, 2], [0, 1, 0], moments=[1, 1])",
+    ]));
+    queries
+}
+
 #[test]
 fn words_are_complete() {
-    for kind in KINDS {
-        for line in derived(&[], kind).lines {
+    for query in many() {
+        let derivation = derived(&[], &query);
+        for words in derivation.lines.iter().map(|line| &line.reason).chain([&derivation.title]) {
             for language in Language::ALL {
-                let reason = line.reason.text(language);
-                let (mut words, mut parts) = (String::new(), 0);
-                for (i, part) in reason.split('`').enumerate() {
-                    parts = i;
-                    if i % 2 == 0 {
-                        words += part;
-                    } else if let Err(problem) = polarform::syntax::parse(part) {
-                        panic!("{reason}: {problem:?}");
-                    }
+                let said = words.text(language);
+                let pieces: Vec<&str> = said.split('`').collect();
+                assert!(pieces.len() % 2 == 1 && !said.is_empty(), "{said}");
+                for formula in pieces.iter().skip(1).step_by(2) {
+                    polarform::syntax::parse(formula).unwrap_or_else(|problem| panic!("{said}: {problem:?}"));
                 }
-                assert!(parts % 2 == 0 && !reason.is_empty(), "{reason}");
-                let foreign = words.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
-                assert!(language == Language::Chinese || !foreign, "{reason}");
-                assert!(!words.contains(['#', '%', '&', '_', '$', '\\', '{']), "{reason}");
+                let plain: String = pieces.into_iter().step_by(2).collect();
+                let chinese = plain.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+                assert!(language == Language::Chinese || !chinese, "{said}");
+                assert!(!plain.contains(['#', '%', '&', '_', '$', '\\', '{']), "{said}");
+                // Nothing is left untranslated.
+                let names = plain.replace("de Casteljau", "").replace("de Boor", "");
+                let english = names.chars().any(|c| c.is_ascii_alphabetic());
+                assert!(language == Language::English || !english, "{said}");
             }
         }
     }

@@ -73,7 +73,7 @@ fn symmetric(weights: &Weights<Fraction>, variable: &Symbol) -> Expr {
 /// let form = Polar { kind: PolarKind::Univariate(form), variables: vec![Symbol::new("t")] };
 /// let derivation = polar(&form, Method::Laguerre, &Names::default());
 /// let text = write_derivation(&derivation, Format::Text, Language::English)?;
-/// assert!(text.ends_with("f(t1, t2) = p_2(tau) = t1 t2 + (t1 + t2)    [after all polars tau is gone]"));
+/// assert!(text.ends_with("f(t1, t2) = t1 t2 + (t1 + t2)    [put together]"));
 /// # Ok::<(), polarform::write::WriteError>(())
 /// ```
 pub fn polar(polar: &Polar, method: Method, names: &Names) -> Derivation {
@@ -176,12 +176,9 @@ impl<'a> Univariate<'a> {
     }
 
     /// f(t_1, …, t_n) written out.
-    fn body(&self) -> Expr {
-        univariate(self.form.clone(), self.variable).body(Notation::Grouped)
-    }
-
     fn result(&self, reason: Reason) -> Line {
-        line(chain([self.value(), self.body()]), reason)
+        let body = univariate(self.form.clone(), self.variable).body(Notation::Grouped);
+        line(chain([self.value(), body]), reason)
     }
 
     /// The powers whose coefficients are not 0, the highest first, without the constant.
@@ -354,7 +351,8 @@ impl<'a> Univariate<'a> {
             lines.push(line(chain(sides), Reason::TauIsZero(self.tau.clone())));
         }
         let sum = total((0..=n).map(at_zero).collect());
-        lines.push(line(chain([self.value(), sum, self.body()]), Reason::AnyTau(self.tau.clone())));
+        lines.push(line(chain([self.value(), sum]), Reason::AnyTau(self.tau.clone())));
+        lines.push(self.result(Reason::PutTogether));
         lines
     }
 
@@ -404,7 +402,8 @@ impl<'a> Univariate<'a> {
             lines.push(line(chain([self.at_tau(name(argument)), polar, self.in_tau(&result)]), reason));
         }
         let end = self.at_tau(name(self.degree));
-        lines.push(line(chain([self.value(), end, self.body()]), Reason::AfterAllPolars(self.tau.clone())));
+        lines.push(line(chain([self.value(), end]), Reason::AfterAllPolars(self.tau.clone())));
+        lines.push(self.result(Reason::PutTogether));
         lines
     }
 
