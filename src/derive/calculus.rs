@@ -63,7 +63,7 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         let sides = [with(ends(j)), polynomial_expr(&value(j))];
         lines.push(line(chain(sides), Reason::ValueOfForm));
     }
-    let inside = combination((0..=k).rev().map(|j| (weight(j), polynomial_expr(&value(j)).grouped())));
+    let inside = combination((0..=k).rev().map(|j| (weight(j), polynomial_expr(&value(j)))));
     let numbers = combination([(share, inside)]);
     lines.push(line(chain([left(), numbers, result]), Reason::PutTogether));
     Derivation { title, lines, language: None }
@@ -96,6 +96,8 @@ pub fn elevation(form: &PolarForm<Fraction>, variable: &Symbol, by: usize) -> De
         given(Expr::name("F"), &polar, Reason::DegreeAtMost(n)),
         line(polar.equation(Expr::name("f"), Notation::Grouped), Reason::PolarFormOf("F")),
     ];
+    let size = n as u64 + by as u64 + 1;
+    crate::budget::charge_terms(size.saturating_mul(by as u64));
     let points = |form: &PolarForm<Fraction>| form.bezier_points(&integer(0), &integer(1));
     let mut name = Expr::name("f");
     for degree in n..n + by {
@@ -127,6 +129,7 @@ pub fn elevation(form: &PolarForm<Fraction>, variable: &Symbol, by: usize) -> De
 /// Cost: as [`BezierCurve::elevate`], for each degree.
 pub fn elevation_of_curve(curve: &BezierCurve<Fraction>, form: Form, by: usize) -> Derivation {
     let n = curve.degree();
+    crate::budget::charge_terms((n as u64 + by as u64 + 1).saturating_mul(by as u64));
     let expr = |point: &Point<Fraction>| form.plain(point.clone()).to_expr();
     let given = curve.points().iter().enumerate().map(|(i, point)| chain([point_name(n, i), expr(point)]));
     let mut lines = vec![line(sequence(given.collect()), Reason::ControlPoints)];

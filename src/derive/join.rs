@@ -89,8 +89,8 @@ fn condition_lines(
     let value = point_expr(form, &condition.required);
     let f = chain([label("f", &condition.label), weighted_labels(labels), value]);
     let g = chain([label("g", &condition.label), point_expr(form, &condition.found)]);
-    let reason = if j == 0 { Reason::ControlPoints } else { Reason::Extrapolated(j) };
-    [line(f, reason), line(g, Reason::ControlPointOf { index: j })]
+    let reason = if j == 0 { Reason::LastControlPoint } else { Reason::Extrapolated(j) };
+    [line(f, reason), line(g, Reason::ControlPointOfSecond(j))]
 }
 
 #[cfg(test)]

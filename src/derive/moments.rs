@@ -15,7 +15,7 @@ use num_traits::Zero;
 /// The moments M_i = S''(x_i) from μ_i M_{i−1} + 2 M_i + λ_i M_{i+1} = d_i and the two ends, and
 /// the pieces of S with them.
 ///
-/// Cost: that of writing out n pieces.
+/// Cost: that of writing out n pieces and (n + 1)² entries.
 pub fn moments(spline: &CubicSpline<Fraction, Point<Fraction>>, form: Form) -> Derivation {
     let moments = Moments { spline, form };
     Derivation { title: Title::Moments.words(), lines: moments.lines(), language: None }
@@ -49,6 +49,7 @@ impl Moments<'_> {
 
     fn lines(&self) -> Vec<Line> {
         let (nodes, values, n) = (self.spline.nodes(), self.spline.values(), self.spline.pieces());
+        crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
         let mut lines = Vec::new();
         let given = nodes.iter().enumerate().map(|(i, x)| chain([name("x", i), polynomial_expr(x)]));
         lines.push(line(sequence(given.collect()), Reason::Nodes));
@@ -78,7 +79,7 @@ impl Moments<'_> {
         lines.push(line(sequence(solution.collect()), Reason::SystemSolved));
         for i in 0..n {
             crate::budget::step();
-            lines.push(self.piece(i));
+            lines.extend(self.piece(i));
         }
         lines
     }
@@ -134,14 +135,6 @@ impl Moments<'_> {
         lines
     }
 
-    /// One equation of the system with its numbers.
-    fn row(&self, system: &SplineSystem<Fraction, Point<Fraction>>, row: usize) -> Expr {
-        let matrix = system.matrix.matrix();
-        let terms = (0..matrix.ncols()).filter(|&k| !matrix[(row, k)].is_zero());
-        let terms = terms.map(|k| term(&matrix[(row, k)], vec![name("M", k + system.first)]));
-        chain([Expr::sum(terms.collect()), self.expr(&system.right[row])])
-    }
-
     /// The system: as a matrix for numbers, equation by equation for points.
     fn system(&self, system: &SplineSystem<Fraction, Point<Fraction>>) -> Line {
         let size = system.right.len();
@@ -152,15 +145,19 @@ impl Moments<'_> {
             Ends::Each { first: End::NotAKnot, last: End::NotAKnot } => AtEnds::NotAKnot,
             Ends::Each { .. } => AtEnds::Given,
         };
+        let matrix = system.matrix.matrix();
         if !self.form.scalar {
-            let rows = (0..size).map(|row| self.row(system, row)).collect();
-            return line(sequence(rows), Reason::MomentSystem(ends));
+            let row = |row: usize| {
+                let terms = (0..size).filter(|&k| !matrix[(row, k)].is_zero());
+                let terms = terms.map(|k| term(&matrix[(row, k)], vec![name("M", k + system.first)]));
+                chain([Expr::sum(terms.collect()), self.expr(&system.right[row])])
+            };
+            return line(sequence((0..size).map(row).collect()), Reason::MomentSystem(ends));
         }
         let table = |rows: Vec<Vec<Expr>>| {
             let rows = rows.into_iter().map(|row| row.into_iter().map(Some).collect());
             Expr::from(Kind::Matrix(rows.collect(), Delimiter::Paren))
         };
-        let matrix = system.matrix.matrix();
         let entries = matrix.row_iter().map(|row| row.iter().map(polynomial_expr).collect()).collect();
         let unknowns = (0..size).map(|k| vec![name("M", k + system.first)]).collect();
         let right = system.right.iter().map(|d| vec![self.expr(d)]).collect();
@@ -169,7 +166,7 @@ impl Moments<'_> {
     }
 
     /// S_i by its moments, and by powers of t.
-    fn piece(&self, i: usize) -> Line {
+    fn piece(&self, i: usize) -> [Line; 2] {
         let t = Fraction::from(MultiPoly::symbol(Symbol::new("t")));
         let variable = || Expr::name("t");
         let h = || name("h", i);
@@ -194,8 +191,11 @@ impl Moments<'_> {
         let power = self.spline.power(i);
         let start = power[0].origin();
         let by_powers = power.iter().rev().fold(start, |sum, c| sum.multiple(&t).added(c));
-        let left = Expr::apply(name("S", i), vec![variable()]);
-        line(chain([left, general, self.expr(&by_powers)]), Reason::Piece(i))
+        let left = || Expr::apply(name("S", i), vec![variable()]);
+        [
+            line(chain([left(), general]), Reason::Piece(i)),
+            line(chain([left(), self.expr(&by_powers)]), Reason::ByPowers),
+        ]
     }
 }
 
@@ -211,7 +211,7 @@ mod tests {
         let spline = CubicSpline::by_moments(&z(&[0, 1, 2]), &points, Ends::not_a_knot()).unwrap();
         assert!(spline.moments().iter().all(|m| m[0] == Fraction::from(rational(2, 1))));
         let derivation = moments(&spline, Form { scalar: true, rational: false });
-        // Nodes, values, two steps, three lines of the equation, ends, system, solution, two pieces.
-        assert_eq!(derivation.lines.len(), 12);
+        // Nodes, values, two steps, three lines of the equation, ends, system, solution, two pieces twice.
+        assert_eq!(derivation.lines.len(), 13);
     }
 }

@@ -70,6 +70,8 @@ impl Newton<'_> {
 
     fn lines(&self) -> Vec<Line> {
         let (nodes, n) = (self.table.nodes(), self.table.degree());
+        // Each difference is written with all its nodes.
+        crate::budget::charge_terms((n as u64 + 1).saturating_pow(3) / 6);
         let mut lines = Vec::new();
         let given = nodes.iter().enumerate().map(|(i, x)| chain([node(i), polynomial_expr(x)]));
         lines.push(line(sequence(given.collect()), Reason::Nodes));

@@ -55,14 +55,14 @@ fn levels(tableau: &Tableau<Fraction>, ratios: &[Vec<Fraction>], form: Form) -> 
     let value = |r: usize, i: usize| point_expr(form, &tableau.levels[r][i]);
     let first = (0..tableau.levels[0].len()).map(|i| chain([name(0, i), value(0, i)]));
     let mut lines = vec![line(sequence(first.collect()), Reason::ControlPoints)];
-    for r in 1..tableau.levels.len() {
-        for i in 0..tableau.levels[r].len() {
-            let mean = mean_of_two(&ratios[r - 1][i], name(r - 1, i), name(r - 1, i + 1));
-            let mut sides = vec![name(r, i), mean];
+    for (r, ratios) in ratios.iter().enumerate() {
+        for (i, ratio) in ratios.iter().enumerate() {
+            let mean = mean_of_two(ratio, name(r, i), name(r, i + 1));
+            let mut sides = vec![name(r + 1, i), mean];
             if !means_only {
-                sides.push(value(r, i));
+                sides.push(value(r + 1, i));
             }
-            lines.push(line(chain(sides), Reason::Level(r)));
+            lines.push(line(chain(sides), Reason::Level(r + 1)));
         }
     }
     lines

@@ -127,12 +127,13 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::InsertionRatio { i, n } => {
             format!("`alpha_{i} = (t - t_{i})/(t_{} - t_{i})`", i + n)
         }
-        Reason::MixedPoint(i) => format!("第 `{i}` 个新控制顶点"),
+        Reason::MixedPoint(i) => format!("新的控制顶点 `{i}`"),
         Reason::NewKnots => "插入后的节点向量".into(),
         Reason::NewControlPoints => "全部控制顶点，其余控制顶点不变".into(),
 
         Reason::Extrapolated(j) => format!("用 de Casteljau 算法外推 `{j}` 步，到区间之外"),
-        Reason::ControlPointOf { index } => format!("第二条曲线的第 `{index}` 个控制顶点"),
+        Reason::LastControlPoint => "第一条曲线的最后一个控制顶点".into(),
+        Reason::ControlPointOfSecond(j) => format!("第二条曲线的控制顶点 `{j}`"),
         Reason::ConditionHolds(j) => format!("两者相等，`{j}` 阶条件成立"),
         Reason::ConditionFails(j) => format!("不为零，`{j}` 阶条件不成立"),
         Reason::Condition(j) => format!("`{j}` 阶条件"),

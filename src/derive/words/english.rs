@@ -144,7 +144,7 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::InsertionRatio { i, n } => {
             format!("`alpha_{i} = (t - t_{i})/(t_{} - t_{i})`", i + n)
         }
-        Reason::MixedPoint(i) => format!("the new control point number {i}"),
+        Reason::MixedPoint(i) => format!("the new control point {i}"),
         Reason::NewKnots => "the knots with the new one".into(),
         Reason::NewControlPoints => "all control points; the others stay".into(),
 
@@ -154,7 +154,8 @@ pub(super) fn reason(reason: &Reason) -> String {
                 if *j == 1 { "" } else { "s" }
             )
         }
-        Reason::ControlPointOf { index } => format!("control point {index} of the second curve"),
+        Reason::LastControlPoint => "the last control point of the first curve".into(),
+        Reason::ControlPointOfSecond(j) => format!("control point {j} of the second curve"),
         Reason::ConditionHolds(j) => format!("equal: the condition of order {j} holds"),
         Reason::ConditionFails(j) => format!("not 0: the condition of order {j} fails"),
         Reason::Condition(j) => format!("the condition of order {j}"),

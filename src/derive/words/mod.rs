@@ -254,11 +254,10 @@ pub enum Reason {
 
     /// A value of f beyond its interval, by j steps.
     Extrapolated(usize),
+    /// The last control point of the first curve.
+    LastControlPoint,
     /// Control point j of the second curve.
-    ControlPointOf {
-        /// j
-        index: usize,
-    },
+    ControlPointOfSecond(usize),
     /// The condition of this order holds.
     ConditionHolds(usize),
     /// The condition of this order fails.
