@@ -1,6 +1,6 @@
 //! Polar forms of sums, products and compositions: distinct arguments, then symmetrise.
 
-use super::lines::{call, chain, factor, line, mean, product, subscript, symbol};
+use super::lines::{TERMS_UP_TO, call, chain, factor, line, mean, product, subscript, symbol};
 use super::polar::{given, univariate};
 use super::words::{Reason, Title};
 use crate::blossom::PolarForm;
@@ -19,9 +19,6 @@ pub enum Combination {
     /// F∘G
     Composition,
 }
-
-/// Means over more terms than this are said in words only.
-const TERMS_UP_TO: usize = 10;
 
 /// The derivation of the polar form of a sum, product or composition, given those of the operands
 /// and the result, in whose variable all is written: F, G and H with the polar forms f, g and h.

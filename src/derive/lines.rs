@@ -9,6 +9,9 @@ use crate::poly::{Fraction, MultiPoly, Symbol};
 use crate::source::Span;
 use crate::value::{Line, exact_term, polynomial_expr};
 
+/// Means over more terms than this are said in words only: they would not fit on the board.
+pub(super) const TERMS_UP_TO: usize = 6;
+
 pub(super) fn line(formula: Expr, reason: Reason) -> Line {
     Line { formula, reason: reason.words() }
 }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use num_traits::Zero;
 
 use super::lines::{
-    call, chain, combination, derivative, factor, fresh, line, multiple, power, product, subscript, symbol,
+    TERMS_UP_TO, call, chain, combination, derivative, factor, fresh, line, multiple, power, product,
+    subscript, symbol,
 };
 use super::words::{Reason, Title};
 use crate::blossom::{Method, PolarForm, Step, Weights};
@@ -106,9 +107,6 @@ pub fn polar_of_curve(coordinates: &[Arc<Polar>], method: Method) -> Derivation 
 
 /// Bernstein polynomials up to this degree have their polar forms written as sums of products.
 const PRODUCTS_UP_TO: usize = 4;
-
-/// The number of products up to which a mean is also shown term by term.
-const TERMS_UP_TO: usize = 6;
 
 struct Univariate<'a> {
     form: &'a PolarForm<Fraction>,
