@@ -2,6 +2,9 @@
 
 mod common;
 
+use std::fs;
+use std::process::Command;
+
 use common::expressions::{any_polar, samples, shared, statement, value};
 use katex::Opts;
 use polarform::blossom::Method;
@@ -27,8 +30,8 @@ fn write_down(formulas: &mut Vec<String>, value: &Value) {
     }
 }
 
-/// Derivations of every kind.
-fn derivations() -> Vec<String> {
+/// Derivations of every kind, as LaTeX.
+fn derivations(language: Language) -> Vec<String> {
     let spline = "bspline(2, [0, 0, 0, 1, 2, 2, 2], [[1, 1], [3, 0], [2, 5], [4, 1]])";
     let mut queries: Vec<String> = [
         "derive(sum, t^4 - 1, t)",
@@ -60,12 +63,16 @@ fn derivations() -> Vec<String> {
         let subjects = ["c_0 + c_1 t + c_2 t^2", "t^3 + 3 t^2 + 5 t + 1", "[t, t^2]", "7"];
         queries.extend(subjects.map(|f| format!("derive(polar, {f}, method={method}, variable=t)")));
     }
-    queries
+    let written = queries.iter().map(|query| {
+        let answer = Session::default().run(query).unwrap_or_else(|f| panic!("{query}: {:?}", f.problem));
+        let Value::Derivation(derivation) = answer.outcome.value else { panic!("{query}") };
+        write_derivation(&derivation, Format::Latex, language).expect("LaTeX has all signs")
+    });
+    written.collect()
 }
 
-/// One test for everything: starting the renderer is what takes time.
-#[test]
-fn everything_written_is_accepted() {
+/// All the LaTeX of the examples, of typical statements and of random values.
+fn formulas() -> Vec<String> {
     let mut formulas: Vec<String> = Vec::new();
     for builtin in BUILTINS {
         let answer = Session::default().run(builtin.example).expect("the examples run");
@@ -103,20 +110,20 @@ fn everything_written_is_accepted() {
     formulas.sort();
     formulas.dedup();
 
-    // Derivations in all languages: of each kind, and as the program prints them.
-    for query in derivations() {
-        let answer = session.run(&query).unwrap_or_else(|f| panic!("{query}: {:?}", f.problem));
-        let Value::Derivation(derivation) = answer.outcome.value else { panic!("{query}") };
-        for language in Language::ALL {
-            formulas
-                .push(write_derivation(&derivation, Format::Latex, language).expect("LaTeX has all signs"));
-        }
-    }
+    formulas.extend(derivations(Language::English));
     for command in ["sum", "product", "compose"] {
-        let arguments = [command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps", "--lang", "zh"];
-        formulas.push(common::run(&arguments).out);
+        formulas.push(common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out);
     }
 
+    assert!(formulas.len() > 500, "only {} formulas", formulas.len());
+    formulas
+}
+
+/// One test for everything: starting the renderer is what takes time.
+#[test]
+fn everything_written_is_accepted() {
+    let mut formulas = formulas();
+    formulas.extend(derivations(Language::Chinese));
     let options = Opts::builder()
         .display_mode(true)
         .throw_on_error(true)
@@ -130,5 +137,40 @@ fn everything_written_is_accepted() {
             panic!("{formula}: {error}");
         }
     }
-    assert!(formulas.len() > 500, "only {} formulas", formulas.len());
+}
+
+/// The same with TeX itself, where there is one.
+#[test]
+fn tex_accepts_everything_written() {
+    let present = Command::new("pdflatex").arg("--version").output().is_ok_and(|ran| ran.status.success());
+    if !present {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut text =
+        String::from("\\documentclass{article}\n\\usepackage{amsmath,amssymb,tikz}\n\\begin{document}\n");
+    let formulas = formulas();
+    for (i, formula) in formulas.iter().enumerate() {
+        // Pictures are no formulas; the number of a formula is told if it fails.
+        text += &match formula.contains("tikzpicture") {
+            true => format!("\\typeout{{FORMULA {i}}}\n{formula}\n\n"),
+            false => format!("\\typeout{{FORMULA {i}}}\n\\[ {formula} \\]\n"),
+        };
+    }
+    text += "\\end{document}\n";
+    fs::write(folder.path().join("all.tex"), text).unwrap();
+    let ran = Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "all.tex"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let log = String::from_utf8_lossy(&ran.stdout);
+    if !ran.status.success() {
+        let number: Option<usize> = log
+            .lines()
+            .rev()
+            .find_map(|line| line.strip_prefix("FORMULA ").and_then(|rest| rest.trim().parse().ok()));
+        let error: Vec<&str> = log.lines().skip_while(|line| !line.starts_with('!')).take(4).collect();
+        panic!("{}\n{}", number.map_or("", |i| formulas[i].as_str()), error.join("\n"));
+    }
 }

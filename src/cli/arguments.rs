@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::figure_arguments::FigureArguments;
 use crate::blossom::Method;
 use crate::budget::Limits;
 use crate::value::{Language, Notation};
@@ -35,9 +36,9 @@ pub(super) struct Arguments {
 #[derive(Debug, Args)]
 pub(super) struct Global {
     /// How to print results
-    #[arg(long, global = true, default_value = "text", value_name = "FORMAT",
-          value_parser = parse_format, help = "Output: text, unicode, latex, json or sympy")]
-    pub format: Format,
+    #[arg(long, global = true, value_name = "FORMAT", value_parser = parse_format,
+          help = "Output: text, unicode, latex, json or sympy; for figures also svg [default: text]")]
+    pub format: Option<FormatArgument>,
     /// How to write polar forms
     #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
     pub notation: NotationArgument,
@@ -59,8 +60,20 @@ pub(super) struct Global {
     pub max_depth: usize,
 }
 
-fn parse_format(text: &str) -> Result<Format, String> {
-    text.parse().map_err(|error: crate::write::UnknownFormat| error.to_string())
+/// A format as it is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FormatArgument {
+    /// One that all values have.
+    Words(Format),
+    /// A drawing.
+    Svg,
+}
+
+fn parse_format(text: &str) -> Result<FormatArgument, String> {
+    if text == "svg" {
+        return Ok(FormatArgument::Svg);
+    }
+    text.parse().map(FormatArgument::Words).map_err(|error: crate::write::UnknownFormat| error.to_string())
 }
 
 fn parse_language(text: &str) -> Result<Language, String> {
@@ -84,6 +97,14 @@ impl Global {
             .then(|| Duration::try_from_secs_f64(seconds).ok())
             .flatten();
         Limits { time, terms: self.max_terms, depth: self.max_depth, ..Limits::default() }
+    }
+
+    /// The format of formulas and values.
+    pub fn format(&self) -> Format {
+        match self.format {
+            Some(FormatArgument::Words(format)) => format,
+            Some(FormatArgument::Svg) | None => Format::Text,
+        }
     }
 
     /// The notation for polar forms.
@@ -239,6 +260,15 @@ pub(super) enum Command {
         #[arg(long, value_name = "DEF")]
         given: Vec<String>,
     },
+    /// Draw a figure as SVG, TikZ, or in characters
+    #[command(after_help = "Examples:\n  \
+        polarform figure bezier \"[0,0], [1,2], [3,2]\" --at 1/2 -o curve.svg\n  \
+        polarform figure bspline \"bspline(2, [0,0,0,1,2,2,2], [[0,0],[1,3],[4,3],[5,0]])\" -o spline.tex\n  \
+        polarform figure basis 3\n  \
+        polarform figure query \"beside(figure_basis(2), figure_basis(3))\" -o both.svg\n\n\
+        Without -o, a terminal gets a preview and everything else SVG.\n\
+        The queries are the arguments of the function figure_KIND; see polarform functions.")]
+    Figure(FigureArguments),
     /// Check the formulas of lecture notes, or list them
     #[command(subcommand)]
     Notes(Notes),

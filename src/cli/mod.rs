@@ -3,6 +3,8 @@
 mod arguments;
 mod commands;
 mod curves;
+mod figure;
+mod figure_arguments;
 mod interpolate;
 mod notes;
 mod output;

@@ -263,19 +263,17 @@ impl Machine {
         span: Span,
     ) -> Evaluated {
         let mut all = Arguments::default();
-        let choice = |expr: &Expr, named: Option<&str>, place: usize| match &expr.kind {
-            Kind::Name(word) if builtins::is_choice(builtin.name, named, place) => {
-                Some(Value::Text(word.clone()))
-            }
-            _ => None,
-        };
         for group in groups {
             for item in group {
                 match arguments::named(item) {
                     Some((name, value)) => {
                         let value_span = value.span;
-                        let chosen = choice(value, Some(&name), 0);
-                        let value = chosen.map_or_else(|| self.eval(value), Ok)?;
+                        let value = match &value.kind {
+                            Kind::Name(word) if builtins::WORD_ARGUMENTS.contains(&name.as_str()) => {
+                                Value::Text(word.clone())
+                            }
+                            _ => self.eval(value)?,
+                        };
                         all.push_named(name, value, value_span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
@@ -285,7 +283,14 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = choice(item, None, all.len()).map_or_else(|| self.eval(item), Ok)?;
+                        let value = match &item.kind {
+                            Kind::Name(word)
+                                if all.is_empty() && builtins::WORD_FIRST.contains(&builtin.name) =>
+                            {
+                                Value::Text(word.clone())
+                            }
+                            _ => self.eval(item)?,
+                        };
                         all.push(value, item.span);
                     }
                 }

@@ -31,6 +31,7 @@ use nalgebra::DMatrix;
 
 use crate::number::Rational;
 use crate::poly::{Fraction, MultiPoly, Symbol};
+use crate::scene::Scene;
 
 /// A value of the language.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +60,8 @@ pub enum Value {
     Table(Arc<Table>),
     /// A derivation, line by line.
     Derivation(Arc<Derivation>),
+    /// A drawing.
+    Figure(Arc<Scene>),
     /// Words, such as the answer of `degree(0)`.
     Text(String),
 }
@@ -94,6 +97,7 @@ impl Value {
             Value::Piecewise(_) => "a piecewise polynomial",
             Value::Table(_) => "a table",
             Value::Derivation(_) => "a derivation",
+            Value::Figure(_) => "a figure",
             Value::Claim(_) => "a claim",
             Value::Text(_) => "a text",
         }

@@ -91,14 +91,7 @@ pub fn collected(f: &Fraction, symbols: &[Symbol]) -> Option<Expr> {
             continue;
         }
         rest -= coefficient.times(&Fraction::from(MultiPoly::symbol(symbol.clone())));
-        if let Some(q) = coefficient.as_rational() {
-            terms.push(exact_term(&q, vec![symbol_expr(symbol)]));
-            continue;
-        }
-        let expr = polynomial_expr(&coefficient);
-        let expr = if matches!(expr.kind, Kind::Add(_)) { expr.grouped() } else { expr };
-        terms
-            .push(flattened(Term { sign: Sign::Plus, expr: Expr::product(vec![expr, symbol_expr(symbol)]) }));
+        terms.push(flattened(weighted(&coefficient, Some(symbol_expr(symbol)))));
     }
     // 2 b_3 - b_2 rather than -b_2 + 2 b_3.
     if let Some(first) = terms.iter().position(|term| term.sign == Sign::Plus) {
@@ -454,6 +447,7 @@ impl Value {
             Value::Piecewise(function) => function.to_expr(),
             Value::Table(table) => table.to_expr(),
             Value::Derivation(derivation) => derivation.to_expr(),
+            Value::Figure(scene) => Kind::Text(format!("figure: {}", scene.title())).into(),
             Value::Claim(claim) => Kind::Text(claim.verdict().word().to_owned()).into(),
             Value::Text(text) => Kind::Text(text.clone()).into(),
         }

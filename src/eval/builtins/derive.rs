@@ -80,15 +80,6 @@ fn known_subjects() -> String {
     format!("what can be derived: {}", names.join(", "))
 }
 
-/// Whether a bare name at this place of a call means itself, such as `sum` in derive(sum, F, G).
-pub(in crate::eval) fn is_choice(builtin: &str, named: Option<&str>, place: usize) -> bool {
-    builtin == "derive"
-        && match named {
-            Some(name) => matches!(name, "method" | "lang" | "ends"),
-            None => place == 0,
-        }
-}
-
 /// A word under a name.
 fn word<'a>(args: &'a Arguments, name: &str) -> Result<Option<(&'a str, crate::source::Span)>> {
     match args.named_or(name, usize::MAX) {

@@ -2,6 +2,7 @@
 
 mod curves;
 mod derive;
+mod figures;
 mod interpolation;
 mod joins;
 mod matrices;
@@ -14,7 +15,6 @@ mod rational;
 mod splines;
 mod surfaces;
 
-pub(super) use derive::is_choice;
 pub(super) use on_geometry::method;
 pub(super) use polar::expand_polar;
 
@@ -65,6 +65,7 @@ pub static BUILTINS: &[&Builtin] = &{
         + splines::TABLE.len()
         + joins::TABLE.len()
         + derive::TABLE.len()
+        + figures::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
         + interpolation::POLYNOMIALS.len()
@@ -84,6 +85,7 @@ pub static BUILTINS: &[&Builtin] = &{
         interpolation::POLYNOMIALS,
         interpolation::SPLINES,
         interpolation::APPROXIMATION,
+        figures::TABLE,
         numbers::TABLE,
     ])
 };
@@ -92,6 +94,12 @@ pub static BUILTINS: &[&Builtin] = &{
 /// of polynomials, functions or polar forms.
 pub(super) const COORDINATEWISE: &[&str] =
     &["polar", "elevate", "reduce", "partial", "diagonal", "derivative", "diff"];
+
+/// Arguments whose value is a word, as in `labels=points`.
+pub(super) const WORD_ARGUMENTS: &[&str] = &["labels", "apex", "method", "lang", "ends"];
+
+/// Functions whose first argument is a word, as in `derive(sum, F, G)`.
+pub(super) const WORD_FIRST: &[&str] = &["derive"];
 
 /// The function of that name.
 pub fn builtin(name: &str) -> Option<&'static Builtin> {
