@@ -36,7 +36,7 @@ mod tests;
 pub use book::{BookError, weave_book};
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
-pub use options::{BlockOptions, Language, Show, Style, options_in};
+pub use options::{BlockOptions, Show, Style, options_in};
 pub use render::{Picture, Piece, Shown, StepLine, render};
 pub use tex::{Load, side_name, weave_latex};
 
