@@ -2,7 +2,7 @@
 //!
 //! Definition: breakpoints x_0 < x_1 < … < x_m and on each [x_i, x_{i+1}) one polynomial, kept
 //! by its power coefficients in t (lowest first, no leading zero). The last interval includes
-//! its end. Outside, the function is 0 or has no value, as [`Outside`] says.
+//! its end, unless the function is made half-open. Outside, the function is 0 or has no value, as [`Outside`] says.
 //!
 //! **Invariant.** m ≥ 1; two neighbouring breakpoints are never equal, and in increasing order
 //! wherever their difference is a number. Symbolic breakpoints are taken to be in the order
@@ -89,6 +89,7 @@ pub struct Piecewise<C> {
     breaks: Vec<C>,
     pieces: Vec<Vec<C>>,
     outside: Outside,
+    half_open: bool,
 }
 
 impl<C: Ring> Piecewise<C> {
@@ -119,7 +120,21 @@ impl<C: Ring> Piecewise<C> {
             }
         }
         let pieces = pieces.into_iter().map(trimmed).collect();
-        Ok(Piecewise { breaks, pieces, outside })
+        Ok(Piecewise { breaks, pieces, outside, half_open: false })
+    }
+
+    /// The same function without its value at x_m: there it is what it is outside. A basis
+    /// function that jumps at its last knot is such. Where it is 0 at x_m nothing changes.
+    #[must_use]
+    pub fn half_open(mut self) -> Self {
+        let end = &self.breaks[self.breaks.len() - 1];
+        self.half_open = !horner(&self.pieces[self.pieces.len() - 1], end).is_zero();
+        self
+    }
+
+    /// Whether x_m belongs to the last interval.
+    pub fn is_closed(&self) -> bool {
+        !self.half_open
     }
 
     /// x_0, …, x_m
@@ -156,6 +171,10 @@ impl<C: Ring> Piecewise<C> {
     /// As [`Piecewise::locate`]; outside is no error if the function is 0 there.
     pub fn value(&self, t: &C) -> Result<C, PiecewiseError> {
         match self.locate(t) {
+            Ok(_) if self.half_open && t == &self.breaks[self.breaks.len() - 1] => match self.outside {
+                Outside::Zero => Ok(C::zero()),
+                Outside::Undefined => Err(PiecewiseError::OutsideDomain),
+            },
             Ok(i) => Ok(horner(&self.pieces[i], t)),
             Err(PiecewiseError::OutsideDomain) if self.outside == Outside::Zero => Ok(C::zero()),
             Err(error) => Err(error),
@@ -171,7 +190,7 @@ impl<C: Ring> Piecewise<C> {
             }
             piece
         });
-        Piecewise { breaks: self.breaks.clone(), pieces: pieces.collect(), outside: self.outside }
+        Piecewise { pieces: pieces.collect(), ..self.clone() }.settled()
     }
 
     /// The continuous antiderivative that is 0 at x_0. It has no value outside.
@@ -185,7 +204,7 @@ impl<C: Ring> Piecewise<C> {
             start = horner(&primitive, &ends[1]);
             pieces.push(primitive);
         }
-        Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined }
+        Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined, half_open: false }
     }
 
     /// The integral over all pieces.
@@ -227,22 +246,64 @@ impl<C: Ring> Piecewise<C> {
             }
             breaks.push(end.clone());
         }
-        Piecewise { breaks, pieces, outside: self.outside }
+        Piecewise { breaks, pieces, outside: self.outside, half_open: self.half_open }
     }
 
     /// The function with every piece changed by a map of polynomials.
     pub fn map(&self, mut change: impl FnMut(&[C]) -> Vec<C>) -> Self {
         let pieces = self.pieces.iter().map(|piece| trimmed(change(piece))).collect();
-        Piecewise { breaks: self.breaks.clone(), pieces, outside: self.outside }
+        Piecewise { pieces, ..self.clone() }.settled()
     }
 
-    /// The sum of two functions with the same breakpoints; `None` if they differ.
+    /// Half-open stays what it was, where it makes a difference.
+    fn settled(self) -> Self {
+        if self.half_open { self.half_open() } else { self }
+    }
+
+    /// The sum of two functions, over the breakpoints of both; `None` if the order of these depends
+    /// on symbols. A function that has no value outside of its breakpoints gives none to the sum.
     pub fn sum(&self, other: &Self) -> Option<Self> {
-        (self.breaks == other.breaks).then(|| {
-            let pieces = self.pieces.iter().zip(&other.pieces);
-            let pieces = pieces.map(|(p, q)| trimmed(added(p, q))).collect();
-            Piecewise { breaks: self.breaks.clone(), pieces, outside: self.outside }
-        })
+        let breaks = if self.breaks == other.breaks {
+            self.breaks.clone()
+        } else {
+            let mut all: Vec<C> = self.breaks.iter().chain(&other.breaks).cloned().collect();
+            let known = all.iter().all(|x| compare(x, &all[0]).is_some());
+            if !known {
+                return None;
+            }
+            all.sort_by(|x, y| compare(x, y).unwrap_or(Ordering::Equal));
+            all.dedup();
+            all
+        };
+        // Where one of them has no value the sum has none.
+        let inside = |f: &Self, a: &C| {
+            f.outside == Outside::Zero || f.locate(a).is_ok_and(|_| a != &f.breaks[f.breaks.len() - 1])
+        };
+        let kept: Vec<usize> = (0..breaks.len() - 1)
+            .filter(|&i| inside(self, &breaks[i]) && inside(other, &breaks[i]))
+            .collect();
+        let (&first, &last) = (kept.first()?, kept.last()?);
+        let breaks = breaks[first..=last + 1].to_vec();
+        let piece = |f: &Self, a: &C| -> Vec<C> {
+            match f.locate(a) {
+                Ok(i) if a != &f.breaks[f.breaks.len() - 1] => f.pieces[i].clone(),
+                _ => Vec::new(),
+            }
+        };
+        let pieces = breaks[..breaks.len() - 1]
+            .iter()
+            .map(|a| trimmed(added(&piece(self, a), &piece(other, a))))
+            .collect();
+        let outside = match (self.outside, other.outside) {
+            (Outside::Zero, Outside::Zero) => Outside::Zero,
+            _ => Outside::Undefined,
+        };
+        let end = &breaks[breaks.len() - 1];
+        let open = |f: &Self| f.half_open && &f.breaks[f.breaks.len() - 1] == end;
+        let closed = |f: &Self| !f.half_open && &f.breaks[f.breaks.len() - 1] == end;
+        let half_open = (open(self) || open(other)) && !closed(self) && !closed(other);
+        let sum = Piecewise { breaks, pieces, outside, half_open: false };
+        Some(if half_open { sum.half_open() } else { sum })
     }
 }
 
@@ -379,7 +440,7 @@ impl<C: Field> Piecewise<C> {
             breaks.reverse();
             pieces.reverse();
         }
-        Some(Piecewise { breaks, pieces, outside: self.outside })
+        Some(Piecewise { breaks, pieces, outside: self.outside, half_open: self.half_open })
     }
 }
 

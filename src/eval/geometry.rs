@@ -73,6 +73,7 @@ pub(super) fn spline_error(error: SplineError) -> Diagnostic {
         SplineError::Unordered => {
             (Code::Undecided, "name the knot interval: deboor(s, t, span=j) for t_j <= t < t_(j+1)")
         }
+        SplineError::MissingKnot { .. } => (Code::Knots, "finer knots contain all knots of the spline"),
         SplineError::NotAKnot { .. } => (Code::Domain, "only inner knots can be removed"),
         SplineError::NotSmooth { .. } => (Code::NotReducible, "smoothness(s) tells how the pieces meet"),
         SplineError::PieceDegree { .. } => (Code::NotReducible, "pieces(s) are its polynomial pieces"),

@@ -38,7 +38,7 @@ impl<C: Field> KnotVector<C> {
         let n = self.degree();
         let window = &self.knots()[i..=i + n + 1];
         let table = recurrence(window, n);
-        Ok(assembled(window, &table[0]))
+        Ok(assembled(window, &table[0], self.is_last(i)))
     }
 
     /// All basis functions N_0^n, …, N_{m−1}^n, sharing the lower degrees.
@@ -49,7 +49,11 @@ impl<C: Field> KnotVector<C> {
         let size = (self.count() as u64).saturating_mul((n as u64 + 1).saturating_pow(2));
         budget::charge_terms(size);
         let table = recurrence(self.knots(), n);
-        table.iter().enumerate().map(|(i, local)| assembled(&self.knots()[i..=i + n + 1], local)).collect()
+        table
+            .iter()
+            .enumerate()
+            .map(|(i, local)| assembled(self.support(i), local, self.is_last(i)))
+            .collect()
     }
 
     /// N_i^n by blossoming: on each interval the polynomial whose control points over the knots
@@ -86,7 +90,13 @@ impl<C: Field> KnotVector<C> {
             pieces.push(form.diagonal());
             breaks.push(b.clone());
         }
-        Ok(Piecewise::new(breaks, pieces, Outside::Zero)?)
+        let function = Piecewise::new(breaks, pieces, Outside::Zero)?;
+        Ok(if self.is_last(i) { function } else { function.half_open() })
+    }
+
+    /// Whether a basis function ends with the last knot, which belongs to it.
+    fn is_last(&self, i: usize) -> bool {
+        self.knots()[i + self.degree() + 1] == self.knots()[self.knots().len() - 1]
     }
 
     fn check_index(&self, index: usize) -> Result<(), SplineError> {
@@ -143,7 +153,7 @@ fn recurrence_in<C: Field>(knots: &[C], n: usize) -> Vec<Local<C>> {
 }
 
 /// A function from its pieces, empty intervals left out.
-fn assembled<C: Field>(window: &[C], local: &Local<C>) -> Piecewise<C> {
+fn assembled<C: Field>(window: &[C], local: &Local<C>, closed: bool) -> Piecewise<C> {
     let (mut breaks, mut pieces) = (vec![window[0].clone()], Vec::new());
     for (pair, piece) in window.windows(2).zip(local) {
         if pair[0] != pair[1] {
@@ -151,8 +161,9 @@ fn assembled<C: Field>(window: &[C], local: &Local<C>) -> Piecewise<C> {
             pieces.push(trimmed(piece.clone()));
         }
     }
-    Piecewise::new(breaks, pieces, Outside::Zero)
-        .expect("a knot has at most multiplicity n + 1, so n + 2 of them are not all equal")
+    let function = Piecewise::new(breaks, pieces, Outside::Zero)
+        .expect("a knot has at most multiplicity n + 1, so n + 2 of them are not all equal");
+    if closed { function } else { function.half_open() }
 }
 
 #[cfg(test)]

@@ -65,8 +65,8 @@ impl<C: Field> BSpline<C> {
         (0..k.min(self.degree() + 1)).try_fold(self.clone(), |spline, _| spline.derivative())
     }
 
-    /// The antiderivative of degree n + 1: e_0 = 0, e_{i+1} = e_i + (t_{i+n+1} − t_i)/(n+1) d_i, the
-    /// outermost knots repeated once more.
+    /// The antiderivative of degree n + 1 that is 0 at the start of the domain:
+    /// e_{i+1} = e_i + (t_{i+n+1} − t_i)/(n+1) d_i, the outermost knots repeated once more.
     ///
     /// # Errors
     /// None for a valid spline; those of [`BSpline::new`] are passed on.
@@ -82,7 +82,10 @@ impl<C: Field> BSpline<C> {
         let mut longer = vec![knots[0].clone()];
         longer.extend_from_slice(knots);
         longer.push(knots[knots.len() - 1].clone());
-        BSpline::new(KnotVector::new(n + 1, longer)?, points)
+        let primitive = BSpline::new(KnotVector::new(n + 1, longer)?, points)?;
+        let start = primitive.value(primitive.domain().0)?;
+        let points = primitive.points().iter().map(|point| difference(point, &start)).collect();
+        BSpline::new(primitive.knots().clone(), points)
     }
 
     /// The integral over the domain.

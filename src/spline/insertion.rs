@@ -57,7 +57,18 @@ impl<C: Field> BSpline<C> {
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
     pub fn insert(&self, t: &C) -> Result<Self, SplineError> {
-        let span = self.knots().span_of(t)?;
+        self.insert_on(self.knots().span_of(t)?, t)
+    }
+
+    /// The same with the knot interval named, for knots whose order only the caller knows.
+    ///
+    /// # Errors
+    /// [`SplineError::NoDomain`] unless span is one of [`KnotVector::spans`], and as
+    /// [`BSpline::insert`].
+    pub fn insert_on(&self, span: usize, t: &C) -> Result<Self, SplineError> {
+        if !self.knots().spans().contains(&span) {
+            return Err(SplineError::NoDomain);
+        }
         let n = self.degree();
         let ratios = self.ratios(span, t);
         let mut points = Vec::with_capacity(self.points().len() + 1);
@@ -117,7 +128,8 @@ impl<C: Field> BSpline<C> {
         }
         for (i, (knot, multiplicity)) in self.knots().multiplicities().iter().enumerate() {
             if finer.multiplicity(knot) < *multiplicity {
-                return Err(SplineError::NotSmooth { knot: i });
+                let place = self.knots().knots().iter().position(|other| other == knot).unwrap_or(i);
+                return Err(SplineError::MissingKnot { index: place });
             }
         }
         self.relabelled(&finer, |span, label| {
@@ -158,6 +170,14 @@ impl<C: Field> BSpline<C> {
             budget::step();
             // The first span in the support [t_i, t_{i+n+1}] that belongs to the domain.
             let which = spans.iter().position(|&span| span >= i).filter(|&k| spans[k] <= i + n);
+            // A control point without influence stays what it is, if it is there.
+            if which.is_none()
+                && n == self.degree()
+                && let Some(same) =
+                    (0..self.points().len()).find(|&k| self.knots().support(k) == knots.support(i))
+            {
+                return Ok(self.points()[same].clone());
+            }
             let which = which.unwrap_or_else(|| if i < spans[0] { 0 } else { spans.len() - 1 });
             rule(old[which], knots.label(i))
         });

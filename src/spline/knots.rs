@@ -97,6 +97,14 @@ impl<C: Ring> KnotVector<C> {
         &self.knots[i + 1..i + 1 + self.degree]
     }
 
+    /// t_i, …, t_{i+n+1}: the knots of basis function i.
+    ///
+    /// # Panics
+    /// As [`KnotVector::label`].
+    pub fn support(&self, i: usize) -> &[C] {
+        &self.knots[i..=i + self.degree + 1]
+    }
+
     /// The Greville abscissa (t_{i+1} + … + t_{i+n})/n: the control points over them are those of
     /// the function F(t) = t. For degree 0 the middle of the interval.
     ///

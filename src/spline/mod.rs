@@ -93,6 +93,11 @@ pub enum SplineError {
         /// The place of the knot, from 0.
         knot: usize,
     },
+    /// A knot of the spline is missing among the finer knots, or not there often enough.
+    MissingKnot {
+        /// The place of the knot, from 0.
+        index: usize,
+    },
     /// One polynomial piece has a larger degree than asked for.
     PieceDegree {
         /// The piece, from 0.
@@ -145,7 +150,10 @@ impl fmt::Display for SplineError {
                 write!(f, "this knot occurs {multiplicity} times, it cannot be removed {times} times")
             }
             SplineError::NotSmooth { knot } => {
-                write!(f, "the pieces do not meet smoothly enough at knot {knot}")
+                write!(f, "the pieces do not meet smoothly enough at knot t_{knot}")
+            }
+            SplineError::MissingKnot { index } => {
+                write!(f, "the knot t_{index} of the spline is not there, or not as often")
             }
             SplineError::PieceDegree { piece, exact, asked } => {
                 write!(f, "piece {piece} has degree {exact}, more than {asked}")

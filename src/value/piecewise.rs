@@ -49,6 +49,9 @@ impl PiecewiseFunction {
         if self.function.outside() == Outside::Zero {
             arguments.push(Expr::relation(Expr::name("outside"), Rel::Eq, Expr::int(0)));
         }
+        if !self.function.is_closed() {
+            arguments.push(Expr::relation(Expr::name("closed"), Rel::Eq, Expr::int(0)));
+        }
         Expr::apply(Expr::name("piecewise"), arguments)
     }
 
@@ -61,7 +64,7 @@ impl PiecewiseFunction {
         let mut cases: Vec<(Expr, Option<Expr>)> = Vec::with_capacity(last + 2);
         for (i, formula) in self.formulas().iter().enumerate() {
             let (from, to) = (polynomial_expr(&breaks[i]), polynomial_expr(&breaks[i + 1]));
-            let end = if i == last { Rel::Le } else { Rel::Lt };
+            let end = if i == last && self.function.is_closed() { Rel::Le } else { Rel::Lt };
             let range = Kind::Chain(Box::new(from), vec![link(Rel::Le, t.clone()), link(end, to)]);
             cases.push((polynomial_expr(formula), Some(range.into())));
         }

@@ -209,7 +209,7 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             let signature = "piecewise([x_0, ..., x_m], [p_1, ..., p_m], outside=0)";
-            args.expect(signature, 2..=2, &["variable", "outside"])?;
+            args.expect(signature, 2..=2, &["variable", "outside", "closed"])?;
             let breaks = args.scalars(0)?;
             let formulas = args.scalars(1)?;
             let given = match args.named_or("variable", usize::MAX) {
@@ -238,6 +238,9 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             let function =
                 Piecewise::new(breaks, pieces, outside).map_err(piecewise_error).at(args.span(0))?;
+            let open =
+                args.named_or("closed", usize::MAX).is_some_and(|(value, _)| value.as_int() == Some(0));
+            let function = if open { function.half_open() } else { function };
             Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function, variable })))
         },
     },
@@ -257,12 +260,23 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "insert_knots",
         signature: "insert_knots(s, t_1, ..., t_k)",
-        summary: "the same curve with these knots added",
+        summary: "the same curve with these knots added; span=j names the interval of a symbol",
         example: "insert_knots(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 1/2, 1/2)",
         topic: TOPIC,
         call: |_, args| {
-            args.expect("insert_knots(s, t_1, ..., t_k)", 2..=usize::MAX, &[])?;
+            args.expect("insert_knots(s, t_1, ..., t_k, span=j)", 2..=usize::MAX, &["span"])?;
             let (s, form) = args.spline(0)?;
+            if let Some(j) = args.named_size("span", usize::MAX)? {
+                if args.len() > 2 {
+                    return Err(Diagnostic::error(Code::Arity, "with span=j one knot is inserted at a time")
+                        .at(args.span(2)));
+                }
+                return s
+                    .insert_on(j, &args.scalar(1)?)
+                    .map(|s| spline(s, form))
+                    .map_err(spline_error)
+                    .at(args.span(1));
+            }
             let fine = s.insert_all(&args.scalars_or_list(1)?).map_err(spline_error).at(args.span(1))?;
             Ok(spline(fine, form))
         },
