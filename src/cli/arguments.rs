@@ -309,7 +309,7 @@ pub(super) struct BezierArguments {
     pub weights: Option<String>,
     #[command(flatten)]
     pub change: Change,
-    /// The value at a parameter, also outside of the interval
+    /// The value at a parameter
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub at: Option<String>,
     /// De Casteljau's scheme for a parameter, or for as many as the degree

@@ -38,7 +38,7 @@ pub(super) fn bezier(arguments: &BezierArguments) -> String {
     let curve = format!("bezier({}{interval}{weights})", bracketed(&arguments.points));
     let curve = changed(curve, &arguments.change);
     if let Some(t) = &arguments.at {
-        format!("extended({curve}, {t})")
+        format!("{curve}({t})")
     } else if let Some(list) = &arguments.scheme {
         format!("casteljau({curve}, {list})")
     } else if let Some(list) = &arguments.subdivide {

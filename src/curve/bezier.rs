@@ -127,9 +127,12 @@ impl<C: Field> BezierCurve<C> {
         self.b.minus(&self.a).inverse().expect("the ends differ")
     }
 
-    /// F(t), also outside of [a, b]. Cost: n²/2 affine combinations.
+    /// F(t), also outside of [a, b]. Cost: n²/2 affine combinations, over Q on integers.
     pub fn value(&self, t: &C) -> Point<C> {
         let s = self.local(t);
+        if let Some(value) = super::polygon::value_of_numbers(&self.points, &s) {
+            return value;
+        }
         let mut level = self.points.clone();
         while level.len() > 1 {
             budget::step();

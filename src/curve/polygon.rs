@@ -37,6 +37,28 @@ pub(super) fn value<C: Ring>(points: &[Point<C>], u: &[C; 2]) -> Point<C> {
     blossom(points, std::iter::repeat_n(u, points.len() - 1))
 }
 
+/// The value at the ratio s on integers over one denominator: n²/2 products and a single gcd. `None`
+/// unless everything is a number.
+pub(super) fn value_of_numbers<C: Ring>(points: &[Point<C>], s: &C) -> Option<Point<C>> {
+    let s = s.as_rational()?;
+    let (p, q) = (s.numer().clone(), s.denom().clone());
+    let rest = &q - &p;
+    let degree = points.len() - 1;
+    let coordinate = |k: usize| -> Option<C> {
+        let numbers: Vec<Rational> =
+            points.iter().map(|point| point[k].as_rational()).collect::<Option<_>>()?;
+        let scale = numbers.iter().fold(Int::ONE, |scale, x| num_integer::Integer::lcm(&scale, x.denom()));
+        let mut level: Vec<Int> = numbers.iter().map(|x| x.numer() * &scale.div_exact(x.denom())).collect();
+        while level.len() > 1 {
+            budget::steps(level.len() as u32);
+            level = level.windows(2).map(|pair| &pair[0] * &rest + &pair[1] * &p).collect();
+        }
+        let denominator = num_traits::pow(q.clone(), degree) * scale;
+        Some(C::from_rational(&Rational::new(level.swap_remove(0), denominator)))
+    };
+    (0..points[0].len()).map(coordinate).collect()
+}
+
 /// f(p^{n−i}, q^i) for i = 0, …, n: the points over [p, q], or with p = 0 and q = 1̂ the power
 /// coefficients without their binomials. Cost: O(n³).
 pub(super) fn values<C: Ring>(points: &[Point<C>], p: &[C; 2], q: &[C; 2]) -> Vec<Point<C>> {

@@ -52,6 +52,16 @@ impl Machine {
                     geometry::call_piecewise(&function, &values, whole.span)
                 }
                 // A curve is a list of functions or polar forms, one for each coordinate.
+                Value::List(items)
+                    if matches!(items.first(), Some(Value::Polar(polar)) if !matches!(polar.kind, PolarKind::Univariate(_)))
+                        && is_curve(&items) =>
+                {
+                    let value = |item: &Value| match item {
+                        Value::Polar(polar) => self.call_polar(polar, groups, callee, whole.span),
+                        other => Err(wrong_kind("a polar form", other).at(callee.span)),
+                    };
+                    items.iter().map(value).collect::<Result<_, _>>().map(Value::List)
+                }
                 Value::List(items) if is_curve(&items) => {
                     let values = self.arguments(groups)?;
                     items

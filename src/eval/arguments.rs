@@ -104,6 +104,15 @@ impl Arguments {
         rest
     }
 
+    /// All arguments but the one at a place.
+    pub(super) fn without_place(&self, place: usize) -> Self {
+        let mut other = self.clone();
+        if place < other.positional.len() {
+            other.positional.remove(place);
+        }
+        other
+    }
+
     /// Number of arguments given by place.
     pub fn len(&self) -> usize {
         self.positional.len()

@@ -37,6 +37,12 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
         }
         (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Ok(Value::Matrix(a + b)),
         (Value::Polar(a), Value::Polar(b)) => add_polar(&a, &b),
+        (Value::Piecewise(a), Value::Piecewise(b)) => super::geometry::add_piecewise(&a, &b),
+        // A sum that begins with nothing.
+        (Value::Piecewise(a), Value::Scalar(b)) | (Value::Scalar(b), Value::Piecewise(a)) if b.is_zero() => {
+            Ok(Value::Piecewise(a))
+        }
+        (Value::Geometry(a), Value::Geometry(b)) => super::geometry::add_curves(&a, &b),
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "added", |x, y| Ok(x + y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "added", |x, y| Ok(x + y)),
         (Value::List(a), Value::List(b)) => Err(Diagnostic::error(
@@ -100,6 +106,12 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
             Ok(Value::Matrix(m.map(|x| x.times(&a))))
         }
         (Value::Scalar(a), Value::Polar(f)) | (Value::Polar(f), Value::Scalar(a)) => scale_polar(&a, &f),
+        (Value::Scalar(a), Value::Piecewise(f)) | (Value::Piecewise(f), Value::Scalar(a)) => {
+            Ok(super::geometry::scale_piecewise(&a, &f))
+        }
+        (Value::Scalar(a), Value::Geometry(c)) | (Value::Geometry(c), Value::Scalar(a)) => {
+            super::geometry::scale_curve(&a, &c)
+        }
         (Value::Matrix(a), Value::Matrix(b)) => {
             if a.ncols() != b.nrows() {
                 return Err(Diagnostic::error(

@@ -39,6 +39,15 @@ pub(super) fn derivative_of_function(value: &Value, order: usize) -> Result<Valu
             let variable = variable_of(formula, None)?;
             Ok(Value::Scalar(nth_derivative(formula, &variable, order)))
         }
+        Value::Geometry(_) | Value::Piecewise(_) => {
+            let mut args = super::Arguments::default();
+            args.push(value.clone(), Span::default());
+            args.push(Value::int(order as i64), Span::default());
+            match super::builtins::method("derivative", value) {
+                Some(method) => method(&args),
+                None => Err(wrong_kind("a function", value)),
+            }
+        }
         other => Err(wrong_kind("a function", other)),
     }
 }

@@ -96,6 +96,52 @@ pub(super) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
     Diagnostic::error(code, error.to_string()).hint(hint)
 }
 
+/// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
+pub(super) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fraction>> {
+    let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
+    let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
+    for pair in pieces.windows(2) {
+        let at = pair[1].interval().0.clone();
+        if pair[0].interval().1 != &at {
+            return Err(curve_error(CurveError::NoCommonEnd));
+        }
+        let order = crate::curve::continuity_at(&pair[0], &pair[1], &at).map_err(curve_error)?.order;
+        // One polynomial keeps a simple knot, so that each piece stays one.
+        let multiplicity = order.map_or(n + 1, |order| (n - order.min(n)).max(1));
+        knots.extend(vec![at; multiplicity]);
+    }
+    knots.extend(vec![pieces[pieces.len() - 1].interval().1.clone(); n + 1]);
+    let knots = crate::spline::KnotVector::new(n, knots).map_err(spline_error)?;
+    BSpline::from_pieces(knots, pieces).map_err(spline_error)
+}
+
+/// The pieces of a piecewise polynomial, or of several over the same breakpoints, one for each
+/// coordinate.
+fn polynomial_pieces(value: &Value) -> Option<std::result::Result<Vec<BezierCurve<Fraction>>, CurveError>> {
+    let functions: Vec<&PiecewiseFunction> = match value {
+        Value::Piecewise(function) => vec![function],
+        Value::List(items) => items
+            .iter()
+            .map(|item| if let Value::Piecewise(function) = item { Some(&**function) } else { None })
+            .collect::<Option<_>>()?,
+        _ => return None,
+    };
+    let breaks = functions.first()?.function.breaks();
+    if functions.iter().any(|other| other.function.breaks() != breaks) {
+        return None;
+    }
+    let piece = |i: usize| {
+        let padded = |function: &&PiecewiseFunction| {
+            let mut piece = function.function.pieces()[i].clone();
+            piece.resize(piece.len().max(1), Fraction::zero());
+            piece
+        };
+        let coordinates: Vec<Vec<Fraction>> = functions.iter().map(padded).collect();
+        BezierCurve::from_power(&coordinates, breaks[i].clone(), breaks[i + 1].clone())
+    };
+    Some((0..breaks.len() - 1).map(piece).collect())
+}
+
 /// A list of points: numbers and symbols (then `true`) or lists of coordinates.
 pub(super) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
     match value {
@@ -244,6 +290,11 @@ impl Arguments {
                 }
                 _ => {}
             }
+        }
+        if let Some(pieces) = polynomial_pieces(value) {
+            let scalar = matches!(value, Value::Piecewise(_));
+            let joined = joined(&pieces.map_err(curve_error)?).at(self.span(i))?;
+            return Ok((joined, Form { scalar, rational: false }));
         }
         Err(wrong_kind("a B-spline curve", value)
             .at(self.span(i))
@@ -402,6 +453,18 @@ fn plane_point(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Res
         let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(*place))?;
         return Ok(point);
     }
+    // Three numbers of sum 1 are barycentric coordinates.
+    if let (Geometry::Triangle(patch, _), [_, _, _]) = (geometry, values) {
+        let [(u, _), (v, _), (w, place)] = scalars(geometry, values, span)?;
+        let weights = [u, v, w];
+        let sum = weights.iter().fold(Fraction::zero(), |sum, x| sum.plus(x));
+        if !sum.is_one() {
+            let problem =
+                Diagnostic::error(Code::Domain, format!("barycentric coordinates add up to 1, not to {sum}"));
+            return Err(problem.at(place).hint("two numbers are coordinates of the parameter plane"));
+        }
+        return Ok(patch.triangle().point(&weights));
+    }
     let [(x, _), (y, _)] = scalars(geometry, values, span)?;
     Ok(vec![x, y])
 }
@@ -457,4 +520,63 @@ pub(super) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> Bez
     let points = curve.points().iter().map(|point| homogeneous(point, &one)).collect();
     let (a, b) = curve.interval();
     BezierCurve::new(points, a.clone(), b.clone()).expect("only a coordinate was added")
+}
+
+/// The sum of two piecewise polynomials.
+pub(super) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Result<Value> {
+    let function = a.function.sum(&b.function).ok_or_else(|| {
+        Diagnostic::error(Code::Undecided, "the breakpoints of the two functions cannot be put in one order")
+            .hint("symbolic breakpoints have to be the same in both")
+    })?;
+    Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: a.variable.clone() })))
+}
+
+/// A multiple of a piecewise polynomial.
+pub(super) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
+    let function = f.function.map(|piece| piece.iter().map(|c| c.times(factor)).collect());
+    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
+}
+
+/// The sum of two polynomial Bézier curves over one interval, of the larger degree.
+pub(super) fn add_curves(a: &Geometry, b: &Geometry) -> Result<Value> {
+    let (Geometry::Bezier(f, left), Geometry::Bezier(g, right)) = (a, b) else {
+        let message = format!("{} and {} cannot be added", a.kind(), b.kind());
+        return Err(
+            Diagnostic::error(Code::Type, message).hint("polynomial Bézier curves over one interval can be")
+        );
+    };
+    if left.rational || right.rational || f.interval() != g.interval() {
+        return Err(Diagnostic::error(Code::Shape, "only polynomial curves over one interval can be added")
+            .hint("over(c, a, b) moves a curve to another interval"));
+    }
+    if f.dimension() != g.dimension() {
+        return Err(curve_error(CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() }));
+    }
+    let n = f.degree().max(g.degree());
+    let (f, g) = (f.elevate(n - f.degree()), g.elevate(n - g.degree()));
+    let points = f.points().iter().zip(g.points()).map(|(p, q)| crate::curve::sum(p, q)).collect();
+    let (start, end) = f.interval();
+    let curve = BezierCurve::new(points, start.clone(), end.clone()).map_err(curve_error)?;
+    Ok(bezier(curve, Form { scalar: left.scalar && right.scalar, rational: false }))
+}
+
+/// A curve scaled from the origin.
+pub(super) fn scale_curve(factor: &Fraction, c: &Geometry) -> Result<Value> {
+    let form = c.form();
+    let scaled = |point: &Point<Fraction>| -> Point<Fraction> {
+        let last = point.len() - usize::from(form.rational);
+        point.iter().enumerate().map(|(k, x)| if k < last { x.times(factor) } else { x.clone() }).collect()
+    };
+    match c {
+        Geometry::Bezier(curve, _) => {
+            let (a, b) = curve.interval();
+            let points = curve.points().iter().map(scaled).collect();
+            BezierCurve::new(points, a.clone(), b.clone()).map(|c| bezier(c, form)).map_err(curve_error)
+        }
+        Geometry::Spline(s, _) => {
+            let points = s.points().iter().map(scaled).collect();
+            BSpline::new(s.knots().clone(), points).map(|s| spline(s, form)).map_err(spline_error)
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} has no multiples here", other.kind()))),
+    }
 }

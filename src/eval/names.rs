@@ -79,6 +79,41 @@ const WORDS: &[&str] = &[
     "bilinear",
 ];
 
+/// Other names for functions.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("de_casteljau", "casteljau"),
+    ("de_boor", "deboor"),
+    ("cox_de_boor", "bspline_basis"),
+    ("blossom", "polar"),
+    ("evaluate", "extended"),
+    ("split", "subdivide"),
+    ("curve", "bezier"),
+    ("rational_bezier", "bezier"),
+    ("nurbs", "bspline"),
+    ("spline", "bspline"),
+    ("hull", "convex_hull"),
+    ("boehm", "insert_knots"),
+    ("insert", "insert_knots"),
+    ("insert_knot", "insert_knots"),
+    ("knot_insertion", "insert_knots"),
+    ("oslo", "refine"),
+    ("basis", "bspline_basis"),
+    ("marsden", "spline_of"),
+    ("periodic_bspline", "periodic_spline"),
+    ("surface", "patch"),
+    ("tensor_patch", "patch"),
+    ("triangle_surface", "triangle_patch"),
+    ("bspline_surface", "spline_surface"),
+    ("interpolate", "lagrange"),
+    ("natural_spline", "cubic_spline"),
+    ("surface_of_revolution", "revolve"),
+    ("revolution", "revolve"),
+    ("degree_elevation", "elevate"),
+    ("degree_reduction", "reduce"),
+    ("continuity_conditions", "joining_conditions"),
+    ("delta", "differences"),
+];
+
 /// Functions somebody may expect that have no exact rational values.
 const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
 
@@ -221,7 +256,8 @@ impl Machine {
             .reason("unknown name");
         let known =
             self.scope.keys().map(Symbol::base).chain(builtins::BUILTINS.iter().map(|builtin| builtin.name));
-        match nearest(name, known).filter(|_| name != "minus" && name != "plus") {
+        let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known);
+        match synonym.or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus")) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
             None if name == "minus" || name == "plus" => {
                 error.hint("an exponent of several characters needs braces: t^{-1}")

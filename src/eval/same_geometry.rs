@@ -90,6 +90,13 @@ fn spline(geometry: &Geometry) -> Option<(BSpline<Fraction>, Form)> {
 }
 
 fn curves(left: &Geometry, right: &Geometry) -> Comparison {
+    if let (Geometry::Bezier(a, f), Geometry::Bezier(b, g)) = (left, right)
+        && a.interval() == b.interval()
+        && a.dimension() - usize::from(f.rational) == b.dimension() - usize::from(g.rational)
+    {
+        let (p, q) = (super::geometry::as_rational_form(a, *f), super::geometry::as_rational_form(b, *g));
+        return if same_piece(&p, &q) { Same } else { Different("their control points differ".to_owned()) };
+    }
     let (Some((a, _)), Some((b, _))) = (spline(left), spline(right)) else {
         return Unknown("they are not compared");
     };

@@ -48,6 +48,7 @@ impl Norm {
         let mut sums = vec![Rational::zero(); if rows { matrix.nrows() } else { matrix.ncols() }];
         for (j, column) in matrix.column_iter().enumerate() {
             for (i, x) in column.iter().enumerate() {
+                crate::budget::steps(64);
                 sums[if rows { i } else { j }] += x.abs();
             }
         }

@@ -210,13 +210,8 @@ impl Geometry {
             }
             Geometry::Spline(spline, form) => {
                 let basis = |i: usize| family("N", &[i], spline.degree(), vec![t()]);
-                let knots = spline.knots().knots();
-                let last = knots.len() as i64 - 1;
-                let name = |i: i64| Expr::from(Kind::Subscript(Box::new(t()), vec![Expr::int(i)]));
-                let tuple: Expr = Kind::Tuple(vec![name(0), Kind::Ellipsis.into(), name(last)]).into();
-                let values = Kind::Tuple(knots.iter().map(polynomial_expr).collect()).into();
                 let body = self.combination(spline.points(), *form, &basis);
-                Kind::Sequence(vec![body, Expr::relation(tuple, Rel::Eq, values)]).into()
+                Kind::Sequence(vec![body, knots_expr("t", spline.knots().knots())]).into()
             }
             Geometry::Patch(patch, form) => {
                 let (m, n) = patch.degrees();
@@ -240,7 +235,9 @@ impl Geometry {
                     let left = family("N", &[k / columns], u.degree(), vec![Expr::name("u")]);
                     Expr::product(vec![left, family("N", &[k % columns], v.degree(), vec![Expr::name("v")])])
                 };
-                self.combination(&surface.net().concat(), *form, &basis)
+                let body = self.combination(&surface.net().concat(), *form, &basis);
+                let knots = [("u", u), ("v", v)].map(|(name, knots)| knots_expr(name, knots.knots()));
+                Kind::Sequence([vec![body], knots.to_vec()].concat()).into()
             }
         }
     }
@@ -258,6 +255,12 @@ impl Geometry {
                 Some(x) if x.is_one() => None,
                 _ => Some(bracketed(value.to_expr())),
             };
+            // 2 times 1/2 would read as a mixed number.
+            if let (Some(x), Some(w)) = (value.as_scalar(), weights.get(i)) {
+                let product = x.times(w);
+                let factor = (!product.is_one()).then(|| bracketed(polynomial_expr(&product)));
+                return Some(factor.into_iter().chain([basis(i)]).collect());
+            }
             Some(weight(i).into_iter().chain(point).chain([basis(i)]).collect())
         };
         let top = summed(values.iter().enumerate().map(term));
@@ -267,6 +270,15 @@ impl Geometry {
         let bottom = (0..values.len()).map(|i| Some(weight(i).into_iter().chain([basis(i)]).collect()));
         top.over(summed(bottom))
     }
+}
+
+/// (t_0, …, t_k) = (…)
+fn knots_expr(name: &str, knots: &[Fraction]) -> Expr {
+    let indexed =
+        |i: usize| Expr::from(Kind::Subscript(Box::new(Expr::name(name)), vec![Expr::int(i as i64)]));
+    let names = vec![indexed(0), Kind::Ellipsis.into(), indexed(knots.len() - 1)];
+    let values = Kind::Tuple(knots.iter().map(polynomial_expr).collect()).into();
+    Expr::relation(Kind::Tuple(names).into(), Rel::Eq, values)
 }
 
 fn is_unit(interval: &Interval<Fraction>) -> bool {

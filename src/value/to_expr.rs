@@ -100,8 +100,36 @@ pub fn collected(f: &Fraction, symbols: &[Symbol]) -> Option<Expr> {
     (rest.is_zero() && !terms.is_empty()).then(|| Expr::sum(terms))
 }
 
+/// A quotient that is a combination of symbols of one family such as d_0, d_1, …, which is not in the
+/// denominator: of control points, written as a mean.
+fn combination_of_points(f: &Fraction) -> Option<Expr> {
+    let below = f.denominator().variables();
+    let mut families: Vec<Vec<Symbol>> = Vec::new();
+    for symbol in f.numerator().variables().iter().filter(|symbol| !symbol.indices().is_empty()) {
+        match families.iter_mut().find(|family| family[0].base() == symbol.base()) {
+            Some(family) => family.push(symbol.clone()),
+            None => families.push(vec![symbol.clone()]),
+        }
+    }
+    families.retain(|family| {
+        let linear = |(powers, _): &(Vec<(Symbol, u32)>, Rational)| {
+            powers.iter().filter(|(symbol, _)| family.contains(symbol)).map(|(_, e)| e).sum::<u32>() == 1
+        };
+        family.len() > 1
+            && !below.iter().any(|symbol| symbol.base() == family[0].base())
+            && f.numerator().terms(MonomialOrder::Lex).iter().all(linear)
+    });
+    match families.as_slice() {
+        [family] => collected(f, family),
+        _ => None,
+    }
+}
+
 /// A proper quotient, denominators (and numerators, if that works out) in factors.
 fn quotient_expr(f: &Fraction) -> Expr {
+    if let Some(expr) = combination_of_points(f) {
+        return expr;
+    }
     let (top, bottom) = quotient(f);
     let power = |(factor, k): &(MultiPoly, u32)| {
         let base = poly_expr(factor);

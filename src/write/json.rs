@@ -75,7 +75,18 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
 fn geometry_json(geometry: &Geometry) -> Json {
     let form = geometry.form();
     let row = |point: &Vec<Fraction>| point.iter().map(scalar).collect::<Vec<_>>();
-    let points: Vec<_> = geometry.control_points().iter().map(row).collect();
+    // With weight 0 there is no point: then the homogeneous coordinates have to do.
+    let homogeneous: Vec<_> = geometry.control_points().iter().map(row).collect();
+    let split = form.rational.then(|| form.split(&geometry.control_points())).flatten();
+    let coordinates = |value: &Value| match value {
+        Value::List(items) => items.iter().filter_map(Value::as_scalar).map(scalar).collect(),
+        Value::Scalar(x) => vec![scalar(x)],
+        _ => Vec::new(),
+    };
+    let points: Vec<Vec<String>> = match &split {
+        Some((values, _)) => values.iter().map(coordinates).collect(),
+        None => homogeneous.clone(),
+    };
     let mut data = match geometry {
         Geometry::Bezier(curve, _) => {
             let (a, b) = curve.interval();
@@ -99,6 +110,10 @@ fn geometry_json(geometry: &Geometry) -> Json {
     };
     data["points"] = json!(points);
     data["rational"] = json!(form.rational);
+    if form.rational {
+        data["weights"] = json!(split.map(|(_, weights)| weights.iter().map(scalar).collect::<Vec<_>>()));
+        data["homogeneous"] = json!(homogeneous);
+    }
     data["text"] = json!(text(&geometry.to_expr()));
     data["latex"] = json!(latex(&geometry.display_expr()));
     data

@@ -145,7 +145,20 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("subdivide(c, t_1, ..., t_k)", 2..=usize::MAX, &[])?;
             let (curve, form) = args.bezier(0)?;
-            let parts = curve.subdivide_at(&args.scalars_or_list(1)?).map_err(curve_error).at(args.span(1))?;
+            let mut places = args.scalars_or_list(1)?;
+            if let Some(k) = places.iter().position(|t| curve.contains(t) == Some(false)) {
+                let (a, b) = curve.interval();
+                return Err(curve_error(crate::curve::CurveError::OutsideDomain)
+                    .at(args.span(k + 1))
+                    .reason(format!("the interval is [{a}, {b}]"))
+                    .hint("part(c, r, s) is the polynomial over any interval"));
+            }
+            let forwards = crate::piecewise::compare(curve.interval().0, curve.interval().1);
+            places.sort_by(|x, y| {
+                let order = crate::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal);
+                if forwards == Some(std::cmp::Ordering::Greater) { order.reverse() } else { order }
+            });
+            let parts = curve.subdivide_at(&places).map_err(curve_error).at(args.span(1))?;
             Ok(Value::List(parts.into_iter().map(|part| bezier(part, form)).collect()))
         },
     },

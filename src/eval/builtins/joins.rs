@@ -7,12 +7,11 @@ use crate::curve::{self, BezierCurve, GeometricFailure};
 use crate::derive::polar_label;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::Arguments;
-use crate::eval::geometry::{as_rational_form, bezier, curve_error, spline, spline_error};
+use crate::eval::geometry::{as_rational_form, bezier, curve_error, joined, spline, spline_error};
 use crate::eval::wrong_kind;
 use crate::expr::{Accent, Expr, Kind};
 use crate::number::Rational;
 use crate::poly::{Fraction, Symbol};
-use crate::spline::KnotVector;
 use crate::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -71,12 +70,10 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             let report = curve::continuity_at(&f, &g, &t).map_err(curve_error).at(args.span(1))?;
             let mut table = Table::with_header(["continuity", "order", "polar value", "left", "right"]);
-            let word = match report.order {
-                _ if report.same => "C^oo: one polynomial".to_owned(),
-                Some(k) => format!("C^{k}"),
-                None => "none".to_owned(),
-            };
-            let mut row = vec![Cell::words(word)];
+            let mut row = vec![match report.order {
+                _ if report.same => Cell::words("one polynomial"),
+                order => class("C", order),
+            }];
             if let Some((order, p, q)) = report.failure {
                 let n = f.degree().max(g.degree());
                 let mut arguments = vec![polynomial_expr(&t); n - order];
@@ -119,8 +116,10 @@ pub(super) const TABLE: &[Builtin] = &[
                 );
             };
             let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
-            let mut table = Table::with_header(["continuity", "beta_1", "beta_2", "why not more"]);
-            let word = report.order.map_or("none".to_owned(), |k| format!("G^{k}"));
+            let mut table = Table::with_header(["continuity", "", "", "why not more"]);
+            for (i, cell) in table.header.iter_mut().enumerate().skip(1).take(2) {
+                *cell = crate::value::symbol_expr(&Symbol::indexed("beta", i as i64));
+            }
             let number = |q: Option<Rational>| q.map_or(Cell::Empty, |q| Cell::Value(Value::number(q)));
             let why = match report.failure {
                 None => "higher orders are not examined",
@@ -131,7 +130,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 Some(GeometricFailure::CurvaturesDiffer) => "the curvatures differ",
             };
             table.rows.push(vec![
-                Cell::words(word),
+                class("G", report.order),
                 number(report.beta1),
                 number(report.beta2),
                 Cell::words(why),
@@ -186,6 +185,14 @@ fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cel
     match symbols.and_then(|symbols| collected(&point[0], &symbols)) {
         Some(formula) => Cell::Formula(formula),
         None => Cell::Value(form.plain(point)),
+    }
+}
+
+/// C^k or G^k; words for a jump.
+pub(super) fn class(letter: &str, order: Option<usize>) -> Cell {
+    match order {
+        Some(k) => Cell::Formula(Expr::name(letter).power(Expr::int(k as i64))),
+        None => Cell::words("none"),
     }
 }
 
@@ -250,9 +257,12 @@ fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value
     };
     // A Bézier curve also from a spline that is one polynomial.
     let single = || -> Result<(BezierCurve<Fraction>, Form)> {
-        if let Value::Geometry(geometry) = args.value(0)?
-            && let Geometry::Spline(s, form) = &**geometry
+        let piecewise = matches!(args.value(0)?, Value::Piecewise(_))
+            || matches!(args.value(0)?, Value::List(items) if matches!(items.first(), Some(Value::Piecewise(_))));
+        if piecewise
+            || matches!(args.value(0)?, Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)))
         {
+            let (s, form) = &args.spline(0)?;
             let (a, b) = s.domain();
             let pieces = s.bezier_pieces();
             let whole = pieces[0].part(a, b).map_err(curve_error)?;
@@ -278,7 +288,12 @@ fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value
                 && items.iter().all(|item| matches!(item, Value::Geometry(_)))
                 && !items.is_empty()
             {
-                return joined(args, items);
+                let curves =
+                    items.iter().map(|item| args.with_first(item.clone()).bezier(0).at(args.span(0)));
+                let curves = curves.collect::<Result<Vec<_>>>()?;
+                let form = curves[0].1;
+                let pieces: Vec<_> = curves.into_iter().map(|(curve, _)| curve).collect();
+                return joined(&pieces).map(|s| spline(s, form)).at(args.span(0));
             }
             args.spline(0).map(|(s, form)| spline(s, form))
         }
@@ -331,35 +346,4 @@ fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value
 
 fn internal() -> Diagnostic {
     Diagnostic::error(Code::Internal, "a function of the program is missing")
-}
-
-/// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
-fn joined(args: &Arguments, items: &[Value]) -> Result<Value> {
-    let mut pieces = Vec::with_capacity(items.len());
-    let mut form = Form::default();
-    for item in items {
-        let (curve, own) = args.with_first(item.clone()).bezier(0).at(args.span(0))?;
-        form = own;
-        pieces.push(curve);
-    }
-    let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
-    let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
-    for pair in pieces.windows(2) {
-        let at = pair[1].interval().0.clone();
-        if pair[0].interval().1 != &at {
-            return Err(curve_error(crate::curve::CurveError::NoCommonEnd).at(args.span(0)));
-        }
-        let order = curve::continuity_at(&pair[0], &pair[1], &at).map_err(curve_error)?.order;
-        let Some(order) = order else {
-            return Err(Diagnostic::error(Code::NotReducible, format!("the curves do not meet at {at}"))
-                .at(args.span(0)));
-        };
-        // One polynomial keeps a simple knot, so that each piece stays one.
-        knots.extend(vec![at; (n - order.min(n)).max(1)]);
-    }
-    let last = &pieces[pieces.len() - 1];
-    knots.extend(vec![last.interval().1.clone(); n + 1]);
-    let knots = KnotVector::new(n, knots).map_err(spline_error)?;
-    let s = crate::spline::BSpline::from_pieces(knots, &pieces).map_err(spline_error).at(args.span(0))?;
-    Ok(spline(s, form))
 }

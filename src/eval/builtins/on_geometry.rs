@@ -5,7 +5,9 @@ use std::sync::Arc;
 use crate::curve::RationalCurve;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::{self, Arguments};
-use crate::eval::geometry::{bezier, curve_error, scalar_list, spline, spline_error};
+use crate::eval::geometry::{
+    bezier, call_geometry, call_piecewise, curve_error, scalar_list, spline, spline_error,
+};
 use crate::eval::{Evaluated, wrong_kind};
 use crate::poly::{Fraction, Symbol};
 use crate::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
@@ -52,10 +54,19 @@ fn not_a_curve(geometry: &Geometry, args: &Arguments) -> Diagnostic {
 }
 
 fn forms_value(forms: Vec<crate::blossom::PolarForm<Fraction>>, form: Form) -> Value {
-    let wrap = |form| {
-        Value::Polar(Arc::new(Polar { kind: PolarKind::Univariate(form), variables: vec![Symbol::new("t")] }))
+    // Knots called t_1, t_2 would be mistaken for the arguments.
+    let taken = |name: &str| {
+        let all = forms.iter().flat_map(|form| form.coefficients());
+        all.flat_map(Fraction::variables).any(|symbol| symbol.base() == name)
     };
-    let mut list: Vec<Value> = forms.into_iter().map(wrap).collect();
+    let name = ["t", "u", "v", "x"].into_iter().find(|name| !taken(name)).unwrap_or("t");
+    let wrap = |form| {
+        Value::Polar(Arc::new(Polar {
+            kind: PolarKind::Univariate(form),
+            variables: vec![Symbol::new(name)],
+        }))
+    };
+    let mut list: Vec<Value> = forms.iter().cloned().map(wrap).collect();
     if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
 }
 
@@ -120,6 +131,11 @@ fn reduce(args: &Arguments) -> Evaluated {
 }
 
 pub(super) fn derivative(args: &Arguments) -> Evaluated {
+    // diff(c, t) names the variable as for formulas.
+    let args = &match args.value(1) {
+        Ok(value) if arguments::symbol_of(value).is_some() => args.without_place(1),
+        _ => args.clone(),
+    };
     args.expect("derivative(c, k)", 1..=2, &["k"])?;
     let order = args.named_size("k", 1)?.unwrap_or(1);
     if let Value::Piecewise(function) = args.value(0)? {
@@ -140,7 +156,7 @@ pub(super) fn derivative(args: &Arguments) -> Evaluated {
             "derivatives of rational splines are taken piece by piece",
         )
         .at(args.span(0))
-        .hint("derivative(pieces(s)_0) is that of the first piece")),
+        .hint("P := pieces(s), then derivative(P_0) is that of the first piece")),
         Geometry::Spline(s, form) => {
             s.nth_derivative(order).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
         }
@@ -148,9 +164,28 @@ pub(super) fn derivative(args: &Arguments) -> Evaluated {
     }
 }
 
-/// The integral over the whole interval.
+/// The integral over the whole interval, or from a to b.
 fn integrate(args: &Arguments) -> Evaluated {
-    args.expect("integrate(c)", 1..=1, &[])?;
+    args.expect("integrate(c, a, b)", 1..=4, &[])?;
+    // integrate(c, t, a, b) names the variable as for formulas.
+    let args = &match args.len() {
+        4 => args.without_place(1),
+        _ => args.clone(),
+    };
+    if args.len() > 1 {
+        args.expect("integrate(c, a, b)", 3..=3, &[])?;
+        let ends = [args.scalar(1)?, args.scalar(2)?];
+        let primitive = antiderivative(&args.only(1))?;
+        let at = |i: usize| {
+            let value = [(Value::Scalar(ends[i].clone()), args.span(i + 1))];
+            match &primitive {
+                Value::Piecewise(function) => call_piecewise(function, &value, args.span(i + 1)),
+                Value::Geometry(geometry) => call_geometry(geometry, &value, args.span(i + 1)),
+                other => Err(wrong_kind("a curve", other)),
+            }
+        };
+        return crate::eval::arithmetic::add(at(1)?, crate::eval::arithmetic::negate(at(0)?)?);
+    }
     if let Value::Piecewise(function) = args.value(0)? {
         return Ok(Value::Scalar(function.function.integral()));
     }

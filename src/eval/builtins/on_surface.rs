@@ -33,6 +33,7 @@ pub(super) fn method(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
         "labels" => labels,
         "joining_conditions" => joining_conditions,
         "continuity" => continuity,
+        "extended" => extended,
         "convert" => convert,
         _ => return None,
     })
@@ -289,6 +290,22 @@ fn pieces(args: &Arguments) -> Evaluated {
     }
 }
 
+/// The value at any parameters.
+fn extended(args: &Arguments) -> Evaluated {
+    args.expect("extended(s, u, v)", 2..=3, &[])?;
+    let geometry = args.geometry(0)?;
+    let form = geometry.form();
+    let point = match &*geometry {
+        Geometry::Patch(patch, _) => patch.value(&args.scalar(1)?, &args.scalar(2)?),
+        Geometry::Triangle(patch, _) => {
+            let p = if args.len() == 3 { vec![args.scalar(1)?, args.scalar(2)?] } else { args.point(1)? };
+            patch.value(&p).map_err(curve_error).at(args.span(1))?
+        }
+        other => return Err(not_for(other, args)),
+    };
+    form.value(point).map_err(curve_error)
+}
+
 /// Knots named by their direction: u=[…], v=[…].
 fn insert_knots(args: &Arguments) -> Evaluated {
     args.expect("insert_knots(s, u=[t_1, ...], v=[t_1, ...])", 1..=1, &["u", "v"])?;
@@ -454,11 +471,10 @@ fn continuity(args: &Arguments) -> Evaluated {
     match equations.iter().find(|equation| !equation.holds()) {
         None => {
             table.header.truncate(1);
-            table.rows.push(vec![Cell::words("C^oo: one polynomial")]);
+            table.rows.push(vec![Cell::words("one polynomial")]);
         }
         Some(equation) => {
-            let word = equation.order.checked_sub(1).map_or("none".to_owned(), |k| format!("C^{k}"));
-            let mut row = vec![Cell::words(word)];
+            let mut row = vec![super::joins::class("C", equation.order.checked_sub(1))];
             row.extend(equation_row(equation, form));
             table.rows.push(row);
         }

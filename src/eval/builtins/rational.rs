@@ -49,7 +49,16 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             args.expect("conic_kind(c)", 1..=1, &[])?;
-            let kind = curve::conic_kind(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
+            let curve = rational_curve(args, 0)?;
+            if curve.degree() != 2 {
+                return Err(Diagnostic::error(
+                    Code::Shape,
+                    format!("a conic has degree 2, this curve has degree {}", curve.degree()),
+                )
+                .at(args.span(0))
+                .hint("conic_arc([p_0, p_1, p_2], w) makes one"));
+            }
+            let kind = curve::conic_kind(&curve).map_err(curve_error).at(args.span(0))?;
             let word = match kind {
                 Some(ConicKind::Ellipse) => "an ellipse",
                 Some(ConicKind::Parabola) => "a parabola",
@@ -90,7 +99,7 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("circle_arc(m, p, q, form=standard)", 3..=3, &["form"])?;
             let arc = CircleArc::new(args.point(0)?, args.point(1)?, args.point(2)?);
-            let arc = arc.map_err(curve_error).at(args.span(2))?;
+            let arc = arc.map_err(circle_error).at(args.span(2))?;
             match word(args, "form")?.as_deref() {
                 None | Some("standard") => arc.standard().map(rational).map_err(|error| {
                     let squared = arc.squared_weight();
@@ -123,7 +132,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 Some("thirds") => curve::circle_thirds(&m, &p).map(list),
                 Some(_) => return Err(wrong_form(args, "quintic, quartic, quarters or thirds")),
             };
-            circle.map_err(curve_error).at(args.span(1))
+            circle.map_err(circle_error).at(args.span(1))
         },
     },
     Builtin {
@@ -189,7 +198,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let (m, r) = (args.point(0)?, args.scalar(1)?);
             match word(args, "form")?.as_deref() {
                 None | Some("tensor") => {
-                    let patch = curve::sphere_octant(&m, &r).map_err(curve_error).at(args.span(0))?;
+                    let patch = curve::sphere_octant(&m, &r).map_err(circle_error).at(args.span(1))?;
                     Ok(tensor(patch.homogeneous().clone(), RATIONAL))
                 }
                 Some("triangle") => {
@@ -234,6 +243,17 @@ fn three_points(args: &Arguments, i: usize) -> Result<[Vec<Fraction>; 3]> {
         Diagnostic::error(Code::ControlPoints, format!("a conic has 3 control points, not {given}"))
             .at(args.span(i))
     })
+}
+
+/// Degenerate circles have words of their own.
+fn circle_error(error: curve::CurveError) -> Diagnostic {
+    match error {
+        curve::CurveError::Degenerate => {
+            Diagnostic::error(Code::Degenerate, "the radius is 0, or both ends are the same point")
+                .hint("choose two different points at one positive distance from the centre")
+        }
+        other => curve_error(other),
+    }
 }
 
 /// A word given under a name.

@@ -47,6 +47,15 @@ pub(super) const TABLE: &[Builtin] = &[
             let n = args.size(0)?;
             let period = args.scalars(1)?;
             let (points, form) = args.control_points(2)?;
+            if period.len() != points.len() + 1 {
+                let (m, k) = (points.len(), period.len());
+                return Err(Diagnostic::error(
+                    Code::Knots,
+                    format!("{m} control points over one period need {} knots, not {k}", m + 1),
+                )
+                .at(args.span(1))
+                .hint("the last knot is the first one of the next period"));
+            }
             let s = BSpline::periodic(n, &period, &points).map_err(spline_error).at(args.span(1))?;
             Ok(spline(s, form))
         },
@@ -389,19 +398,16 @@ pub(super) const TABLE: &[Builtin] = &[
             let (s, _) = args.spline(0)?;
             let mut table = Table::with_header(["knot", "multiplicity", "promised", "found"]);
             for (knot, multiplicity, order) in s.smoothness() {
-                let word = |order: i64| match order {
-                    i64::MIN..0 => "a jump".to_owned(),
-                    k => format!("C^{k}"),
-                };
+                let promised = s.degree().checked_sub(multiplicity);
                 let found = match order {
-                    Some(k) if k == s.degree() => "one polynomial".to_owned(),
-                    other => word(other.map_or(-1, |k| k as i64)),
+                    Some(k) if k == s.degree() => Cell::words("one polynomial"),
+                    other => super::joins::class("C", other),
                 };
                 table.rows.push(vec![
                     Cell::Value(Value::Scalar(knot)),
                     Cell::Value(Value::int(multiplicity as i64)),
-                    Cell::words(word(s.degree() as i64 - multiplicity as i64)),
-                    Cell::words(found),
+                    super::joins::class("C", promised),
+                    found,
                 ]);
             }
             Ok(Value::Table(Arc::new(table)))
