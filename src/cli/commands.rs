@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 
 use super::Status;
-use super::arguments::{Arguments, Command, Global, Two};
+use super::arguments::{Arguments, Command, FormatArgument, Global, Two};
 use super::output::{Output, Trouble};
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::eval::{BUILTINS, Equals, builtin};
@@ -46,6 +46,13 @@ pub(super) type Ran = Result<Status, Stop>;
 pub(super) fn run(arguments: &Arguments) -> Status {
     let mut output = Output::new(&arguments.global);
     let mut session = Session::new(arguments.global.limits());
+    let figure = matches!(arguments.command, Some(Command::Figure(_)));
+    if arguments.global.format == Some(FormatArgument::Svg) && !figure {
+        let problem = Diagnostic::error(Code::Usage, "only figures are written as SVG")
+            .hint("polarform figure query \"figure_basis(3)\" --format svg");
+        output.problem(&problem, &SourceFile::new("<arguments>", ""));
+        return Status::Failed;
+    }
     let result = match &arguments.command {
         None if io::stdin().is_terminal() => return super::repl::run(&mut session, &mut output),
         None => script(&mut session, &output, Path::new("-"), false),
@@ -173,6 +180,7 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             Ok(Status::Fine)
         }
         Command::Check { claim, given } => check(session, output, claim, given),
+        Command::Figure(figure) => super::figure::run(figure, global, session, output),
         Command::Notes(notes) => super::notes::run(notes, global, output),
         Command::Weave(arguments) => super::weave::run(arguments, global, output),
         Command::Explain { code } => explain(output, code.as_deref()),
@@ -192,7 +200,7 @@ fn basis(name: &str, text: &str, ends: &[Expr]) -> Result<Expr, Box<Failure>> {
 }
 
 /// Reads a text as one formula.
-fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
+pub(super) fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
     read(file, None).map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
 }
 
@@ -204,7 +212,11 @@ fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
     })
 }
 
-fn evaluated(session: &mut Session, file: &SourceFile, mut expr: Expr) -> Result<Value, Box<Failure>> {
+pub(super) fn evaluated(
+    session: &mut Session,
+    file: &SourceFile,
+    mut expr: Expr,
+) -> Result<Value, Box<Failure>> {
     match session.evaluate(&mut expr, Equals::Claims) {
         Ok(outcome) => Ok(outcome.value),
         Err(problem) => Err(Box::new(Failure { problem, file: file.clone() })),
@@ -354,7 +366,8 @@ fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ra
     run_all(session, output, &file, stop)
 }
 
-fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {
+/// Runs definitions that a query uses.
+pub(super) fn give(session: &mut Session, given: &[String]) -> Result<(), Box<Failure>> {
     for (i, definition) in given.iter().enumerate() {
         let file = SourceFile::new(format!("<given {}>", i + 1), definition.as_str());
         let mut failure = None;
@@ -366,9 +379,14 @@ fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) 
             }
         });
         if let Some(failure) = failure {
-            return Err(failure.into());
+            return Err(failure);
         }
     }
+    Ok(())
+}
+
+fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {
+    give(session, given)?;
     let file = SourceFile::new("<claim>", claim);
     let answer = session.run_statement(&file, None, Equals::Claims)?;
     if !matches!(answer.outcome.value, Value::Claim(_)) {

@@ -2,6 +2,8 @@
 
 mod arguments;
 mod commands;
+mod figure;
+mod files;
 mod notes;
 mod output;
 mod repl;

@@ -41,7 +41,7 @@ pub(super) fn run(notes: &Notes, global: &Global, output: &Output) -> Ran {
     match notes {
         Notes::List { files, jobs } => list(files, *jobs, global, output),
         Notes::Check(arguments) => {
-            let check = Check { arguments, kind: kind(arguments, global.format)?, global, output };
+            let check = Check { arguments, kind: kind(arguments, global.format())?, global, output };
             check.refuse_overwriting()?;
             if arguments.watch { check.watch() } else { check.once() }
         }
@@ -58,7 +58,7 @@ struct Input {
 }
 
 fn list(files: &[PathBuf], jobs: Option<NonZeroUsize>, global: &Global, output: &Output) -> Ran {
-    if matches!(global.format, Format::Sympy) {
+    if matches!(global.format(), Format::Sympy) {
         return Err(usage("a list of formulas is printed as text or JSON", "choose another --format"));
     }
     let pool = pool(jobs, files.len())?;
@@ -70,7 +70,7 @@ fn list(files: &[PathBuf], jobs: Option<NonZeroUsize>, global: &Global, output: 
     let reports = gather(&inputs);
     show_problems(&reports, output);
     let color = global.color.wanted(io::stdout().is_terminal());
-    output.text(&match global.format {
+    output.text(&match global.format() {
         Format::Json => render_listing_json(&reports),
         _ => render_listing(&reports, color),
     })?;

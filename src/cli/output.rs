@@ -7,17 +7,21 @@ use super::arguments::Global;
 use crate::blossom::PolarForm;
 use crate::diagnostic::{Code, Diagnostic, render, render_json};
 use crate::expr::{Expr, Kind};
+use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
 use crate::number::Rational;
+use crate::scene::Scene;
 use crate::session::Failure;
 use crate::source::SourceFile;
 use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
 use crate::write::{
-    Format, claim_json, expanded_terms, text, value_json, write_expanded, write_expr, write_grouped,
-    write_table,
+    Format, claim_json, expanded_terms, text, write_expanded, write_expr, write_grouped, write_table,
 };
 
 /// Polar forms of a larger degree are written out without building the formula.
 const STREAM_ABOVE: usize = 6;
+
+/// The columns and rows of a preview.
+pub(super) const PREVIEW: (usize, usize) = (72, 20);
 
 /// Where results and messages go, and how.
 pub(super) struct Output {
@@ -30,7 +34,7 @@ pub(super) struct Output {
 impl Output {
     pub fn new(global: &Global) -> Self {
         let color = global.color.wanted(io::stderr().is_terminal());
-        Output { format: global.format, notation: global.notation(), color, limits: global.limits() }
+        Output { format: global.format(), notation: global.notation(), color, limits: global.limits() }
     }
 
     /// One line of results.
@@ -78,8 +82,23 @@ impl Output {
                 }
                 Ok(())
             }
+            Value::Figure(scene) => self.figure(scene, name),
             _ => self.plain(value, name),
         }
+    }
+
+    /// A drawing: a preview, TikZ, or data.
+    fn figure(&self, scene: &Scene, name: Option<Expr>) -> Result<(), Trouble> {
+        let drawn = self.limited(|| match self.format {
+            Format::Text | Format::Unicode => Ok(terminal(scene, PREVIEW.0, PREVIEW.1)),
+            Format::Latex => Ok(tikz(scene, &TikzOptions::default())),
+            Format::Json => Ok(figure_json(scene).to_string() + "\n"),
+            Format::Sympy => Err(Trouble::problem("a figure has no form in SymPy".to_owned())),
+        })??;
+        if let (Some(name), Format::Text | Format::Unicode) = (name, self.format) {
+            self.line(&(self.written(&name)? + " ="))?;
+        }
+        Ok(self.text(&drawn)?)
     }
 
     fn plain(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {

@@ -17,6 +17,7 @@ use super::repl_helper::Helper;
 use crate::blossom::Method;
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::eval::{BUILTINS, Equals};
+use crate::figure::{TikzOptions, tikz};
 use crate::poly::Symbol;
 use crate::session::Session;
 use crate::source::SourceFile;
@@ -268,6 +269,10 @@ impl Repl<'_> {
             "copy" => {
                 let last = self.session.env.get(&Symbol::new("ans")).cloned();
                 let last = last.ok_or_else(|| usage(":copy after a result"))?;
+                if let Value::Figure(scene) = &last {
+                    self.output.text(&tikz(scene, &TikzOptions::default()))?;
+                    return Ok(true);
+                }
                 let body = match &last {
                     Value::Polar(polar) => polar.body(self.output.notation),
                     other => other.to_expr(),

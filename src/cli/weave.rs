@@ -26,7 +26,7 @@ use crate::write::Format;
 const STYLE: &str = "polarform.sty";
 
 pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
-    if matches!(global.format, Format::Latex | Format::Sympy | Format::Unicode) {
+    if matches!(global.format(), Format::Latex | Format::Sympy | Format::Unicode) {
         return Err(usage("weaving has no such format", "choose --format text or json, for messages"));
     }
     let mode = if arguments.output.is_some() { Mode::Template } else { Mode::InPlace };

@@ -159,6 +159,10 @@ codes! {
     Degenerate = "E319": "degenerate corners",
     /// A number has no rational square root, so an exact answer does not exist.
     Irrational = "E320": "irrational",
+    /// Something that has no place on a page: symbols without values, infinite or huge coordinates.
+    ///
+    /// Example: `figure_bezier(bezier([b_0, b_1]))`. Give the symbols values first.
+    Undrawable = "E321": "cannot be drawn",
 
     /// The time limit was reached.
     ///

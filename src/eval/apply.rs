@@ -268,7 +268,12 @@ impl Machine {
                 match arguments::named(item) {
                     Some((name, value)) => {
                         let value_span = value.span;
-                        let value = self.eval(value)?;
+                        let value = match &value.kind {
+                            Kind::Name(word) if builtins::WORD_ARGUMENTS.contains(&name.as_str()) => {
+                                Value::Text(word.clone())
+                            }
+                            _ => self.eval(value)?,
+                        };
                         all.push_named(name, value, value_span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {

@@ -8,6 +8,7 @@
 //! | [`svg()`] | one SVG document, or element of a page | browsers, Markdown, Inkscape |
 //! | [`tikz()`] | a `tikzpicture`, or a document with it | LaTeX |
 //! | [`terminal()`] | lines of braille characters | a quick look |
+//! | [`figure_json()`] | title, description, SVG, TikZ | programs |
 //!
 //! **Invariants.** The output is deterministic and complete: no scripts, no fonts or files from
 //! elsewhere, coordinates with at most two decimals. Text from outside is escaped; the SVG is
@@ -25,6 +26,7 @@
 //! # Ok::<(), polarform::scene::SceneError>(())
 //! ```
 
+mod json;
 mod measure;
 mod palette;
 mod runs;
@@ -32,6 +34,7 @@ mod svg;
 mod terminal;
 mod tikz;
 
+pub use json::{figure_json, value_json};
 pub use measure::measure;
 pub use svg::{SvgOptions, Theme, svg};
 pub use terminal::terminal;

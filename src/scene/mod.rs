@@ -156,6 +156,13 @@ impl Scene {
         }
     }
 
+    /// Adds items below what is in the last panel.
+    pub(crate) fn add_below(&mut self, items: Vec<Item>) {
+        if let Some(panel) = self.panels.last_mut() {
+            panel.items.splice(0..0, items);
+        }
+    }
+
     /// The same without legends and captions.
     pub(crate) fn without_words_below(mut self) -> Self {
         for panel in &mut self.panels {

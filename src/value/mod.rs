@@ -29,6 +29,7 @@ use nalgebra::DMatrix;
 
 use crate::number::Rational;
 use crate::poly::{Fraction, MultiPoly, Symbol};
+use crate::scene::Scene;
 
 /// A value of the language.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +56,8 @@ pub enum Value {
     Piecewise(Arc<PiecewiseFunction>),
     /// A scheme or report of several columns.
     Table(Arc<Table>),
+    /// A drawing.
+    Figure(Arc<Scene>),
     /// Words, such as the answer of `degree(0)`.
     Text(String),
 }
@@ -89,6 +92,7 @@ impl Value {
             Value::Geometry(geometry) => geometry.kind(),
             Value::Piecewise(_) => "a piecewise polynomial",
             Value::Table(_) => "a table",
+            Value::Figure(_) => "a figure",
             Value::Claim(_) => "a claim",
             Value::Text(_) => "a text",
         }

@@ -83,6 +83,11 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             let problem = Diagnostic::error(Code::Type, format!("{name} is a function of the program"));
             return Err(problem.hint("write a call of it, with arguments"));
         }
+        Value::Figure(_) => {
+            let problem = Diagnostic::error(Code::Type, "a figure is no formula");
+            return Err(problem
+                .hint("write it into a file with 'polarform figure query … -o figure.svg' (or .tex), and include that"));
+        }
         Value::Claim(claim) => Piece::Formula(claimed(claim, &answer.statement)),
         Value::Polar(polar) => {
             let name = name.unwrap_or_else(|| Expr::name("f"));

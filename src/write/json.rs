@@ -15,6 +15,8 @@ fn scalar(f: &Fraction) -> String {
 
 /// A value with its kind, its data, and its text and LaTeX.
 ///
+/// Of a figure only its title and description; [`crate::figure::value_json`] draws it, too.
+///
 /// ```
 /// use polarform::{value::Value, write::value_json};
 /// assert_eq!(value_json(&Value::int(3), Default::default())["number"], "3");
@@ -62,6 +64,8 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
             "outside": matches!(function.function.outside(), crate::piecewise::Outside::Zero).then_some("0"),
             "text": text(&value.to_expr()), "latex": latex(&function.display_expr())}),
         Value::Table(table) => super::table_json(table),
+        Value::Figure(scene) => json!({"kind": "figure", "title": scene.title(),
+            "description": scene.description()}),
         Value::Claim(claim) => claim_json(claim),
         Value::Text(words) => json!({"kind": "text", "text": words}),
     }

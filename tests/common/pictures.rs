@@ -246,6 +246,7 @@ fn broken() -> ContinuityPicture {
 fn hodograph() -> HodographPicture {
     HodographPicture {
         points: points(&ARCH),
+        length: z(1),
         labels: indexed("b", 4),
         derivative_labels: (0..3).map(|i| formula(&format!("3 Delta b_{i}"))).collect(),
     }

@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod figures;
 mod joins;
 mod matrices;
 mod numbers;
@@ -41,7 +42,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 9]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: [&'static [Builtin]; 10]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -63,6 +64,7 @@ pub static BUILTINS: &[&Builtin] = &{
         + joins::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
+        + figures::TABLE.len()
         + numbers::TABLE.len();
     all::<COUNT>([
         polar::TABLE,
@@ -73,6 +75,7 @@ pub static BUILTINS: &[&Builtin] = &{
         rational::TABLE,
         surfaces::TABLE,
         joins::TABLE,
+        figures::TABLE,
         numbers::TABLE,
     ])
 };
@@ -81,6 +84,9 @@ pub static BUILTINS: &[&Builtin] = &{
 /// of polynomials, functions or polar forms.
 pub(super) const COORDINATEWISE: &[&str] =
     &["polar", "elevate", "reduce", "partial", "diagonal", "derivative", "diff"];
+
+/// Arguments whose value is a word, as in `labels=points`.
+pub(super) const WORD_ARGUMENTS: &[&str] = &["labels", "apex"];
 
 /// The function of that name.
 pub fn builtin(name: &str) -> Option<&'static Builtin> {

@@ -74,12 +74,15 @@ impl BezierPicture {
                 let ink = if several { Ink::Series(number) } else { Ink::Text };
                 add_points(&mut scene, curve, Shape::Dot, ink)?;
             }
-            for parameter in &self.parameters {
+            let of_all = self.parameters.iter().map(|parameter| {
+                (parameter, Expr::relation(Expr::name("t"), Rel::Eq, exact_text(parameter)))
+            });
+            let own = curve.marks.iter().map(|(parameter, text)| (parameter, text.clone()));
+            for (parameter, text) in of_all.chain(own) {
                 let what = || format!("the curve at t = {parameter}");
                 let point = curve.at(parameter).ok_or_else(|| SceneError::AtInfinity { what: what() })?;
                 let spot = Spot::exact(&point)?;
                 scene.add(Marker::new(spot, Shape::Diamond, Ink::Accent));
-                let text = Expr::relation(Expr::name("t"), Rel::Eq, exact_text(parameter));
                 scene.add(Label::beside(spot, text, Direction::South).small());
             }
         }

@@ -23,6 +23,8 @@ pub struct Curve {
     pub labels: Vec<Expr>,
     /// The name of the curve, for the legend.
     pub name: Option<Expr>,
+    /// Points of the curve that are marked: parameters in [0, 1], and what is written there.
+    pub marks: Vec<(Rational, Expr)>,
 }
 
 impl Curve {
@@ -41,7 +43,7 @@ impl Curve {
     /// assert_eq!(quarter.at(&polarform::number::rational(1, 2)), Some([(3, 5), (4, 5)].map(|(p, q)| polarform::number::rational(p, q))));
     /// ```
     pub fn rational(points: Vec<[Rational; 3]>) -> Self {
-        Curve { points, labels: Vec::new(), name: None }
+        Curve { points, labels: Vec::new(), name: None, marks: Vec::new() }
     }
 
     /// The same with names for its control points.
@@ -52,6 +54,13 @@ impl Curve {
     /// The same with a name.
     pub fn named(self, name: Expr) -> Self {
         Curve { name: Some(name), ..self }
+    }
+
+    /// The same with a marked point. A curve over another interval [a, b] is drawn like that over
+    /// [0, 1]; its point at t is that at (t − a)/(b − a), and what is written there says t.
+    pub fn marked(mut self, parameter: Rational, text: Expr) -> Self {
+        self.marks.push((parameter, text));
+        self
     }
 
     /// The point of the curve at t, exactly; `None` at infinity or without control points.

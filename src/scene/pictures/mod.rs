@@ -20,6 +20,7 @@
 //! Reference: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002); L. Ramshaw, "Blossoms
 //! are polar forms", CAGD 6 (1989).
 
+mod axes;
 mod basis;
 mod bezier;
 mod bspline;
@@ -33,6 +34,7 @@ mod projection;
 mod pyramid;
 mod triangle;
 
+pub use axes::as_graph;
 pub use basis::{BasisPicture, Function, Knot, Piece};
 pub use bezier::BezierPicture;
 pub use bspline::BsplinePicture;
@@ -42,6 +44,7 @@ pub use curve::Curve;
 pub use hodograph::HodographPicture;
 pub use labels::{bspline_labels, casteljau_labels, polar_labels, triangle_labels};
 pub use patch::PatchPicture;
+pub use projection::projected;
 pub use pyramid::{Apex, PyramidPicture};
 pub use triangle::{TriangleDomain, TrianglePicture};
 

@@ -3,9 +3,25 @@
 //! The eye is above, turned off the diagonal of x and y, so that the points of a lattice do not
 //! fall on each other as they do in the isometric projection.
 
-use super::Space;
+use super::{Plane, Space};
+use crate::number::rational;
 use crate::scene::spot::rounded;
 use crate::scene::{SceneError, Spot};
+
+/// The projected point, exactly; linear, so that it may be used for homogeneous coordinates too.
+///
+/// ```
+/// use polarform::number::integer as z;
+/// use polarform::scene::pictures::projected;
+/// let origin = projected(&[z(0), z(0), z(0)]);
+/// let above = projected(&[z(0), z(0), z(1)]);
+/// assert!(origin[0] == above[0] && origin[1] < above[1]);
+/// ```
+pub fn projected([x, y, z]: &Space) -> Plane {
+    // sines and cosines as below
+    let [turn, side, rise, flat] = [529_919, 848_048, 438_371, 898_794].map(|k| rational(k, 1_000_000));
+    [y * &side - x * &turn, z * &flat - (x * &side + y * &turn) * &rise]
+}
 
 /// A point of space in floating-point numbers.
 pub(super) type Point = [f64; 3];
