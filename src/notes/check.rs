@@ -72,7 +72,7 @@ pub fn listing(document: &Document) -> Vec<Finding> {
                 }
                 findings.push(finding);
             }
-            Said::Declaration(..) => {}
+            Said::Declaration(..) | Said::Queries(..) => {}
         }
     }
     findings
@@ -96,6 +96,7 @@ impl Checker {
     fn statement(&mut self, statement: &Statement) {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
+            Said::Queries(text, span) => self.queries(text, &statement.place, *span),
             Said::Condition(side) => {
                 let mut finding = of_side(side, Verdict::Definition, 1);
                 finding.reason = Some("a condition".to_owned());

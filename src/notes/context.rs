@@ -93,7 +93,7 @@ impl Letters {
             match &statement.said {
                 Said::Chain(chain) => chain.sides.iter().for_each(|side| look(&side.expr)),
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Declaration(..) => {}
+                Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
         letters

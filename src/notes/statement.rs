@@ -84,6 +84,8 @@ pub enum Said {
     Bare(Side, Vec<Diagnostic>),
     /// A declaration by comment.
     Declaration(String, Span),
+    /// A block of queries, of which the definitions count.
+    Queries(String, Span),
 }
 
 /// A statement with its surroundings.
@@ -207,8 +209,9 @@ impl Reader<'_> {
                     self.new_group();
                 }
             }
-            Item::Declaration { text, span } => {
-                let said = Said::Declaration(text.clone(), *span);
+            Item::Declaration { text, span, block } => {
+                let make = if *block { Said::Queries } else { Said::Declaration };
+                let said = make(text.clone(), *span);
                 self.push(said);
             }
             Item::Formula(formula) => {

@@ -33,10 +33,11 @@ mod tex;
 #[cfg(test)]
 mod tests;
 
+pub use crate::notes::extract::options_in;
 pub use book::{BookError, weave_book};
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
-pub use options::{BlockOptions, Language, Show, Style, options_in};
+pub use options::{BlockOptions, Language, Show, Style};
 pub use render::{Piece, Shown, StepLine, render};
 pub use tex::{Load, side_name, weave_latex};
 

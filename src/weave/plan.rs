@@ -16,10 +16,11 @@
 
 use std::ops::Range;
 
-use super::options::{BlockOptions, options_in};
+use super::options::BlockOptions;
 use super::stamp::Digest;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::Places;
+use crate::notes::extract::options_in;
 use crate::notes::extract::{Opening, Part, PartKind, markdown_parts, query_at};
 use crate::source::Span;
 
