@@ -12,6 +12,26 @@ use crate::value::Value;
 /// The variable in which functions are differentiated.
 const FRESH: &str = "\u{2022}";
 
+/// In t_2, t_1, …, t_n the dots do not stand for t_2 again. `list` is what stands for t_1, …, t_n, the
+/// last one as written being `last`. `None` if a name that is pulled forward does not exist (n = 1).
+pub(super) fn not_yet_named(mut list: Vec<Expr>, items: &[Expr], last: &Expr) -> Option<Vec<Expr>> {
+    let index = |expr: &Expr| match Head::of(expr)?.lower.as_slice() {
+        [Expr { kind: Kind::Number(index), .. }] => Some(index.clone()),
+        _ => None,
+    };
+    let (Some(first), None) = (list.first().and_then(index), index(last)) else { return Some(list) };
+    let written = Head::of(last)?;
+    for ahead in items.iter().take_while(|item| item.kind != Kind::Ellipsis) {
+        let pulled = Head::of(ahead).is_some_and(|head| head.base == written.base)
+            && index(ahead).is_some_and(|index| index > first);
+        if pulled {
+            let at = list.iter().position(|entry| entry.same_as(ahead))?;
+            list.remove(at);
+        }
+    }
+    Some(list)
+}
+
 impl Model {
     /// `callee(groups)`; `None` if it is no call of a function.
     pub(super) fn call(

@@ -5,7 +5,7 @@
 //! places (t_1 + … + t_n), all products in lexicographic order (t_1 t_2 + t_1 t_3 + … + t_4 t_5), or
 //! cyclic shifts. If none fits, the dots have no meaning.
 
-use super::calls::unclear;
+use super::calls::{not_yet_named, unclear};
 use super::{Evaluated, Model};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::{Machine, arithmetic};
@@ -316,8 +316,9 @@ impl Model {
                     at += 3;
                 }
                 (true, Some(after)) => {
-                    let list =
-                        run(machine, &item, after).ok_or_else(|| unclear("what the dots stand for", expr))?;
+                    let list = run(machine, &item, after)
+                        .and_then(|list| not_yet_named(list, items, after))
+                        .ok_or_else(|| unclear("what the dots stand for", expr))?;
                     for entry in list {
                         values.push(machine.eval(&entry)?);
                     }
