@@ -154,6 +154,7 @@ impl Checker {
             conditions: conditions.to_vec(),
             place: place.clone(),
             line: self.line(span),
+            queried: false,
         };
         Rc::make_mut(&mut self.context).definitions.push(definition);
     }

@@ -29,6 +29,8 @@ pub struct Definition {
     pub place: Place,
     /// The line, for reports.
     pub line: usize,
+    /// Whether a query gives it; the items of a list there are counted from 0.
+    pub queried: bool,
 }
 
 /// A condition on names, such as α + β + γ = 1.

@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Body, Condition};
+use super::context::{Body, Condition, Definition};
 use super::names::Head;
 use super::statement::Place;
 use crate::diagnostic::{Code, Diagnostic};
@@ -57,7 +57,11 @@ impl Checker {
                 _ => false,
             };
             if defines {
-                self.define(head, Body::Formula(links[0].expr.clone()), &[], place, span);
+                let line = self.file.line_column(span.start).0;
+                let body = Body::Formula(links[0].expr.clone());
+                let (place, conditions) = (place.clone(), Vec::new());
+                let definition = Definition { head, body, conditions, place, line, queried: true };
+                Rc::make_mut(&mut self.context).definitions.push(definition);
             }
         }
     }

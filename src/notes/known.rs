@@ -135,6 +135,17 @@ impl Checker {
         {
             return true;
         }
+        // b_1 of a list b that a query gives
+        if let ([Expr { kind: Kind::Number(_), .. }], [], None) =
+            (&*head.lower, &*head.upper, &head.arguments)
+            && self
+                .context
+                .visible(&head.base, place)
+                .next()
+                .is_some_and(|(_, d, near)| near && d.queried && d.head.lower.is_empty())
+        {
+            return true;
+        }
         let function = self.context.letters.is_function(&head.base);
         let plain = head.lower.is_empty() && head.upper.is_empty();
         let plain_below = head.lower.is_empty();

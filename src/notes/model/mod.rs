@@ -265,6 +265,9 @@ impl Model {
         if let Some(result) = self.defined(machine, &head, None) {
             return Some(result);
         }
+        if let Some(item) = self.item_of_query(machine, &head) {
+            return Some(Ok(item));
+        }
         if let Some(result) = self.standard_name(machine, &head, expr) {
             return Some(result);
         }
