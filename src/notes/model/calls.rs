@@ -12,26 +12,6 @@ use crate::value::Value;
 /// The variable in which functions are differentiated.
 const FRESH: &str = "\u{2022}";
 
-/// In t_2, t_1, …, t_n the dots do not stand for t_2 again. `list` is what stands for t_1, …, t_n, the
-/// last one as written being `last`. `None` if a name that is pulled forward does not exist (n = 1).
-pub(super) fn not_yet_named(mut list: Vec<Expr>, items: &[Expr], last: &Expr) -> Option<Vec<Expr>> {
-    let index = |expr: &Expr| match Head::of(expr)?.lower.as_slice() {
-        [Expr { kind: Kind::Number(index), .. }] => Some(index.clone()),
-        _ => None,
-    };
-    let (Some(first), None) = (list.first().and_then(index), index(last)) else { return Some(list) };
-    let written = Head::of(last)?;
-    for ahead in items.iter().take_while(|item| item.kind != Kind::Ellipsis) {
-        let pulled = Head::of(ahead).is_some_and(|head| head.base == written.base)
-            && index(ahead).is_some_and(|index| index > first);
-        if pulled {
-            let at = list.iter().position(|entry| entry.same_as(ahead))?;
-            list.remove(at);
-        }
-    }
-    Some(list)
-}
-
 impl Model {
     /// `callee(groups)`; `None` if it is no call of a function.
     pub(super) fn call(
@@ -43,6 +23,12 @@ impl Model {
     ) -> Option<Evaluated> {
         if !self.is_function(machine, callee) {
             return None;
+        }
+        if let (Kind::Name(name), true) = (&callee.kind, self.is_queried(callee, groups))
+            && let Some(Ok(function)) = self.defined(machine, &Head::of(callee)?, None)
+        {
+            let own = [(Symbol::new(name), function)];
+            return Some(machine.with_locals(own, |machine| machine.eval(expr)));
         }
         // A permutation of all arguments: F(π(u_1, …, u_n)).
         if let [group] = groups
@@ -76,6 +62,16 @@ impl Model {
             }
         }
         Some(self.apply(machine, callee, &values, expr))
+    }
+
+    /// Whether a query says what is called, so that the language knows how to call it: f := polar(…).
+    fn is_queried(&self, callee: &Expr, groups: &[Vec<Expr>]) -> bool {
+        let Kind::Name(name) = &callee.kind else { return false };
+        let written_out = |item: &Expr| !matches!(item.kind, Kind::Ellipsis | Kind::Brace(..));
+        groups.iter().flatten().all(written_out)
+            && self.context.visible(name, &self.place).next().is_some_and(|(_, definition, _)| {
+                definition.queried && definition.head.arguments.is_none() && definition.head.lower.is_empty()
+            })
     }
 
     /// Whether what stands before a bracket is a function and not a factor.

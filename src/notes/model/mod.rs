@@ -11,6 +11,7 @@ mod dots;
 mod families;
 mod notations;
 mod polynomials;
+mod steps;
 
 pub use polynomials::capital_of;
 
@@ -45,6 +46,8 @@ pub struct Choices {
     pub near_only: bool,
     /// N_i^k has degree k, not order k.
     pub spline_degree: bool,
+    /// t_1 t_2 + … + t_4 t_5 has all products of two, not only those of neighbours.
+    pub all_products: bool,
     /// The formula is about functions in general: those defined elsewhere by one formula are not
     /// meant.
     pub general: bool,
@@ -102,6 +105,8 @@ pub enum Ambiguity {
     Power,
     /// N_i^k.
     Spline,
+    /// t_1 t_2 + … + t_4 t_5.
+    Dots,
 }
 
 /// The curve that a sentence speaks of.
