@@ -234,8 +234,9 @@ impl Checker {
         let curve = refute::curve_spoken_of(&statement.recent);
         let head =
             definable(&chain.sides[0].expr).filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define));
-        let first_known =
-            head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
+        let first_known = queried
+            || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
         if let Some(listed) = self.listed(chain, place) {
             return vec![listed];
         }
@@ -265,6 +266,11 @@ impl Checker {
         if start < chain.relations.len() {
             self.judge(chain, start, statement, curve, head.as_ref(), &mut findings);
         }
+        // s = N_0^2(t) + … shows the curve that a query gives.
+        if queried && findings[0].verdict == Verdict::Undecided {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some("shows the value of a query".to_owned());
+        }
         findings
     }
 
@@ -276,6 +282,9 @@ impl Checker {
         finding.verdict = Verdict::Definition;
         finding.reason = Some(format!("introduces {}", head.base));
         finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        if self.is_queried(head, place) {
+            return;
+        }
         // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
         let derivative = head.parenthesized
             && head.arguments.is_some()

@@ -282,6 +282,10 @@ impl Model {
         let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
         let greek = crate::syntax::greek_char(word).is_some();
         if word.chars().count() > 1 && !greek && word != "ell" {
+            // convert(c, polar)
+            if crate::eval::builtin(word).is_some() {
+                return None;
+            }
             let unknown = Diagnostic::error(Code::UnknownName, format!("'{word}' has no meaning here"));
             return Some(Err(unknown.at(expr.span)));
         }
