@@ -122,6 +122,16 @@ fn wrong_queries_of_every_command() {
         (&["matrix", "--degree", "2", "--interval", "1,1"], "E311"),
         (&["matrix", "--degree", "2", "--from", "whoknows"], "E201"),
         (&["matrix", "--degree", "3", "--raise-to", "2"], "E307"),
+        (&["interpolate", "--nodes", "", "--values", "1"], "E105"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1,(2"], "E104"),
+        (&["interpolate", "--nodes", "0,0", "--values", "1,2"], "E311"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1"], "E307"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1", "--method", "hermite"], "E307"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1,2", "--variable", "2t"], "E302"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1,2", "--ends", "natural"], "E502"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1,2", "--method", "least-squares"], "E502"),
+        (&["interpolate", "--nodes", "1,0", "--values", "1,2", "--method", "spline"], "E316"),
+        (&["interpolate", "--nodes", "0,1", "--values", "1,2", "--method", "spline", "--at", "2"], "E317"),
     ] {
         assert_clear(&format!("{arguments:?}"), &run(arguments), code);
     }
@@ -139,6 +149,10 @@ fn absurd_sizes() {
         ("identity(100000)", "E402"),
         ("0..10^18", "E402"),
         ("sum(i=1..10^12, i)", "E402"),
+        ("vandermonde([0, 1], degree=10^9)", "E402"),
+        ("least_squares([0, 1], [1, 2], 10^9)", "E402"),
+        ("basis_condition(10^6)", "E402"),
+        ("parameters([[0, 0], [1, 0], [1, 2], [2, 3]], foley, decimals=10^9)", "E403"),
         ("2^(10^9)", "E403"),
         ("9^9^9^9", "E403"),
         ("100000000!", "E403"),

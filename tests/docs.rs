@@ -1,6 +1,6 @@
 //! The documentation is run: every console example gives the output it shows, every example
-//! of the function table works, the function reference and the list of tiers are up to date,
-//! and links lead somewhere.
+//! of the function table works, every picture is as its command draws it, the function reference
+//! and the list of tiers are up to date, and links lead somewhere.
 //!
 //! `UPDATE_DOCS=1 cargo test --test docs` writes the outputs and the reference anew.
 
@@ -84,6 +84,15 @@ fn output(line: &str, status: i32) -> (String, i32) {
     } else {
         panic!("not a command of ours: {line}");
     }
+    // A picture of the page: made elsewhere, then compared with the one that is there.
+    let drawing = arguments.iter().position(|word| *word == "-o").map(|i| i + 1);
+    let drawing = drawing.filter(|&i| arguments.get(i).is_some_and(|path| path.starts_with("docs/figures/")));
+    let shown_at = drawing.map(|i| root().join(arguments[i]));
+    let made_at = tempfile::Builder::new().suffix(".svg").tempfile().expect("there is room for a picture");
+    let made_name = made_at.path().to_str().expect("temporary files have plain names");
+    if let Some(i) = drawing {
+        arguments[i] = made_name;
+    }
     let mut input = Stdio::null();
     if let [.., "<", file] = arguments[..] {
         input = fs::File::open(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}")).into();
@@ -95,6 +104,9 @@ fn output(line: &str, status: i32) -> (String, i32) {
         .stdin(input)
         .output()
         .expect("the binary was built for this test");
+    if let Some(path) = shown_at {
+        settle(&path, &read(made_at.path()));
+    }
     let mut shown = String::from_utf8(ran.stdout).unwrap();
     shown.push_str(&String::from_utf8(ran.stderr).unwrap());
     (shown, ran.status.code().unwrap_or(-1))

@@ -2,28 +2,33 @@
 
 mod common;
 
+use std::fs;
+use std::process::Command;
+
 use common::expressions::{any_polar, samples, shared, statement, value};
 use katex::Opts;
 use polarform::blossom::Method;
 use polarform::eval::BUILTINS;
 use polarform::session::Session;
 use polarform::value::{Notation, Value, polar_steps};
-use polarform::write::latex;
+use polarform::write::{latex, latex_table};
 
 const NOTATIONS: [Notation; 4] = [Notation::Grouped, Notation::Expanded, Notation::Sigma, Notation::Ellipsis];
 
 /// The LaTeX of a value in every notation, and of all steps that lead to a polar form.
 fn write_down(formulas: &mut Vec<String>, value: &Value) {
-    formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.to_expr_in(notation))));
+    match value {
+        Value::Table(table) => formulas.push(latex_table(table)),
+        _ => formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.display_expr(notation)))),
+    }
     if let Value::Polar(polar) = value {
         let lines = Method::ALL.iter().flat_map(|&method| polar_steps(polar, method));
         formulas.extend(lines.map(|line| latex(&line.formula)));
     }
 }
 
-/// One test for everything: starting the renderer is what takes time.
-#[test]
-fn everything_written_is_accepted() {
+/// All the LaTeX of the examples, of typical statements and of random values.
+fn formulas() -> Vec<String> {
     let mut formulas: Vec<String> = Vec::new();
     for builtin in BUILTINS {
         let answer = Session::default().run(builtin.example).expect("the examples run");
@@ -73,6 +78,14 @@ fn everything_written_is_accepted() {
         formulas.push(format!("\\begin{{aligned}}\n{table}\\end{{aligned}}"));
     }
 
+    assert!(formulas.len() > 500, "only {} formulas", formulas.len());
+    formulas
+}
+
+/// One test for everything: starting the renderer is what takes time.
+#[test]
+fn everything_written_is_accepted() {
+    let formulas = formulas();
     let options = Opts::builder()
         .display_mode(true)
         .throw_on_error(true)
@@ -86,5 +99,40 @@ fn everything_written_is_accepted() {
             panic!("{formula}: {error}");
         }
     }
-    assert!(formulas.len() > 500, "only {} formulas", formulas.len());
+}
+
+/// The same with TeX itself, where there is one.
+#[test]
+fn tex_accepts_everything_written() {
+    let present = Command::new("pdflatex").arg("--version").output().is_ok_and(|ran| ran.status.success());
+    if !present {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut text =
+        String::from("\\documentclass{article}\n\\usepackage{amsmath,amssymb,tikz}\n\\begin{document}\n");
+    let formulas = formulas();
+    for (i, formula) in formulas.iter().enumerate() {
+        // Pictures are no formulas; the number of a formula is told if it fails.
+        text += &match formula.contains("tikzpicture") {
+            true => format!("\\typeout{{FORMULA {i}}}\n{formula}\n\n"),
+            false => format!("\\typeout{{FORMULA {i}}}\n\\[ {formula} \\]\n"),
+        };
+    }
+    text += "\\end{document}\n";
+    fs::write(folder.path().join("all.tex"), text).unwrap();
+    let ran = Command::new("pdflatex")
+        .args(["-interaction=nonstopmode", "-halt-on-error", "-draftmode", "all.tex"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let log = String::from_utf8_lossy(&ran.stdout);
+    if !ran.status.success() {
+        let number: Option<usize> = log
+            .lines()
+            .rev()
+            .find_map(|line| line.strip_prefix("FORMULA ").and_then(|rest| rest.trim().parse().ok()));
+        let error: Vec<&str> = log.lines().skip_while(|line| !line.starts_with('!')).take(4).collect();
+        panic!("{}\n{}", number.map_or("", |i| formulas[i].as_str()), error.join("\n"));
+    }
 }

@@ -501,3 +501,26 @@ fn a_real_renderer_accepts_what_is_woven() {
     assert_eq!(count(&in_place.text), formulas(&in_place.text).len(), "{}", html(&in_place.text));
     assert_eq!(count(&copy.text), formulas(&copy.text).len(), "{}", html(&copy.text));
 }
+
+#[test]
+fn figures_go_beside_the_document() {
+    use polarform::weave::{Mode, Options, weave_markdown};
+    let text = "```polarform picture=pictures/curve hide\nfigure_bezier(bezier([[0, 0], [1, 2], [2, 0]]))\n```\n\n\
+                ```polarform\nfigure_basis(2)\nfigure_basis(3)\n```\n";
+    let file = polarform::source::SourceFile::new("a.md", text);
+    let options = Options { pictures: Some("a-figure".to_owned()), ..Options::default() };
+    let woven = weave_markdown(&file, &options);
+    let names: Vec<&str> = woven.pictures.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["pictures/curve.svg", "a-figure-1.svg", "a-figure-2.svg"]);
+    assert!(woven.text.contains("![Bézier curve](pictures/curve.svg)"), "{}", woven.text);
+    assert!(woven.pictures.iter().all(|(_, svg)| svg.starts_with("<svg") || svg.starts_with("<?xml")));
+    let again = weave_markdown(&polarform::source::SourceFile::new("a.md", woven.text.as_str()), &options);
+    assert!(again.unchanged);
+    // Without a place for files the picture stands in the text.
+    let inline = weave_markdown(&file, &Options { mode: Mode::Template, ..Options::default() });
+    assert!(inline.text.contains("<svg") && inline.pictures.is_empty());
+    for wrong in ["{{ figure_basis(2) }}\n", "```polarform picture=../up\nfigure_basis(2)\n```\n"] {
+        let woven = weave_markdown(&polarform::source::SourceFile::new("a.md", wrong), &options);
+        assert!(woven.failed && woven.text == wrong, "{wrong}");
+    }
+}

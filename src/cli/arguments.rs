@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use super::figure_arguments::FigureArguments;
 use crate::blossom::Method;
 use crate::budget::Limits;
 use crate::value::Notation;
@@ -217,6 +218,26 @@ pub(super) enum Command {
         #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
         raise_to: Option<usize>,
     },
+    /// A Bézier curve: values, de Casteljau's scheme, subdivision, degree, derivatives
+    #[command(after_help = "Examples:\n  \
+        polarform bezier \"[0, 0], [1, 2], [2, 0]\" --at 1/2\n  \
+        polarform bezier \"b_0, b_1, b_2, b_3\" --scheme t --format latex\n  \
+        polarform bezier \"[1, 0], [1, 1], [0, 1]\" --weights 1,1,2 --derivative 1")]
+    Bezier(BezierArguments),
+    /// A B-spline: basis functions, values, de Boor's scheme, knots in and out, Bézier pieces
+    #[command(after_help = "Examples:\n  \
+        polarform bspline --degree 2 --knots 0,1,2,3 --basis 0\n  \
+        polarform bspline --degree 2 --knots 0,0,0,1,2,2,2 --points 1,3,2,4 --scheme 1/2\n  \
+        polarform bspline --degree 3 --knots t_0,t_1,t_2,t_3,t_4,t_5,t_6,t_7 --points d_0,d_1,d_2,d_3 --scheme t --span 3")]
+    Bspline(BsplineArguments),
+    /// A polynomial or spline through points, or close to them
+    #[command(after_help = "Examples:\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2\n  \
+        polarform interpolate --nodes 0,1,3 --values 1,3,2 --method newton --steps\n  \
+        polarform interpolate --nodes 0,1 --values \"[0, 0], [1, 0]\" --method hermite\n  \
+        polarform interpolate --nodes 0,1,2 --values 0,1,0 --method spline --ends not_a_knot\n  \
+        polarform interpolate --nodes 0..3 --values 0,1,1,2 --method least-squares --degree 1")]
+    Interpolate(Interpolate),
     /// Whether a claim such as "a = b" is true
     #[command(after_help = "Example:\n  \
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
@@ -261,6 +282,145 @@ pub(super) enum Command {
         /// A name
         name: Option<String>,
     },
+}
+
+/// What to ask about a Bézier curve.
+#[derive(Debug, Args)]
+pub(super) struct BezierArguments {
+    /// Control points: points such as [0, 1], numbers or symbols, separated by commas
+    #[arg(allow_hyphen_values = true)]
+    pub points: String,
+    /// The interval (0 and 1 if not given)
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub interval: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true)]
+    pub weights: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter, also outside of the interval
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Casteljau's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The parts between these parameters
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with_all = ["at", "scheme"])]
+    pub subdivide: Option<String>,
+}
+
+/// Changes to a curve, made in this order.
+#[derive(Debug, Args)]
+pub(super) struct Change {
+    /// Raise the degree by K
+    #[arg(long, value_name = "K")]
+    pub elevate: Option<usize>,
+    /// Lower the degree by K, where that is exact
+    #[arg(long, value_name = "K")]
+    pub reduce: Option<usize>,
+    /// The derivative of order K
+    #[arg(long, value_name = "K")]
+    pub derivative: Option<usize>,
+}
+
+/// What to ask about a B-spline.
+#[derive(Debug, Args)]
+pub(super) struct BsplineArguments {
+    /// The degree
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: usize,
+    /// The knots t_0, t_1, ..., all of them
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub knots: String,
+    /// Control points: one less than the knots minus the degree
+    #[arg(long, value_name = "D,...", allow_hyphen_values = true, required_unless_present = "basis")]
+    pub points: Option<String>,
+    /// Weights, for a rational curve
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "points")]
+    pub weights: Option<String>,
+    /// The basis function with this number, as a piecewise polynomial
+    #[arg(long, value_name = "I", conflicts_with = "points")]
+    pub basis: Option<usize>,
+    /// Insert knots
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
+    pub insert: Option<String>,
+    /// Remove a knot, where that is exact
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub remove: Option<String>,
+    #[command(flatten)]
+    pub change: Change,
+    /// The value at a parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// De Boor's scheme for a parameter, or for as many as the degree
+    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
+    pub scheme: Option<String>,
+    /// The knot interval of the scheme, if symbols hide it
+    #[arg(long, value_name = "J", requires = "scheme")]
+    pub span: Option<usize>,
+    /// The Bézier curves of all knot intervals
+    #[arg(long, conflicts_with_all = ["at", "scheme"])]
+    pub pieces: bool,
+    /// Each control point with its polar label
+    #[arg(long, conflicts_with_all = ["at", "scheme", "pieces"])]
+    pub labels: bool,
+}
+
+/// What to interpolate, and how.
+#[derive(Debug, Args)]
+pub(super) struct Interpolate {
+    /// The nodes
+    #[arg(long, value_name = "X0,X1,...", allow_hyphen_values = true)]
+    pub nodes: String,
+    /// Values at the nodes, points, or for hermite lists [f, f', ...]
+    #[arg(long, value_name = "Y0,Y1,...", allow_hyphen_values = true)]
+    pub values: String,
+    /// How to interpolate
+    #[arg(long, value_enum, default_value_t = Interpolation::Lagrange, value_name = "METHOD")]
+    pub method: Interpolation,
+    /// The value at this parameter
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Ends of a spline: natural, clamped, periodic or not_a_knot
+    #[arg(long, value_name = "ENDS")]
+    pub ends: Option<String>,
+    /// Slopes of a spline with clamped ends
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub slopes: Option<String>,
+    /// Unknowns of the system of a spline: moments or slopes
+    #[arg(long, value_name = "UNKNOWNS")]
+    pub by: Option<String>,
+    /// The degree for least squares
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: Option<usize>,
+    /// Weights for least squares
+    #[arg(long, value_name = "W0,W1,...")]
+    pub weights: Option<String>,
+    /// The variable of the result
+    #[arg(long, default_value = "t", value_name = "NAME")]
+    pub variable: String,
+    /// Show the table or system it is found by
+    #[arg(long)]
+    pub steps: bool,
+}
+
+/// Ways to interpolate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Interpolation {
+    /// The polynomial; its steps are the basis polynomials
+    Lagrange,
+    /// In Newton's form; its steps are the divided differences
+    Newton,
+    /// With derivatives; its steps are the divided differences
+    Hermite,
+    /// The polynomial; its steps are Neville's tableau
+    Neville,
+    /// The polynomial; its steps are Aitken's tableau
+    Aitken,
+    /// The cubic spline; its steps are the system of equations
+    Spline,
+    /// The closest polynomial of a degree; its steps are the normal equations
+    LeastSquares,
 }
 
 /// What to do with lecture notes.
@@ -344,179 +504,6 @@ pub(super) struct Weave {
     /// Be a preprocessor of mdBook: read a book from standard input and write it woven
     #[arg(long, conflicts_with_all = ["output", "check", "write_style"])]
     pub mdbook: bool,
-}
-
-/// A figure.
-#[derive(Debug, Args)]
-pub(super) struct FigureArguments {
-    /// What to draw
-    #[arg(value_enum)]
-    pub kind: FigureKind,
-    /// Curves, points, numbers: formulas of the language
-    #[arg(required = true, value_name = "QUERY", allow_hyphen_values = true)]
-    pub queries: Vec<String>,
-    /// The file to write: .svg, .tex or .tikz, .txt, .json
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// Definitions the queries use, in order
-    #[arg(long, value_name = "DEF")]
-    pub given: Vec<String>,
-    /// The width in pixels
-    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u16).range(80..=10_000))]
-    pub width: Option<u16>,
-    /// The colors of SVG: for any page, a white or a dark one
-    #[arg(long, value_enum, default_value_t = ThemeArgument::Auto)]
-    pub theme: ThemeArgument,
-    /// To stand alone: SVG with its own paper, TikZ as a whole document
-    #[arg(long)]
-    pub standalone: bool,
-    /// What the figure shows, for those who cannot see it
-    #[arg(long, value_name = "WORDS")]
-    pub title: Option<String>,
-    /// Words below the figure
-    #[arg(long, value_name = "WORDS")]
-    pub caption: Option<String>,
-    /// What is written at points
-    #[arg(long, value_enum, value_name = "LABELS")]
-    pub labels: Option<LabelsArgument>,
-    /// Parameters whose points are marked (bezier)
-    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
-    pub at: Option<String>,
-    /// Shade the convex hull of the control points (bezier)
-    #[arg(long)]
-    pub hull: bool,
-    /// Without control polygon or net (bezier, patch, triangle)
-    #[arg(long)]
-    pub no_polygon: bool,
-    /// Mark the Bézier points of the pieces (bspline)
-    #[arg(long)]
-    pub bezier_points: bool,
-    /// Up to which derivative the construction is shown (continuity)
-    #[arg(long, value_name = "K")]
-    pub order: Option<usize>,
-    /// Where the last level is (pyramid)
-    #[arg(long, value_enum, value_name = "SIDE")]
-    pub apex: Option<ApexArgument>,
-    /// Without factors at the arrows (pyramid)
-    #[arg(long)]
-    pub no_weights: bool,
-}
-
-/// What to draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum FigureKind {
-    /// Bézier curves: curves, or lists of points
-    Bezier,
-    /// De Casteljau's algorithm: a curve and a parameter
-    Casteljau,
-    /// A spline with its knots
-    Bspline,
-    /// Bernstein polynomials: a degree; B-splines: a degree and knots
-    Basis,
-    /// Graphs: a list of functions, and an interval
-    Functions,
-    /// A surface: rows of points, or of heights
-    Patch,
-    /// A triangular surface: a degree or points, and the names of the corners
-    Triangle,
-    /// How smoothly two curves join
-    Continuity,
-    /// A scheme: a curve and a parameter, or nodes and values
-    Pyramid,
-    /// A curve and its derivative
-    Hodograph,
-    /// Any formula that gives a figure
-    Query,
-}
-
-impl FigureKind {
-    /// The function of the language that draws it.
-    pub fn function(self) -> Option<&'static str> {
-        Some(match self {
-            FigureKind::Bezier => "figure_bezier",
-            FigureKind::Casteljau => "figure_casteljau",
-            FigureKind::Bspline => "figure_bspline",
-            FigureKind::Basis => "figure_basis",
-            FigureKind::Functions => "figure_functions",
-            FigureKind::Patch => "figure_patch",
-            FigureKind::Triangle => "figure_triangle",
-            FigureKind::Continuity => "figure_continuity",
-            FigureKind::Pyramid => "figure_pyramid",
-            FigureKind::Hodograph => "figure_hodograph",
-            FigureKind::Query => return None,
-        })
-    }
-
-    /// Whether points side by side are one argument, their list.
-    pub fn takes_points(self) -> bool {
-        matches!(
-            self,
-            FigureKind::Bezier
-                | FigureKind::Casteljau
-                | FigureKind::Patch
-                | FigureKind::Triangle
-                | FigureKind::Continuity
-                | FigureKind::Hodograph
-        )
-    }
-}
-
-/// The colors of a figure.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum ThemeArgument {
-    /// As the reader prefers
-    Auto,
-    /// For white pages
-    Light,
-    /// For dark pages
-    Dark,
-}
-
-/// What is written at points.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum LabelsArgument {
-    /// Values of the polar form, f(0, 0, 1)
-    Polar,
-    /// Names, b_1
-    Points,
-    /// Coordinates
-    Values,
-    /// Nothing
-    None,
-}
-
-impl LabelsArgument {
-    /// The word of the language.
-    pub fn word(self) -> &'static str {
-        match self {
-            LabelsArgument::Polar => "polar",
-            LabelsArgument::Points => "points",
-            LabelsArgument::Values => "values",
-            LabelsArgument::None => "none",
-        }
-    }
-}
-
-/// Where the last level of a scheme is.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum ApexArgument {
-    /// On the right
-    Right,
-    /// At the top
-    Top,
-    /// At the bottom
-    Bottom,
-}
-
-impl ApexArgument {
-    /// The word of the language.
-    pub fn word(self) -> &'static str {
-        match self {
-            ApexArgument::Right => "right",
-            ApexArgument::Top => "top",
-            ApexArgument::Bottom => "bottom",
-        }
-    }
 }
 
 /// Two polynomials.

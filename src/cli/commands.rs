@@ -179,6 +179,17 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             output.value(&matrix, None)?;
             Ok(Status::Fine)
         }
+        Command::Bezier(arguments) => {
+            let query = SourceFile::new("<bezier>", super::curves::bezier(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Bspline(arguments) => {
+            let query = SourceFile::new("<bspline>", super::curves::bspline(arguments));
+            output.value(&operand(session, &query)?, None)?;
+            Ok(Status::Fine)
+        }
+        Command::Interpolate(wanted) => super::interpolate::run(wanted, session, output),
         Command::Check { claim, given } => check(session, output, claim, given),
         Command::Figure(figure) => super::figure::run(figure, global, session, output),
         Command::Notes(notes) => super::notes::run(notes, global, output),
@@ -205,7 +216,7 @@ pub(super) fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
 }
 
 /// Reads `a, b, c`.
-fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
+pub(super) fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
     Ok(match formula(file)? {
         Expr { kind: Kind::Sequence(items), .. } => items,
         one => vec![one],
@@ -224,13 +235,13 @@ pub(super) fn evaluated(
 }
 
 /// The value of an operand given on the command line: `F(t) = t^2` is its right-hand side.
-fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
+pub(super) fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
     let answer = session.run_statement(file, None, Equals::DefinesUnbound)?;
     Ok(answer.outcome.value)
 }
 
 /// name(arguments, named), with errors placed at `span` of the file.
-fn query(
+pub(super) fn query(
     session: &mut Session,
     file: &SourceFile,
     span: Span,

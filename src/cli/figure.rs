@@ -5,9 +5,9 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use super::Status;
-use super::arguments::{FigureArguments, FigureKind, FormatArgument, Global, ThemeArgument};
+use super::arguments::{FormatArgument, Global};
 use super::commands::{Ran, evaluated, formula, give};
-use super::files::write_file;
+use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
 use super::output::{Output, PREVIEW, Trouble};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::Kind;
@@ -17,6 +17,7 @@ use crate::session::{Failure, Session};
 use crate::source::{SourceFile, Span};
 use crate::syntax;
 use crate::value::Value;
+use crate::weave::write_file;
 use crate::write::{Format, text};
 
 /// What is written.

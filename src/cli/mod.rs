@@ -2,8 +2,10 @@
 
 mod arguments;
 mod commands;
+mod curves;
 mod figure;
-mod files;
+mod figure_arguments;
+mod interpolate;
 mod notes;
 mod output;
 mod repl;

@@ -31,7 +31,8 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
     }
     let mode = if arguments.output.is_some() { Mode::Template } else { Mode::InPlace };
     let blocks = BlockOptions { notation: global.notation(), ..BlockOptions::default() };
-    let options = Options { mode, limits: global.limits(), blocks, fresh: arguments.fresh };
+    let limits = global.limits();
+    let options = Options { mode, limits, blocks, fresh: arguments.fresh, pictures: None };
     let weaver = Weaver { arguments, options, output };
     if arguments.mdbook {
         return weaver.book();
@@ -85,11 +86,12 @@ impl Weaver<'_> {
             (Container::Latex, None) => self.latex(path, &input),
             (kind, Some(target)) => self.copy(kind, path, &input, target),
             (kind, None) => {
-                let woven = match kind {
+                let mut woven = match kind {
                     Container::Notebook => weave_notebook(&input.file, &self.options),
-                    _ => weave_markdown(&input.file, &self.options),
+                    _ => weave_markdown(&input.file, &self.with_pictures(path)),
                 };
                 self.tell(&woven);
+                self.pictures(path, &mut woven)?;
                 if !self.arguments.check && woven.text != input.file.text() {
                     replace_file(&input, &woven.text).map_err(failed)?;
                 }
@@ -133,6 +135,37 @@ impl Weaver<'_> {
         })
     }
 
+    /// The options for a document whose pictures stand beside it.
+    fn with_pictures(&self, document: &Path) -> Options {
+        let stem = document.file_stem().map_or("figure".into(), |stem| stem.to_string_lossy());
+        let prefix: String = stem.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+        Options { pictures: Some(format!("{prefix}-figure")), ..self.options.clone() }
+    }
+
+    /// Writes the pictures of a document, or says which are out of date.
+    fn pictures(&self, document: &Path, woven: &mut Woven) -> Result<(), Stop> {
+        let folder = document.parent().unwrap_or(Path::new(""));
+        for (name, svg) in &woven.pictures {
+            let path = folder.join(name);
+            if fs::read_to_string(&path).is_ok_and(|before| before == *svg) {
+                continue;
+            }
+            if self.arguments.check {
+                let file = SourceFile::new(path.display().to_string(), "");
+                woven.stale.push((file, Span::default()));
+                continue;
+            }
+            if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+                fs::create_dir_all(parent).map_err(|error| {
+                    let message = format!("cannot make the folder {}: {error}", parent.display());
+                    failed(Diagnostic::error(Code::File, message).hint("choose another folder: picture=..."))
+                })?;
+            }
+            write_file(&path, svg).map_err(failed)?;
+        }
+        Ok(())
+    }
+
     fn remedy(&self) -> String {
         let files: Vec<String> = self.arguments.files.iter().map(|path| path.display().to_string()).collect();
         let target = self.arguments.output.as_ref();
@@ -153,14 +186,14 @@ impl Weaver<'_> {
         let before = if standard { None } else { fs::read_to_string(target).ok() };
         let markdown = kind == Container::Markdown;
         if let Some(before) = before.as_ref().filter(|_| markdown)
-            && copy_is_fresh(&input.file, before, &self.options)
+            && copy_is_fresh(&input.file, before, &self.with_pictures(target))
         {
             return self.finish(&name, &Woven { unchanged: true, ..Woven::default() });
         }
         let mut woven = match kind {
             Container::Notebook => weave_notebook(&input.file, &self.options),
             _ if standard => weave_markdown(&input.file, &self.options),
-            _ => weave_copy(&input.file, &self.options),
+            _ => weave_copy(&input.file, &self.with_pictures(target)),
         };
         self.tell(&woven);
         if self.arguments.check {
@@ -176,6 +209,9 @@ impl Weaver<'_> {
             return Ok(if woven.refuted > 0 { Status::Refuted } else { Status::Fine });
         } else if before.as_deref() != Some(woven.text.as_str()) {
             write_file(target, &woven.text).map_err(failed)?;
+        }
+        if !woven.failed {
+            self.pictures(target, &mut woven)?;
         }
         self.finish(&name, &woven)
     }

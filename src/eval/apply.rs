@@ -298,7 +298,11 @@ impl Machine {
             && let Some(Value::List(items)) = all.values().next()
         {
             let items = items.clone();
-            let each = items.into_iter().map(|item| (builtin.call)(self, &all.with_first(item)));
+            let each = items.into_iter().map(|item| {
+                let method = builtins::method(builtin.name, &item);
+                let own = all.with_first(item);
+                method.map_or_else(|| (builtin.call)(self, &own), |method| method(&own))
+            });
             return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
         }
         (builtin.call)(self, &all).at(span)

@@ -373,6 +373,7 @@ pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
         clauses: vec![Clause {
             parameters: vec![Parameter::Name(variable)],
             body: crate::value::polynomial_expr(&formula),
+            written: false,
             formula: Some(formula),
             scope: Default::default(),
         }],

@@ -137,7 +137,7 @@ impl Machine {
         for (name, value) in &self.locals {
             Arc::make_mut(&mut scope).insert(name.clone(), value.clone());
         }
-        Ok(Clause { parameters, body: body.clone(), formula, scope })
+        Ok(Clause { parameters, body: body.clone(), written: false, formula, scope })
     }
 
     pub(super) fn eval_big(
@@ -480,6 +480,12 @@ impl Machine {
 
     /// F ∘ G.
     pub(super) fn compose(&mut self, outer: Value, inner: Value) -> Evaluated {
+        if let Some(method) = super::builtins::method("compose", &outer) {
+            let mut args = super::Arguments::default();
+            args.push(outer, Span::default());
+            args.push(inner, Span::default());
+            return method(&args);
+        }
         let parts = |value: &Value| -> Result<(Symbol, Fraction), Diagnostic> {
             match value {
                 Value::Function(f) => f

@@ -1,6 +1,7 @@
 //! Claims: is `a = b` so for all values of its symbols, and if not, why?
 
 use super::arithmetic;
+use super::same_geometry::{self, Comparison};
 use super::{Machine, builtins, family};
 use crate::blossom::laws::{self, Arrangement};
 use crate::diagnostic::{Code, Diagnostic};
@@ -253,6 +254,18 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         (Value::Function(f), Value::Function(g)) => equal_functions(judgement, f, g)?,
         (Value::Polar(f), Value::Function(g)) | (Value::Function(g), Value::Polar(f)) => {
             polar_against_function(judgement, f, g)?;
+        }
+        (Value::Geometry(a), Value::Geometry(b)) => match same_geometry::compare(a, b) {
+            Comparison::Same => judgement.verdict = Verdict::Proved,
+            Comparison::Different(reason) => {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons.push(reason);
+            }
+            Comparison::Unknown(reason) => judgement.reasons.push(reason.to_owned()),
+        },
+        (Value::Piecewise(a), Value::Piecewise(b)) => {
+            let same = a.function.merged() == b.function.merged();
+            judgement.verdict = if same { Verdict::Proved } else { Verdict::Refuted };
         }
         (Value::Text(a), Value::Text(b)) => {
             judgement.verdict = if a == b { Verdict::Proved } else { Verdict::Refuted };

@@ -1,9 +1,9 @@
-//! Curves: lists of functions or polar forms, one for each coordinate.
+//! Curves: lists of functions, piecewise ones too, or polar forms, one for each coordinate.
 
 use std::sync::Arc;
 
 use super::apply::to_argument;
-use super::{Evaluated, Machine, arguments, wrong_kind};
+use super::{Evaluated, Machine, arguments, geometry, wrong_kind};
 use crate::diagnostic::At;
 use crate::source::Span;
 use crate::value::{Polar, PolarKind, Value};
@@ -20,6 +20,7 @@ impl Machine {
                 let list: Result<Vec<_>, _> = values.iter().cloned().map(to_argument).collect();
                 form.value(&list?).map(Value::Scalar).map_err(arguments::polar).at(span)
             }
+            Value::Piecewise(function) => geometry::call_piecewise(function, values, span),
             other => Err(wrong_kind("a function", other).at(span)),
         }
     }
@@ -27,7 +28,8 @@ impl Machine {
 
 /// Whether a list can be called like a function.
 pub(super) fn is_curve(items: &[Value]) -> bool {
-    !items.is_empty() && items.iter().all(|item| matches!(item, Value::Function(_) | Value::Polar(_)))
+    let callable = |item: &Value| matches!(item, Value::Function(_) | Value::Polar(_) | Value::Piecewise(_));
+    !items.is_empty() && items.iter().all(callable)
 }
 
 /// The coordinates of a curve as polar forms of one degree, the largest.

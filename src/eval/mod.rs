@@ -21,6 +21,7 @@ mod family;
 mod geometry;
 mod names;
 mod products;
+mod same_geometry;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;

@@ -47,10 +47,36 @@ const GREEK: &[&str] = &[
     "ell",
 ];
 
-/// Words that name a basis (`bernstein` is also a function).
-const BASES: &[&str] = &[
-    "power", "taylor", "lagrange", "newton", "hermite", "tensor", "triangle", "standard", "rational",
-    "quintic", "quartic", "quarters", "thirds", "bilinear",
+/// Words that mean themselves: bases (`bernstein` is also a function), ends of splines, ways to
+/// parameters, norms, forms of curves and surfaces. Before a bracket those of a function are that function.
+const WORDS: &[&str] = &[
+    "power",
+    "taylor",
+    "lagrange",
+    "newton",
+    "hermite",
+    "natural",
+    "clamped",
+    "periodic",
+    "not_a_knot",
+    "moments",
+    "slopes",
+    "uniform",
+    "chord",
+    "centripetal",
+    "foley",
+    "unit",
+    "one",
+    "infinity",
+    "tensor",
+    "triangle",
+    "standard",
+    "rational",
+    "quintic",
+    "quartic",
+    "quarters",
+    "thirds",
+    "bilinear",
 ];
 
 /// Functions somebody may expect that have no exact rational values.
@@ -131,7 +157,7 @@ impl Machine {
         if !symbol.is_plain() {
             return Err(self.unknown_name(symbol.base(), expr));
         }
-        if BASES.contains(&symbol.base()) {
+        if WORDS.contains(&symbol.base()) {
             return Ok(Value::Text(symbol.base().to_owned()));
         }
         match builtins::builtin(symbol.base()) {

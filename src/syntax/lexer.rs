@@ -316,8 +316,12 @@ fn run_bracket(c: char) -> Option<Bracket> {
     }
 }
 
-/// Whether an underscore joins two words: two letters or more on both sides, no Greek letter.
+/// Whether an underscore joins two words: two letters or more on both sides, no Greek letter. A
+/// single letter may stand between two such words, as in `not_a_knot`.
 fn joins_words(word: &str, rest: &str) -> bool {
-    let letters = |text: &str| text.chars().take_while(|c| c.is_ascii_lowercase()).count() > 1;
-    letters(word) && chars::greek_char(word).is_none() && rest.strip_prefix('_').is_some_and(letters)
+    let letters = |text: &str| text.chars().take_while(char::is_ascii_lowercase).count();
+    let follows = |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) > 1);
+    let over_a_letter =
+        |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) == 1 && follows(&next[1..]));
+    letters(word) > 1 && chars::greek_char(word).is_none() && (follows(rest) || over_a_letter(rest))
 }

@@ -50,6 +50,9 @@ pub struct Clause {
     pub parameters: Vec<Parameter>,
     /// The right-hand side as written.
     pub body: Expr,
+    /// Whether it is shown as written also where its formula is known: Newton's form of a
+    /// polynomial is one because of how it is written.
+    pub written: bool,
     /// Its value with the parameters as symbols, if it can be computed once and for all.
     pub formula: Option<Fraction>,
     /// The names visible when the clause was written.

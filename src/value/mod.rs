@@ -7,6 +7,7 @@
 mod factors;
 mod function;
 mod geometry;
+mod newton;
 mod outcome;
 mod piecewise;
 mod polar;
@@ -16,12 +17,13 @@ mod to_expr;
 
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
+pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
 pub use polar::{Notation, Polar, PolarKind};
 pub use steps::{Line, combination_steps, polar_steps};
 pub use table::{Cell, Table};
-pub use to_expr::{curve_expr, exact_term, polynomial_expr, symbol_expr};
+pub use to_expr::{collected, curve_expr, exact_term, polynomial_expr, symbol_expr};
 
 use std::sync::Arc;
 

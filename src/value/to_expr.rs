@@ -77,6 +77,29 @@ pub fn polynomial_expr(f: &Fraction) -> Expr {
     }
 }
 
+/// A combination of some symbols as a sum of coefficients times symbols, coefficients in factors;
+/// `None` if it is not linear in them without a rest, or nothing is gained.
+pub fn collected(f: &Fraction, symbols: &[Symbol]) -> Option<Expr> {
+    let mut rest = f.clone();
+    let mut terms = Vec::with_capacity(symbols.len());
+    for symbol in symbols {
+        let coefficient = f.derivative(symbol);
+        if coefficient.variables().iter().any(|other| symbols.contains(other)) {
+            return None;
+        }
+        if coefficient.is_zero() {
+            continue;
+        }
+        rest -= coefficient.times(&Fraction::from(MultiPoly::symbol(symbol.clone())));
+        terms.push(flattened(weighted(&coefficient, Some(symbol_expr(symbol)))));
+    }
+    // 2 b_3 - b_2 rather than -b_2 + 2 b_3.
+    if let Some(first) = terms.iter().position(|term| term.sign == Sign::Plus) {
+        terms[..=first].rotate_right(1);
+    }
+    (rest.is_zero() && !terms.is_empty()).then(|| Expr::sum(terms))
+}
+
 /// A proper quotient, denominators (and numerators, if that works out) in factors.
 fn quotient_expr(f: &Fraction) -> Expr {
     let (top, bottom) = quotient(f);
@@ -130,14 +153,14 @@ fn coefficient_parts(c: &Fraction) -> (Sign, Vec<Expr>) {
 }
 
 /// coefficient · body, as a term.
-fn weighted(coefficient: &Fraction, body: Option<Expr>) -> Term {
+pub(super) fn weighted(coefficient: &Fraction, body: Option<Expr>) -> Term {
     let (sign, mut factors) = coefficient_parts(coefficient);
     factors.extend(body);
     Term { sign, expr: Expr::product(factors) }
 }
 
 /// Adds a term to a sum; a plain sum is taken apart into its terms.
-fn push_term(terms: &mut Vec<Term>, term: Term) {
+pub(super) fn push_term(terms: &mut Vec<Term>, term: Term) {
     match term {
         Term { sign: Sign::Plus, expr: Expr { kind: Kind::Add(parts), .. } } => terms.extend(parts),
         other => terms.push(other),
@@ -464,8 +487,8 @@ fn function_expr(function: &super::Function) -> Expr {
                 })
                 .collect();
             let body = match &clause.formula {
-                Some(formula) => polynomial_expr(formula),
-                None => clause.body.clone(),
+                Some(formula) if !clause.written => polynomial_expr(formula),
+                _ => clause.body.clone(),
             };
             let shape = function.shape;
             let (lower, rest) = parameters.split_at(shape.lower);

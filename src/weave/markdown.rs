@@ -310,6 +310,9 @@ impl Weaver<'_> {
 
 /// A text that stands for the options: what is woven with others is out of date.
 pub(super) fn signature(options: &Options) -> String {
-    let BlockOptions { steps, notation, style, hide, show, equation, lang } = &options.blocks;
-    format!("{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?}", options.mode)
+    let BlockOptions { steps, notation, style, hide, show, equation, lang, picture } = &options.blocks;
+    format!(
+        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}",
+        options.mode, options.pictures
+    )
 }

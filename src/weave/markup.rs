@@ -1,7 +1,7 @@
 //! Pieces as Markdown and as LaTeX.
 
 use super::options::Style;
-use super::render::{Piece, Shown, StepLine, escaped, words_as_text, words_in_formula};
+use super::render::{Picture, Piece, Shown, StepLine, escaped, words_as_text, words_in_formula};
 
 /// What a document is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,7 @@ impl Markup {
             Piece::Words(words) if self == Markup::Markdown => return words.clone(),
             Piece::Words(words) => return escaped(words),
             Piece::Steps(lines) => aligned(lines).join(" "),
+            Piece::Picture(picture) => return self.picture(picture).join(" "),
         };
         if bare { formula } else { format!("${formula}$") }
     }
@@ -54,12 +55,27 @@ impl Markup {
             Piece::Words(words) => return vec![self.words(words)],
             Piece::Formula(shown) => vec![with_remark(shown)],
             Piece::Steps(lines) => aligned(lines),
+            Piece::Picture(picture) => return self.picture(picture),
         };
         let (open, close) = match self {
             Markup::Markdown => ("$$", "$$"),
             Markup::Latex => (r"\[", r"\]"),
         };
         [vec![open.to_owned()], lines, vec![close.to_owned()]].concat()
+    }
+
+    fn picture(self, picture: &Picture) -> Vec<String> {
+        match (self, &picture.file) {
+            (Markup::Latex, _) => enclosed("center", "", picture.tikz.lines().map(str::to_owned)),
+            (Markup::Markdown, Some(file)) => {
+                let title = picture.title.replace(['[', ']', '\\'], " ");
+                vec![format!("![{title}]({file})")]
+            }
+            // A blank line would end the picture.
+            (Markup::Markdown, None) => {
+                picture.svg.lines().filter(|line| !line.trim().is_empty()).map(str::to_owned).collect()
+            }
+        }
     }
 
     fn words(self, words: &str) -> String {
@@ -114,6 +130,7 @@ impl Markup {
                     rows.push((format!("${left}$"), right));
                 }
                 Piece::Words(words) => rows.push((String::new(), self.words(words))),
+                Piece::Picture(picture) => rows.push((String::new(), self.picture(picture).join(" "))),
                 Piece::Steps(lines) => {
                     rows.extend(lines.iter().map(|line| (line_in_words(line), self.reason(&line.reason))));
                 }
@@ -139,6 +156,7 @@ impl Markup {
         for piece in pieces {
             match piece {
                 Piece::Words(words) => lines.push(words.clone()),
+                Piece::Picture(picture) => lines.push(picture.title.clone()),
                 Piece::Formula(Shown { text, remark: Some(remark), .. }) => {
                     lines.push(format!("{text}    [{}]", words_as_text(remark)));
                 }

@@ -38,7 +38,7 @@ pub use book::{BookError, weave_book};
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
 pub use options::{BlockOptions, Language, Show, Style};
-pub use render::{Piece, Shown, StepLine, render};
+pub use render::{Picture, Piece, Shown, StepLine, render};
 pub use tex::{Load, side_name, weave_latex};
 
 use crate::budget::Limits;
@@ -71,6 +71,9 @@ pub struct Options {
     pub limits: Limits,
     /// What holds for queries within a line, and for blocks that say nothing else.
     pub blocks: BlockOptions,
+    /// What the names of the files of pictures begin with, relative to the document; `None` to put
+    /// pictures into the text of Markdown.
+    pub pictures: Option<String>,
     /// Run the queries even if the stamp says that nothing changed.
     pub fresh: bool,
 }
@@ -88,6 +91,8 @@ pub struct Woven {
     pub failed: bool,
     /// How many results there are; 0 if nothing was run.
     pub results: usize,
+    /// The files of pictures, relative to the document, with their contents.
+    pub pictures: Vec<(String, String)>,
     /// The queries whose results changed, with their files.
     pub stale: Vec<(SourceFile, Span)>,
     /// Whether the stamp said that nothing changed, so that nothing was run.
@@ -105,6 +110,7 @@ impl Woven {
         self.failed |= runner.failed();
         self.refuted += runner.refuted;
         self.results += runner.results;
+        self.pictures.extend(runner.pictures);
         self.problems.extend(runner.problems);
     }
 
@@ -149,7 +155,8 @@ pub fn weave_markdown(file: &SourceFile, options: &Options) -> Woven {
     {
         return Woven::unchanged(file.text());
     }
-    let mut runner = Runner::new(Session::new(options.limits.clone()));
+    let session = Session::new(options.limits.clone());
+    let mut runner = Runner::new(session).with_pictures(options.pictures.as_deref());
     let edits = edits(text, &plan, &mut runner, file, &|span| span, options);
     let mut woven = Woven { text: edited(text, &edits), ..Woven::default() };
     woven.stale = edits.iter().map(|edit| (file.clone(), edit.query)).collect();

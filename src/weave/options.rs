@@ -62,9 +62,11 @@ pub struct BlockOptions {
     pub equation: bool,
     /// The language of words.
     pub lang: Language,
+    /// The file for a figure, without its extension, relative to the document.
+    pub picture: Option<String>,
 }
 
-const NAMES: [&str; 7] = ["steps", "notation", "style", "hide", "show", "equation", "lang"];
+const NAMES: [&str; 8] = ["steps", "notation", "style", "hide", "show", "equation", "lang", "picture"];
 
 const STYLES: [(&str, Style); 5] = [
     ("display", Style::Display),
@@ -136,6 +138,7 @@ impl BlockOptions {
             "show" => self.show = chosen(name, value, &SHOWS)?,
             "equation" => self.equation = chosen(name, value, &SWITCH)?,
             "lang" => self.lang = chosen(name, value, &LANGUAGES)?,
+            "picture" => self.picture = Some(file_name(value)?),
             _ => {
                 let problem = Diagnostic::error(Code::BlockOption, format!("there is no option '{name}'"));
                 return Err(match nearest(name, NAMES) {
@@ -146,6 +149,17 @@ impl BlockOptions {
         }
         Ok(())
     }
+}
+
+/// A name for a file below the folder of the document.
+fn file_name(value: &str) -> Result<String, Diagnostic> {
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | '/');
+    let inside = value.split('/').all(|part| !part.is_empty() && part != "." && part != "..");
+    if inside && value.chars().all(plain) {
+        return Ok(value.strip_suffix(".svg").unwrap_or(value).to_owned());
+    }
+    Err(Diagnostic::error(Code::BlockOption, format!("'{value}' is no name for a file beside the document"))
+        .hint("letters, digits, '-', '_' and '/' for folders below it: picture=figures/curve"))
 }
 
 fn chosen<T: Copy>(name: &str, value: &str, known: &[(&'static str, T)]) -> Result<T, Diagnostic> {

@@ -3,6 +3,7 @@
 use super::options::BlockOptions;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Expr, Kind};
+use crate::figure::{SvgOptions, TikzOptions, svg, tikz};
 use crate::session::Answer;
 use crate::syntax::parse;
 use crate::value::{Claim, Judgement, Line, Table, Value, Verdict, curve_expr, symbol_expr};
@@ -20,6 +21,21 @@ pub enum Piece {
     Words(String),
     /// A derivation, line by line.
     Steps(Vec<StepLine>),
+    /// A figure.
+    Picture(Picture),
+}
+
+/// A figure in the forms that documents take.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// What it shows, for those who do not see it.
+    pub title: String,
+    /// As SVG.
+    pub svg: String,
+    /// As a `tikzpicture`.
+    pub tikz: String,
+    /// The file that holds the SVG, relative to the document; `None` to put it into the text.
+    pub file: Option<String>,
 }
 
 /// A formula as LaTeX and in plain notation.
@@ -83,11 +99,12 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             let problem = Diagnostic::error(Code::Type, format!("{name} is a function of the program"));
             return Err(problem.hint("write a call of it, with arguments"));
         }
-        Value::Figure(_) => {
-            let problem = Diagnostic::error(Code::Type, "a figure is no formula");
-            return Err(problem
-                .hint("write it into a file with 'polarform figure query … -o figure.svg' (or .tex), and include that"));
-        }
+        Value::Figure(scene) => Piece::Picture(Picture {
+            title: scene.title().to_owned(),
+            svg: svg(scene, &SvgOptions::default()),
+            tikz: tikz(scene, &TikzOptions::default()),
+            file: None,
+        }),
         Value::Claim(claim) => Piece::Formula(claimed(claim, &answer.statement)),
         Value::Polar(polar) => {
             let name = name.unwrap_or_else(|| Expr::name("f"));

@@ -15,6 +15,7 @@ use crate::value::{Claim, Line, Value, Verdict, combination_steps, polar_steps, 
 pub(super) type Place<'a> = dyn Fn(Span) -> Span + 'a;
 
 /// A session, and what it has found wrong so far.
+#[derive(Default)]
 pub(super) struct Runner {
     session: Session,
     pub(super) problems: Vec<Failure>,
@@ -24,11 +25,37 @@ pub(super) struct Runner {
     pub(super) results: usize,
     /// How many of them define a name.
     pub(super) definitions: usize,
+    /// What the names of picture files begin with; `None` where pictures go into the text.
+    beside: Option<String>,
+    /// The pictures: file and contents.
+    pub(super) pictures: Vec<(String, String)>,
 }
 
 impl Runner {
     pub(super) fn new(session: Session) -> Self {
-        Runner { session, problems: Vec::new(), refuted: 0, results: 0, definitions: 0 }
+        Runner { session, ..Runner::default() }
+    }
+
+    /// Puts pictures into files whose names begin so.
+    pub(super) fn with_pictures(mut self, beside: Option<&str>) -> Self {
+        self.beside = beside.map(str::to_owned);
+        self
+    }
+
+    /// Gives a picture its file.
+    fn placed(&mut self, piece: &mut Piece, options: &BlockOptions) {
+        let (Piece::Picture(picture), Some(prefix)) = (piece, &self.beside) else { return };
+        let taken = |name: &String| self.pictures.iter().any(|(file, _)| file == name);
+        let wanted = options.picture.as_ref().map(|name| format!("{name}.svg"));
+        let numbered = |k: usize| match &options.picture {
+            Some(name) => format!("{name}-{k}.svg"),
+            None => format!("{prefix}-{k}.svg"),
+        };
+        let free = (1..).map(numbered).find(|name| !taken(name));
+        if let Some(name) = wanted.filter(|name| !taken(name)).or(free) {
+            self.pictures.push((name.clone(), picture.svg.clone()));
+            picture.file = Some(name);
+        }
     }
 
     /// Notes a problem of a file.
@@ -60,7 +87,15 @@ impl Runner {
             self.found(problem, file, place);
             return None;
         }
-        self.block(code, file, place, options)?.pop()
+        let piece = self.block(code, file, place, options)?.pop();
+        if matches!(piece, Some(Piece::Picture(_))) {
+            let problem = Diagnostic::error(Code::Unsupported, "a figure does not stand within a line")
+                .at(Span::new(0, code.len()))
+                .hint("put it into a block of its own: ```polarform, in LaTeX \\begin{polarform}");
+            self.found(problem, file, place);
+            return None;
+        }
+        piece
     }
 
     /// The results of the statements of a block; nothing if one of them fails. The others are run.
@@ -89,7 +124,10 @@ impl Runner {
                 Ok(piece)
             });
             match piece {
-                Ok(piece) => pieces.iter_mut().for_each(|pieces: &mut Vec<Piece>| pieces.push(piece.clone())),
+                Ok(mut piece) => {
+                    self.placed(&mut piece, options);
+                    pieces.iter_mut().for_each(|pieces: &mut Vec<Piece>| pieces.push(piece.clone()));
+                }
                 Err(problem) => {
                     self.found(problem, file, place);
                     pieces = None;

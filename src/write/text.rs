@@ -82,6 +82,12 @@ impl Notation for Text {
                 _ => "",
             },
             Joint::Times { .. } if first.is_some_and(|c| c.is_ascii_digit() || c == '{') => "*",
+            // f[x0, x1] is a divided difference
+            Joint::Times { compact: false, .. }
+                if first == Some('[') && before.last.is_some_and(char::is_alphabetic) =>
+            {
+                ""
+            }
             Joint::Times { compact: false, .. } => " ",
             Joint::Times { compact: true, hint: number } => match (before.last, first) {
                 (_, Some('.')) | (Some('.'), _) => " ",

@@ -104,6 +104,8 @@ impl Notation for Unicode {
         };
         match (before.last, first) {
             (_, Some('0'..='9' | '{')) => "·",
+            // f[x₀, x₁] is a divided difference
+            (Some(last), Some('[')) if last.is_alphabetic() => "",
             // 2e is the beginning of a power of ten
             (Some(last), Some(c))
                 if tight

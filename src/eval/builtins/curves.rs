@@ -178,6 +178,17 @@ pub(super) const TABLE: &[Builtin] = &[
         },
     },
     Builtin {
+        name: "hodograph",
+        signature: "hodograph(c)",
+        summary: "the curve of the derivatives, with control points n/(b - a) (b_(i+1) - b_i)",
+        example: "hodograph(bezier([[0, 0], [1, 2], [2, 0]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("hodograph(c)", 1..=1, &[])?;
+            super::on_geometry::derivative(args)
+        },
+    },
+    Builtin {
         name: "antiderivative",
         signature: "antiderivative(c)",
         summary: "the curve with this derivative that starts at 0",

@@ -11,9 +11,9 @@ use crate::eval::geometry::{as_rational_form, bezier, curve_error, spline, splin
 use crate::eval::wrong_kind;
 use crate::expr::{Accent, Expr, Kind};
 use crate::number::Rational;
-use crate::poly::Fraction;
+use crate::poly::{Fraction, Symbol};
 use crate::spline::KnotVector;
-use crate::value::{Cell, Form, Geometry, Table, Value, polynomial_expr};
+use crate::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -38,7 +38,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 table.rows.push(vec![
                     Cell::Value(Value::int(condition.order as i64)),
                     Cell::Formula(polar_label(&condition.label)),
-                    Cell::Value(form.plain(condition.required)),
+                    collected_cell(form, condition.required, f.points()),
                     Cell::Value(form.plain(condition.found)),
                     Cell::words(if holds { "yes" } else { "no" }),
                 ]);
@@ -110,7 +110,14 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("geometric_continuity(c, d)", 2..=2, &[])?;
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
             polynomial_pair(args, left, right)?;
-            let (f, g) = (numeric(&f, args, 0)?, numeric(&g, args, 1)?);
+            let (Some(f), Some(g)) = (numeric(&f), numeric(&g)) else {
+                return geometric_equations(
+                    &f,
+                    &g,
+                    Form { scalar: left.scalar && right.scalar, rational: false },
+                    args,
+                );
+            };
             let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
             let mut table = Table::with_header(["continuity", "beta_1", "beta_2", "why not more"]);
             let word = report.order.map_or("none".to_owned(), |k| format!("G^{k}"));
@@ -130,30 +137,6 @@ pub(super) const TABLE: &[Builtin] = &[
                 Cell::words(why),
             ]);
             Ok(Value::Table(Arc::new(table)))
-        },
-    },
-    Builtin {
-        name: "same_curve",
-        signature: "same_curve(c, d)",
-        summary: "whether two representations are the same curve with the same parameters",
-        example: "same_curve(bezier([0, 1]), elevate(bezier([0, 1])))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("same_curve(c, d)", 2..=2, &[])?;
-            let word = |same: bool| Value::Text(if same { "yes" } else { "no" }.to_owned());
-            let ((f, left), (g, right)) = (args.spline(0)?, args.spline(1)?);
-            if f.domain() != g.domain() {
-                return Ok(word(false));
-            }
-            if left.rational || right.rational {
-                return Err(Diagnostic::error(Code::Unsupported, "only polynomial curves are compared")
-                    .at(args.span(0))
-                    .hint("compare homogeneous(c) and homogeneous(d); weights may differ by a factor"));
-            }
-            let merged = |s: &crate::spline::BSpline<Fraction>| {
-                s.power_pieces().iter().map(crate::piecewise::Piecewise::merged).collect::<Vec<_>>()
-            };
-            Ok(word(merged(&f) == merged(&g)))
         },
     },
     Builtin {
@@ -191,6 +174,21 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+/// A point that is a combination of symbolic points, written as one; any other as it is.
+fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cell {
+    let symbols: Option<Vec<Symbol>> = of
+        .iter()
+        .map(|point| match point.as_slice() {
+            [x] => crate::eval::arguments::symbol_of(&Value::Scalar(x.clone())),
+            _ => None,
+        })
+        .collect();
+    match symbols.and_then(|symbols| collected(&point[0], &symbols)) {
+        Some(formula) => Cell::Formula(formula),
+        None => Cell::Value(form.plain(point)),
+    }
+}
+
 /// Both curves have to be polynomial.
 fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
     for (i, form) in [left, right].into_iter().enumerate() {
@@ -203,19 +201,39 @@ fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
     Ok(Form { scalar: left.scalar && right.scalar, rational: false })
 }
 
-/// The curve over the numbers.
-fn numeric(curve: &BezierCurve<Fraction>, args: &Arguments, i: usize) -> Result<BezierCurve<Rational>> {
-    let number = |x: &Fraction| {
-        x.as_rational().ok_or_else(|| {
-            Diagnostic::error(Code::Undecided, "geometric continuity of curves with symbols is not decided")
-                .at(args.span(i))
-                .hint("give the symbols values first")
-        })
-    };
-    let points = curve.points().iter().map(|point| point.iter().map(number).collect::<Result<_>>());
-    let points = points.collect::<Result<_>>()?;
+/// The curve over the numbers, if it has no symbols.
+fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
+    let points = curve.points().iter().map(|point| point.iter().map(Fraction::as_rational).collect());
     let (a, b) = curve.interval();
-    BezierCurve::new(points, number(a)?, number(b)?).map_err(curve_error)
+    BezierCurve::new(points.collect::<Option<_>>()?, a.as_rational()?, b.as_rational()?).ok()
+}
+
+/// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
+fn geometric_equations(
+    f: &BezierCurve<Fraction>,
+    g: &BezierCurve<Fraction>,
+    form: Form,
+    args: &Arguments,
+) -> Result<Value> {
+    if f.dimension() != g.dimension() {
+        let error = crate::curve::CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() };
+        return Err(curve_error(error).at(args.span(1)));
+    }
+    let beta = |i: i64| Fraction::from(crate::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
+    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| [0, 1, 2].map(|k| curve.derivative(k).value(t));
+    let (left, right) = (jet(f, f.interval().1), jet(g, g.interval().0));
+    let first = curve::scaled(&left[1], &beta(1));
+    let square = curve::scaled(&left[2], &(beta(1) * beta(1)));
+    let required = [left[0].clone(), first, curve::sum(&square, &curve::scaled(&left[1], &beta(2)))];
+    let mut table = Table::with_header(["order", "required", "found"]);
+    for (order, (required, found)) in required.into_iter().zip(right).enumerate() {
+        table.rows.push(vec![
+            Cell::Value(Value::int(order as i64)),
+            collected_cell(form, required, f.points()),
+            collected_cell(form, found, g.points()),
+        ]);
+    }
+    Ok(Value::Table(Arc::new(table)))
 }
 
 fn convert(machine: &mut crate::eval::Machine, args: &Arguments) -> Result<Value> {

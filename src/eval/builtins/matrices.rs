@@ -190,7 +190,7 @@ pub(super) fn basis_error(error: BasisError) -> Diagnostic {
 }
 
 /// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
-fn read_basis(args: &Arguments, i: usize) -> Result<Basis<Fraction>> {
+pub(super) fn read_basis(args: &Arguments, i: usize) -> Result<Basis<Fraction>> {
     let value = args.value(i)?;
     let wrong = || {
         wrong_kind("a basis", value)

@@ -2,6 +2,7 @@
 
 mod curves;
 mod figures;
+mod interpolation;
 mod joins;
 mod matrices;
 mod numbers;
@@ -42,7 +43,7 @@ impl std::fmt::Debug for Builtin {
 
 /// All functions, by topic.
 pub static BUILTINS: &[&Builtin] = &{
-    const fn all<const N: usize>(tables: [&'static [Builtin]; 10]) -> [&'static Builtin; N] {
+    const fn all<const N: usize>(tables: &[&'static [Builtin]]) -> [&'static Builtin; N] {
         let mut list = [&tables[0][0]; N];
         let (mut at, mut table) = (0, 0);
         while table < tables.len() {
@@ -62,11 +63,14 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + figures::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
-        + figures::TABLE.len()
+        + interpolation::POLYNOMIALS.len()
+        + interpolation::SPLINES.len()
+        + interpolation::APPROXIMATION.len()
         + numbers::TABLE.len();
-    all::<COUNT>([
+    all::<COUNT>(&[
         polar::TABLE,
         polynomials::TABLE,
         matrices::TABLE,
@@ -75,6 +79,9 @@ pub static BUILTINS: &[&Builtin] = &{
         rational::TABLE,
         surfaces::TABLE,
         joins::TABLE,
+        interpolation::POLYNOMIALS,
+        interpolation::SPLINES,
+        interpolation::APPROXIMATION,
         figures::TABLE,
         numbers::TABLE,
     ])

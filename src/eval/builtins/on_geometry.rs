@@ -119,7 +119,7 @@ fn reduce(args: &Arguments) -> Evaluated {
     }
 }
 
-fn derivative(args: &Arguments) -> Evaluated {
+pub(super) fn derivative(args: &Arguments) -> Evaluated {
     args.expect("derivative(c, k)", 1..=2, &["k"])?;
     let order = args.named_size("k", 1)?.unwrap_or(1);
     if let Value::Piecewise(function) = args.value(0)? {

@@ -13,7 +13,8 @@ use crate::scene::{
 /// The scene as the graph of a function of `variable`: its two coordinates scaled each by itself,
 /// with axes at the left and below that span these points.
 ///
-/// The axis below is at 0 if that is near the points.
+/// The axis below is at 0 if that is near the points. It is marked at the given numbers, as at knots;
+/// without such, at round ones.
 ///
 /// # Errors
 /// [`SceneError::Empty`] without points, [`SceneError::TooLarge`].
@@ -25,13 +26,14 @@ use crate::scene::{
 /// // t^2 over [0, 1]: the ordinates 0, 0, 1 stand over i/2
 /// let points = [[0, 0], [1, 0], [2, 2]].map(|p| p.map(|k| z(k) / z(2))).to_vec();
 /// let scene = BezierPicture::of(Curve::new(points.clone())).scene()?;
-/// let graph = as_graph(scene, &points, Some(Expr::name("t")), 260.0)?;
+/// let graph = as_graph(scene, &points, &[], Some(Expr::name("t")), 260.0)?;
 /// assert_eq!(graph.panels().len(), 1);
 /// # Ok::<(), polarform::scene::SceneError>(())
 /// ```
 pub fn as_graph(
     scene: Scene,
     points: &[Plane],
+    marks: &[Rational],
     variable: Option<Expr>,
     height: f64,
 ) -> Result<Scene, SceneError> {
@@ -60,11 +62,11 @@ pub fn as_graph(
     let corner = Spot::exact(&[left.clone(), low.clone()])?;
     let (east, north) =
         (Spot::exact(&[right.clone(), low.clone()])?, Spot::exact(&[left.clone(), high.clone()])?);
-    let ticks = |from: &Rational, to: &Rational| -> Vec<Tick> {
+    let ticks = |values: &[Rational]| -> Vec<Tick> {
         let at = |value: &Rational| value.to_f64().unwrap_or(f64::NAN);
-        let values = nice_ticks(from, to, 4);
         values.iter().map(|value| Tick { at: at(value), label: Some(exact_text(value).into()) }).collect()
     };
+    let along = if marks.is_empty() { ticks(&nice_ticks(&left, &right, 4)) } else { ticks(marks) };
     let mut below: Vec<Item> = Vec::new();
     if low.is_negative() && high.is_positive() {
         let [from, to] = [Spot::new(corner.x(), 0.0)?, Spot::new(east.x(), 0.0)?];
@@ -75,13 +77,14 @@ pub fn as_graph(
             orientation: Orientation::Horizontal,
             from: corner,
             length: east.x() - corner.x(),
-            ticks: ticks(&left, &right),
+            ticks: along,
             name: variable.map(Text::Formula),
         }
         .into(),
     );
     // the corner itself carries the number of the axis below
-    let upright = ticks(&low, &high).into_iter().filter(|tick| tick.at != corner.y()).collect();
+    let upright =
+        ticks(&nice_ticks(&low, &high, 4)).into_iter().filter(|tick| tick.at != corner.y()).collect();
     let length = north.y() - corner.y();
     below.push(
         Axis { orientation: Orientation::Vertical, from: corner, length, ticks: upright, name: None }.into(),
@@ -109,12 +112,12 @@ mod tests {
             (-huge.clone(), huge),
         ] {
             let points = [[integer(0), from.clone()], [integer(1), to.clone()]];
-            let scene = as_graph(Scene::new("range"), &points, None, 260.0).unwrap();
+            let scene = as_graph(Scene::new("range"), &points, &[], None, 260.0).unwrap();
             let page = layout(&scene, &|_, _| Extent::default());
             assert!(page.height.is_finite() && page.texts().count() > 1, "{from} to {to}");
         }
-        assert!(matches!(as_graph(Scene::new(""), &[], None, 1.0), Err(SceneError::Empty { .. })));
+        assert!(matches!(as_graph(Scene::new(""), &[], &[], None, 1.0), Err(SceneError::Empty { .. })));
         let far = num_traits::pow(integer(10), 400);
-        assert!(as_graph(Scene::new(""), &[[far.clone(), far]], None, 1.0).is_err());
+        assert!(as_graph(Scene::new(""), &[[far.clone(), far]], &[], None, 1.0).is_err());
     }
 }

@@ -1,10 +1,14 @@
 //! De Casteljau's algorithm.
 
+use num_traits::{One, Zero};
+
 use super::Plane;
 use super::curve::{levels, outward};
 use crate::expr::Expr;
 use crate::number::Rational;
-use crate::scene::{Direction, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
+use crate::scene::{
+    Dash, Direction, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path,
+};
 
 /// All points of de Casteljau's algorithm at t, level by level, with the curve.
 ///
@@ -51,6 +55,17 @@ impl CasteljauPicture {
             };
             if let Some(path) = Path::lines(level.iter().copied(), style) {
                 scene.add(path);
+            }
+        }
+        // outside of [0, 1] the points lie on the legs continued
+        let (zero, one) = (Rational::zero(), Rational::one());
+        if self.t < zero || self.t > one {
+            let end = usize::from(self.t > one);
+            for (number, pair) in levels.windows(2).enumerate() {
+                let style = Style::line(if number == 0 { Ink::Guide } else { Ink::Series(number) }, 1.1);
+                for (i, &to) in pair[1].iter().enumerate() {
+                    scene.add(Path::line(pair[0][i + end], to, style.dashed(Dash::Dashed)));
+                }
             }
         }
         scene.add(Path::new(levels[0][0], bezier_path(&levels[0])?, Style::curve(0)));

@@ -138,7 +138,7 @@ pub(super) fn bezier(args: &Arguments) -> Evaluated {
     let polygon = flag(args, "polygon", true)?;
     let picture = BezierPicture { curves, parameters: Vec::new(), polygon, hull: flag(args, "hull", false)? };
     let place = args.span(0);
-    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &all)), place)?;
+    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &all, &[])), place)?;
     finished(args, scene)
 }
 
@@ -175,7 +175,7 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
         range.extend(extrapolated(&points, &at));
     }
     let picture = CasteljauPicture { points, t: at, labels };
-    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range)), args.span(0))?;
+    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range, &[])), args.span(0))?;
     let title = format!("De Casteljau's algorithm at t = {t}");
     let words = format!(
         "The control polygon of a curve of degree {degree} and the points of all levels that lead to the point \
@@ -234,13 +234,21 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
         range.extend(affine(&points));
         drawings.push(Curve::rational(points));
     }
+    // the knots of a graph stand on its axis
+    let marks = match (space, pieces.last()) {
+        (Space::Graph, Some(last)) => {
+            let starts = pieces.iter().map(|piece| piece.interval().0);
+            starts.chain([last.interval().1]).map(|knot| number(knot, span)).collect::<Result<_>>()?
+        }
+        _ => Vec::new(),
+    };
     let picture = BsplinePicture {
         pieces: drawings,
         points: Curve::rational(points).with_labels(names),
-        knots: ends,
+        knots: if space == Space::Graph { Vec::new() } else { ends },
         bezier_points: flag(args, "bezier", false)?,
     };
-    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range)), span)?;
+    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range, &marks)), span)?;
     finished(args, scene)
 }
 
@@ -265,6 +273,7 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
     let (first, second) = (first.polynomial(args.span(0))?, second.polynomial(args.span(1))?);
     let wanted = labels(args, ALL)?.unwrap_or_else(|| usual(n, false));
     let order = args.named_size("order", usize::MAX)?.unwrap_or(2);
+    let marks = knots.clone();
     let mut range = first.clone();
     range.extend(second.iter().cloned());
     let picture = ContinuityPicture {
@@ -275,7 +284,8 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
         left_labels: names(&f, 0, wanted),
         right_labels: names(&g, 1, wanted),
     };
-    let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range)), args.span(1))?;
+    let scene =
+        drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range, &marks)), args.span(1))?;
     finished(args, scene)
 }
 
@@ -301,7 +311,7 @@ pub(super) fn hodograph(args: &Arguments) -> Evaluated {
         let second = place(&derivative, form, span)?.polynomial(span)?;
         let graph = |points: Vec<Plane>, labels: Vec<Expr>| {
             let picture = BezierPicture::of(Curve::new(points.clone()).with_labels(labels));
-            picture.scene().and_then(|scene| with_axes(scene, space, &points))
+            picture.scene().and_then(|scene| with_axes(scene, space, &points, &[]))
         };
         let left = drawn(graph(points, names_of_curve), span)?;
         let right = drawn(graph(second, Vec::new()), span)?.with_title("its derivative");

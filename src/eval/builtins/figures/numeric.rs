@@ -163,13 +163,18 @@ pub(super) fn local(curve: &BezierCurve<Fraction>, t: &Fraction, span: Span) -> 
     number(&t.minus(a).times(&unit), span)
 }
 
-/// The scene as a graph, if it is one.
+/// The scene as a graph with these numbers on its axis, if it is one.
 pub(super) fn with_axes(
     scene: Scene,
     space: Space,
     points: &[Plane],
+    marks: &[Rational],
 ) -> std::result::Result<Scene, SceneError> {
-    if space == Space::Graph { as_graph(scene, points, Some(Expr::name("t")), HEIGHT) } else { Ok(scene) }
+    if space == Space::Graph {
+        as_graph(scene, points, marks, Some(Expr::name("t")), HEIGHT)
+    } else {
+        Ok(scene)
+    }
 }
 
 /// Points without their weights, those at infinity left out.

@@ -13,7 +13,7 @@ use crate::number::{Rational, rational};
 use crate::poly::Fraction;
 use crate::scene::pictures::{PatchPicture, TriangleDomain, TrianglePicture, triangle_labels};
 use crate::source::Span;
-use crate::value::{Value, polynomial_expr};
+use crate::value::{Form, Geometry, Value, polynomial_expr};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -28,12 +28,21 @@ const LARGEST_DOMAIN: usize = 40;
 /// Longer names of points would cover the surface.
 const LONGEST_NAMED: usize = 6;
 
+/// The side of the square or triangle over which heights stand: so that they do not tower over it.
+fn side<'a>(points: impl Iterator<Item = &'a Vec<Fraction>>) -> Rational {
+    let heights: Vec<Rational> = points.filter_map(|point| point.first()?.as_rational()).collect();
+    match (heights.iter().min(), heights.iter().max()) {
+        (Some(low), Some(high)) if low < high => (high - low) * rational(3, 2),
+        _ => rational(1, 1),
+    }
+}
+
 /// A point of space: its coordinates, or a height over a place of the domain.
-fn space(point: &[Fraction], over: impl FnOnce() -> [Rational; 2], span: Span) -> Result<Space> {
+fn space(point: &[Fraction], over: [Rational; 2], side: &Rational, span: Span) -> Result<Space> {
     match point {
         [x, y, z] => Ok([number(x, span)?, number(y, span)?, number(z, span)?]),
         [z] => {
-            let [x, y] = over();
+            let [x, y] = over.map(|part| part * side);
             Ok([x, y, number(z, span)?])
         }
         _ => Err(Diagnostic::error(
@@ -59,6 +68,16 @@ fn digits(base: &str, digits: &[usize]) -> Expr {
     Kind::Subscript(Box::new(Expr::name(base)), index).into()
 }
 
+/// Surfaces with weights are not drawn.
+fn polynomial(form: Form, span: Span) -> Result<()> {
+    if !form.rational {
+        return Ok(());
+    }
+    Err(Diagnostic::error(Code::Unsupported, "only polynomial surfaces are drawn")
+        .at(span)
+        .hint("figure_bezier draws rational curves, such as boundary_curves(s)"))
+}
+
 pub(super) fn patch(args: &Arguments) -> Evaluated {
     expect(args, PATCH, 1..=1, &["labels", "polygon"])?;
     let span = args.span(0);
@@ -74,15 +93,26 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
             let row = |row: &Value| points_of(row).map(|(points, _)| points).ok_or_else(|| wrong(row));
             rows.iter().map(row).collect::<Result<_>>()?
         }
+        Value::Geometry(geometry) => match &**geometry {
+            Geometry::Patch(patch, form) => {
+                polynomial(*form, span)?;
+                patch.net().to_vec()
+            }
+            Geometry::Surface(..) => {
+                return Err(wrong(value).hint("pieces(s) are the patches of a spline surface"));
+            }
+            _ => return Err(wrong(value)),
+        },
         Value::Matrix(matrix) => {
             matrix.row_iter().map(|row| row.iter().map(|x| vec![x.clone()]).collect()).collect()
         }
         other => return Err(wrong(other)),
     };
     let m = rows.len() - 1;
+    let side = side(rows.iter().flatten());
     let point = |i: usize, (j, point): (usize, &Vec<Fraction>)| {
         let n = rows[i].len() - 1;
-        space(point, || [part(i, m), part(j, n)], span)
+        space(point, [part(i, m), part(j, n)], &side, span)
     };
     let net: Vec<Vec<Space>> = rows
         .iter()
@@ -156,7 +186,17 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         return finished(args, drawn(picture.scene(), span)?);
     }
     let value = args.value(0)?;
-    let (points, _) = points_of(value).ok_or_else(|| {
+    let points = match value {
+        Value::Geometry(geometry) => match &**geometry {
+            Geometry::Triangle(patch, form) => {
+                polynomial(*form, span)?;
+                Some(patch.points().to_vec())
+            }
+            _ => None,
+        },
+        _ => points_of(value).map(|(points, _)| points),
+    };
+    let points = points.ok_or_else(|| {
         wrong_kind("a degree, control points or heights", value)
             .at(span)
             .hint("for example figure_triangle(2, [r, s, t]) or figure_triangle([0, 1, 1, 0, 2, 0])")
@@ -170,8 +210,9 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         .at(span)
         .hint("degree n needs (n + 1)(n + 2)/2 points: 3, 6, 10, 15, ..."));
     };
+    let side = side(points.iter());
     let placed = points.iter().zip(indices(n));
-    let placed = placed.map(|(point, [i, j, _])| space(point, || [part(i, n), part(j, n)], span));
+    let placed = placed.map(|(point, [i, j, _])| space(point, [part(i, n), part(j, n)], &side, span));
     let usual = if corners.is_some() { Labels::Polar } else { Labels::None };
     let picture = TrianglePicture {
         degree: n,

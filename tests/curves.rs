@@ -1,0 +1,138 @@
+//! Curves, splines and surfaces in the language: what is printed reads back, claims about them
+//! hold, and the values agree with those of another program.
+
+use std::fs;
+
+use num_traits::ToPrimitive;
+use polarform::eval::BUILTINS;
+use polarform::session::Session;
+use polarform::value::{Value, Verdict};
+use polarform::write::text;
+
+/// Whether a value has a text that makes it again.
+fn is_object(value: &Value) -> bool {
+    match value {
+        Value::Geometry(_) | Value::Piecewise(_) => true,
+        Value::List(items) => !items.is_empty() && items.iter().all(is_object),
+        _ => false,
+    }
+}
+
+#[test]
+fn what_is_printed_makes_the_same_object() {
+    let mut count = 0;
+    let more = [
+        "bezier([[0, 0], [1, 2]], r, s)",
+        "bezier([[1, 0], [0, 1]], homogeneous=1)",
+        "bezier([[0, 0, 0], [1, 2, 1], [1, 2, 0]], homogeneous=1)",
+        "bspline(2, [0, 0, 0, 1, 1, 1], [[0, 0], [1, 1], [2, 0]], weights=[1, w, 1])",
+        "bspline(1, [t_0, t_1, t_2, t_3], [d_0, d_1])",
+        "bspline_basis(2, [t_0, t_1, t_1, t_2], 0)",
+        "patch([[0, 1], [2, 5]], [r, s], [0, 2], weights=[[1, 2], [1, 1]])",
+        "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002], [[0, 0], [2, 0], [0, 2]])",
+        "spline_surface(1, 1, [0, 0, 1, 1], [0, 0, 1, 1], [[0, 1], [2, 3]], weights=[[1, 1], [2, 1]])",
+        "piecewise([0, 1, 2], [x, 1], variable=x)",
+    ];
+    for example in BUILTINS.iter().map(|builtin| builtin.example).chain(more) {
+        let answer = Session::default().run(example).unwrap_or_else(|f| panic!("{example}: {:?}", f.problem));
+        let value = answer.outcome.value;
+        if is_object(&value) {
+            let printed = text(&value.to_expr());
+            let again =
+                Session::default().run(&printed).unwrap_or_else(|f| panic!("{printed}: {:?}", f.problem));
+            assert_eq!(again.outcome.value, value, "{printed}");
+            count += 1;
+        }
+    }
+    assert!(count >= 30, "only {count} objects");
+}
+
+fn verdict(statement: &str) -> Verdict {
+    let answer = Session::default().run(statement).unwrap_or_else(|f| panic!("{statement}: {:?}", f.problem));
+    match answer.outcome.value {
+        Value::Claim(claim) => claim.verdict(),
+        other => panic!("{statement} is {}", other.kind()),
+    }
+}
+
+#[test]
+fn equal_curves() {
+    for claim in [
+        "elevate(bezier([b_0, b_1, b_2])) = bezier([b_0, b_0/3 + 2 b_1/3, 2 b_1/3 + b_2/3, b_2])",
+        "insert_knots(bspline(2, [0, 0, 0, 1, 2, 2, 2], [d_0, d_1, d_2, d_3]), 1/2, 3/2) = bspline(2, [0, 0, 0, 1, 2, 2, 2], [d_0, d_1, d_2, d_3])",
+        "convert(bezier([0, 1, 4]), bspline) = bezier([0, 1, 4])",
+        "bezier([0, 1, 2], weights=[1, 1, 1]) = bezier([0, 1, 2])",
+        "bezier([0, 1, 2], weights=[2, 3, 5]) = bezier([0, 1, 2], weights=[4, 6, 10])",
+        "reduce(elevate(patch([[0, 1], [2, 5]]), 2, 1), 2, 1) = patch([[0, 1], [2, 5]])",
+        "elevate(patch([[0, 1], [2, 5]])) = patch([[0, 1], [2, 5]])",
+        "elevate(triangle_patch([0, 1, 5])) = triangle_patch([0, 1, 5])",
+        "derivative(antiderivative(bspline(1, [0, 0, 1, 2, 2], [3, 1, 4]))) = bspline(1, [0, 0, 1, 2, 2], [3, 1, 4])",
+        // An antiderivative has no value outside of the breakpoints.
+        "derivative(antiderivative(bspline_basis(1, [0, 1, 2], 0))) = piecewise([0, 1, 2], [t, 2 - t])",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
+    }
+    for claim in [
+        "bezier([0, 1]) = bezier([0, 2])",
+        "bezier([0, 1]) = bezier([0, 1], 0, 2)",
+        "bezier([0, 1, 2], weights=[1, 2, 1]) = bezier([0, 1, 2])",
+        "bezier([0, 1]) = bezier([[0, 1], [1, 2]])",
+        "patch([[0, 1], [2, 5]]) = patch([[0, 1], [2, 4]])",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Refuted, "{claim}");
+    }
+}
+
+#[test]
+fn facts_of_the_subject() {
+    for claim in [
+        // (1 − t) b_0 + t b_1 and so on
+        "bezier([b_0, b_1, b_2])(t) = (1 - t)^2 b_0 + 2 t (1 - t) b_1 + t^2 b_2",
+        // F'(0) = n (b_1 − b_0)
+        "derivative(bezier([b_0, b_1, b_2, b_3]))(0) = 3 (b_1 - b_0)",
+        "integrate(bezier([b_0, b_1, b_2], r, s)) = (s - r) (b_0 + b_1 + b_2)/3",
+        // the ratio of knot insertion
+        "insert_knots(bspline(1, [0, 0, 2, 2], [d_0, d_1]), 1/2) = bspline(1, [0, 0, 2, 2], [d_0, d_1])",
+        // uniform quadratic B-spline at the middle of its support
+        "bspline_basis(2, [0, 1, 2, 3], 0)(3/2) = 3/4",
+        "bspline_basis(3, [0, 1, 2, 3, 4], 0)(2) = 2/3",
+        // twist of a bilinear patch
+        "derivative(patch([[p_0, p_1], [p_2, p_3]]), 1, 1)(0, 0) = p_0 - p_1 - p_2 + p_3",
+        "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002])(1/2, 1/2) = b_020/4 + b_011/2 + b_002/4",
+        "barycentric([x, y], [[0, 0], [1, 0], [0, 1]]) = [1 - x - y, x, y]",
+    ] {
+        assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
+    }
+}
+
+#[test]
+fn scipy_agrees() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/corpus/scipy_bsplines.txt");
+    let text = fs::read_to_string(path).unwrap();
+    let mut count = 0;
+    for line in text.lines().filter(|line| !line.starts_with('#')) {
+        let [degree, knots, points, t, value, derivative] = line.split(';').collect::<Vec<_>>()[..] else {
+            panic!("{line}");
+        };
+        let largest = points.split(',').map(|x| to_f64(x).abs()).fold(1.0, f64::max);
+        let spline = format!("bspline({degree}, [{knots}], [{points}])");
+        for (query, expected) in
+            [(format!("{spline}({t})"), value), (format!("derivative({spline})({t})"), derivative)]
+        {
+            let answer =
+                Session::default().run(&query).unwrap_or_else(|f| panic!("{query}: {:?}", f.problem));
+            let exact = answer.outcome.value.as_rational().unwrap().to_f64().unwrap();
+            let float: f64 = expected.trim().parse().unwrap();
+            let scale = largest.max(float.abs());
+            assert!((exact - float).abs() <= 1e-12 * scale, "{query}: {exact} and {float}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 48);
+}
+
+/// A fraction such as -793/672.
+fn to_f64(text: &str) -> f64 {
+    let number = |text: &str| text.trim().parse::<f64>().unwrap();
+    text.split_once('/').map_or_else(|| number(text), |(p, q)| number(p) / number(q))
+}
