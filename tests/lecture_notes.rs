@@ -7,7 +7,7 @@ use polarform::notes::extract::read_files;
 use polarform::notes::finding::{Finding, Verdict};
 use polarform::notes::{Options as CheckOptions, check_document};
 use polarform::source::SourceFile;
-use polarform::weave::{Options, weave_markdown, write_file};
+use polarform::weave::{Options, PACKAGE, side_name, weave_latex, weave_markdown, write_file};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/notes")
@@ -38,7 +38,7 @@ fn results_and_pictures_are_up_to_date() {
         let text = read(&path);
         let source = SourceFile::new(name(&path), text.as_str());
         let stem = path.file_stem().expect("it is a file").to_string_lossy().into_owned();
-        let options = Options { fresh: true, pictures: Some(stem), ..Options::default() };
+        let options = Options { fresh: true, pictures: Some(format!("{stem}-figure")), ..Options::default() };
         let woven = weave_markdown(&source, &options);
         let problems: Vec<_> = woven.problems.iter().map(|failure| &failure.problem).collect();
         assert!(!woven.failed && woven.refuted == 0, "{}: {problems:#?}", path.display());
@@ -59,8 +59,7 @@ fn results_and_pictures_are_up_to_date() {
     }
     pictures.sort();
     let entries = std::fs::read_dir(folder().join("figures")).expect("the figures are there");
-    let mut files: Vec<String> =
-        entries.map(|entry| name(&entry.expect("it is readable").path())).collect();
+    let mut files: Vec<String> = entries.map(|entry| name(&entry.expect("it is readable").path())).collect();
     files.sort();
     assert_eq!(files, pictures, "each figure is drawn by a block");
 }
@@ -93,5 +92,32 @@ fn all_chapters_are_listed() {
     for path in chapters() {
         let name = name(&path);
         assert!(name == "README.md" || contents.contains(&format!("({name})")), "{name} is not listed");
+    }
+}
+
+#[test]
+fn the_lecture_of_two_pages_is_up_to_date() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/lecture");
+    let path = folder.join("composition.tex");
+    let source = SourceFile::new("composition.tex", read(&path));
+    let side = side_name(&path);
+    let before = read(&side);
+    let woven = weave_latex(&source, &before, &mut |_| None, &Options { fresh: true, ..Options::default() });
+    assert!(!woven.failed && woven.refuted == 0, "{:?}", woven.problems);
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        write_file(&side, &woven.text).expect("the results are writable");
+        write_file(&folder.join("polarform.sty"), PACKAGE).expect("the package is writable");
+    }
+    assert!(read(&side) == woven.text, "UPDATE_DOCS=1 weaves anew; then run pdflatex");
+    assert!(read(&folder.join("polarform.sty")) == PACKAGE, "UPDATE_DOCS=1 writes the package anew");
+
+    // Equations to be solved are no claims.
+    for document in read_files(&path).expect("the lecture is readable") {
+        let report = check_document(&document, &CheckOptions::default());
+        let bad = [Verdict::Refuted, Verdict::Unread];
+        let wrong: Vec<_> = report.findings.iter().filter(|finding| bad.contains(&finding.verdict)).collect();
+        assert!(wrong.is_empty() && report.problems.is_empty(), "{wrong:#?} {:?}", report.problems);
+        let open = |f: &&Finding| f.relation > 0 && f.verdict == Verdict::Undecided;
+        assert_eq!(report.findings.iter().filter(open).count(), 3, "F(G(t)) = 0, t^3 = -1, t^3 = -3");
     }
 }
