@@ -64,6 +64,7 @@ pub mod blossom;
 pub mod budget;
 pub mod cli;
 pub mod curve;
+pub mod derive;
 pub mod diagnostic;
 pub mod eval;
 pub mod expr;

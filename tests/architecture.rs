@@ -13,6 +13,7 @@ const TIERS: &[&[&str]] = &[
     &["curve", "interpolate"],
     &["spline", "scene"],
     &["value"],
+    &["derive"],
     &["write"],
     &["figure"],
     &["eval"],

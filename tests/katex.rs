@@ -8,10 +8,11 @@ use std::process::Command;
 use common::expressions::{any_polar, samples, shared, statement, value};
 use katex::Opts;
 use polarform::blossom::Method;
+use polarform::derive::{self, Names};
 use polarform::eval::BUILTINS;
 use polarform::session::Session;
-use polarform::value::{Notation, Value, polar_steps};
-use polarform::write::{latex, latex_table};
+use polarform::value::{Language, Notation, Value};
+use polarform::write::{Format, latex, latex_table, write_derivation};
 
 const NOTATIONS: [Notation; 4] = [Notation::Grouped, Notation::Expanded, Notation::Sigma, Notation::Ellipsis];
 
@@ -22,9 +23,52 @@ fn write_down(formulas: &mut Vec<String>, value: &Value) {
         _ => formulas.extend(NOTATIONS.iter().map(|&notation| latex(&value.display_expr(notation)))),
     }
     if let Value::Polar(polar) = value {
-        let lines = Method::ALL.iter().flat_map(|&method| polar_steps(polar, method));
-        formulas.extend(lines.map(|line| latex(&line.formula)));
+        for method in Method::ALL {
+            let lines = derive::polar(polar, method, &Names::default()).lines;
+            formulas.extend(lines.iter().map(|line| latex(&line.formula)));
+        }
     }
+}
+
+/// Derivations of every kind, as LaTeX.
+fn derivations(language: Language) -> Vec<String> {
+    let spline = "bspline(2, [0, 0, 0, 1, 2, 2, 2], [[1, 1], [3, 0], [2, 5], [4, 1]])";
+    let mut queries: Vec<String> = [
+        "derive(sum, t^4 - 1, t)",
+        "derive(product, c_0 + c_1 t, t^2)",
+        "derive(compose, c_0 + c_1 t, t^2)",
+        "derive(derivative, t^5 - t/2, 4)",
+        "derive(elevate, t^2 + 2t, 2)",
+        "derive(elevate, bezier([[0, 0], [1, 2], [2, 0]]))",
+        "derive(matrix, 3)",
+        "derive(inverse_matrix, 3)",
+        "derive(casteljau, bezier([b_0, b_1, b_2], r, s), t)",
+        "derive(casteljau, bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 1/2)",
+        "derive(deboor, bspline(2, [t_0, t_1, t_2, t_3, t_4, t_5], [d_0, d_1, d_2]), t, span=2)",
+        "derive(join, bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
+        "derive(join, bezier([0, 1, 2]), bezier([2, 3, 5], 1, 2), 2)",
+        "derive(newton, [0, 1, 3], [1, 2, 10])",
+        "derive(newton, [0, 0, 1], [[1, 1], [2, 0], [4, 4]])",
+        "derive(moments, [0, 1, 2, 4], [0, 1, 0, 2])",
+        "derive(moments, [0, 1, 2], [[0, 0], [1, 1], [0, 0]], ends=periodic)",
+        "derive(moments, [0, 1, 2], [0, 1, 0], slopes=[-1, s])",
+        "derive(moments, [0, 1, 2, 3], [0, 1, 8, 27], ends=not_a_knot)",
+        "derive(polar, polar_tensor(u v, u, v, 2, 1))",
+        "derive(polar, polar_total(u v, [u, v], degree=2))",
+    ]
+    .map(str::to_owned)
+    .to_vec();
+    queries.extend(["deboor", "insert"].map(|what| format!("derive({what}, {spline}, 3/2)")));
+    for method in Method::ALL {
+        let subjects = ["c_0 + c_1 t + c_2 t^2", "t^3 + 3 t^2 + 5 t + 1", "[t, t^2]", "7"];
+        queries.extend(subjects.map(|f| format!("derive(polar, {f}, method={method}, variable=t)")));
+    }
+    let written = queries.iter().map(|query| {
+        let answer = Session::default().run(query).unwrap_or_else(|f| panic!("{query}: {:?}", f.problem));
+        let Value::Derivation(derivation) = answer.outcome.value else { panic!("{query}") };
+        write_derivation(&derivation, Format::Latex, language).expect("LaTeX has all signs")
+    });
+    written.collect()
 }
 
 /// All the LaTeX of the examples, of typical statements and of random values.
@@ -66,16 +110,9 @@ fn formulas() -> Vec<String> {
     formulas.sort();
     formulas.dedup();
 
-    // The tables of steps, as the program prints them.
-    for method in Method::ALL {
-        let arguments =
-            ["polar", "c_0 + c_1 t + c_2 t^2", "--format", "latex", "--steps", "--method", method.name()];
-        let table = common::run(&arguments).out;
-        formulas.push(format!("\\begin{{aligned}}\n{table}\\end{{aligned}}"));
-    }
+    formulas.extend(derivations(Language::English));
     for command in ["sum", "product", "compose"] {
-        let table = common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out;
-        formulas.push(format!("\\begin{{aligned}}\n{table}\\end{{aligned}}"));
+        formulas.push(common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out);
     }
 
     assert!(formulas.len() > 500, "only {} formulas", formulas.len());
@@ -85,7 +122,8 @@ fn formulas() -> Vec<String> {
 /// One test for everything: starting the renderer is what takes time.
 #[test]
 fn everything_written_is_accepted() {
-    let formulas = formulas();
+    let mut formulas = formulas();
+    formulas.extend(derivations(Language::Chinese));
     let options = Opts::builder()
         .display_mode(true)
         .throw_on_error(true)

@@ -9,7 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::figure_arguments::FigureArguments;
 use crate::blossom::Method;
 use crate::budget::Limits;
-use crate::value::Notation;
+use crate::value::{Language, Notation};
 use crate::write::Format;
 
 const EXAMPLES: &str = "\
@@ -42,6 +42,10 @@ pub(super) struct Global {
     /// How to write polar forms
     #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
     pub notation: NotationArgument,
+    /// The language of derivations
+    #[arg(long, global = true, default_value = "en", value_name = "LANG",
+          value_parser = parse_language, help = "The language of derivations: en or zh")]
+    pub lang: Language,
     /// Color of messages
     #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
     pub color: Color,
@@ -70,6 +74,10 @@ fn parse_format(text: &str) -> Result<FormatArgument, String> {
         return Ok(FormatArgument::Svg);
     }
     text.parse().map(FormatArgument::Words).map_err(|error: crate::write::UnknownFormat| error.to_string())
+}
+
+fn parse_language(text: &str) -> Result<Language, String> {
+    text.parse()
 }
 
 fn parse_method(text: &str) -> Result<Method, String> {
@@ -217,6 +225,9 @@ pub(super) enum Command {
         /// The matrix from Bézier points of this degree to those of a higher one
         #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
         raise_to: Option<usize>,
+        /// Show the steps, from Bézier points to powers or back
+        #[arg(long, conflicts_with_all = ["interval", "raise_to"])]
+        steps: bool,
     },
     /// A Bézier curve: values, de Casteljau's scheme, subdivision, degree, derivatives
     #[command(after_help = "Examples:\n  \

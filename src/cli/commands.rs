@@ -14,8 +14,8 @@ use crate::poly::Symbol;
 use crate::session::{Answer, Failure, Session, read};
 use crate::source::{SourceFile, Span};
 use crate::syntax;
-use crate::value::{Value, Verdict, polar_steps, symbol_expr};
-use crate::write::{Format, text, write_words};
+use crate::value::{Value, Verdict, symbol_expr};
+use crate::write::text;
 
 /// Why a command ends before its end.
 pub(super) enum Stop {
@@ -126,17 +126,10 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             let whole = Span::new(0, polynomial.len());
             let polar = query(session, &file, whole, "polar", vec![Expr::name("F")], named)?;
             if *steps {
-                // A curve is derived coordinate by coordinate.
-                let coordinates = match &polar {
-                    Value::List(items) => items.as_slice(),
-                    one => std::slice::from_ref(one),
-                };
-                for item in coordinates {
-                    let Value::Polar(form) = item else { continue };
-                    for line in output.limited(|| polar_steps(form, *method))? {
-                        output.line(&written(output, &line)?)?;
-                    }
-                }
+                session.env.set(Symbol::new("F"), polar.clone());
+                let subject = vec![Expr::name("polar"), Expr::name("F")];
+                let method = vec![("method", Expr::name(method.name()))];
+                output.value(&query(session, &file, whole, "derive", subject, method)?, None)?;
                 if at.is_none() {
                     return Ok(Status::Fine);
                 }
@@ -157,13 +150,17 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             }
             Ok(Status::Fine)
         }
-        Command::Sum(two) => combine(session, output, two, "polar_sum"),
-        Command::Product(two) => combine(session, output, two, "polar_product"),
-        Command::Compose(two) => combine(session, output, two, "polar_compose"),
-        Command::Matrix { degree, from, to, inverse, interval, raise_to } => {
+        Command::Sum(two) => combine(session, output, two, "sum"),
+        Command::Product(two) => combine(session, output, two, "product"),
+        Command::Compose(two) => combine(session, output, two, "compose"),
+        Command::Matrix { degree, from, to, inverse, interval, raise_to, steps } => {
             // The query is written out, so that what is wrong is shown in it.
             let query = match raise_to {
                 Some(m) => format!("raising({degree}, {m})"),
+                None if *steps => {
+                    let (from, to) = if *inverse { (to, from) } else { (from, to) };
+                    format!("derive({}, {degree})", derivable_matrix(from, to)?)
+                }
                 None => {
                     let ends = match interval {
                         Some(interval) => list(&SourceFile::new("<interval>", interval.as_str()))?,
@@ -196,6 +193,20 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
         Command::Weave(arguments) => super::weave::run(arguments, global, output),
         Command::Explain { code } => explain(output, code.as_deref()),
         Command::Functions { name } => functions(output, name.as_deref()),
+    }
+}
+
+/// The derivation of the matrix from one basis to another.
+fn derivable_matrix(from: &str, to: &str) -> Result<&'static str, Box<Failure>> {
+    match (from.trim(), to.trim()) {
+        ("bernstein", "power") => Ok("matrix"),
+        ("power", "bernstein") => Ok("inverse_matrix"),
+        _ => {
+            let problem =
+                Diagnostic::error(Code::Unsupported, format!("there are no steps from {from} to {to}"))
+                    .hint("--steps is for the matrix from bernstein to power, and its inverse");
+            Err(Box::new(Failure { problem, file: SourceFile::new("<matrix>", "") }))
+        }
     }
 }
 
@@ -277,29 +288,16 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
     let g_polar = query(session, &g_file, g_whole, "polar", vec![g_name.clone()], vec![])?;
     session.env.set(Symbol::new("F"), f_polar.clone());
     session.env.set(Symbol::new("G"), g_polar.clone());
-    let value = query(session, &f_file, whole, name, vec![f_name, g_name], vec![])?;
-    if two.steps
-        && let (Value::Polar(f), Value::Polar(g), Value::Polar(result)) = (&f_polar, &g_polar, &value)
-    {
-        for line in output.limited(|| crate::value::combination_steps(name, f, g, result))? {
-            output.line(&written(output, &line)?)?;
-        }
+    if two.steps {
+        let subject = vec![Expr::name(name), f_name, g_name];
+        let derivation = query(session, &f_file, whole, "derive", subject, vec![])?;
+        output.value(&derivation, None)?;
         return Ok(Status::Fine);
     }
+    let name = format!("polar_{name}");
+    let value = query(session, &f_file, whole, &name, vec![f_name, g_name], vec![])?;
     output.value(&value, Some(Expr::name("h")))?;
     Ok(Status::Fine)
-}
-
-/// A step with its reason.
-pub(super) fn written(output: &Output, line: &crate::value::Line) -> Result<String, Trouble> {
-    let formula = output.written(&line.formula)?;
-    let reason = write_words(&line.reason, output.format);
-    Ok(match output.format {
-        Format::Latex => format!("{formula} && \\text{{{reason}}} \\\\"),
-        Format::Json => serde_json::json!({"formula": formula, "reason": reason}).to_string(),
-        Format::Sympy => format!("{formula}  # {reason}"),
-        _ => format!("{formula}    [{reason}]"),
-    })
 }
 
 /// Runs all statements of a text and prints their results.

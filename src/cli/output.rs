@@ -12,9 +12,12 @@ use crate::number::Rational;
 use crate::scene::Scene;
 use crate::session::Failure;
 use crate::source::SourceFile;
-use crate::value::{Claim, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr};
+use crate::value::{
+    Claim, Derivation, Language, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr,
+};
 use crate::write::{
-    Format, claim_json, expanded_terms, text, write_expanded, write_expr, write_grouped, write_table,
+    Format, claim_json, expanded_terms, text, write_derivation, write_expanded, write_expr, write_grouped,
+    write_table,
 };
 
 /// Polar forms of a larger degree are written out without building the formula.
@@ -27,6 +30,7 @@ pub(super) const PREVIEW: (usize, usize) = (72, 20);
 pub(super) struct Output {
     pub format: Format,
     pub notation: Notation,
+    pub language: Language,
     color: bool,
     limits: crate::budget::Limits,
 }
@@ -34,7 +38,8 @@ pub(super) struct Output {
 impl Output {
     pub fn new(global: &Global) -> Self {
         let color = global.color.wanted(io::stderr().is_terminal());
-        Output { format: global.format(), notation: global.notation(), color, limits: global.limits() }
+        let (notation, language) = (global.notation(), global.lang);
+        Output { format: global.format(), notation, language, color, limits: global.limits() }
     }
 
     /// One line of results.
@@ -71,6 +76,7 @@ impl Output {
         match value {
             Value::Polar(polar) => self.polar(polar, name),
             Value::Claim(claim) => self.claim(claim),
+            Value::Derivation(derivation) => self.derivation(derivation),
             Value::Text(words) if self.format != Format::Json => Ok(self.line(words)?),
             Value::List(items)
                 if !items.is_empty()
@@ -193,6 +199,12 @@ impl Output {
     pub fn limited<T>(&self, work: impl FnOnce() -> T) -> Result<T, Trouble> {
         crate::budget::run(&self.limits, work)
             .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))
+    }
+
+    /// A derivation, line by line.
+    fn derivation(&self, derivation: &Derivation) -> Result<(), Trouble> {
+        let text = self.limited(|| write_derivation(derivation, self.format, self.language))?;
+        Ok(self.line(&text.map_err(|error| Trouble::problem(error.to_string()))?)?)
     }
 
     /// A formula in the chosen format.

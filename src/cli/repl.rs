@@ -21,7 +21,7 @@ use crate::figure::{TikzOptions, tikz};
 use crate::poly::Symbol;
 use crate::session::Session;
 use crate::source::SourceFile;
-use crate::value::{Notation, Value, polar_steps, symbol_expr};
+use crate::value::{Notation, Value, symbol_expr};
 use crate::write::{Format, text};
 
 /// A command of the session, as listed by `:help`.
@@ -323,20 +323,14 @@ impl Repl<'_> {
         if polynomial.trim().is_empty() {
             return Err(usage(":steps POLYNOMIAL, or :steps taylor POLYNOMIAL"));
         }
-        let query = format!("polar({polynomial})");
+        let query = format!("derive(polar, {polynomial}, method={method})");
         let file = SourceFile::new("<steps>", query);
         // The names stay as they are: only the value is of interest.
         let before = self.session.env.clone();
         let result = self.session.run_statement(&file, None, Equals::Claims);
         self.session.env = before;
         match result {
-            Ok(answer) => {
-                if let Value::Polar(polar) = &answer.outcome.value {
-                    for line in self.output.limited(|| polar_steps(polar, method))? {
-                        self.output.line(&commands::written(self.output, &line)?)?;
-                    }
-                }
-            }
+            Ok(answer) => self.output.value(&answer.outcome.value, None)?,
             Err(failure) => self.output.failure(&failure),
         }
         Ok(())

@@ -283,16 +283,33 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = self.eval(item)?;
+                        let value = match &item.kind {
+                            Kind::Name(word)
+                                if all.is_empty() && builtins::WORD_FIRST.contains(&builtin.name) =>
+                            {
+                                Value::Text(word.clone())
+                            }
+                            _ => self.eval(item)?,
+                        };
                         all.push(value, item.span);
                     }
                 }
             }
         }
+        self.run_builtin(builtin, &all, span)
+    }
+
+    /// Calls a function of the program with its arguments, as it applies to their kinds.
+    pub(super) fn run_builtin(
+        &mut self,
+        builtin: &'static builtins::Builtin,
+        all: &Arguments,
+        span: Span,
+    ) -> Evaluated {
         if let Some(first) = all.values().next()
             && let Some(method) = builtins::method(builtin.name, first)
         {
-            return method(&all).at(span);
+            return method(all).at(span);
         }
         if builtins::COORDINATEWISE.contains(&builtin.name)
             && let Some(Value::List(items)) = all.values().next()
@@ -305,7 +322,7 @@ impl Machine {
             });
             return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
         }
-        (builtin.call)(self, &all).at(span)
+        (builtin.call)(self, all).at(span)
     }
 
     /// Calls a function with its index and bracket arguments.

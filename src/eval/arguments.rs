@@ -90,6 +90,20 @@ impl Arguments {
         Arguments { positional: self.positional.iter().take(count).cloned().collect(), named: Vec::new() }
     }
 
+    /// The arguments after the first one, without those under the given names.
+    pub(super) fn after_first(&self, names: &[&str]) -> Self {
+        let mut rest = self.without(names);
+        rest.positional.drain(..1.min(rest.positional.len()));
+        rest
+    }
+
+    /// All arguments but those under the given names.
+    pub(super) fn without(&self, names: &[&str]) -> Self {
+        let mut rest = self.clone();
+        rest.named.retain(|(name, ..)| !names.contains(&name.as_str()));
+        rest
+    }
+
     /// Number of arguments given by place.
     pub fn len(&self) -> usize {
         self.positional.len()
@@ -161,6 +175,11 @@ impl Arguments {
             .find(|(n, ..)| n == name)
             .map(|(_, value, span)| (value, *span))
             .or_else(|| self.positional.get(i).map(|(value, span)| (value, *span)))
+    }
+
+    /// Whether an argument is given under this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.named.iter().any(|(n, ..)| n == name)
     }
 
     /// The arguments given as t=value, if there are any.

@@ -4,6 +4,7 @@
 //! checker and the writers speak of the same things. Every value turns back into a
 //! formula ([`Value::to_expr`]), which the writers print.
 
+mod derivation;
 mod factors;
 mod function;
 mod geometry;
@@ -11,17 +12,16 @@ mod newton;
 mod outcome;
 mod piecewise;
 mod polar;
-mod steps;
 mod table;
 mod to_expr;
 
+pub use derivation::{Derivation, Language, Line, Words};
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
 pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
 pub use polar::{Notation, Polar, PolarKind};
-pub use steps::{Line, combination_steps, polar_steps};
 pub use table::{Cell, Table};
 pub use to_expr::{collected, curve_expr, exact_term, polynomial_expr, symbol_expr};
 
@@ -58,6 +58,8 @@ pub enum Value {
     Piecewise(Arc<PiecewiseFunction>),
     /// A scheme or report of several columns.
     Table(Arc<Table>),
+    /// A derivation, line by line.
+    Derivation(Arc<Derivation>),
     /// A drawing.
     Figure(Arc<Scene>),
     /// Words, such as the answer of `degree(0)`.
@@ -94,6 +96,7 @@ impl Value {
             Value::Geometry(geometry) => geometry.kind(),
             Value::Piecewise(_) => "a piecewise polynomial",
             Value::Table(_) => "a table",
+            Value::Derivation(_) => "a derivation",
             Value::Figure(_) => "a figure",
             Value::Claim(_) => "a claim",
             Value::Text(_) => "a text",

@@ -1,7 +1,9 @@
 //! Polar forms as values: with the names of their arguments, and the ways to write them out.
 
 use crate::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm};
-use crate::poly::{Fraction, Symbol};
+use crate::poly::{Fraction, MultiPoly, Symbol};
+use crate::ring::Ring;
+use num_traits::Zero;
 
 /// How to write a polar form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -51,6 +53,26 @@ impl Polar {
             PolarKind::Univariate(form) => vec![form.degree()],
             PolarKind::Tensor(form) => vec![form.degrees().0, form.degrees().1],
             PolarKind::Total(form) => vec![form.degree()],
+        }
+    }
+
+    /// The polynomial F(t) = f(t, …, t) in the variables of the form.
+    pub fn diagonal(&self) -> Fraction {
+        let variable = |k: usize| Fraction::from(MultiPoly::symbol(self.variables[k].clone()));
+        let horner = |list: &[Fraction], x: &Fraction| {
+            list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(x).plus(c))
+        };
+        match &self.kind {
+            PolarKind::Univariate(form) => horner(form.coefficients(), &variable(0)),
+            PolarKind::Tensor(form) => {
+                let rows: Vec<Fraction> =
+                    form.coefficients().iter().map(|row| horner(row, &variable(1))).collect();
+                horner(&rows, &variable(0))
+            }
+            PolarKind::Total(form) => {
+                let point: Vec<Fraction> = (0..form.dimension()).map(variable).collect();
+                form.diagonal_at(&point)
+            }
         }
     }
 }

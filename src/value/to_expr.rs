@@ -446,6 +446,7 @@ impl Value {
             Value::Geometry(geometry) => geometry.to_expr(),
             Value::Piecewise(function) => function.to_expr(),
             Value::Table(table) => table.to_expr(),
+            Value::Derivation(derivation) => derivation.to_expr(),
             Value::Figure(scene) => Kind::Text(format!("figure: {}", scene.title())).into(),
             Value::Claim(claim) => Kind::Text(claim.verdict().word().to_owned()).into(),
             Value::Text(text) => Kind::Text(text.clone()).into(),

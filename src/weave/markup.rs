@@ -209,6 +209,8 @@ fn aligned(lines: &[StepLine]) -> Vec<String> {
     let last = lines.len().saturating_sub(1);
     let rows = lines.iter().enumerate().map(|(i, line)| {
         let (left, right) = &line.latex;
+        let repeated = i > 0 && lines[i - 1].latex.0 == *left;
+        let left = if repeated { "" } else { left };
         let end = if i < last { r" \\" } else { "" };
         format!("{left} &{right} && {}{end}", words_in_formula(&line.reason))
     });
@@ -241,7 +243,8 @@ mod tests {
             let answer = session.run(statement).unwrap();
             let lines = match (&answer.outcome.value, statement.starts_with("polar(")) {
                 (Value::Polar(polar), true) => {
-                    crate::value::polar_steps(polar, crate::blossom::Method::Elementary)
+                    let method = crate::blossom::Method::Elementary;
+                    crate::derive::polar(polar, method, &crate::derive::Names::default()).lines
                 }
                 _ => Vec::new(),
             };
@@ -277,7 +280,7 @@ mod tests {
         assert!(lines.iter().all(|line| line == "$$" || !line.contains('$')), "{lines:?}");
         let latex = Markup::Latex.block(&pieces, Style::List).join("\n");
         assert!(
-            latex.contains(r"\item {}$\sigma_{2,2} = t_1 t_2$: replaces $t^2$: the only product"),
+            latex.contains(r"\item {}$\sigma_{2,2}(t_1, t_2) = t_1 t_2$: replaces $t^2$: the only product"),
             "{latex}"
         );
     }

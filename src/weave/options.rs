@@ -7,7 +7,7 @@
 use crate::blossom::Method;
 use crate::diagnostic::{Code, Diagnostic, nearest};
 use crate::source::Span;
-use crate::value::Notation;
+use crate::value::{Language, Notation};
 
 /// How several results are arranged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -37,18 +37,10 @@ pub enum Show {
     Nothing,
 }
 
-/// The language of words in results.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Language {
-    /// English, so far the only one.
-    #[default]
-    English,
-}
-
 /// The options of a block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockOptions {
-    /// Show the derivation of polar forms by this method.
+    /// Show the derivation of polar forms, by this method.
     pub steps: Option<Method>,
     /// How polar forms are written.
     pub notation: Notation,
@@ -60,7 +52,7 @@ pub struct BlockOptions {
     pub show: Show,
     /// Write `query = value` rather than the value.
     pub equation: bool,
-    /// The language of words.
+    /// The language of derivations.
     pub lang: Language,
     /// The file for a figure, without its extension, relative to the document.
     pub picture: Option<String>,
@@ -85,7 +77,7 @@ const NOTATIONS: [(&str, Notation); 4] = [
 
 const SHOWS: [(&str, Show); 3] = [("all", Show::All), ("last", Show::Last), ("none", Show::Nothing)];
 
-const LANGUAGES: [(&str, Language); 1] = [("en", Language::English)];
+const LANGUAGES: [(&str, Language); 2] = [("en", Language::English), ("zh", Language::Chinese)];
 
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 

@@ -87,6 +87,21 @@ pub(super) fn plan(text: &str, defaults: &BlockOptions) -> Plan {
 }
 
 impl Plan {
+    /// The files of the pictures in the results of blocks.
+    pub(super) fn pictures(&self, text: &str) -> Vec<String> {
+        let results = self.sites.iter().filter_map(|site| match &site.kind {
+            SiteKind::Block(block) => block.region.map(|span| &text[span.range()]),
+            SiteKind::Template(_) => None,
+        });
+        let link = |line: &str| {
+            let (_, file) = line.trim_start_matches(['>', ' ']).strip_prefix("![")?.rsplit_once("](")?;
+            file.trim_end().strip_suffix(')').map(str::to_owned)
+        };
+        results.flat_map(str::lines).filter_map(link).collect()
+    }
+}
+
+impl Plan {
     /// What the results depend on, and the results that stand in the text.
     pub(super) fn digest(&self, text: &str, options: &str) -> String {
         let mut digest = Digest::new(options);

@@ -6,8 +6,8 @@ use crate::expr::{Expr, Kind};
 use crate::figure::{SvgOptions, TikzOptions, svg, tikz};
 use crate::session::Answer;
 use crate::syntax::parse;
-use crate::value::{Claim, Judgement, Line, Table, Value, Verdict, curve_expr, symbol_expr};
-use crate::write::{latex, latex_table, text, write_words};
+use crate::value::{Claim, Judgement, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr};
+use crate::write::{latex, latex_table, split_at_relation, text, write_words};
 
 /// Longer sides of a refuted claim are not repeated beside it.
 const LONGEST_SIDE: usize = 60;
@@ -80,7 +80,7 @@ pub struct StepLine {
 /// ```
 pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result<Piece, Diagnostic> {
     if !lines.is_empty() {
-        return Ok(Piece::Steps(lines.iter().map(step_line).collect()));
+        return Ok(steps(lines, options.lang));
     }
     let value = &answer.outcome.value;
     let name = answer.outcome.defined.as_ref().map(symbol_expr);
@@ -115,6 +115,9 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             None => Piece::Formula(named(value, name, &answer.statement, options)),
         },
         Value::Table(table) => Piece::Formula(tabulated(table, name)),
+        Value::Derivation(derivation) => {
+            steps(&derivation.lines, derivation.language.unwrap_or(options.lang))
+        }
         Value::Scalar(_) | Value::Vector(_) | Value::Matrix(_) | Value::Geometry(_) | Value::Piecewise(_) => {
             Piece::Formula(named(value, name, &answer.statement, options))
         }
@@ -200,20 +203,13 @@ pub(super) fn remark(judgement: &Judgement) -> String {
     format!("false: left `{left}`, right `{right}`")
 }
 
-fn step_line(line: &Line) -> StepLine {
-    let aligned = match &line.formula.kind {
-        Kind::Chain(left, links) => {
-            let left = latex(left);
-            let whole = latex(&line.formula);
-            let rest = if links.is_empty() { None } else { whole.strip_prefix(&left).map(str::to_owned) };
-            match rest {
-                Some(rest) => (left, rest.trim_start().to_owned()),
-                None => (String::new(), whole),
-            }
-        }
-        _ => (String::new(), latex(&line.formula)),
+fn steps(lines: &[Line], language: Language) -> Piece {
+    let line = |line: &Line| StepLine {
+        latex: split_at_relation(&line.formula),
+        text: text(&line.formula),
+        reason: line.reason.text(language).to_owned(),
     };
-    StepLine { latex: aligned, text: text(&line.formula), reason: line.reason.clone() }
+    Piece::Steps(lines.iter().map(line).collect())
 }
 
 /// Words with formulas between backticks, for math mode: `\text{the mean of } t_1^2`.

@@ -3,13 +3,14 @@
 use super::options::{BlockOptions, Show};
 use super::render::{Piece, remark, render, words_as_text};
 use crate::blossom::Method;
+use crate::derive::{self, Combination};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::eval::Equals;
 use crate::expr::{Expr, Kind};
 use crate::session::{Answer, Failure, Session, guarded, read};
 use crate::source::{SourceFile, Span};
 use crate::syntax;
-use crate::value::{Claim, Line, Value, Verdict, combination_steps, polar_steps, symbol_expr};
+use crate::value::{Claim, Line, PolarKind, Value, Verdict, symbol_expr};
 
 /// Where the bytes of a query stand in its file.
 pub(super) type Place<'a> = dyn Fn(Span) -> Span + 'a;
@@ -191,26 +192,26 @@ impl Runner {
 /// The derivation of the value of an answer; empty if it has none.
 fn steps(session: &Session, answer: &Answer, method: Method) -> Vec<Line> {
     let forms = match &answer.outcome.value {
-        Value::Polar(polar) => vec![polar],
+        Value::Polar(polar) => vec![polar.clone()],
         // A curve is derived coordinate by coordinate.
         Value::List(items) => items
             .iter()
-            .map(|item| if let Value::Polar(polar) = item { Some(polar) } else { None })
+            .map(|item| if let Value::Polar(polar) = item { Some(polar.clone()) } else { None })
             .collect::<Option<Vec<_>>>()
             .unwrap_or_default(),
         _ => Vec::new(),
     };
     let (call, name) = asked(answer);
-    let mut lines = Vec::new();
-    for form in &forms {
-        lines.extend(match combined(session, call) {
-            Some((operation, f, g)) if forms.len() == 1 => {
-                let (Value::Polar(f), Value::Polar(g)) = (&f, &g) else { continue };
-                combination_steps(operation, f, g, form)
+    let mut lines = match (combined(session, call), forms.as_slice()) {
+        (_, []) => return Vec::new(),
+        (Some((kind, Value::Polar(f), Value::Polar(g))), [result]) => match (&f.kind, &g.kind) {
+            (PolarKind::Univariate(f), PolarKind::Univariate(g)) => {
+                derive::combination(kind, f, g, result).lines
             }
-            _ => polar_steps(form, method),
-        });
-    }
+            _ => derive::polar_of_curve(&forms, method).lines,
+        },
+        _ => derive::polar_of_curve(&forms, method).lines,
+    };
     rename(&mut lines, call, name);
     lines
 }
@@ -233,15 +234,20 @@ fn callee(call: &Expr) -> Option<(&str, &[Expr])> {
 }
 
 /// A sum, product or composition: its name and the polar forms of its operands.
-fn combined(session: &Session, call: &Expr) -> Option<(&'static str, Value, Value)> {
+fn combined(session: &Session, call: &Expr) -> Option<(Combination, Value, Value)> {
     let (name, arguments) = callee(call)?;
-    let name = ["polar_sum", "polar_product", "polar_compose"].into_iter().find(|known| *known == name)?;
+    let kind = match name {
+        "polar_sum" => Combination::Sum,
+        "polar_product" => Combination::Product,
+        "polar_compose" => Combination::Composition,
+        _ => return None,
+    };
     let [f, g] = arguments else { return None };
     let polar = |operand: &Expr| {
         let mut call = Expr::apply(Expr::name("polar"), vec![operand.clone()]);
         session.clone().evaluate(&mut call, Equals::Claims).ok().map(|outcome| outcome.value)
     };
-    Some((name, polar(f)?, polar(g)?))
+    Some((kind, polar(f)?, polar(g)?))
 }
 
 /// Derivations speak of F and f (a combination of its result h): here they get the names of the file.
@@ -263,14 +269,16 @@ fn rename(lines: &mut [Line], call: &Expr, name: Option<Expr>) {
     }
     for line in lines {
         replace(&mut line.formula, &names);
-        let pieces = line.reason.split('`').enumerate().map(|(i, piece)| match syntax::parse(piece) {
-            Ok(mut formula) if i % 2 == 1 => {
-                replace(&mut formula, &names);
-                crate::write::text(&formula)
-            }
-            _ => piece.to_owned(),
+        line.reason = line.reason.map(|words| {
+            let pieces = words.split('`').enumerate().map(|(i, piece)| match syntax::parse(piece) {
+                Ok(mut formula) if i % 2 == 1 => {
+                    replace(&mut formula, &names);
+                    crate::write::text(&formula)
+                }
+                _ => piece.to_owned(),
+            });
+            pieces.collect::<Vec<_>>().join("`")
         });
-        line.reason = pieces.collect::<Vec<_>>().join("`");
     }
 }
 

@@ -7,7 +7,7 @@ use super::text::Text;
 use super::{latex, text};
 use crate::expr::Rel;
 use crate::poly::{Fraction, Symbol};
-use crate::value::{Claim, Geometry, Notation, Polar, PolarKind, Value};
+use crate::value::{Claim, Geometry, Language, Notation, Polar, PolarKind, Value};
 
 fn scalar(f: &Fraction) -> String {
     text(&crate::value::polynomial_expr(f))
@@ -64,6 +64,7 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
             "outside": matches!(function.function.outside(), crate::piecewise::Outside::Zero).then_some("0"),
             "text": text(&value.to_expr()), "latex": latex(&function.display_expr())}),
         Value::Table(table) => super::table_json(table),
+        Value::Derivation(derivation) => super::derivation_json(derivation, Language::default()),
         Value::Figure(scene) => json!({"kind": "figure", "title": scene.title(),
             "description": scene.description()}),
         Value::Claim(claim) => claim_json(claim),

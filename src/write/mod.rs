@@ -25,6 +25,7 @@
 
 mod boxes;
 mod decimal;
+mod derivation;
 mod expanded;
 mod format;
 mod json;
@@ -43,6 +44,7 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use derivation::{derivation_json, split_at_relation, write_derivation};
 pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};

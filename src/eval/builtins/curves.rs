@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use super::Builtin;
 use crate::curve::{self, BezierCurve, Tableau, affine};
+use crate::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::Arguments;
 use crate::eval::geometry::{bezier, curve_error, point_of, points_of, scalar_list};
 use crate::eval::wrong_kind;
-use crate::expr::{Expr, Kind, Rel, Sign, Term};
+use crate::expr::{Expr, Rel};
 use crate::number::Rational;
 use crate::poly::{Fraction, MultiPoly, Symbol};
 use crate::ring::{Field, Ring};
-use crate::value::{Cell, Form, Geometry, Table, Value, polynomial_expr};
+use crate::value::{Cell, Form, Geometry, Table, Value};
 use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -92,10 +93,7 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("casteljau(c, u_1, ..., u_n)", 2..=usize::MAX, &[])?;
             let (curve, form) = args.bezier(0)?;
-            let mut list = args.scalars_from(1)?;
-            if let [t] = list.as_slice() {
-                list = vec![t.clone(); curve.degree()];
-            }
+            let list = repeated(args.scalars_from(1)?, curve.degree());
             let tableau = curve.tableau(&list).map_err(curve_error).at(args.span(1))?;
             let (a, b) = curve.interval();
             let unit = Field::inverse(&b.minus(a)).expect("the ends differ");
@@ -404,11 +402,11 @@ pub(super) fn ends(args: &Arguments, first: usize) -> Result<(Fraction, Fraction
     Ok((a, b))
 }
 
-/// The label f(u, v, w).
-pub(super) fn polar_label(arguments: &[Fraction]) -> Expr {
-    match arguments {
-        [] => Expr::name("f"),
-        _ => Expr::apply(Expr::name("f"), arguments.iter().map(polynomial_expr).collect()),
+/// One parameter n times, or all arguments as they are.
+pub(super) fn repeated(list: Vec<Fraction>, n: usize) -> Vec<Fraction> {
+    match list.as_slice() {
+        [t] => vec![t.clone(); n],
+        _ => list,
     }
 }
 
@@ -416,32 +414,17 @@ pub(super) fn polar_label(arguments: &[Fraction]) -> Expr {
 /// lies between points i and i + 1 of level r. Where values would be long (symbolic points or
 /// knots), each is shown as the mean it is.
 pub(super) fn scheme(tableau: &Tableau<Fraction>, ratios: &[Vec<Fraction>], form: Form) -> Value {
-    let symbolic = |x: &Fraction| x.as_rational().is_none();
-    let points = tableau.levels[0].iter().flatten().any(symbolic);
-    let as_means =
-        ratios.iter().flatten().any(|ratio| symbolic(ratio) && (points || ratio.as_polynomial().is_none()));
+    let as_means = shown_as_means(tableau, ratios);
     let cell = |r: usize, i: usize| {
         let label = polar_label(&tableau.labels[r][i]);
         if r == 0 || !as_means {
             return Cell::Labelled(label, form.plain(tableau.levels[r][i].clone()));
         }
         let below = |k: usize| polar_label(&tableau.labels[r - 1][k]);
-        Cell::Formula(Expr::relation(label, Rel::Eq, mean(&ratios[r - 1][i], below(i), below(i + 1))))
+        let mean = mean_of_two(&ratios[r - 1][i], below(i), below(i + 1));
+        Cell::Formula(Expr::relation(label, Rel::Eq, mean))
     };
     let levels =
         (0..tableau.levels.len()).map(|r| (0..tableau.levels[r].len()).map(|i| cell(r, i)).collect());
     Value::Table(Arc::new(Table::triangle(levels.collect())))
-}
-
-/// (1 − s) p + s q, as one writes it.
-fn mean(s: &Fraction, p: Expr, q: Expr) -> Expr {
-    let term = |factor: &Fraction, body: Expr| {
-        let weight = polynomial_expr(factor);
-        let weight = if matches!(weight.kind, Kind::Add(_)) { weight.grouped() } else { weight };
-        let expr = if factor.is_one() { body } else { Expr::product(vec![weight, body]) };
-        Term { sign: Sign::Plus, expr }
-    };
-    let rest = Fraction::one().minus(s);
-    let terms = [(rest, p), (s.clone(), q)].into_iter().filter(|(factor, _)| !factor.is_zero());
-    Expr::sum(terms.map(|(factor, body)| term(&factor, body)).collect())
 }

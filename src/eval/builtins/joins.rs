@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::Builtin;
-use super::curves::polar_label;
 use crate::curve::{self, BezierCurve, GeometricFailure};
+use crate::derive::polar_label;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::Arguments;
 use crate::eval::geometry::{as_rational_form, bezier, curve_error, spline, spline_error};
@@ -190,7 +190,7 @@ fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cel
 }
 
 /// Both curves have to be polynomial.
-fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
+pub(super) fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
     for (i, form) in [left, right].into_iter().enumerate() {
         if form.rational {
             return Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational")

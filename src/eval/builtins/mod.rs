@@ -1,6 +1,7 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod curves;
+mod derive;
 mod figures;
 mod interpolation;
 mod joins;
@@ -63,6 +64,7 @@ pub static BUILTINS: &[&Builtin] = &{
         + curves::TABLE.len()
         + splines::TABLE.len()
         + joins::TABLE.len()
+        + derive::TABLE.len()
         + figures::TABLE.len()
         + surfaces::TABLE.len()
         + rational::TABLE.len()
@@ -79,6 +81,7 @@ pub static BUILTINS: &[&Builtin] = &{
         rational::TABLE,
         surfaces::TABLE,
         joins::TABLE,
+        derive::TABLE,
         interpolation::POLYNOMIALS,
         interpolation::SPLINES,
         interpolation::APPROXIMATION,
@@ -93,7 +96,10 @@ pub(super) const COORDINATEWISE: &[&str] =
     &["polar", "elevate", "reduce", "partial", "diagonal", "derivative", "diff"];
 
 /// Arguments whose value is a word, as in `labels=points`.
-pub(super) const WORD_ARGUMENTS: &[&str] = &["labels", "apex"];
+pub(super) const WORD_ARGUMENTS: &[&str] = &["labels", "apex", "method", "lang", "ends"];
+
+/// Functions whose first argument is a word, as in `derive(sum, F, G)`.
+pub(super) const WORD_FIRST: &[&str] = &["derive"];
 
 /// The function of that name.
 pub fn builtin(name: &str) -> Option<&'static Builtin> {

@@ -94,7 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("diagonal(f)", 1..=1, &[])?;
             let f = args.polar(0)?;
-            Ok(Value::Scalar(diagonal(&f)))
+            Ok(Value::Scalar(f.diagonal()))
         },
     },
     Builtin {
@@ -450,26 +450,6 @@ fn elementary(list: &[Fraction], i: usize) -> Fraction {
         crate::budget::charge_terms(e.iter().map(Ring::size).sum());
     }
     e.swap_remove(i)
-}
-
-/// F(t) = f(t, …, t) in the variables of the form.
-fn diagonal(f: &Polar) -> Fraction {
-    let variable = |k: usize| Fraction::from(MultiPoly::symbol(f.variables[k].clone()));
-    let horner = |list: &[Fraction], x: &Fraction| {
-        list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(x).plus(c))
-    };
-    match &f.kind {
-        PolarKind::Univariate(form) => horner(form.coefficients(), &variable(0)),
-        PolarKind::Tensor(form) => {
-            let rows: Vec<Fraction> =
-                form.coefficients().iter().map(|row| horner(row, &variable(1))).collect();
-            horner(&rows, &variable(0))
-        }
-        PolarKind::Total(form) => {
-            let point: Vec<Fraction> = (0..form.dimension()).map(variable).collect();
-            form.diagonal_at(&point)
-        }
-    }
 }
 
 /// The terms of a formula that is a polynomial in the given variables.

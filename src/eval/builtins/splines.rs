@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Builtin;
-use super::curves::polar_label;
+use crate::derive::polar_label;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::{self, Arguments};
 use crate::eval::geometry::{bezier, piecewise_error, scalar_list, spline, spline_error};
@@ -455,9 +455,7 @@ pub(super) fn de_boor(args: &Arguments, s: &BSpline<Fraction>) -> Result<(DeBoor
         Some(span) => span,
         None => s.knots().span_of(&list[0]).map_err(spline_error).at(args.span(1))?,
     };
-    if let [t] = list.as_slice() {
-        list = vec![t.clone(); s.degree()];
-    }
+    list = super::curves::repeated(list, s.degree());
     let scheme = s.de_boor(span, &list).map_err(spline_error).at(args.span(1))?;
     Ok((scheme, list))
 }

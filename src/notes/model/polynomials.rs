@@ -346,7 +346,8 @@ impl Model {
         row.pop().ok_or_else(|| unclear("what this curve is", expr))
     }
 
-    /// f[x_0, …, x_k] = Σ_i f(x_i) / Π_{j≠i} (x_i − x_j).
+    /// f[x_0, …, x_k] = Σ_i f(x_i) / Π_{j≠i} (x_i − x_j). For nodes that repeat the nodes are put in
+    /// at the end: of a polynomial f this is a polynomial in its nodes.
     pub(super) fn divided_difference(
         &self,
         machine: &mut Machine,
@@ -360,6 +361,11 @@ impl Model {
         let Some(nodes) = nodes else {
             return Err(unclear("what these nodes are", expr));
         };
+        let repeated = nodes.iter().enumerate().any(|(i, x)| nodes[..i].contains(x));
+        let places: Vec<Symbol> = (0..nodes.len()).map(|i| Symbol::indexed("node", i as i64)).collect();
+        let values: Vec<(Symbol, Fraction)> = places.iter().cloned().zip(nodes.iter().cloned()).collect();
+        let symbol = |place: &Symbol| Fraction::from(MultiPoly::symbol(place.clone()));
+        let nodes = if repeated { places.iter().map(symbol).collect() } else { nodes };
         let mut sum = zero();
         for (i, x) in nodes.iter().enumerate() {
             let value = self.apply(machine, function, &[vec![Value::Scalar(x.clone())]], expr)?;
@@ -377,6 +383,9 @@ impl Model {
                 }
             }
             sum = sum.plus(&term);
+        }
+        if repeated {
+            sum = sum.substitute(&values).map_err(|_| crate::eval::arithmetic::division_by_zero())?;
         }
         Ok(Value::Scalar(sum))
     }

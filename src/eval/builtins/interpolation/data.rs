@@ -16,7 +16,7 @@ use crate::value::{Cell, Form, Value, polynomial_expr};
 pub(super) type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// A number or a point.
-pub(super) type Datum = Vec<Fraction>;
+pub(in crate::eval::builtins) type Datum = Vec<Fraction>;
 
 /// The diagnostic for an error of interpolation.
 pub(super) fn interpolation_error(error: InterpolationError) -> Diagnostic {
@@ -57,7 +57,7 @@ pub(super) fn interpolation_error(error: InterpolationError) -> Diagnostic {
 }
 
 /// Nodes at the first place, values at the second.
-pub(super) struct Samples {
+pub(in crate::eval::builtins) struct Samples {
     pub nodes: Vec<Fraction>,
     pub values: Vec<Datum>,
     pub form: Form,

@@ -7,7 +7,9 @@ mod splines;
 mod tables;
 
 pub(super) use approximation::TABLE as APPROXIMATION;
+pub(super) use data::Samples;
 pub(super) use polynomials::TABLE as POLYNOMIALS;
 pub(super) use splines::TABLE as SPLINES;
+pub(super) use splines::ends;
 
 const TOPIC: &str = "Interpolation and approximation";

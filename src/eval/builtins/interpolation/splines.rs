@@ -105,7 +105,7 @@ impl Given {
 }
 
 /// The ends by their word, or by the slopes or moments that are given.
-fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
+pub(in crate::eval::builtins) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
     let slopes = args.named_or("slopes", usize::MAX);
     let moments = args.named_or("moments", usize::MAX);
     let unwanted = |what: &str, span: Span, hint: &str| {

@@ -1,0 +1,629 @@
+//! Every line of every derivation is read back and judged: by the language, with F, f and the like
+//! defined in another way, and by the checker of lecture notes, which knows only the lines
+//! themselves. Then how they look, in both languages.
+
+mod common;
+
+use common::transcripts;
+use insta::assert_snapshot;
+use polarform::blossom::Method;
+use polarform::diagnostic::Code;
+use polarform::expr::{Expr, Kind, Rel};
+use polarform::notes::extract::{Container, document};
+use polarform::notes::finding::Verdict as NotesVerdict;
+use polarform::notes::{Options, check_document};
+use polarform::session::Session;
+use polarform::source::SourceFile;
+use polarform::value::{Derivation, Language, Value, Verdict};
+use polarform::write::{Format, latex, text, write_derivation, write_words};
+use proptest::prelude::*;
+
+fn run(session: &mut Session, statement: &str) -> Value {
+    session.run(statement).unwrap_or_else(|f| panic!("{statement}: {:?}", f.problem)).outcome.value
+}
+
+/// What `derive(…)` gives after some definitions.
+fn derived(context: &[String], query: &str) -> Derivation {
+    let mut session = Session::default();
+    context.iter().for_each(|statement| drop(run(&mut session, statement)));
+    match run(&mut session, query) {
+        Value::Derivation(derivation) => (*derivation).clone(),
+        other => panic!("{query}: {other:?}"),
+    }
+}
+
+/// The formulas of a line, one after the other.
+fn formulas(formula: &Expr) -> &[Expr] {
+    match &formula.kind {
+        Kind::Sequence(items) => items,
+        _ => std::slice::from_ref(formula),
+    }
+}
+
+/// Each line is a definition whose further sides are equal, or a claim that is true, in the
+/// language with these definitions. Gives the number of equations that were proved.
+fn assert_true(query: &str, context: &[String], derivation: &Derivation) -> usize {
+    let mut session = Session::default();
+    context.iter().for_each(|statement| drop(run(&mut session, statement)));
+    let mut proved = 0;
+    for formula in derivation.lines.iter().flat_map(|line| formulas(&line.formula)) {
+        let mut shown = text(formula);
+        let mut answer = session.run(&shown);
+        // Beside f, the language takes f_3(…) = … for a definition only if that is said.
+        if let (Err(failure), Kind::Chain(left, links)) = (&answer, &formula.kind)
+            && failure.problem.code == Code::AmbiguousProduct
+        {
+            let definition = Expr::relation((**left).clone(), Rel::Define, links[0].expr.clone());
+            run(&mut session, &text(&definition));
+            if links.len() == 1 {
+                continue;
+            }
+            shown = text(&Kind::Chain(Box::new(links[0].expr.clone()), links[1..].to_vec()).into());
+            answer = session.run(&shown);
+        }
+        let answer = answer.unwrap_or_else(|f| panic!("{query}: {shown}: {:?}", f.problem));
+        let doubts = answer.outcome.notes.iter().any(|note| note.code == Code::Undecided);
+        assert!(!doubts, "{query}: {shown}: {:?}", answer.outcome.notes);
+        match &answer.outcome.value {
+            Value::Claim(claim) => {
+                let all = claim.judgements.iter().all(|judgement| judgement.verdict == Verdict::Proved);
+                assert!(all, "{query}: {shown}: {claim:?}");
+                proved += claim.judgements.len();
+            }
+            _ => assert!(answer.outcome.defined.is_some(), "{query}: {shown} says nothing"),
+        }
+    }
+    proved
+}
+
+/// Each line is a definition or proved in a file of notes that has them as displays.
+fn assert_true_in_notes(query: &str, before: &str, derivation: &Derivation) {
+    let mut page = format!("# Derivation\n\n{before}\n\n");
+    for line in &derivation.lines {
+        page += &format!("$${}$$\n\n", latex(&line.formula));
+    }
+    let report = check_document(
+        &document(SourceFile::new("notes.md", page.clone()), Container::Markdown),
+        &Options::default(),
+    );
+    assert!(report.problems.is_empty(), "{query}: {:?}", report.problems);
+    assert!(report.findings.len() >= derivation.lines.len(), "{query}");
+    for finding in &report.findings {
+        let fine = matches!(finding.verdict, NotesVerdict::Proved | NotesVerdict::Definition);
+        assert!(fine, "{query}: {} is {}: {finding:?}", finding.latex, finding.verdict.word());
+    }
+}
+
+/// Definitions of F, G, H and their polar forms of these degrees.
+fn polynomials(list: &[(&str, &str, usize)]) -> Vec<String> {
+    let mut context = Vec::new();
+    for (name, formula, degree) in list {
+        context.push(format!("{name}(t) := {formula}"));
+        if *degree > 0 {
+            let small = name.to_lowercase();
+            context.push(format!("{small} := polar({name}, degree={degree}, variable=t)"));
+        }
+    }
+    context
+}
+
+fn strings(list: &[&str]) -> Vec<String> {
+    list.iter().map(|item| (*item).to_owned()).collect()
+}
+
+const CUBIC: &str = "t^3 + 3 t^2 + 5 t + 1";
+const GENERIC: &str = "c_0 + c_1 t + c_2 t^2";
+
+#[test]
+fn polar_forms_by_every_method() {
+    for (formula, degree) in [
+        (CUBIC, 3),
+        (GENERIC, 2),
+        ("t^3 - 2 t", 5),
+        ("-t", 1),
+        ("1/2 - t^4", 4),
+        ("t^2/c - c", 2),
+        ("7", 2),
+        ("0", 1),
+    ] {
+        let context = polynomials(&[("F", formula, degree)]);
+        for method in Method::ALL {
+            let query = format!("derive(polar, {formula}, degree={degree}, variable=t, method={method})");
+            let derivation = derived(&[], &query);
+            assert!(assert_true(&query, &context, &derivation) > 1, "{query}");
+            if !formula.contains("/c") {
+                assert_true_in_notes(&query, "", &derivation);
+            }
+        }
+    }
+    for constant in ["7", "0", "c_0"] {
+        for method in Method::ALL {
+            let query = format!("derive(polar, {constant}, variable=t, method={method})");
+            assert_true(&query, &polynomials(&[("F", constant, 0)]), &derived(&[], &query));
+        }
+    }
+}
+
+#[test]
+fn polar_forms_of_other_kinds() {
+    let query = "derive(polar, polar_tensor(u^2 v - 3 v, u, v, 2, 1))";
+    let context = strings(&["F(u, v) := u^2 v - 3 v", "f := polar_tensor(F(u, v), u, v, 2, 1)"]);
+    assert_true(query, &context, &derived(&[], query));
+    let query = "derive(polar, polar_total(u v + u, [u, v], degree=2))";
+    let context = strings(&["F(u, v) := u v + u", "f := polar_total(F(u, v), [u, v], degree=2)"]);
+    assert_true(query, &context, &derived(&[], query));
+    // The degree of a curve is the largest one.
+    let context =
+        strings(&["F_1(t) := 3 t", "F_2(t) := t^2", "f_1 := polar(F_1, degree=2)", "f_2 := polar(F_2)"]);
+    for method in Method::ALL {
+        let query = format!("derive(polar, [3 t, t^2], method={method})");
+        assert_true(&query, &context, &derived(&[], &query));
+    }
+    // A variable called like one of the names on the way.
+    let context = strings(&["F(tau) := tau^2 + s i", "f := polar(tau^2 + s i, variable=tau)"]);
+    for method in Method::ALL {
+        let query = format!("derive(polar, tau^2 + s i, variable=tau, method={method})");
+        assert_true(&query, &context, &derived(&[], &query));
+    }
+}
+
+#[test]
+fn sums_products_compositions() {
+    for (f, m, g, n) in [
+        ("t^2 + 2 t", 2, "t^3 + 1", 3),
+        ("t^3 + 1", 3, "t", 1),
+        ("t", 1, "t^2 - 1/2", 2),
+        (GENERIC, 2, "1 - 2 t", 1),
+        ("5", 0, "t^2 + t", 2),
+        ("t^2 + t", 2, "-5", 0),
+        ("3", 0, "4", 0),
+        ("t^3 - t", 3, "2 t^2 - t", 2),
+        ("t^4", 4, "t^4 - 1", 4),
+    ] {
+        for (kind, h, degree) in [
+            ("sum", format!("({f}) + ({g})"), m.max(n)),
+            ("product", format!("({f}) ({g})"), m + n),
+            ("compose", String::new(), m * n),
+        ] {
+            if degree > 8 {
+                continue;
+            }
+            let mut context = polynomials(&[("F", f, m), ("G", g, n)]);
+            if kind == "compose" {
+                context.push("H(t) := F(G(t))".to_owned());
+                let polar = format!("h := polar(H, degree={degree})");
+                context.extend((degree > 0).then_some(polar));
+            } else {
+                context.extend(polynomials(&[("H", &h, degree)]));
+            }
+            let query = format!("derive({kind}, polar({f}, variable=t), polar({g}, variable=t))");
+            let derivation = derived(&[], &query);
+            assert!(assert_true(&query, &context, &derivation) > 2, "{query}");
+            if m > 0 && n > 0 {
+                assert_true_in_notes(&query, "", &derivation);
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_and_elevation() {
+    for (formula, degree) in [(CUBIC, 3), (GENERIC, 2), ("t^4 - t/2", 4), ("2 - t", 1)] {
+        let mut context = polynomials(&[("F", formula, degree)]);
+        for k in 0..=degree + 1 {
+            let query = format!("derive(derivative, polar({formula}, variable=t), {k})");
+            let derivation = derived(&[], &query);
+            assert_true(&query, &context, &derivation);
+            assert_true_in_notes(&query, "", &derivation);
+        }
+        for k in 1..=3 {
+            // The elevated forms are f_n, computed here from the coefficients.
+            context.push(format!("f_{} := elevate(f, {k})", degree + k));
+            let query = format!("derive(elevate, polar({formula}, variable=t), {k})");
+            let derivation = derived(&[], &query);
+            assert!(assert_true(&query, &context, &derivation) > 2 * k, "{query}");
+            assert_true_in_notes(&query, "", &derivation);
+        }
+    }
+    let query = "derive(elevate, bezier([[0, 0], [1, 2], [2, 0]], 1, 3), 2)";
+    let mut context = strings(&["c := control_points(elevate(bezier([[0, 0], [1, 2], [2, 0]], 1, 3), 2))"]);
+    context.extend((0..=4).map(|i| format!("b_{{4,{i}}} := c_{i}")));
+    assert!(assert_true(query, &context, &derived(&[], query)) >= 10);
+    let query = "derive(elevate, bezier([b_0, b_1]))";
+    assert_true(query, &[], &derived(&[], query));
+    let query = "derive(elevate, 7, 2)";
+    assert_true(query, &[], &derived(&[], query));
+}
+
+#[test]
+fn matrices() {
+    for n in 0..=4 {
+        for (query, own) in [
+            (format!("derive(matrix, {n})"), format!("A_{n} := bernstein_to_power({n})")),
+            (format!("derive(inverse_matrix, {n})"), format!("A_{n} := power_to_bernstein({n})^-1")),
+        ] {
+            let derivation = derived(&[], &query);
+            assert_true(&query, &[own], &derivation);
+            assert_true_in_notes(&query, "", &derivation);
+        }
+    }
+}
+
+#[test]
+fn schemes_of_bezier_curves() {
+    for (curve, u) in [
+        ("bezier([1, 3, 4, -2])", "1/3"),
+        ("bezier([[0, 0], [1, 2], [2, 0]])", "1/2"),
+        ("bezier([[0, 0], [1, 2], [2, 0]], 1, 3)", "-1"),
+        ("bezier([b_0, b_1, b_2])", "t"),
+        ("bezier([b_0, b_1, b_2, b_3], r, s)", "t"),
+        ("bezier([1, 2, 4])", "t"),
+        ("bezier([1, 2, 4])", "u, v"),
+        ("bezier([5])", "1/2"),
+    ] {
+        let context = [format!("F(t) := {curve}(t)"), format!("f := polar({curve})")];
+        // The polar form of a constant is no function.
+        let context = if curve == "bezier([5])" { &context[..1] } else { &context[..] };
+        let query = format!("derive(casteljau, {curve}, {u})");
+        let derivation = derived(&[], &query);
+        let outside = u == "-1";
+        assert!(
+            assert_true(&query, if outside { &context[1..] } else { context }, &derivation) > 0,
+            "{query}"
+        );
+        // The checker of notes reads no points, and no polynomials over [r, s].
+        if !curve.contains("[[") && !curve.contains('r') && curve != "bezier([5])" {
+            assert_true_in_notes(&query, "", &derivation);
+        }
+    }
+    // A rational curve: homogeneous points on the way.
+    let curve = "bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2])";
+    let query = format!("derive(casteljau, {curve}, 1/2)");
+    let context = [format!("F := {curve}"), format!("f := polar(homogeneous({curve}))")];
+    let derivation = derived(&[], &query);
+    // The first line says F as a quotient of points.
+    let rest = Derivation { lines: derivation.lines[1..].to_vec(), ..derivation };
+    assert_eq!(text(&rest.lines.last().unwrap().formula), "F(1/2) = [3/5, 4/5]");
+    assert!(assert_true(&query, &context, &rest) >= 10);
+}
+
+#[test]
+fn schemes_of_splines() {
+    for (spline, u, span) in [
+        ("bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4])", "3/2", 3),
+        ("bspline(2, [0, 0, 0, 1, 2, 2, 2], [[1, 1], [3, 0], [2, 5], [4, 1]])", "1", 3),
+        ("bspline(3, uniform_knots(3, 5), [1, 0, 0, 2, 1])", "7/2", 3),
+        ("bspline(3, uniform_knots(3, 5), [1, 0, 0, 2, 1])", "5", 4),
+        ("bspline(2, [t_0, t_1, t_2, t_3, t_4, t_5], [d_0, d_1, d_2])", "t, span=2", 2),
+        ("bspline(1, [0, 0, 1, 1], [2, 3])", "1/3", 1),
+    ] {
+        let query = format!("derive(deboor, {spline}, {u})");
+        let derivation = derived(&[], &query);
+        let symbolic = u.starts_with('t');
+        let mut context = vec![format!("f := polar({spline}, span={span})")];
+        if !symbolic {
+            context.push(format!("F := {spline}"));
+        }
+        context.push(format!("T := knots({spline})"));
+        assert!(assert_true(&query, &context, &derivation) >= 4, "{query}");
+
+        if symbolic {
+            continue;
+        }
+        let query = format!("derive(insert, {spline}, {u})");
+        let derivation = derived(&[], &query);
+        let fine = format!("insert_knots({spline}, {u})");
+        let mut context = vec![format!("f := polar({spline}, span={span})")];
+        context.push(format!("T := knots({spline})"));
+        context.push(format!("U := knots({fine})"));
+        context.push(format!("e := control_points({fine})"));
+        // The ratios α_i are introduced, all else is known.
+        let introduced = spline[8..9].parse::<usize>().unwrap();
+        let equations: usize = derivation
+            .lines
+            .iter()
+            .flat_map(|line| formulas(&line.formula))
+            .map(|formula| if let Kind::Chain(_, links) = &formula.kind { links.len() } else { 0 })
+            .sum();
+        let proved = assert_true(&query, &context, &derivation);
+        assert_eq!(proved + 2 * introduced, equations, "{query}");
+    }
+}
+
+#[test]
+fn joining_conditions() {
+    for (left, right, k) in [
+        ("bezier([0, 1, 2])", "bezier([2, 3, 5], 1, 2)", 2),
+        ("bezier([0, 1, 2])", "bezier([3, 3, 5], 1, 2)", 2),
+        ("bezier([[0, 1], [1, 2], [2, 2]], 0, 2)", "bezier([[2, 2], [5/2, 2], [7, 1]], 2, 3)", 2),
+        ("bezier([1, 4])", "bezier([4, 7], 1, 2)", 3),
+        ("bezier([7])", "bezier([7], 1, 2)", 1),
+    ] {
+        let query = format!("derive(join, {left}, {right}, {k})");
+        let mut context =
+            vec![format!("F(t) := extended({left}, t)"), format!("G(t) := extended({right}, t)")];
+        if left != "bezier([7])" {
+            context.push(format!("f := polar({left})"));
+            context.push(format!("g := polar({right})"));
+        }
+        assert!(assert_true(&query, &context, &derived(&[], &query)) >= 2, "{query}");
+    }
+    // Symbolic curves: the conditions say what c_0, c_1, … have to be.
+    let query = "derive(join, bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 3), 2)";
+    let derivation = derived(&[], query);
+    assert_true_in_notes(query, "", &derivation);
+    let conditions: Vec<String> = derivation.lines.iter().map(|line| text(&line.formula)).collect();
+    for condition in ["c_0 = b_2", "c_1 = 3 b_2 - 2 b_1", "c_2 = 4 b_0 - 12 b_1 + 9 b_2"] {
+        assert!(conditions.contains(&condition.to_owned()), "{condition}: {conditions:#?}");
+    }
+    // Where no single point is asked for, a difference has to vanish.
+    let query = "derive(join, bezier([[a, 0], [b, 1]]), bezier([[c, 1], [d, 2]], 1, 2))";
+    let context =
+        strings(&["f := polar(bezier([[a, 0], [b, 1]]))", "g := polar(bezier([[c, 1], [d, 2]], 1, 2))"]);
+    assert!(assert_true(query, &context, &derived(&[], query)) >= 7);
+}
+
+#[test]
+fn divided_differences() {
+    for (nodes, values, polynomial) in [
+        ("[0, 1, 3]", "[1, 2, 10]", "t^2 + 1"),
+        ("[2, -1, 1/2, 3]", "[0, 9, 9, -11]", "10 - t - 2 t^2"),
+        ("[5]", "[3]", "3"),
+        ("[1, 2]", "[0, 0]", "0"),
+        ("[0, 0, 0, 2]", "[1, 2, 6, 25]", "t^3 + 3 t^2 + 2 t + 1"),
+    ] {
+        let query = format!("derive(newton, {nodes}, {values})");
+        let derivation = derived(&[], &query);
+        let last = text(&derivation.lines.last().unwrap().formula);
+        let mut session = Session::default();
+        run(&mut session, &last);
+        // The interpolant is known.
+        let Value::Claim(judged) = run(&mut session, &format!("p(t) = {polynomial}")) else {
+            panic!("{last}")
+        };
+        assert_eq!(judged.verdict(), Verdict::Proved, "{last}");
+        assert_true_in_notes(&query, &format!("$$f{}$$", latex_of(&last)), &derivation);
+    }
+}
+
+/// `(t) = …` of a statement `p(t) = …`, as LaTeX.
+fn latex_of(statement: &str) -> String {
+    let formula = polarform::syntax::parse(statement).unwrap();
+    latex(&formula).trim_start_matches('p').to_owned()
+}
+
+#[test]
+fn moments_of_cubic_splines() {
+    for (nodes, values, ends) in [
+        ("[0, 1, 2, 4]", "[0, 1, 0, 2]", "ends=natural"),
+        ("[0, 1, 2]", "[0, 1, 0]", "ends=periodic"),
+        ("[0, 1, 3, 4]", "[2, 1, 0, 2]", "ends=periodic"),
+        ("[-1, 1/2, 2]", "[0, 1, 5]", "slopes=[1, 0]"),
+        ("[0, 1, 2]", "[0, 1, 4]", "moments=[2, 2]"),
+        ("[0, 1, 2, 3]", "[0, 1, 8, 27]", "ends=not_a_knot"),
+        ("[0, 2]", "[1, 5]", "ends=natural"),
+        ("[0, 1, 2]", "[[0, 0], [1, 1], [2, 0]]", "ends=natural"),
+    ] {
+        let query = format!("derive(moments, {nodes}, {values}, {ends})");
+        let derivation = derived(&[], &query);
+        // The second derivatives of the last lines at the nodes are the moments.
+        let mut context = Vec::new();
+        let pieces: Vec<&Expr> =
+            derivation.lines.iter().map(|line| &line.formula).filter(|f| text(f).starts_with("S_")).collect();
+        // Each piece is written by its moments, then by powers.
+        let pieces: Vec<&Expr> = pieces.into_iter().skip(1).step_by(2).collect();
+        for piece in &pieces {
+            let Kind::Chain(left, links) = &piece.kind else { panic!() };
+            context.push(format!("{} := {}", text(left), text(&links.last().unwrap().expr)));
+        }
+        let n = pieces.len();
+        context.push(format!("x := {nodes}"));
+        context.push(format!("y := {values}"));
+        let scalar = !values.contains("[[");
+        if scalar {
+            context.extend((0..n).map(|i| format!("M_{i} := S_{i}''(x_{i})")));
+            context.push(format!("M_{n} := S_{}''(x_{n})", n - 1));
+            let mut session = Session::default();
+            context.iter().for_each(|statement| drop(run(&mut session, statement)));
+            for i in 0..n {
+                let mut claims =
+                    vec![format!("S_{i}(x_{i}) = y_{i}"), format!("S_{i}(x_{}) = y_{}", i + 1, i + 1)];
+                if i > 0 {
+                    claims.push(format!("S_{i}'(x_{i}) = S_{}'(x_{i})", i - 1));
+                    claims.push(format!("S_{i}''(x_{i}) = S_{}''(x_{i})", i - 1));
+                }
+                for claim in claims {
+                    let Value::Claim(judged) = run(&mut session, &claim) else { panic!("{claim}") };
+                    assert_eq!(judged.verdict(), Verdict::Proved, "{query}: {claim}");
+                }
+            }
+            assert_true_in_notes(&query, "", &derivation);
+        } else {
+            context.extend(strings(&["M_0 := [0, 0]", "M_1 := [0, -3]", "M_2 := [0, 0]"]));
+        }
+        assert!(assert_true(&query, &context, &derivation) > 8, "{query}");
+    }
+}
+
+fn coefficients(longest: usize) -> impl Strategy<Value = Vec<(i64, i64)>> {
+    prop::collection::vec((-9i64..10, 1i64..4), 1..=longest)
+}
+
+/// Σ p/q t^i
+fn polynomial(list: &[(i64, i64)]) -> String {
+    let terms = list.iter().enumerate().map(|(i, (p, q))| format!("({p}/{q}) t^{i}"));
+    terms.collect::<Vec<_>>().join(" + ")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    #[test]
+    fn random_polynomials(f in coefficients(5), g in coefficients(3), k in 0usize..4) {
+        let (m, n) = (f.len() - 1, g.len() - 1);
+        prop_assume!(m > 0 && n > 0);
+        let (first, second) = (polynomial(&f), polynomial(&g));
+        let context = polynomials(&[("F", &first, m), ("G", &second, n)]);
+        for method in Method::ALL {
+            let query = format!("derive(polar, {first}, degree={m}, variable=t, method={method})");
+            let derivation = derived(&[], &query);
+            assert_true(&query, &context, &derivation);
+            assert_true_in_notes(&query, "", &derivation);
+        }
+        for (kind, whole, degree) in [
+            ("sum", format!("{first} + {second}"), m.max(n)),
+            ("product", format!("({first}) ({second})"), m + n),
+        ] {
+            let query = format!("derive({kind}, f, g)");
+            let mut more = context.clone();
+            more.extend(polynomials(&[("H", &whole, degree)]));
+            assert_true(&query, &more, &derived(&context, &query));
+        }
+        if m * n <= 6 {
+            let mut more = context.clone();
+            more.push("H(t) := F(G(t))".to_owned());
+            more.push(format!("h := polar(H, degree={})", m * n));
+            assert_true("compose", &more, &derived(&context, "derive(compose, f, g)"));
+        }
+        let query = format!("derive(derivative, f, {k})");
+        assert_true(&query, &context, &derived(&context, &query));
+    }
+
+    #[test]
+    fn random_curves(points in prop::collection::vec((-9i64..10, -9i64..10), 2..5), u in (-4i64..9, 1i64..5)) {
+        let list: Vec<String> = points.iter().map(|(x, y)| format!("[{x}, {y}]")).collect();
+        let curve = format!("bezier([{}], -5, 9)", list.join(", "));
+        let query = format!("derive(casteljau, {curve}, {}/{})", u.0, u.1);
+        let context = [format!("F(t) := {curve}(t)"), format!("f := polar({curve})")];
+        assert_true(&query, &context, &derived(&[], &query));
+        let n = points.len() - 1;
+        let ends = |x: i64| vec![x.to_string(); n + 1].join(", ");
+        let spline = format!("bspline({n}, [{}, {}], [{}])", ends(-5), ends(9), list.join(", "));
+        let query = format!("derive(insert, {spline}, {}/{})", u.0, u.1);
+        let context = [format!("f := polar({curve})"), format!("U := knots(insert_knots({spline}, {}/{}))", u.0, u.1)];
+        assert_true(&query, &context, &derived(&[], &query));
+    }
+}
+
+/// One derivation of each kind.
+const KINDS: [&str; 14] = [
+    "derive(polar, t^2 + 2t, method=bezier)",
+    "derive(sum, t^2 + 2t, t^3 + 1)",
+    "derive(product, t^2 + 2t, t + 1)",
+    "derive(compose, t^2 + 2t, t^2 + 1)",
+    "derive(derivative, t^3 + 3t^2 + 5t + 1, 2)",
+    "derive(elevate, t^2 + 2t)",
+    "derive(matrix, 2)",
+    "derive(inverse_matrix, 2)",
+    "derive(casteljau, bezier([[0, 0], [1, 2], [2, 0]]), 1/2)",
+    "derive(deboor, bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 3/2)",
+    "derive(insert, bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 3/2)",
+    "derive(join, bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
+    "derive(newton, [0, 1, 3], [1, 2, 10])",
+    "derive(moments, [0, 1, 2], [0, 1, 0])",
+];
+
+#[test]
+fn each_kind_in_each_language() {
+    for kind in KINDS {
+        let name: String = kind.chars().skip(7).take_while(|c| *c != ',').collect();
+        let derivation = derived(&[], kind);
+        let mut page = String::new();
+        for language in Language::ALL {
+            page += &format!("{}\n", write_words(derivation.title.text(language), Format::Text));
+            for format in [Format::Text, Format::Latex] {
+                page += &write_derivation(&derivation, format, language).unwrap();
+                page += "\n\n";
+            }
+        }
+        assert_snapshot!(name, page);
+    }
+}
+
+/// Queries that together give almost every reason.
+fn many() -> Vec<String> {
+    let mut queries = strings(&KINDS);
+    queries.extend(Method::ALL.map(|method| format!("derive(polar, t^3 - t^2 + 2 t - 1, method={method})")));
+    queries.extend(strings(&[
+        "derive(polar, polar_tensor(u v, u, v, 1, 1))",
+        "derive(polar, polar_total(u v, [u, v], degree=2))",
+        "derive(sum, t, t^3)",
+        "derive(product, t^4, t^4)",
+        "derive(product, 2, t)",
+        "derive(compose, t, t^2)",
+        "derive(compose, t^4, t^3)",
+        "derive(compose, 2, t)",
+        "derive(derivative, t^2, 0)",
+        "derive(derivative, t^2, 3)",
+        "derive(elevate, bezier([1, 2]))",
+        "derive(casteljau, bezier([1, 2], weights=[1, 2]), 1/2)",
+        "derive(join, bezier([0, 1]), bezier([2, 3], 1, 2))",
+        "derive(join, bezier([0, 1]), bezier([1, 2], 1, 2))",
+        "derive(join, bezier([[a, 0], [b, 1]]), bezier([[c, 1], [d, 2]], 1, 2))",
+        "derive(newton, [0, 0], [1, 2])",
+        "derive(moments, [0, 1, 2], [0, 1, 0], ends=periodic)",
+        "derive(moments, [0, 1, 2], [0, 1, 0], ends=not_a_knot)",
+        "derive(moments, [0, 1, 2], [0, 1, 0], slopes=[1, 1])",
+        "derive(moments, [0, 1, 2], [0, 1, 0], moments=[1, 1])",
+    ]));
+    queries
+}
+
+#[test]
+fn words_are_complete() {
+    for query in many() {
+        let derivation = derived(&[], &query);
+        for words in derivation.lines.iter().map(|line| &line.reason).chain([&derivation.title]) {
+            for language in Language::ALL {
+                let said = words.text(language);
+                let pieces: Vec<&str> = said.split('`').collect();
+                assert!(pieces.len() % 2 == 1 && !said.is_empty(), "{said}");
+                for formula in pieces.iter().skip(1).step_by(2) {
+                    polarform::syntax::parse(formula).unwrap_or_else(|problem| panic!("{said}: {problem:?}"));
+                }
+                let plain: String = pieces.into_iter().step_by(2).collect();
+                let chinese = plain.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+                assert!(language == Language::Chinese || !chinese, "{said}");
+                assert!(!plain.contains(['#', '%', '&', '_', '$', '\\', '{']), "{said}");
+                // Nothing is left untranslated.
+                let names = plain.replace("de Casteljau", "").replace("de Boor", "");
+                let english = names.chars().any(|c| c.is_ascii_alphabetic());
+                assert!(language == Language::English || !english, "{said}");
+            }
+        }
+    }
+}
+
+#[test]
+fn on_the_command_line() {
+    assert_snapshot!(transcripts([
+        vec!["matrix", "--degree", "1", "--steps", "--inverse", "--lang", "zh"],
+        vec![
+            "eval",
+            "derive(matrix, 1, lang=zh)",
+            "derive(matrix, 1)",
+            "--lang",
+            "en",
+            "--format",
+            "unicode"
+        ],
+        vec!["polar", "t^2", "--steps", "--at", "0, 1", "--format", "sympy"],
+        vec!["polar", "t^2", "--steps", "--format", "json"],
+        vec!["matrix", "--degree", "1", "--steps", "--to", "[newton, 0, 1]"],
+        vec!["eval", "derive(polar, t, lang=fr)"],
+        vec!["eval", "derive(compse, t, t)"],
+        vec!["eval", "derive()"],
+        vec!["eval", "derive(3)"],
+        vec!["eval", "derive(matrix, -1)"],
+        vec!["eval", "derive(polar, t, method=euler)"],
+        vec!["eval", "derive(polar, 1/t)"],
+        vec!["eval", "derive(product, t)"],
+        vec!["eval", "derive(derivative, [t, t^2])"],
+        vec!["eval", "derive(casteljau, bezier([0, 1, 2]), 1, 2, 3)"],
+        vec!["eval", "derive(insert, bspline(1, [0, 0, 1, 1], [2, 3]), 7)"],
+        vec!["eval", "derive(newton, [0, 1, 0], [1, 2, 3])"],
+        vec!["eval", "derive(moments, [0, 2, 1], [1, 2, 3])"],
+        vec!["eval", "derive(moments, [0, 1], [1, 2], ends=clamped)"],
+        vec!["eval", "derive(matrix, 100000)"],
+    ]));
+}
