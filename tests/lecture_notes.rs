@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use polarform::notes::document::Item;
 use polarform::notes::extract::read_files;
 use polarform::notes::finding::{Finding, Verdict};
 use polarform::notes::{Options as CheckOptions, check_document};
@@ -84,6 +85,21 @@ fn every_formula_is_right() {
         }
     }
     assert!(statements > 350, "only {statements} statements were found");
+}
+
+#[test]
+fn a_real_renderer_accepts_every_formula() {
+    let options = katex::Opts::builder().output_type(katex::OutputType::Mathml).build().expect("all is set");
+    for path in chapters() {
+        for document in read_files(&path).expect("the notes are readable") {
+            for item in &document.items {
+                let Item::Formula(formula) = item else { continue };
+                if let Err(error) = katex::render_with_opts(&formula.text, &options) {
+                    panic!("{}: {}: {error}", path.display(), formula.text);
+                }
+            }
+        }
+    }
 }
 
 #[test]

@@ -183,6 +183,7 @@ fn what_lecturers_write_is_no_false_alarm() {
         "$\\frac{1}{3} (t_1 t_2 + \\cdots + t_2 t_3) = \\frac{t_1 t_2 + t_1 t_3 + t_2 t_3}{3}$",
         "$t_1 t_2 + \\cdots + t_3 t_4 = t_1 t_2 + t_2 t_3 + t_3 t_4$",
         "$\\frac{d}{dt} B_0^3(t) \\Big|_{t=0} = -3$",
+        "With $x(0)$: $B_i^{n}(x) = C^i_n x^i(1-x)^{n-i}$",
     ] {
         let verdicts = verdicts(text);
         assert!(matches!(verdicts[..], [Verdict::Proved | Verdict::Sampled]), "{text}: {verdicts:?}");

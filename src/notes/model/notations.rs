@@ -27,8 +27,9 @@ impl Model {
                 other => crate::eval::arithmetic::transpose(other).map_err(|error| error.at(expr.span)),
             }));
         }
-        // x(t)^2 is the square of a value, if x is a function.
+        // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.
         if let Kind::Apply(callee, _) = &base.kind
+            && Head::of(callee).is_some_and(|head| head.upper.is_empty())
             && self.is_function(machine, callee)
         {
             return Some(machine.eval(base).and_then(|value| {
