@@ -8,9 +8,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::budget::{self, Limits, Stop};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::{self, Env, Equals, Outcome};
-use crate::expr::Expr;
+use crate::expr::{Expr, Kind};
 use crate::poly::Symbol;
 use crate::source::{SourceFile, Span};
+use crate::value::symbol_expr;
 use crate::{latex, syntax};
 
 /// A statement that failed, with the text it was read from.
@@ -31,6 +32,18 @@ pub struct Answer {
     pub outcome: Outcome,
     /// Where it was read.
     pub file: SourceFile,
+}
+
+impl Answer {
+    /// What a function is called where it is shown: as it is defined here, or by the name that was asked
+    /// for; f if it has none.
+    pub fn function_name(&self) -> Expr {
+        match (&self.outcome.defined, &self.statement.kind) {
+            (Some(name), _) => symbol_expr(name),
+            (None, Kind::Name(_) | Kind::Subscript(..)) => self.statement.clone(),
+            (None, _) => Expr::name("f"),
+        }
+    }
 }
 
 /// Names and limits of a sequence of statements.

@@ -142,3 +142,53 @@ fn nothing_makes_it_panic() {
         let _ = check(text);
     }
 }
+
+#[test]
+fn blocks_of_queries_declare_names() {
+    let block = "```polarform hide show=none\nf := polar(t^3)\nb := [1, 4, 5]\nq := polar_total(u v, [u, v], degree=2)\nf(0, 0, 1) = 7\n```\n";
+    let hidden = format!("<!--\n{block}-->\n");
+    let text = "\n$f(1, 1, 2) = 2$, $f(0, 1, \\hat 1) = 0$, $f(1, 1, 2) = 3$, $b_1 = 4$, $b_1 = 5$, \
+                $q((u_1, v_1), (u_2, v_2)) = \\frac{1}{2} (u_1 v_2 + u_2 v_1)$, $F(0) = 1$\n";
+    for block in [block.to_owned(), hidden] {
+        let verdicts = verdicts(&format!("{block}{text}"));
+        let [Verdict::Proved, Verdict::Proved, Verdict::Refuted, Verdict::Proved, wrong, Verdict::Proved, _] =
+            verdicts[..]
+        else {
+            panic!("{block}: {verdicts:?}")
+        };
+        assert!(wrong != Verdict::Proved && wrong != Verdict::Sampled, "{block}: {verdicts:?}");
+    }
+    // A block that is never closed, or of another language, says nothing.
+    for block in ["```python\nf := polar(t^3)\n```\n", "text\n\n    f := polar(t^3)\n"] {
+        assert_ne!(verdicts(&format!("{block}\n$f(1, 1, 2) = 3$"))[0], Verdict::Refuted, "{block}");
+    }
+}
+
+#[test]
+fn queries_of_latex_are_read() {
+    let text = "\\begin{document}\n\\begin{polarform}[hide]\nf := polar(t^2)\n\\end{polarform}\n\
+                $f(1, 2) = \\polarform{f(1, 2)} = 2$ and $6 \\cdot \\polarform{f(1, 1) + 1} = 13$.\n\\end{document}\n";
+    let document = document(SourceFile::new("a.tex", text), Container::Latex);
+    let findings = check_document(&document, &Options::default()).findings;
+    let verdicts: Vec<Verdict> = findings.iter().map(|finding| finding.verdict).collect();
+    assert_eq!(verdicts, [Verdict::Proved, Verdict::Proved, Verdict::Refuted], "{findings:#?}");
+}
+
+#[test]
+fn what_lecturers_write_is_no_false_alarm() {
+    for text in [
+        "$f(t_1, t_2, \\dots, t_n) = f(t_2, t_1, \\dots, t_n)$",
+        "$f(t_1, \\dots, t_n) = f(t_n, t_1, \\dots, t_{n-1})$",
+        "- $f((1 - \\lambda) r + \\lambda s, u, v) = (1 - \\lambda) f(r, u, v) + \\lambda f(s, u, v)$",
+        "$\\frac{1}{3} (t_1 t_2 + \\cdots + t_2 t_3) = \\frac{t_1 t_2 + t_1 t_3 + t_2 t_3}{3}$",
+        "$t_1 t_2 + \\cdots + t_3 t_4 = t_1 t_2 + t_2 t_3 + t_3 t_4$",
+        "$\\frac{d}{dt} B_0^3(t) \\Big|_{t=0} = -3$",
+        "With $x(0)$: $B_i^{n}(x) = C^i_n x^i(1-x)^{n-i}$",
+    ] {
+        let verdicts = verdicts(text);
+        assert!(matches!(verdicts[..], [Verdict::Proved | Verdict::Sampled]), "{text}: {verdicts:?}");
+    }
+    let text = "$x(t) = \\frac{1-t^2}{1+t^2}$, $y(t) = \\frac{2t}{1+t^2}$. So $x(t)^2 + y(t)^2 = 1$ and $x(t)^2 = 1$.";
+    let last: Vec<Verdict> = verdicts(text).split_off(2);
+    assert!(matches!(last[..], [Verdict::Proved, Verdict::Refuted | Verdict::Undecided]), "{last:?}");
+}

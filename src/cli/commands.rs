@@ -333,7 +333,10 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
     for note in &answer.outcome.notes {
         output.problem(note, &answer.file);
     }
-    let name = answer.outcome.defined.as_ref().map(symbol_expr);
+    let name = match &answer.outcome.value {
+        Value::Polar(_) => Some(answer.function_name()),
+        _ => answer.outcome.defined.as_ref().map(symbol_expr),
+    };
     output.value(&answer.outcome.value, name)?;
     Ok(match &answer.outcome.value {
         Value::Claim(claim) => match claim.verdict() {

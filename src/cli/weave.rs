@@ -17,8 +17,8 @@ use crate::notes::extract::Container;
 use crate::session::Failure;
 use crate::source::{SourceFile, Span};
 use crate::weave::{
-    BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, read_input, replace_file, side_name,
-    weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
+    BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, pictures_in, read_input, replace_file,
+    side_name, weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
 };
 use crate::write::Format;
 
@@ -88,7 +88,11 @@ impl Weaver<'_> {
             (kind, None) => {
                 let mut woven = match kind {
                     Container::Notebook => weave_notebook(&input.file, &self.options),
-                    _ => weave_markdown(&input.file, &self.with_pictures(path)),
+                    _ => {
+                        let options = self.with_pictures(path);
+                        let gone = !options.fresh && pictures_are_gone(path, input.file.text());
+                        weave_markdown(&input.file, &Options { fresh: options.fresh || gone, ..options })
+                    }
                 };
                 self.tell(&woven);
                 self.pictures(path, &mut woven)?;
@@ -307,4 +311,10 @@ fn failed(problem: Diagnostic) -> Stop {
 
 fn usage(message: &str, hint: &str) -> Stop {
     failed(Diagnostic::error(Code::Usage, message).hint(hint))
+}
+
+/// Whether a picture that was woven into a document is not there any more.
+fn pictures_are_gone(document: &Path, text: &str) -> bool {
+    let folder = document.parent().unwrap_or(Path::new(""));
+    pictures_in(text).iter().any(|name| !folder.join(name).exists())
 }

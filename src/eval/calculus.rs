@@ -91,6 +91,15 @@ pub(super) fn integrate(
     })
 }
 
+/// How many of the ends a and b of dots are too many: none if both are written as numbers.
+fn too_many(from: &Expr, to: &Expr, a: i64, b: i64) -> usize {
+    let literal = |index: &Expr| matches!(index.kind, Kind::Number(_));
+    if literal(from) && literal(to) {
+        return 0;
+    }
+    usize::try_from(a.saturating_sub(b).saturating_add(1)).unwrap_or(0).min(2)
+}
+
 impl Machine {
     /// The bare symbol an expression names, for binding it.
     pub(super) fn binder(&mut self, expr: &Expr) -> Result<Symbol, Diagnostic> {
@@ -343,7 +352,7 @@ impl Machine {
             let step = previous.map_or(1, |p| a - p).max(1);
             crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
             values.extend((a + step..b).step_by(usize::try_from(step).unwrap_or(1)).map(Value::int));
-            return Ok(0);
+            return Ok(too_many(before, after, a, b));
         }
         let (Kind::Subscript(base, from), Kind::Subscript(_, to)) = (&before.kind, &after.kind) else {
             return Err(unclear());
@@ -356,11 +365,7 @@ impl Machine {
             indices[place] = Expr::int(i);
             values.push(self.eval(&Kind::Subscript(base.clone(), indices).into())?);
         }
-        let literal = |index: &Expr| matches!(index.kind, Kind::Number(_));
-        if literal(&from[place]) && literal(&to[place]) {
-            return Ok(0);
-        }
-        Ok(usize::try_from(a.saturating_sub(b).saturating_add(1)).unwrap_or(0).min(2))
+        Ok(too_many(&from[place], &to[place], a, b))
     }
 
     pub(super) fn eval_integral(

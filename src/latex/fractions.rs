@@ -42,12 +42,19 @@ impl Reader<'_> {
             }
             None => false,
         };
-        let body = match body {
-            None if follows => Some(self.deeper(Self::product)?),
-            body => body,
+        let (body, point) = match body {
+            None if follows => {
+                let (body, point) = before_bar(self.deeper(Self::product)?);
+                (Some(body), point)
+            }
+            body => (body, None),
         };
         let kind = Kind::Derivative { partial: differentials.partial, variables, body: body.map(Box::new) };
-        Ok(self.node(kind, start))
+        let derivative = self.node(kind, start);
+        Ok(match point {
+            Some(lower) => self.node(Kind::At { body: Box::new(derivative), lower, upper: None }, start),
+            None => derivative,
+        })
     }
 
     /// Whether a bar here closes or evaluates something rather than opening.
@@ -98,5 +105,24 @@ impl Reader<'_> {
             }
             _ => Some((None, at)),
         }
+    }
+}
+
+/// A bar at the end of what is differentiated belongs to the derivative: first d/dt, then t = 0.
+fn before_bar(body: Expr) -> (Expr, Option<Vec<Expr>>) {
+    let Expr { kind, span } = body;
+    match kind {
+        Kind::At { body, lower, upper: None } => (*body, Some(lower)),
+        Kind::Mul(mut factors) => {
+            let Some(last) = factors.pop() else { return (Expr::new(Kind::Mul(factors), span), None) };
+            let (last, point) = before_bar(last);
+            factors.push(last);
+            (Expr::new(Kind::Mul(factors), span), point)
+        }
+        Kind::Big { op, lower, upper, body } => {
+            let (body, point) = before_bar(*body);
+            (Expr::new(Kind::Big { op, lower, upper, body: Box::new(body) }, span), point)
+        }
+        kind => (Expr::new(kind, span), None),
     }
 }

@@ -54,6 +54,7 @@ impl Checker {
                         Ambiguity::Bernstein => other.degree_first = true,
                         Ambiguity::Power => other.powers = true,
                         Ambiguity::Spline => other.spline_degree = true,
+                        Ambiguity::Dots => other.all_products = true,
                     }
                     other
                 })

@@ -72,7 +72,7 @@ pub fn listing(document: &Document) -> Vec<Finding> {
                 }
                 findings.push(finding);
             }
-            Said::Declaration(..) => {}
+            Said::Declaration(..) | Said::Queries(..) => {}
         }
     }
     findings
@@ -96,6 +96,7 @@ impl Checker {
     fn statement(&mut self, statement: &Statement) {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
+            Said::Queries(text, span) => self.queries(text, &statement.place, *span),
             Said::Condition(side) => {
                 let mut finding = of_side(side, Verdict::Definition, 1);
                 finding.reason = Some("a condition".to_owned());
@@ -153,6 +154,7 @@ impl Checker {
             conditions: conditions.to_vec(),
             place: place.clone(),
             line: self.line(span),
+            queried: false,
         };
         Rc::make_mut(&mut self.context).definitions.push(definition);
     }
@@ -232,8 +234,9 @@ impl Checker {
         let curve = refute::curve_spoken_of(&statement.recent);
         let head =
             definable(&chain.sides[0].expr).filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define));
-        let first_known =
-            head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
+        let first_known = queried
+            || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
         if let Some(listed) = self.listed(chain, place) {
             return vec![listed];
         }
@@ -263,6 +266,11 @@ impl Checker {
         if start < chain.relations.len() {
             self.judge(chain, start, statement, curve, head.as_ref(), &mut findings);
         }
+        // s = N_0^2(t) + … shows the curve that a query gives.
+        if queried && findings[0].verdict == Verdict::Undecided {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some("shows the value of a query".to_owned());
+        }
         findings
     }
 
@@ -274,6 +282,9 @@ impl Checker {
         finding.verdict = Verdict::Definition;
         finding.reason = Some(format!("introduces {}", head.base));
         finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        if self.is_queried(head, place) {
+            return;
+        }
         // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
         let derivative = head.parenthesized
             && head.arguments.is_some()

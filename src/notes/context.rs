@@ -29,6 +29,8 @@ pub struct Definition {
     pub place: Place,
     /// The line, for reports.
     pub line: usize,
+    /// Whether a query gives it; the items of a list there are counted from 0.
+    pub queried: bool,
 }
 
 /// A condition on names, such as α + β + γ = 1.
@@ -93,7 +95,7 @@ impl Letters {
             match &statement.said {
                 Said::Chain(chain) => chain.sides.iter().for_each(|side| look(&side.expr)),
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Declaration(..) => {}
+                Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
         letters

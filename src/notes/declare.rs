@@ -2,18 +2,23 @@
 //!
 //! A declaration is a sequence of statements of the query language: definitions
 //! (`F(t) := t^2 + 1`), conditions (`0 <= i <= n`, `a + b + c = 1`), or `ignore`, after which the next
-//! formula is not judged.
+//! formula is not judged. What a block of queries defines is declared, too: weaving runs the block, and
+//! the text around it speaks of its names.
 
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Body, Condition};
+use super::context::{Body, Condition, Definition};
 use super::names::Head;
 use super::statement::Place;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::expr::{Expr, Kind, Rel};
 use crate::source::Span;
 use crate::{latex, syntax};
+
+fn read(statement: &str) -> Result<Expr, Diagnostic> {
+    if syntax::looks_like_latex(statement) { latex::read(statement) } else { syntax::parse(statement) }
+}
 
 impl Checker {
     /// Takes in declarations; `span` is their place in the file, if they stand there.
@@ -32,10 +37,31 @@ impl Checker {
         };
         for piece in pieces {
             let part = &text[piece.range()];
-            let read = if syntax::looks_like_latex(part) { latex::read(part) } else { syntax::parse(part) };
-            match read {
+            match read(part) {
                 Ok(expr) => self.declaration(&expr, place, span),
                 Err(problem) => self.complain(&problem.message, span),
+            }
+        }
+    }
+
+    /// Takes in the definitions of a block of queries. Other statements are its own business, and so is
+    /// what is wrong with it: weaving tells.
+    pub(super) fn queries(&mut self, text: &str, place: &Place, span: Span) {
+        for piece in syntax::statements(text).unwrap_or_default() {
+            let Ok(expr) = read(&text[piece.range()]) else { continue };
+            let Kind::Chain(left, links) = &expr.kind else { continue };
+            let Some(head) = Head::of(left) else { continue };
+            let known = || self.context.definitions.iter().any(|known| known.head.base == head.base);
+            let defines = match links.as_slice() {
+                [link] => link.rel == Rel::Define || (link.rel == Rel::Eq && !known()),
+                _ => false,
+            };
+            if defines {
+                let line = self.file.line_column(span.start).0;
+                let body = Body::Formula(links[0].expr.clone());
+                let (place, conditions) = (place.clone(), Vec::new());
+                let definition = Definition { head, body, conditions, place, line, queried: true };
+                Rc::make_mut(&mut self.context).definitions.push(definition);
             }
         }
     }

@@ -34,12 +34,15 @@ pub enum Item {
     Break,
     /// A formula.
     Formula(Formula),
-    /// `<!-- polarform: … -->` or `% polarform: …`: the text after the colon.
+    /// `<!-- polarform: … -->` or `% polarform: …`, the text after the colon; or a block of queries,
+    /// which weaving runs.
     Declaration {
         /// The statements.
         text: String,
         /// Where the text stands.
         span: Span,
+        /// Whether it is a block of queries: what it defines is declared, its other statements are none.
+        block: bool,
     },
     /// A quotation, list item or theorem-like environment begins.
     Enter(Enclosure),

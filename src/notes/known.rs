@@ -109,6 +109,15 @@ fn covers(definition: &Definition, head: &Head) -> bool {
 }
 
 impl Checker {
+    /// Whether a query nearby gives a value for a name as a whole.
+    pub(super) fn is_queried(&self, head: &Head, place: &Place) -> bool {
+        let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        whole
+            && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| {
+                near && d.queried && d.head.lower.is_empty() && d.head.arguments.is_none()
+            })
+    }
+
     /// Whether a name has a meaning already, so that an equation for it is a claim.
     pub(super) fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
         let standard = match head.base.as_str() {
@@ -132,6 +141,18 @@ impl Checker {
         if curve.as_ref().is_some_and(|curve| curve.points == head.base)
             && head.arguments.is_none()
             && head.upper.is_empty()
+        {
+            return true;
+        }
+        // b_1 of a list b that a query gives, f(t_1, t_2) of a polar form f
+        let part = match (&*head.lower, &head.arguments) {
+            ([Expr { kind: Kind::Number(_), .. }], None) | ([], Some(_)) => head.upper.is_empty(),
+            _ => false,
+        };
+        let given = |definition: &Definition| {
+            definition.queried && definition.head.lower.is_empty() && definition.head.arguments.is_none()
+        };
+        if part && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| near && given(d))
         {
             return true;
         }

@@ -84,6 +84,8 @@ pub enum Said {
     Bare(Side, Vec<Diagnostic>),
     /// A declaration by comment.
     Declaration(String, Span),
+    /// A block of queries, of which the definitions count.
+    Queries(String, Span),
 }
 
 /// A statement with its surroundings.
@@ -207,8 +209,9 @@ impl Reader<'_> {
                     self.new_group();
                 }
             }
-            Item::Declaration { text, span } => {
-                let said = Said::Declaration(text.clone(), *span);
+            Item::Declaration { text, span, block } => {
+                let make = if *block { Said::Queries } else { Said::Declaration };
+                let said = make(text.clone(), *span);
                 self.push(said);
             }
             Item::Formula(formula) => {
@@ -264,7 +267,10 @@ impl Reader<'_> {
         };
         let first = self.statements.len();
         let mut words = false;
+        // Where a row goes on that begins with a sign: not with a formula in the reason of the row before.
+        let mut main = None;
         for row in rows {
+            let (mut said, mut reason) = (false, false);
             let mut expr = row.expr;
             expr.map_spans(&|span| formula.in_file(span));
             let latex = |span: Span| -> String {
@@ -283,11 +289,14 @@ impl Reader<'_> {
             let items = regrouped(items);
             for (at, item) in items.into_iter().enumerate() {
                 let side = Side { latex: clean(&latex(item.span)), expr: item };
+                let text = matches!(side.expr.kind, Kind::Text(_));
+                reason |= said && text;
+                said |= !text;
                 match (&side.expr.kind, at, row.leading) {
                     (Kind::Text(text), ..) => words = is_condition_word(text),
                     (_, 0, Some((rel, sign))) => {
                         let sign = formula.in_file(sign);
-                        if !self.go_on(rel, sign, side.clone(), &row.problems) {
+                        if !self.go_on(main, rel, sign, side.clone(), &row.problems) {
                             self.push(Said::Bare(side, row.problems.clone()));
                         }
                     }
@@ -301,6 +310,10 @@ impl Reader<'_> {
                     }
                     _ => self.push(Said::Bare(side, row.problems.clone())),
                 }
+                let continues = at == 0 && row.leading.is_some() && main.is_some();
+                if !text && !reason && !continues {
+                    main = self.statements.len().checked_sub(1).filter(|&last| last >= first);
+                }
             }
         }
         // What is given comes before what it is given for.
@@ -311,11 +324,19 @@ impl Reader<'_> {
         self.statements.extend(rest);
     }
 
-    /// Adds a side to the chain before, if there is one.
-    fn go_on(&mut self, rel: Rel, sign: Span, side: Side, problems: &[Diagnostic]) -> bool {
+    /// Adds a side to the chain before, or that of number `main`, if there is one.
+    fn go_on(
+        &mut self,
+        main: Option<usize>,
+        rel: Rel,
+        sign: Span,
+        side: Side,
+        problems: &[Diagnostic],
+    ) -> bool {
         let place = self.place();
         let near = self.gap.trim().is_empty();
-        let Some(last) = self.statements.last_mut() else { return false };
+        let last = main.or(self.statements.len().checked_sub(1));
+        let Some(last) = last.and_then(|at| self.statements.get_mut(at)) else { return false };
         let same = last.place.formula == place.formula || (near && last.place.group == place.group);
         if !same {
             return false;

@@ -33,10 +33,11 @@ mod tex;
 #[cfg(test)]
 mod tests;
 
+pub use crate::notes::extract::options_in;
 pub use book::{BookError, weave_book};
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
-pub use options::{BlockOptions, Show, Style, options_in};
+pub use options::{BlockOptions, Show, Style};
 pub use render::{Picture, Piece, Shown, StepLine, render};
 pub use tex::{Load, side_name, weave_latex};
 
@@ -122,6 +123,20 @@ impl Woven {
     pub fn has(&self, code: Code) -> bool {
         self.problems.iter().any(|failure| failure.problem.code == code)
     }
+}
+
+/// The files of the pictures that were woven into a Markdown text, relative to the document. If one of
+/// them is gone, the text has to be woven afresh.
+///
+/// Cost: linear in the length of the text.
+///
+/// ```
+/// let text = "```polarform picture=a\nfigure_basis(2)\n```\n<!-- woven -->\n\n![B](a.svg)\n\n<!-- /woven -->\n";
+/// assert_eq!(polarform::weave::pictures_in(text), ["a.svg"]);
+/// ```
+pub fn pictures_in(text: &str) -> Vec<String> {
+    let (text, _) = without_stamp(text);
+    plan::plan(text, &BlockOptions::default()).pictures(text)
 }
 
 /// Weaves a Markdown text.

@@ -81,28 +81,6 @@ const LANGUAGES: [(&str, Language); 2] = [("en", Language::English), ("zh", Lang
 
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
-/// Where the options stand in the words after an opening fence, if the block is one of queries.
-///
-/// ```
-/// use polarform::weave::options_in;
-/// assert_eq!(options_in("polarform steps=true"), Some(9..20));
-/// assert_eq!(options_in("{.polarform hide}"), Some(11..16));
-/// assert_eq!(options_in("python"), None);
-/// ```
-pub fn options_in(info: &str) -> Option<std::ops::Range<usize>> {
-    let end = info.trim_end().len();
-    let (mut start, mut end) = (info.len() - info.trim_start().len(), end);
-    let braced = |start: usize, end: usize| start < end && info[start..end].starts_with('{');
-    if braced(start, end) && info[start..end].ends_with('}') {
-        (start, end) = (start + 1, end - 1);
-        start += info[start..end].len() - info[start..end].trim_start().len();
-        start += usize::from(info[start..end].starts_with('.'));
-    }
-    let rest = info.get(start..end)?.strip_prefix("polarform")?;
-    let separate = rest.is_empty() || rest.starts_with([' ', '\t', ',']);
-    separate.then_some(end - rest.len()..end)
-}
-
 impl BlockOptions {
     /// These options changed as a text says; it stands at byte `start` of its file.
     ///
@@ -216,6 +194,7 @@ fn words(text: &str) -> Vec<Word<'_>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::notes::extract::options_in;
 
     fn read(text: &str) -> BlockOptions {
         BlockOptions::default().with(text, 0).unwrap()

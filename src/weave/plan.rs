@@ -16,10 +16,11 @@
 
 use std::ops::Range;
 
-use super::options::{BlockOptions, options_in};
+use super::options::BlockOptions;
 use super::stamp::Digest;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::Places;
+use crate::notes::extract::options_in;
 use crate::notes::extract::{Opening, Part, PartKind, markdown_parts, query_at};
 use crate::source::Span;
 
@@ -83,6 +84,21 @@ pub(super) fn plan(text: &str, defaults: &BlockOptions) -> Plan {
         next = planner.part(next);
     }
     planner.plan
+}
+
+impl Plan {
+    /// The files of the pictures in the results of blocks.
+    pub(super) fn pictures(&self, text: &str) -> Vec<String> {
+        let results = self.sites.iter().filter_map(|site| match &site.kind {
+            SiteKind::Block(block) => block.region.map(|span| &text[span.range()]),
+            SiteKind::Template(_) => None,
+        });
+        let link = |line: &str| {
+            let (_, file) = line.trim_start_matches(['>', ' ']).strip_prefix("![")?.rsplit_once("](")?;
+            file.trim_end().strip_suffix(')').map(str::to_owned)
+        };
+        results.flat_map(str::lines).filter_map(link).collect()
+    }
 }
 
 impl Plan {

@@ -107,17 +107,13 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
         }),
         Value::Claim(claim) => Piece::Formula(claimed(claim, &answer.statement)),
         Value::Polar(polar) => {
-            let name = name.unwrap_or_else(|| Expr::name("f"));
-            Piece::Formula(equation(&polar.equation(name, options.notation)))
+            Piece::Formula(equation(&polar.equation(answer.function_name(), options.notation)))
         }
         Value::Function(_) => Piece::Formula(equation(&value.to_expr_in(options.notation))),
-        Value::List(items) => {
-            let own = name.clone().unwrap_or_else(|| Expr::name("f"));
-            match curve_expr(items, own, options.notation) {
-                Some(curve) => Piece::Formula(equation(&curve)),
-                None => Piece::Formula(named(value, name, &answer.statement, options)),
-            }
-        }
+        Value::List(items) => match curve_expr(items, answer.function_name(), options.notation) {
+            Some(curve) => Piece::Formula(equation(&curve)),
+            None => Piece::Formula(named(value, name, &answer.statement, options)),
+        },
         Value::Table(table) => Piece::Formula(tabulated(table, name)),
         Value::Derivation(derivation) => {
             steps(&derivation.lines, derivation.language.unwrap_or(options.lang))

@@ -200,6 +200,8 @@ fn values_at_a_point() {
         (r"\frac{dF}{dt}\Big|_{t=0}", "(at (d (t) F) ((t = 0)) _)"),
         (r"n t^2 \bigg|_{t=0} b", "(* (at (* n (^ t 2)) ((t = 0)) _) b)"),
         ("a + X|_{t=1}", "(+ a (at X ((t = 1)) _))"),
+        (r"\frac{d}{dt} F(t)\Big|_{t=0}", "(at (d (t) (F: t)) ((t = 0)) _)"),
+        (r"\frac{d}{dt} a F(t)\Big|_{t=0}", "(at (d (t) (* a (F: t))) ((t = 0)) _)"),
         (r"X\Big|_t = 1", "((at X (t) _) = 1)"),
         ("[F(t)]_0^1", "(at [(F: t)] (0) 1)"),
         (r"\left. F \right|_0^1", "(at F (0) 1)"),

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use super::collect::Collector;
 use super::cursor::Cursor;
 use super::inline;
-use super::parts::{Part, PartKind};
+use super::parts::{Part, PartKind, options_in};
 use super::signs::{braced_name, display_end, inline_end, is_math_environment, line_at};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Enclosure, Item, Places, Style};
@@ -151,7 +151,8 @@ impl Blocks<'_> {
                 let begin = cursor.end() - rest.trim_start().len();
                 let info = Span::new(begin, begin + rest.trim().len());
                 let math = matches!(rest.trim(), "math" | "{math}");
-                let lines = (math || self.out.layout.is_some()).then(Vec::new);
+                let queries = options_in(rest).is_some();
+                let lines = (math || queries || self.out.layout.is_some()).then(Vec::new);
                 let start = Span::new(cursor.at(), cursor.at() + len);
                 self.code = Some(Fence { mark, len, start, info, math, lines, indent });
                 return next;
@@ -273,6 +274,9 @@ impl Blocks<'_> {
                 let masked = masked(self.text, lines);
                 self.out.formula(Style::Display, &masked, lines.first().map_or(at, |line| line.start));
                 self.out.end_paragraph();
+            } else if closed && options_in(&self.text[fence.info.range()]).is_some() {
+                let code = masked(self.text, lines);
+                self.out.queries(&code, lines.first().map_or(at, |line| line.start));
             }
         }
         if !closed {

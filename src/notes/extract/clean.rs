@@ -2,19 +2,29 @@
 
 use super::arguments::command_name;
 use super::text::Text;
+use crate::expr::Kind;
 use crate::source::Span;
+use crate::syntax;
+use crate::write::latex;
 
 /// A longer label or text between rows is not looked for.
 const MAX_LABEL: usize = 1500;
 
 /// The formula that stands at byte `start` with `\label{…}`, `\tag{…}`, `\nonumber`, `\notag`,
-/// `\intertext{…}` blanked, and comments too if there can be any.
+/// `\intertext{…}` blanked, and comments too if there can be any. In place of `\polarform{…}`, the query
+/// stands there.
 pub(super) fn cleaned(text: &str, start: usize, comments: bool) -> Text {
     let mut clean = Text::plain("", start);
     let mut said = 0;
     let mut at = 0;
     while let Some(found) = text[at..].find(|c| c == '\\' || (comments && c == '%')) {
         at += found;
+        if let Some((end, query)) = query(text, at) {
+            plain(&mut clean, text, start, said..at);
+            clean.push_whole(&query, Span::new(start + at, start + end));
+            (said, at) = (end, end);
+            continue;
+        }
         let end = if text[at..].starts_with('%') {
             at + text[at..].find('\n').unwrap_or(text.len() - at)
         } else {
@@ -36,6 +46,23 @@ pub(super) fn cleaned(text: &str, start: usize, comments: bool) -> Text {
     }
     plain(&mut clean, text, start, said..text.len());
     clean
+}
+
+/// The query `\polarform{…}` at `at` as LaTeX, and its end.
+fn query(text: &str, at: usize) -> Option<(usize, String)> {
+    if command_name(text, at) != "polarform" {
+        return None;
+    }
+    let open = at + "\\polarform".len();
+    let end = braces_end(text, open)?;
+    let inner = text[open..end].trim().strip_prefix('{')?.strip_suffix('}')?;
+    if syntax::looks_like_latex(inner) {
+        return Some((end, format!("\\left({inner}\\right)")));
+    }
+    let expr = syntax::parse(inner).ok()?;
+    let one = matches!(expr.kind, Kind::Name(_) | Kind::Number(_) | Kind::Subscript(..) | Kind::Apply(..));
+    let formula = latex(&expr);
+    Some((end, if one { formula } else { format!("\\left( {formula} \\right)") }))
 }
 
 fn plain(clean: &mut Text, text: &str, start: usize, part: std::ops::Range<usize>) {

@@ -78,6 +78,12 @@ impl Collector {
         }
     }
 
+    /// A block of queries; `text` stands at byte `start`.
+    pub(super) fn queries(&mut self, text: &str, start: usize) {
+        let span = Span::new(start, start + text.len());
+        self.push(Item::Declaration { text: text.to_owned(), span, block: true });
+    }
+
     /// Words on one or several lines.
     pub(super) fn words(&mut self, text: &str, start: usize) {
         for (line, at) in lines(text, start) {

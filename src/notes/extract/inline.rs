@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::collect::Collector;
-use super::parts::{Opening, PartKind, query_at};
+use super::parts::{Opening, PartKind, hidden_queries, query_at};
 use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::notes::document::{Item, Style};
@@ -271,17 +271,21 @@ impl<'a> Inline<'a> {
         }
     }
 
-    /// `<!-- polarform: … -->`.
+    /// `<!-- polarform: … -->`, or a hidden block of queries.
     fn comment(&mut self, from: usize, to: usize) {
         if let Some(layout) = &mut self.out.layout {
             let span = Span::new(from - 4, to + 3).shifted(self.start);
             layout.push(PartKind::Comment, span, &self.text[from..to], self.start + from);
         }
+        if let Some(part) = hidden_queries(&self.text[from..to]) {
+            let start = part.places.byte(0);
+            return self.out.queries(&part.text, self.start + from + start);
+        }
         let Some(colon) = self.text[from..to].trim_start().strip_prefix("polarform:") else { return };
         let text = colon.trim();
         let start = to - colon.len() + (colon.len() - colon.trim_start().len());
         let span = Span::new(start, start + text.len()).shifted(self.start);
-        self.out.push(Item::Declaration { text: text.to_owned(), span });
+        self.out.push(Item::Declaration { text: text.to_owned(), span, block: false });
     }
 
     fn dollar(&mut self, at: usize) -> usize {

@@ -31,7 +31,7 @@ mod vocabulary;
 
 pub use files::{MAX_BYTES, read_file, read_files};
 pub use notebook::{Cell, markdown_cells};
-pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, query_at};
+pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};
 
 use super::document::Document;
 use crate::source::SourceFile;

@@ -194,7 +194,7 @@ fn lead_back(item: Item, places: &Places) -> Item {
     match item {
         Item::Heading { level, span } => Item::Heading { level, span: places.span(span) },
         Item::Words(span) => Item::Words(places.span(span)),
-        Item::Declaration { text, span } => Item::Declaration { text, span: places.span(span) },
+        Item::Declaration { text, span, block } => Item::Declaration { text, span: places.span(span), block },
         Item::Formula(mut formula) => {
             formula.span = places.span(formula.span);
             formula.places = formula.places.through(formula.text.len(), places);

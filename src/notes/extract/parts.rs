@@ -79,6 +79,28 @@ impl Layout {
     }
 }
 
+/// Where the options stand in the words after an opening fence, if the block is one of queries.
+///
+/// ```
+/// use polarform::notes::extract::options_in;
+/// assert_eq!(options_in("polarform steps=true"), Some(9..20));
+/// assert_eq!(options_in("{.polarform hide}"), Some(11..16));
+/// assert_eq!(options_in("python"), None);
+/// ```
+pub fn options_in(info: &str) -> Option<std::ops::Range<usize>> {
+    let end = info.trim_end().len();
+    let (mut start, mut end) = (info.len() - info.trim_start().len(), end);
+    let braced = |start: usize, end: usize| start < end && info[start..end].starts_with('{');
+    if braced(start, end) && info[start..end].ends_with('}') {
+        (start, end) = (start + 1, end - 1);
+        start += info[start..end].len() - info[start..end].trim_start().len();
+        start += usize::from(info[start..end].starts_with('.'));
+    }
+    let rest = info.get(start..end)?.strip_prefix("polarform")?;
+    let separate = rest.is_empty() || rest.starts_with([' ', '\t', ',']);
+    separate.then_some(end - rest.len()..end)
+}
+
 /// The parts of a Markdown text, with the queries that have no end.
 ///
 /// Cost: linear in the length of the text.
@@ -98,6 +120,19 @@ pub fn markdown_parts(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     let (_, mut problems, _) = out.into_parts();
     problems.retain(|problem| problem.code == Code::UnclosedQuery);
     (parts, problems)
+}
+
+/// The block of queries that a comment holds, if it holds nothing else.
+pub(super) fn hidden_queries(comment: &str) -> Option<Part> {
+    if !comment.trim_start().starts_with(['`', '~']) {
+        return None;
+    }
+    let (mut parts, _) = markdown_parts(comment);
+    let part = parts.pop().filter(|_| parts.is_empty())?;
+    match &part.kind {
+        PartKind::Code { info, closed: true } => options_in(&comment[info.range()]).map(|_| part),
+        _ => None,
+    }
 }
 
 /// The queries of a LaTeX text, the files it reads and the packages it loads; with what is wrong.

@@ -260,9 +260,11 @@ fn is_between_formulas(content: &str) -> bool {
     }
     let open = content.starts_with(char::is_whitespace);
     let close = content.ends_with(char::is_whitespace);
-    let words = content.split_whitespace().filter(|word| {
-        word.len() > 1 && word.trim_matches([',', '.', ';', ':']).chars().all(|c| c.is_ascii_alphabetic())
-    });
+    // `u,` in a list of arguments is no word.
+    let words = content
+        .split_whitespace()
+        .map(|word| word.trim_matches([',', '.', ';', ':']))
+        .filter(|word| word.len() > 1 && word.chars().all(|c| c.is_ascii_alphabetic()));
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
     words >= 4 && !in_text

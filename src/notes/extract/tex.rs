@@ -112,7 +112,7 @@ impl<'a> Latex<'a, '_> {
             self.say(at);
             let start = at + line.len() - text.trim_start().len();
             let span = Span::new(start, start + text.trim().len());
-            self.out.push(Item::Declaration { text: text.trim().to_owned(), span });
+            self.out.push(Item::Declaration { text: text.trim().to_owned(), span, block: false });
         }
         self.skip(at, at + line.len())
     }
@@ -258,7 +258,14 @@ impl<'a> Latex<'a, '_> {
         let closing = format!(r"\end{{{name}}}");
         if VERBATIM.contains(&name.trim_end_matches('*')) {
             return match self.find_end(end, &closing) {
-                Some(end) => self.skip(at, end),
+                Some(past) => {
+                    if name == "polarform" {
+                        self.say(at);
+                        let code = self.brackets(end);
+                        self.out.queries(&self.text[code..past - closing.len()], code);
+                    }
+                    self.skip(at, past)
+                }
                 None => {
                     self.out.problem(never_closed(name, place));
                     self.skip(at, end)

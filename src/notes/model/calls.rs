@@ -24,6 +24,12 @@ impl Model {
         if !self.is_function(machine, callee) {
             return None;
         }
+        if let (Kind::Name(name), true) = (&callee.kind, self.is_queried(callee, groups))
+            && let Some(Ok(function)) = self.defined(machine, &Head::of(callee)?, None)
+        {
+            let own = [(Symbol::new(name), function)];
+            return Some(machine.with_locals(own, |machine| machine.eval(expr)));
+        }
         // A permutation of all arguments: F(π(u_1, …, u_n)).
         if let [group] = groups
             && let [only] = group.as_slice()
@@ -56,6 +62,16 @@ impl Model {
             }
         }
         Some(self.apply(machine, callee, &values, expr))
+    }
+
+    /// Whether a query says what is called, so that the language knows how to call it: f := polar(…).
+    fn is_queried(&self, callee: &Expr, groups: &[Vec<Expr>]) -> bool {
+        let Kind::Name(name) = &callee.kind else { return false };
+        let written_out = |item: &Expr| !matches!(item.kind, Kind::Ellipsis | Kind::Brace(..));
+        groups.iter().flatten().all(written_out)
+            && self.context.visible(name, &self.place).next().is_some_and(|(_, definition, _)| {
+                definition.queried && definition.head.arguments.is_none() && definition.head.lower.is_empty()
+            })
     }
 
     /// Whether what stands before a bracket is a function and not a factor.

@@ -68,6 +68,19 @@ impl Model {
         Some(result)
     }
 
+    /// The item b_i of a list b that a query gives.
+    pub(super) fn item_of_query(&self, machine: &mut Machine, head: &Head) -> Option<Value> {
+        let [index] = head.lower.as_slice() else { return None };
+        let list = Head { lower: Vec::new(), ..head.clone() };
+        let given = self.context.visible(&head.base, &self.place).any(|(_, d, _)| d.queried);
+        if !given || !head.upper.is_empty() || head.arguments.is_some() {
+            return None;
+        }
+        let Value::List(items) = self.defined(machine, &list, None)?.ok()? else { return None };
+        let index = machine.eval(index).ok()?.as_int()?;
+        items.get(usize::try_from(index).ok()?).cloned()
+    }
+
     /// Whether a definition is of one function elsewhere: F(t) = t^3 + 1.
     pub(super) fn is_example(&self, definition: &Definition) -> bool {
         let head = &definition.head;

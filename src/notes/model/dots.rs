@@ -6,7 +6,8 @@
 //! cyclic shifts. If none fits, the dots have no meaning.
 
 use super::calls::unclear;
-use super::{Evaluated, Model};
+use super::steps::{Steps, not_yet_named};
+use super::{Ambiguity, Evaluated, Model};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::eval::{Machine, arithmetic};
 use crate::expr::{Expr, Kind, Sign, Term};
@@ -89,6 +90,14 @@ impl Model {
             Some(total) => total,
             None => {
                 let parts = match self.by_steps(machine, before, nearest, last)? {
+                    // t_1 t_2 + … + t_4 t_5 may also be all products.
+                    Some(parts) if before.len() == 1 => match self.by_order(machine, before, last)? {
+                        Some(all) if all.len() != parts.len() => {
+                            self.ambiguous(Ambiguity::Dots);
+                            if self.choices.all_products { all } else { parts }
+                        }
+                        _ => parts,
+                    },
                     Some(parts) => parts,
                     None => match self.by_order(machine, before, last)? {
                         Some(parts) => parts,
@@ -316,8 +325,9 @@ impl Model {
                     at += 3;
                 }
                 (true, Some(after)) => {
-                    let list =
-                        run(machine, &item, after).ok_or_else(|| unclear("what the dots stand for", expr))?;
+                    let list = run(machine, &item, after)
+                        .and_then(|list| not_yet_named(list, items, after))
+                        .ok_or_else(|| unclear("what the dots stand for", expr))?;
                     for entry in list {
                         values.push(machine.eval(&entry)?);
                     }
@@ -551,94 +561,4 @@ fn written_out(machine: &mut Machine, items: &[Expr]) -> Option<Vec<Expr>> {
     all.extend(run(machine, before, after)?);
     all.extend(items[dots + 2..].iter().cloned());
     Some(all)
-}
-
-/// How a term changes from one end of the dots to the other.
-struct Steps {
-    first: Expr,
-    /// Paths to the integers that change, with their first value and their step.
-    places: Vec<(Vec<usize>, i64, i64)>,
-    /// How many steps lead to the other end; −1 if it comes just before.
-    count: i64,
-}
-
-impl Steps {
-    fn between(machine: &mut Machine, first: &Expr, last: &Expr) -> Option<Steps> {
-        let mut ends = Vec::new();
-        differences(machine, first, last, &mut Vec::new(), &mut ends)?;
-        let count = ends.iter().map(|(_, a, b)| (b - a).abs()).max()?;
-        // One index that goes back by one leaves nothing between the ends.
-        if let [(path, a, b)] = ends.as_slice() {
-            return Some(Steps { first: first.clone(), places: vec![(path.clone(), *a, 1)], count: b - a });
-        }
-        let mut places = Vec::with_capacity(ends.len());
-        for (path, a, b) in ends {
-            if (b - a).abs() != count {
-                return None;
-            }
-            places.push((path, a, (b - a).signum()));
-        }
-        Some(Steps { first: first.clone(), places, count })
-    }
-
-    /// The term after `k` steps.
-    fn at(&self, k: i64) -> Expr {
-        let mut term = self.first.clone();
-        for (path, start, step) in &self.places {
-            replace(&mut term, path, &Expr::int(start + k * step));
-        }
-        term
-    }
-}
-
-fn replace(expr: &mut Expr, path: &[usize], by: &Expr) {
-    let Some((first, rest)) = path.split_first() else {
-        *expr = by.clone();
-        return;
-    };
-    let mut at = 0;
-    expr.for_each_child_mut(&mut |child| {
-        if at == *first {
-            replace(child, rest, by);
-        }
-        at += 1;
-    });
-}
-
-/// The places where two formulas of the same shape hold different integers.
-fn differences(
-    machine: &mut Machine,
-    a: &Expr,
-    b: &Expr,
-    path: &mut Vec<usize>,
-    found: &mut Vec<(Vec<usize>, i64, i64)>,
-) -> Option<()> {
-    if a.same_as(b) {
-        return Some(());
-    }
-    let whole = matches!(a.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_));
-    if whole && let (Some(x), Some(y)) = (integer(machine, a), integer(machine, b)) {
-        // They may be equal by chance: t_1, …, t_n with n = 1.
-        found.push((path.clone(), x, y));
-        return Some(());
-    }
-    if std::mem::discriminant(&a.kind) != std::mem::discriminant(&b.kind) {
-        return None;
-    }
-    let (mut left, mut right) = (Vec::new(), Vec::new());
-    a.for_each_child(&mut |child| left.push(child));
-    b.for_each_child(&mut |child| right.push(child));
-    if left.len() != right.len() || left.is_empty() {
-        return None;
-    }
-    for (i, (x, y)) in left.into_iter().zip(right).enumerate() {
-        path.push(i);
-        differences(machine, x, y, path, found)?;
-        path.pop();
-    }
-    Some(())
-}
-
-fn integer(machine: &mut Machine, expr: &Expr) -> Option<i64> {
-    machine.eval(expr).ok()?.as_int()
 }

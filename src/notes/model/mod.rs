@@ -11,6 +11,7 @@ mod dots;
 mod families;
 mod notations;
 mod polynomials;
+mod steps;
 
 pub use polynomials::capital_of;
 
@@ -45,6 +46,8 @@ pub struct Choices {
     pub near_only: bool,
     /// N_i^k has degree k, not order k.
     pub spline_degree: bool,
+    /// t_1 t_2 + … + t_4 t_5 has all products of two, not only those of neighbours.
+    pub all_products: bool,
     /// The formula is about functions in general: those defined elsewhere by one formula are not
     /// meant.
     pub general: bool,
@@ -102,6 +105,8 @@ pub enum Ambiguity {
     Power,
     /// N_i^k.
     Spline,
+    /// t_1 t_2 + … + t_4 t_5.
+    Dots,
 }
 
 /// The curve that a sentence speaks of.
@@ -265,6 +270,9 @@ impl Model {
         if let Some(result) = self.defined(machine, &head, None) {
             return Some(result);
         }
+        if let Some(item) = self.item_of_query(machine, &head) {
+            return Some(Ok(item));
+        }
         if let Some(result) = self.standard_name(machine, &head, expr) {
             return Some(result);
         }
@@ -274,6 +282,10 @@ impl Model {
         let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
         let greek = crate::syntax::greek_char(word).is_some();
         if word.chars().count() > 1 && !greek && word != "ell" {
+            // convert(c, polar)
+            if crate::eval::builtin(word).is_some() {
+                return None;
+            }
             let unknown = Diagnostic::error(Code::UnknownName, format!("'{word}' has no meaning here"));
             return Some(Err(unknown.at(expr.span)));
         }

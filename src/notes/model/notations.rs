@@ -3,7 +3,7 @@
 
 use super::{Evaluated, FREE_TERMS, Model, calls, shape};
 use crate::diagnostic::{Code, Diagnostic};
-use crate::eval::Machine;
+use crate::eval::{Machine, arithmetic};
 use crate::expr::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::notes::names::{Head, implied_index, walk};
 use crate::poly::{Fraction, MultiPoly, Symbol};
@@ -25,6 +25,16 @@ impl Model {
             return Some(machine.eval(base).and_then(|value| match value {
                 Value::Scalar(_) => Ok(value),
                 other => crate::eval::arithmetic::transpose(other).map_err(|error| error.at(expr.span)),
+            }));
+        }
+        // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.
+        if let Kind::Apply(callee, _) = &base.kind
+            && Head::of(callee).is_some_and(|head| head.upper.is_empty())
+            && self.is_function(machine, callee)
+        {
+            return Some(machine.eval(base).and_then(|value| {
+                let exponent = machine.eval(exponent)?;
+                arithmetic::power(value, &exponent).map_err(|error| error.at(expr.span))
             }));
         }
         let head = Head::of(expr)?;

@@ -28,7 +28,10 @@ fn shown(notes: &Document) -> Vec<String> {
             Item::Words(span) => format!("w {} {}", place(*span), notes.file.slice(*span)),
             Item::Break => "break".to_owned(),
             Item::Formula(formula) => format!("{:?} {} {}", formula.style, place(formula.span), formula.text),
-            Item::Declaration { text, span } => format!("declaration {} {text}", place(*span)),
+            Item::Declaration { text, span, block } => {
+                let what = if *block { "queries" } else { "declaration" };
+                format!("{what} {} {text}", place(*span))
+            }
             Item::Enter(what) => format!("enter {}", mark(what)),
             Item::Leave(what) => format!("leave {}", mark(what)),
         })
