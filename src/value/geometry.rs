@@ -323,7 +323,13 @@ fn bracketed(expr: Expr) -> Expr {
 
 /// The sum of products; 0 if there are none.
 fn summed(terms: impl Iterator<Item = Option<Vec<Expr>>>) -> Expr {
-    let plus = |factors| Term { sign: Sign::Plus, expr: Expr::product(factors) };
+    let plus = |factors: Vec<Expr>| {
+        let flat = factors.into_iter().flat_map(|factor| match factor.kind {
+            Kind::Mul(inner) => inner,
+            _ => vec![factor],
+        });
+        Term { sign: Sign::Plus, expr: Expr::product(flat.collect()) }
+    };
     let terms: Vec<Term> = terms.flatten().map(plus).collect();
     if terms.is_empty() { Expr::int(0) } else { Expr::sum(terms) }
 }

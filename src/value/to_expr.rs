@@ -116,7 +116,7 @@ fn combination_of_points(f: &Fraction) -> Option<Expr> {
             powers.iter().filter(|(symbol, _)| family.contains(symbol)).map(|(_, e)| e).sum::<u32>() == 1
         };
         family.len() > 1
-            && !below.iter().any(|symbol| symbol.base() == family[0].base())
+            && !below.iter().any(|symbol| !symbol.indices().is_empty() && symbol.base() == family[0].base())
             && f.numerator().terms(MonomialOrder::Lex).iter().all(linear)
     });
     match families.as_slice() {
@@ -166,7 +166,17 @@ fn coefficient_parts(c: &Fraction) -> (Sign, Vec<Expr>) {
         let magnitude = q.abs();
         return (sign, if magnitude.is_one() { Vec::new() } else { vec![Expr::number(&magnitude)] });
     }
-    let Some(p) = c.as_polynomial() else { return (Sign::Plus, vec![polynomial_expr(c)]) };
+    let Some(p) = c.as_polynomial() else {
+        let expr = polynomial_expr(c);
+        // The minus of -1/(t - 1) belongs to the term.
+        return match expr.kind {
+            Kind::Add(mut terms) if terms.len() == 1 => {
+                let term = terms.swap_remove(0);
+                (term.sign, vec![term.expr])
+            }
+            kind => (Sign::Plus, vec![Expr { kind, ..expr }]),
+        };
+    };
     let content = p.content();
     let negative = p.len() == 1 && p.terms(MonomialOrder::GrLex)[0].1.is_negative();
     let sign = if negative { Sign::Minus } else { Sign::Plus };
