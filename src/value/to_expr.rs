@@ -120,7 +120,10 @@ fn combination_of_points(f: &Fraction) -> Option<Expr> {
             && f.numerator().terms(MonomialOrder::Lex).iter().all(linear)
     });
     match families.as_slice() {
-        [family] => collected(f, family),
+        // Of sum 1: a mean. A difference such as (y_1 - y_0)/(x_1 - x_0) is one quotient.
+        [family] if family.iter().fold(Fraction::zero(), |sum, y| sum + f.derivative(y)).is_one() => {
+            collected(f, family)
+        }
         _ => None,
     }
 }
