@@ -100,6 +100,23 @@ fn facts_of_the_subject() {
         "derivative(patch([[p_0, p_1], [p_2, p_3]]), 1, 1)(0, 0) = p_0 - p_1 - p_2 + p_3",
         "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002])(1/2, 1/2) = b_020/4 + b_011/2 + b_002/4",
         "barycentric([x, y], [[0, 0], [1, 0], [0, 1]]) = [1 - x - y, x, y]",
+        // basis functions that jump are half-open
+        "sum(i = 0..2, bspline_basis(0, [1, 2, 3, 5], i)(3)) = 1",
+        "sum(i = 0..3, bspline_basis(1, [0, 0, 1, 1, 2, 2], i)(1)) = 1",
+        "sum(i = 0..3, bspline_basis(2, [0, 0, 0, 1, 2, 2, 2], i)) = piecewise([0, 2], [1], outside=0)",
+        // an antiderivative starts where the curve does
+        "antiderivative(bspline(1, [0, 1, 2, 3], [2, 4]))(1) = 0",
+        "integrate(bezier([0, 1, 4]), 0, 1/2) = 1/3",
+        "integrate(bspline(1, [0, 0, 1, 2, 2], [0, 2, 0]), t, 1/2, 1) = 3/4",
+        // polar forms of surfaces in space
+        "polar(patch([[[0, 0], [0, 1]], [[1, 0], [1, 1]]]))(1; -2) = [1, -2]",
+        "polar(triangle_patch([[0, 1], [2, 3], [4, 5]]))([1, 2]) = [10, 11]",
+        "triangle_patch([b_100, b_010, b_001])(1/2, 1/3, 1/6) = b_100/2 + b_010/3 + b_001/6",
+        "compose(bezier([0, 1, 4], 1, 3), t) = bezier([0, 1, 4], 1, 3)",
+        "bezier([0, 1]) + 2 bezier([1, 1, 2]) = bezier([2, 5/2, 5])",
+        "convert(cubic_spline([0, 1, 2], [0, 1, 0]), bspline)(1/2) = cubic_spline([0, 1, 2], [0, 1, 0])(1/2)",
+        "insert_knots(bspline(1, [t_0, t_1, t_2, t_3], [d_0, d_1]), t, span=1)(t_2) = d_1",
+        "derivatives_at(sphere_octant([0, 0, 0], 1), 0, 0, 1) = [[[1, 0, 0], [0, 0, 2]], [[0, 2, 0]]]",
     ] {
         assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     }

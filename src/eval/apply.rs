@@ -240,7 +240,29 @@ impl Machine {
                     (Some("sigma"), [i, n], None) => Some(("sigma", vec![i, n])),
                     _ => None,
                 };
-                let Some((family, indices)) = family else { return Ok(None) };
+                let Some((family, indices)) = family else {
+                    // N_1^2(t) is no product of a power.
+                    if name.is_plain()
+                        && upper.is_some()
+                        && !lower.is_empty()
+                        && FAMILY_LETTERS.contains(&name.base())
+                    {
+                        let message = format!(
+                            "'{}' has no value here: is this a value of a family or a product?",
+                            name.base()
+                        );
+                        let error = Diagnostic::error(Code::AmbiguousProduct, message)
+                            .at(callee.span)
+                            .reason("not defined");
+                        return Err(match name.base() {
+                            "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
+                            other => {
+                                error.hint(format!("define it first, for example {other}(i, n, t) := ..."))
+                            }
+                        });
+                    }
+                    return Ok(None);
+                };
                 let mut values = Vec::with_capacity(2);
                 for index in indices {
                     values.push((self.eval(index)?, index.span));

@@ -10,8 +10,9 @@ use crate::eval::geometry::{
 };
 use crate::eval::{Evaluated, wrong_kind};
 use crate::poly::{Fraction, Symbol};
+use crate::ring::{Field, Ring};
 use crate::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// The meaning of a function for a curve or surface as its first argument, if it has one.
 pub(in crate::eval) fn method(name: &str, first: &Value) -> Option<fn(&Arguments) -> Evaluated> {
@@ -241,14 +242,20 @@ fn bezier_points(args: &Arguments) -> Evaluated {
     }
 }
 
-/// c(G(t)) over [a, b].
+/// c(G(t)): over the interval that G takes to that of c if G is linear, else over [0, 1].
 fn compose(args: &Arguments) -> Evaluated {
-    args.expect("compose(c, G, a, b)", 2..=4, &[])?;
+    args.expect("compose(c, G)", 2..=2, &[])?;
     let (curve, form) = args.bezier(0)?;
-    let inner = args.univariate(1, usize::MAX)?;
-    let inner = crate::blossom::PolarForm::with_degree(&inner.coefficients, inner.coefficients.len() - 1)
-        .map_err(arguments::polar)?;
-    let (a, b) = super::curves::ends(args, 2)?;
+    let inner = args.univariate(1, usize::MAX)?.coefficients;
+    let (a, b) = match inner.as_slice() {
+        [shift, slope] if !slope.is_zero() => {
+            let inverse = Field::inverse(slope).ok_or_else(crate::eval::arithmetic::division_by_zero)?;
+            let (a, b) = curve.interval();
+            (a.minus(shift).times(&inverse), b.minus(shift).times(&inverse))
+        }
+        _ => (Fraction::zero(), Fraction::one()),
+    };
+    let inner = crate::blossom::PolarForm::with_degree(&inner, inner.len() - 1).map_err(arguments::polar)?;
     curve.compose(&inner, a, b).map(|c| bezier(c, form)).map_err(curve_error)
 }
 

@@ -34,6 +34,7 @@ pub(super) fn method(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
         "joining_conditions" => joining_conditions,
         "continuity" => continuity,
         "extended" => extended,
+        "derivatives_at" => derivatives_at,
         "convert" => convert,
         _ => return None,
     })
@@ -288,6 +289,34 @@ fn pieces(args: &Arguments) -> Evaluated {
         }
         other => Err(not_for(other, args)),
     }
+}
+
+/// Row r, entry s: the derivative r times by u and s times by v, for r + s up to k.
+fn derivatives_at(args: &Arguments) -> Evaluated {
+    args.expect("derivatives_at(s, u, v, k)", 4..=4, &[])?;
+    let geometry = args.geometry(0)?;
+    let form = geometry.form();
+    let (u, v, k) = (args.scalar(1)?, args.scalar(2)?, args.size(3)?);
+    crate::budget::charge_terms((k as u64 + 1).saturating_mul(k as u64 + 1));
+    let grid = match &*geometry {
+        Geometry::Patch(patch, _) if form.rational => {
+            crate::curve::RationalPatch::from_homogeneous(patch.clone())
+                .and_then(|p| p.derivatives(&u, &v, k))
+        }
+        Geometry::Triangle(patch, _) if form.rational => {
+            crate::curve::RationalTriangle::from_homogeneous(patch.clone())
+                .and_then(|p| p.derivatives(&[u, v], k))
+        }
+        Geometry::Patch(patch, _) => {
+            let row = |r: usize| (0..=k - r).map(|s| patch.derivative_at(r, s, &u, &v)).collect();
+            Ok((0..=k).map(row).collect())
+        }
+        other => return Err(not_for(other, args)),
+    };
+    let plain = Form { rational: false, ..form };
+    let row =
+        |row: Vec<Vec<Fraction>>| Value::List(row.into_iter().map(|point| plain.plain(point)).collect());
+    Ok(Value::List(grid.map_err(curve_error).at(args.span(1))?.into_iter().map(row).collect()))
 }
 
 /// The value at any parameters.

@@ -174,7 +174,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "derivatives_at",
         signature: "derivatives_at(c, t, k)",
-        summary: "value and derivatives of order up to k of a rational curve at t",
+        summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
         topic: TOPIC,
         call: |_, args| {

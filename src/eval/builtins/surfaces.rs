@@ -196,6 +196,6 @@ pub(super) fn polynomial_only(form: Form, args: &Arguments) -> Result<(), Diagno
         false => Ok(()),
         true => Err(Diagnostic::error(Code::NotPolynomial, "this surface is rational")
             .at(args.span(0))
-            .hint("make it from homogeneous points as a polynomial one: leave homogeneous=1 out")),
+            .hint("derivatives_at(s, u, v, k) are its derivatives at a point")),
     }
 }
