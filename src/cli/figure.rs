@@ -174,7 +174,8 @@ fn part(file: &SourceFile, kind: FigureKind) -> Result<String, Box<Failure>> {
         if syntax::looks_like_latex(file.text()) { text(&expr) } else { file.text().trim().to_owned() };
     let points = match &expr.kind {
         Kind::Sequence(items) => {
-            items.iter().all(|item| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Matrix(..)))
+            // Calls make curves; anything else is a point or an ordinate.
+            items.iter().all(|item| !matches!(item.kind, Kind::Apply(..)))
         }
         _ => false,
     };

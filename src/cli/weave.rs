@@ -159,6 +159,11 @@ impl Weaver<'_> {
                 woven.stale.push((file, Span::default()));
                 continue;
             }
+            if fs::read(&path).is_ok_and(|before| !is_ours(&before)) {
+                let message = format!("{} is there already and no picture of polarform", path.display());
+                let problem = Diagnostic::error(Code::File, message).hint("name another file: picture=...");
+                return Err(failed(problem));
+            }
             if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
                 fs::create_dir_all(parent).map_err(|error| {
                     let message = format!("cannot make the folder {}: {error}", parent.display());
@@ -311,6 +316,12 @@ fn failed(problem: Diagnostic) -> Stop {
 
 fn usage(message: &str, hint: &str) -> Stop {
     failed(Diagnostic::error(Code::Usage, message).hint(hint))
+}
+
+/// Whether a file is a picture that was woven before.
+fn is_ours(svg: &[u8]) -> bool {
+    let start = String::from_utf8_lossy(&svg[..svg.len().min(2000)]);
+    start.contains("class=\"polarform")
 }
 
 /// Whether a picture that was woven into a document is not there any more.

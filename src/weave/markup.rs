@@ -54,6 +54,7 @@ impl Markup {
         let lines = match piece {
             Piece::Words(words) => return vec![self.words(words)],
             Piece::Formula(shown) => vec![with_remark(shown)],
+            Piece::Steps(lines) if self == Markup::Latex && is_wide(lines) => return over_pages(lines),
             Piece::Steps(lines) => aligned(lines),
             Piece::Picture(picture) => return self.picture(picture),
         };
@@ -66,7 +67,13 @@ impl Markup {
 
     fn picture(self, picture: &Picture) -> Vec<String> {
         match (self, &picture.file) {
-            (Markup::Latex, _) => enclosed("center", "", picture.tikz.lines().map(str::to_owned)),
+            (Markup::Latex, _) => {
+                // No wider than the text; tikz brings graphicx.
+                let fit = r"\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{%";
+                let drawn = picture.tikz.lines().map(str::to_owned);
+                let lines = std::iter::once(fit.to_owned()).chain(drawn).chain(["}".to_owned()]);
+                enclosed("center", "", lines)
+            }
             (Markup::Markdown, Some(file)) => {
                 let title = picture.title.replace(['[', ']', '\\'], " ");
                 vec![format!("![{title}]({file})")]
@@ -215,6 +222,32 @@ fn aligned(lines: &[StepLine]) -> Vec<String> {
         format!("{left} &{right} && {}{end}", words_in_formula(&line.reason))
     });
     enclosed("aligned", "", rows)
+}
+
+/// Derivations with longer lines, or more of them, get a display of their own in LaTeX.
+const WIDEST: usize = 60;
+const LONGEST: usize = 12;
+
+fn is_wide(lines: &[StepLine]) -> bool {
+    let width = |line: &StepLine| line.text.chars().count() + line.reason.chars().count();
+    lines.len() > LONGEST || lines.iter().any(|line| width(line) > WIDEST)
+}
+
+/// A derivation that may break over pages, each reason below its line.
+fn over_pages(lines: &[StepLine]) -> Vec<String> {
+    let last = lines.len().saturating_sub(1);
+    let rows = lines.iter().enumerate().map(|(i, line)| {
+        let (left, right) = &line.latex;
+        let repeated = i > 0 && lines[i - 1].latex.0 == *left;
+        let left = if repeated { "" } else { left };
+        let end = if i < last { r"\\[0.5ex]" } else { "" };
+        format!(
+            r"{left} &{right} \\*[-0.3ex] &\qquad {}{end}",
+            words_in_formula(&line.reason)
+        )
+    });
+    let display = enclosed("align*", "", rows);
+    [vec![r"{\allowdisplaybreaks".to_owned()], display, vec!["}".to_owned()]].concat()
 }
 
 fn line_in_words(line: &StepLine) -> String {

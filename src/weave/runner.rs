@@ -6,7 +6,8 @@ use crate::blossom::Method;
 use crate::derive::{self, Combination};
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::eval::Equals;
-use crate::expr::{Expr, Kind};
+use crate::expr::{Expr, Kind, Rel};
+use crate::poly::Symbol;
 use crate::session::{Answer, Failure, Session, guarded, read};
 use crate::source::{SourceFile, Span};
 use crate::syntax;
@@ -110,6 +111,8 @@ impl Runner {
         let inner = SourceFile::new(file.name(), code);
         let mut session = std::mem::take(&mut self.session);
         let mut pieces = Some(Vec::new());
+        let mut defined = Vec::new();
+        let drawn = self.pictures.len();
         session.run_file(&inner, |session, result| {
             let piece = result.map_err(|failure| failure.problem).and_then(|answer| {
                 for note in &answer.outcome.notes {
@@ -119,6 +122,7 @@ impl Runner {
                     self.judged(claim, answer.statement.span, file, place);
                 }
                 self.definitions += usize::from(answer.outcome.defined.is_some());
+                defined.extend(answer.outcome.defined.clone());
                 let span = answer.statement.span;
                 let piece = self.shown(session, &answer, options).map_err(|problem| problem.at(span))?;
                 self.results += 1;
@@ -136,6 +140,13 @@ impl Runner {
             }
             true
         });
+        if pieces.is_none() {
+            // What follows must not get the old value of a name whose new definition failed.
+            for name in names_defined(code).filter(|name| !defined.contains(name)) {
+                session.env.remove(&name);
+            }
+            self.pictures.truncate(drawn);
+        }
         self.session = session;
         let mut pieces = pieces?;
         match options.show {
@@ -187,6 +198,29 @@ impl Runner {
         }
         self.problem(problem, file);
     }
+}
+
+/// The names that statements define with `:=`.
+fn names_defined(code: &str) -> impl Iterator<Item = Symbol> {
+    let spans = syntax::statements(code).unwrap_or_default();
+    let exprs = spans.into_iter().filter_map(move |span| syntax::parse(&code[span.range()]).ok());
+    exprs.filter_map(|expr| {
+        let Kind::Chain(left, links) = expr.kind else { return None };
+        let head = match left.kind {
+            Kind::Apply(callee, _) => *callee,
+            _ => *left,
+        };
+        match (&head.kind, links[0].rel) {
+            (Kind::Name(name), Rel::Define) => Some(Symbol::new(name)),
+            (Kind::Subscript(base, indices), Rel::Define) => match (&base.kind, indices.as_slice()) {
+                (Kind::Name(name), [Expr { kind: Kind::Number(i), .. }]) => {
+                    i.numer().as_small().map(|i| Symbol::indexed(name, i))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    })
 }
 
 /// The derivation of the value of an answer; empty if it has none.

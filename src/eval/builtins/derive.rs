@@ -209,6 +209,21 @@ fn deboor(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
     args.expect(form, 2..=usize::MAX, &["span"])?;
     let (s, form) = args.spline(0)?;
     let (scheme, list) = super::splines::de_boor(args, &s)?;
+    // The scheme of another piece would not end in a point of the curve.
+    if let [t, rest @ ..] = list.as_slice()
+        && rest.iter().all(|u| u == t)
+        && let Ok(own) = s.knots().span_of(t)
+        && own != scheme.span
+        && t != &s.knots().knots()[scheme.span + 1]
+    {
+        return Err(Diagnostic::error(
+            Code::OutsideDomain,
+            format!("the parameter lies on knot interval {own}"),
+        )
+        .at(args.span(1))
+        .reason(format!("not on interval {}", scheme.span))
+        .hint("leave out span=, or give as many arguments as the degree for a polar value"));
+    }
     derive::de_boor(&s, form, &scheme, &list).map_err(curve_error).at(args.span(1))
 }
 

@@ -33,13 +33,13 @@ pub(super) const TABLE: &[Builtin] = &[
             let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
             let mut table = Table::with_header(["order", "polar value", "required", "found", "holds"]);
             for condition in conditions {
-                let holds = condition.holds();
+                let holds = holds_word(&condition.required, &condition.found);
                 table.rows.push(vec![
                     Cell::Value(Value::int(condition.order as i64)),
                     Cell::Formula(polar_label(&condition.label)),
                     collected_cell(form, condition.required, f.points()),
                     Cell::Value(form.plain(condition.found)),
-                    Cell::words(if holds { "yes" } else { "no" }),
+                    Cell::words(holds),
                 ]);
             }
             Ok(Value::Table(Arc::new(table)))
@@ -185,6 +185,19 @@ fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cel
     match symbols.and_then(|symbols| collected(&point[0], &symbols)) {
         Some(formula) => Cell::Formula(formula),
         None => Cell::Value(form.plain(point)),
+    }
+}
+
+/// Whether two points are equal: open, if that depends on symbols.
+pub(super) fn holds_word(required: &[Fraction], found: &[Fraction]) -> &'static str {
+    use num_traits::Zero;
+    let differences: Vec<Fraction> = required.iter().zip(found).map(|(x, y)| x.clone() - y.clone()).collect();
+    if differences.iter().all(Zero::is_zero) {
+        "yes"
+    } else if differences.iter().any(|d| d.as_rational().is_some_and(|q| !q.is_zero())) {
+        "no"
+    } else {
+        "open"
     }
 }
 

@@ -474,7 +474,7 @@ fn equation_row(equation: &EdgeEquation<Fraction>, form: Form) -> Vec<Cell> {
         Cell::Value(Value::int(equation.place as i64)),
         Cell::Value(form.plain(equation.required.clone())),
         Cell::Value(form.plain(equation.found.clone())),
-        Cell::words(if equation.holds() { "yes" } else { "no" }),
+        Cell::words(super::joins::holds_word(&equation.required, &equation.found)),
     ]
 }
 
