@@ -241,10 +241,7 @@ fn over_pages(lines: &[StepLine]) -> Vec<String> {
         let repeated = i > 0 && lines[i - 1].latex.0 == *left;
         let left = if repeated { "" } else { left };
         let end = if i < last { r"\\[0.5ex]" } else { "" };
-        format!(
-            r"{left} &{right} \\*[-0.3ex] &\qquad {}{end}",
-            words_in_formula(&line.reason)
-        )
+        format!(r"{left} &{right} \\*[-0.3ex] &\qquad {}{end}", words_in_formula(&line.reason))
     });
     let display = enclosed("align*", "", rows);
     [vec![r"{\allowdisplaybreaks".to_owned()], display, vec!["}".to_owned()]].concat()
