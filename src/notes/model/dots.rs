@@ -54,14 +54,23 @@ impl Model {
             return Some(self.dotted(machine, &before, &after, arithmetic::multiply, &Value::int(1), expr));
         }
         let at = factors.windows(2).position(|pair| {
-            matches!(&pair[1].kind, Kind::List(items) if items.len() > 1
-                || items.len() == 1 && matches!(items[0].kind, Kind::Subscript(..)))
+            let nodes = match &pair[1].kind {
+                Kind::List(items) => items.len() > 1 || items.first().is_some_and(is_node),
+                // The reader makes f[x_0], with one node, a product with a bracket.
+                Kind::Group(inner) => is_node(inner),
+                _ => false,
+            };
+            nodes
                 && Head::of(&pair[0]).is_some_and(|head| {
                     head.upper.is_empty() && matches!(head.base.as_str(), "f" | "g" | "h" | "F" | "p")
                 })
         })?;
-        let Kind::List(nodes) = &factors[at + 1].kind else { return None };
-        let difference = self.divided_difference(machine, &factors[at], nodes, expr);
+        let nodes = match &factors[at + 1].kind {
+            Kind::List(nodes) => nodes.clone(),
+            Kind::Group(node) => vec![node.as_ref().clone()],
+            _ => return None,
+        };
+        let difference = self.divided_difference(machine, &factors[at], &nodes, expr);
         let rest: Vec<Expr> = factors[..at].iter().chain(&factors[at + 2..]).cloned().collect();
         Some(difference.and_then(|value| {
             if rest.is_empty() {
@@ -561,4 +570,9 @@ fn written_out(machine: &mut Machine, items: &[Expr]) -> Option<Vec<Expr>> {
     all.extend(run(machine, before, after)?);
     all.extend(items[dots + 2..].iter().cloned());
     Some(all)
+}
+
+/// Whether an item in square brackets is a node such as x_0.
+fn is_node(item: &Expr) -> bool {
+    matches!(item.kind, Kind::Subscript(..))
 }
