@@ -41,6 +41,7 @@ pub use join::{
     Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
     joining_conditions,
 };
+pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};

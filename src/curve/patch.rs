@@ -79,7 +79,7 @@ pub struct TensorPatch<C> {
 }
 
 /// The same net with the two directions exchanged.
-pub(super) fn transposed<T: Clone>(net: &[Vec<T>]) -> Vec<Vec<T>> {
+pub(crate) fn transposed<T: Clone>(net: &[Vec<T>]) -> Vec<Vec<T>> {
     (0..net[0].len()).map(|j| net.iter().map(|row| row[j].clone()).collect()).collect()
 }
 

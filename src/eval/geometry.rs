@@ -282,11 +282,7 @@ impl Arguments {
             match &**geometry {
                 Geometry::Spline(spline, form) => return Ok((spline.clone(), *form)),
                 Geometry::Bezier(curve, form) => {
-                    let (a, b) = curve.interval();
-                    let knots = crate::spline::KnotVector::clamped(curve.degree(), a, &[], b)
-                        .map_err(spline_error)?;
-                    let spline = BSpline::new(knots, curve.points().to_vec()).map_err(spline_error)?;
-                    return Ok((spline, *form));
+                    return Ok((as_spline(curve).map_err(spline_error)?, *form));
                 }
                 _ => {}
             }
@@ -516,10 +512,27 @@ pub(super) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> Bez
     if form.rational {
         return curve.clone();
     }
-    let one = Fraction::from_rational(&crate::number::Rational::from_integer(1.into()));
-    let points = curve.points().iter().map(|point| homogeneous(point, &one)).collect();
+    let points = curve.points().iter().map(|point| homogeneous(point, &Fraction::one())).collect();
     let (a, b) = curve.interval();
     BezierCurve::new(points, a.clone(), b.clone()).expect("only a coordinate was added")
+}
+
+/// A Bézier curve as a spline without inner knots.
+pub(super) fn as_spline(
+    curve: &BezierCurve<Fraction>,
+) -> std::result::Result<BSpline<Fraction>, SplineError> {
+    let (a, b) = curve.interval();
+    let knots = crate::spline::KnotVector::clamped(curve.degree(), a, &[], b)?;
+    BSpline::new(knots, curve.points().to_vec())
+}
+
+/// The spline with homogeneous coordinates, all weights 1 if it is polynomial.
+pub(super) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpline<Fraction> {
+    if form.rational {
+        return spline.clone();
+    }
+    let points = spline.points().iter().map(|point| homogeneous(point, &Fraction::one())).collect();
+    BSpline::new(spline.knots().clone(), points).expect("only a coordinate was added")
 }
 
 /// The sum of two piecewise polynomials.

@@ -1,9 +1,10 @@
 //! Whether two representations are the same curve or surface.
 
+use super::geometry::{as_rational_form, as_rational_spline, as_spline};
 use crate::curve::{BezierCurve, TensorPatch};
 use crate::poly::Fraction;
-use crate::spline::{BSpline, KnotVector};
-use crate::value::{Form, Geometry};
+use crate::spline::BSpline;
+use crate::value::Geometry;
 use crate::write::text;
 
 /// What comes of a comparison.
@@ -71,22 +72,12 @@ fn patches(a: &TensorPatch<Fraction>, b: &TensorPatch<Fraction>, rational: bool)
 }
 
 /// As a spline of homogeneous points.
-fn spline(geometry: &Geometry) -> Option<(BSpline<Fraction>, Form)> {
-    let (spline, form) = match geometry {
-        Geometry::Spline(spline, form) => (spline.clone(), *form),
-        Geometry::Bezier(curve, form) => {
-            let (a, b) = curve.interval();
-            let knots = KnotVector::clamped(curve.degree(), a, &[], b).ok()?;
-            (BSpline::new(knots, curve.points().to_vec()).ok()?, *form)
-        }
-        _ => return None,
-    };
-    if form.rational {
-        return Some((spline, form));
+fn spline(geometry: &Geometry) -> Option<BSpline<Fraction>> {
+    match geometry {
+        Geometry::Spline(spline, form) => Some(as_rational_spline(spline, *form)),
+        Geometry::Bezier(curve, form) => Some(as_rational_spline(&as_spline(curve).ok()?, *form)),
+        _ => None,
     }
-    let one = num_traits::One::one();
-    let points = spline.points().iter().map(|point| crate::value::homogeneous(point, &one)).collect();
-    Some((BSpline::new(spline.knots().clone(), points).ok()?, form))
 }
 
 fn curves(left: &Geometry, right: &Geometry) -> Comparison {
@@ -94,10 +85,10 @@ fn curves(left: &Geometry, right: &Geometry) -> Comparison {
         && a.interval() == b.interval()
         && a.dimension() - usize::from(f.rational) == b.dimension() - usize::from(g.rational)
     {
-        let (p, q) = (super::geometry::as_rational_form(a, *f), super::geometry::as_rational_form(b, *g));
+        let (p, q) = (as_rational_form(a, *f), as_rational_form(b, *g));
         return if same_piece(&p, &q) { Same } else { Different("their control points differ".to_owned()) };
     }
-    let (Some((a, _)), Some((b, _))) = (spline(left), spline(right)) else {
+    let (Some(a), Some(b)) = (spline(left), spline(right)) else {
         return Unknown("they are not compared");
     };
     if a.dimension() != b.dimension() {

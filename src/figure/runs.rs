@@ -1,8 +1,8 @@
 //! Formulas as runs of characters: what a text element of a drawing can show.
 
-use crate::expr::{Accent, Enclosure, Expr, Kind, Precedence, Quotient, Rel, Sign};
+use crate::expr::{Accent, Enclosure, Expr, Kind, Precedence, Quotient, Sign};
 use crate::scene::Text;
-use crate::write::unicode;
+use crate::write::{unicode, unicode_relation};
 
 use super::measure::advance;
 
@@ -253,7 +253,7 @@ impl Setter {
             Kind::Chain(first, links) => {
                 self.operand(first, Precedence::Lambda, line, depth);
                 for link in links {
-                    self.spaced(relation(link.rel), line);
+                    self.spaced(unicode_relation(link.rel).trim(), line);
                     self.operand(&link.expr, Precedence::Lambda, line, depth);
                 }
             }
@@ -310,27 +310,6 @@ fn between(before: &Expr, after: &Expr) -> &'static str {
             THIN
         }
         _ => "",
-    }
-}
-
-fn relation(rel: Rel) -> &'static str {
-    match rel {
-        Rel::Eq => "=",
-        Rel::Define => ":=",
-        Rel::Ne => "≠",
-        Rel::Lt => "<",
-        Rel::Le => "≤",
-        Rel::Gt => ">",
-        Rel::Ge => "≥",
-        Rel::Equiv => "≡",
-        Rel::Approx => "≈",
-        Rel::In => "∈",
-        Rel::Subset => "⊆",
-        Rel::To => "→",
-        Rel::MapsTo => "↦",
-        Rel::Implies => "⇒",
-        Rel::Iff => "⇔",
-        Rel::Colon => ":",
     }
 }
 

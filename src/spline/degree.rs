@@ -132,8 +132,8 @@ impl<C: Field> BSpline<C> {
             let reduced = piece.reduce(by)?;
             let meet = crate::curve::continuity_at(&kept[kept.len() - 1], &reduced, &knot)?;
             // The polynomials meet C^k: multiplicity degree − k suffices.
-            let needed = if meet.same { 0 } else { degree - meet.order.map_or(0, |k| k + 1) + 1 };
-            let wanted = multiplicity.saturating_sub(by).max(if meet.same { 0 } else { needed });
+            let needed = if meet.same { 0 } else { meet.order.map_or(degree + 1, |k| degree - k) };
+            let wanted = multiplicity.saturating_sub(by).max(needed);
             if wanted == 0 {
                 let before = kept.pop().expect("there is a piece before");
                 kept.push(before.part(before.interval().0, reduced.interval().1)?);

@@ -23,24 +23,34 @@ pub struct Defect<C> {
     pub jump: Point<C>,
 }
 
+/// (t − t_i)/(t_{i+n} − t_i), for an interval that is not empty.
+fn ratio<C: Field>(knots: &[C], n: usize, i: usize, t: &C) -> C {
+    let unit = knots[i + n].minus(&knots[i]).inverse().expect("the interval contains the span");
+    t.minus(&knots[i]).times(&unit)
+}
+
+impl<C: Field> KnotVector<C> {
+    /// (t − t_i)/(t_{i+n} − t_i) for the n control points i = j−n+1, …, j that a new knot changes in
+    /// the interval [t_j, t_{j+1}].
+    ///
+    /// # Errors
+    /// [`SplineError::NoDomain`] unless j is one of [`KnotVector::spans`].
+    pub fn insertion_ratios(&self, span: usize, t: &C) -> Result<Vec<(usize, C)>, SplineError> {
+        let n = self.degree();
+        if !self.spans().contains(&span) {
+            return Err(SplineError::NoDomain);
+        }
+        Ok((span + 1 - n..=span).map(|i| (i, ratio(self.knots(), n, i, t))).collect())
+    }
+}
+
 impl<C: Field> BSpline<C> {
-    /// (t − t_i)/(t_{i+n} − t_i) for the n control points i = j−n+1, …, j that a new knot changes.
+    /// The ratios of [`KnotVector::insertion_ratios`] on the interval of t.
     ///
     /// # Errors
     /// As [`KnotVector::span_of`].
     pub fn insertion_ratios(&self, t: &C) -> Result<Vec<(usize, C)>, SplineError> {
-        let span = self.knots().span_of(t)?;
-        Ok(self.ratios(span, t))
-    }
-
-    fn ratios(&self, span: usize, t: &C) -> Vec<(usize, C)> {
-        let n = self.degree();
-        let knots = self.knots().knots();
-        let ratio = |i: usize| {
-            let unit = knots[i + n].minus(&knots[i]).inverse().expect("the interval contains the span");
-            (i, t.minus(&knots[i]).times(&unit))
-        };
-        (span + 1 - n..=span).map(ratio).collect()
+        self.knots().insertion_ratios(self.knots().span_of(t)?, t)
     }
 
     /// The same curve with one more knot. Cost: n affine combinations, after finding the place.
@@ -66,11 +76,8 @@ impl<C: Field> BSpline<C> {
     /// [`SplineError::NoDomain`] unless span is one of [`KnotVector::spans`], and as
     /// [`BSpline::insert`].
     pub fn insert_on(&self, span: usize, t: &C) -> Result<Self, SplineError> {
-        if !self.knots().spans().contains(&span) {
-            return Err(SplineError::NoDomain);
-        }
         let n = self.degree();
-        let ratios = self.ratios(span, t);
+        let ratios = self.knots().insertion_ratios(span, t)?;
         let mut points = Vec::with_capacity(self.points().len() + 1);
         points.extend_from_slice(&self.points()[..=span - n]);
         for (i, ratio) in &ratios {
@@ -99,11 +106,7 @@ impl<C: Field> BSpline<C> {
             let count = points.len();
             let span = n + place(&knots[n..=count], t)?;
             let fresh: Vec<Point<C>> = (span + 1 - n..=span)
-                .map(|i| {
-                    let unit =
-                        knots[i + n].minus(&knots[i]).inverse().expect("the interval contains the span");
-                    lerp(&points[i - 1], &points[i], &t.minus(&knots[i]).times(&unit))
-                })
+                .map(|i| lerp(&points[i - 1], &points[i], &ratio(&knots, n, i, t)))
                 .collect();
             if n == 0 {
                 points.insert(span, points[span].clone());
@@ -216,12 +219,11 @@ impl<C: Field> BSpline<C> {
         let j = last - 1;
         let old = self.points();
         let mut points = old[..=j - n].to_vec();
-        for i in j + 1 - n..=j - left {
-            let unit = knots[i + n].minus(&knots[i]).inverse().expect("the interval contains t");
-            let ratio = t.minus(&knots[i]).times(&unit);
+        for (i, point) in old.iter().enumerate().take(j - left + 1).skip(j + 1 - n) {
+            let ratio = ratio(&knots, n, i, t);
             let inverse = ratio.inverse().expect("t_i is smaller than t");
             let rest = scaled(&points[points.len() - 1], &ratio.minus(&C::one()));
-            points.push(scaled(&sum(&old[i], &rest), &inverse));
+            points.push(scaled(&sum(point, &rest), &inverse));
         }
         let expected = &old[j - left + 1];
         // With multiplicity n + 1 nothing ties the two sides together.

@@ -7,6 +7,7 @@
 
 use super::{BSpline, KnotVector, SplineError};
 use crate::blossom::Argument;
+use crate::curve::transposed;
 use crate::curve::{CurveError, Direction, Interval, Net, Point, TensorPatch};
 use crate::ring::Field;
 
@@ -16,10 +17,6 @@ pub struct SplineSurface<C> {
     u: KnotVector<C>,
     v: KnotVector<C>,
     net: Net<C>,
-}
-
-fn transposed<C: Clone>(net: &[Vec<Point<C>>]) -> Net<C> {
-    (0..net[0].len()).map(|j| net.iter().map(|row| row[j].clone()).collect()).collect()
 }
 
 /// The points of a row one after the other.

@@ -64,7 +64,7 @@ impl Plain for Unicode {
 }
 
 /// A relation with the blanks around it.
-pub(super) fn relation(rel: Rel) -> &'static str {
+pub(crate) fn relation(rel: Rel) -> &'static str {
     match rel {
         Rel::Eq => " = ",
         Rel::Define => " := ",

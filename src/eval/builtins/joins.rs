@@ -7,7 +7,7 @@ use crate::curve::{self, BezierCurve, GeometricFailure};
 use crate::derive::polar_label;
 use crate::diagnostic::{At, Code, Diagnostic};
 use crate::eval::arguments::Arguments;
-use crate::eval::geometry::{as_rational_form, bezier, curve_error, joined, spline, spline_error};
+use crate::eval::geometry::{as_rational_form, as_rational_spline, bezier, curve_error, joined, spline};
 use crate::eval::wrong_kind;
 use crate::expr::{Accent, Expr, Kind};
 use crate::number::Rational;
@@ -148,14 +148,7 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("homogeneous(c)", 1..=1, &[])?;
             Ok(match &*args.geometry(0)? {
                 Geometry::Bezier(curve, form) => bezier(as_rational_form(curve, *form), Form::default()),
-                Geometry::Spline(s, form) if form.rational => spline(s.clone(), Form::default()),
-                Geometry::Spline(s, _) => {
-                    let one = num_traits::One::one();
-                    let points = s.points().iter().map(|p| crate::value::homogeneous(p, &one)).collect();
-                    let lifted =
-                        crate::spline::BSpline::new(s.knots().clone(), points).map_err(spline_error)?;
-                    spline(lifted, Form::default())
-                }
+                Geometry::Spline(s, form) => spline(as_rational_spline(s, *form), Form::default()),
                 _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
             })
         },

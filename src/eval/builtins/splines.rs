@@ -10,7 +10,6 @@ use crate::eval::geometry::{bezier, piecewise_error, scalar_list, spline, spline
 use crate::eval::wrong_kind;
 use crate::piecewise::{Outside, Piecewise};
 use crate::poly::{Fraction, Symbol};
-use crate::ring::Ring;
 use crate::spline::{BSpline, DeBoor, KnotVector};
 use crate::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use num_traits::{One, Zero};
@@ -300,17 +299,12 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("insertion_ratios(n, [t_0, ..., t_k], t, span=j)", 3..=3, &["span"])?;
             let knots = knots(args)?;
             let t = args.scalar(2)?;
-            let n = knots.degree();
             let j = match args.named_size("span", usize::MAX)? {
-                Some(j) if j >= n && j < knots.count() && knots.knots()[j] != knots.knots()[j + 1] => j,
-                Some(_) => return Err(spline_error(crate::spline::SplineError::NoDomain)),
+                Some(j) => j,
                 None => knots.span_of(&t).map_err(spline_error).at(args.span(2))?,
             };
             let mut table = Table::with_header(["i", "ratio"]);
-            for i in j + 1 - n..=j {
-                let unit = crate::ring::Field::inverse(&knots.knots()[i + n].minus(&knots.knots()[i]))
-                    .expect("the interval contains the span");
-                let ratio = t.minus(&knots.knots()[i]).times(&unit);
+            for (i, ratio) in knots.insertion_ratios(j, &t).map_err(spline_error)? {
                 table.rows.push(vec![Cell::Value(Value::int(i as i64)), Cell::Value(Value::Scalar(ratio))]);
             }
             Ok(Value::Table(Arc::new(table)))
