@@ -59,29 +59,20 @@
 //! # Limits and panics
 //! Library functions work without limits; run them under [`budget::run`] to bound time and
 //! size. Functions that panic say so; what can go wrong with an input is an error.
-pub mod basis;
-pub mod blossom;
 pub mod budget;
 pub mod cli;
-pub mod curve;
-pub mod derive;
-pub mod diagnostic;
-pub mod eval;
-pub mod expr;
+pub mod document;
 pub mod figure;
-pub mod interpolate;
-pub mod latex;
-pub mod linalg;
+pub mod formula;
+pub mod judge;
+pub mod language;
+pub mod math;
 pub mod notes;
-pub mod number;
-pub mod piecewise;
-pub mod poly;
-pub mod ring;
 pub mod scene;
 pub mod session;
-pub mod source;
-pub mod spline;
-pub mod syntax;
-pub mod value;
 pub mod weave;
-pub mod write;
+
+pub use formula as expr;
+pub use formula::source;
+pub use language::{derive, diagnostic, eval, latex, syntax, value, write};
+pub use math::{basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline};

@@ -6,13 +6,13 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::budget::{self, Limits, Stop};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::eval::{self, Env, Equals, Outcome};
-use crate::expr::{Expr, Kind};
-use crate::poly::Symbol;
-use crate::source::{SourceFile, Span};
-use crate::value::symbol_expr;
-use crate::{latex, syntax};
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::{self, Env, Equals, Outcome};
+use crate::language::value::symbol_expr;
+use crate::language::{latex, syntax};
+use crate::math::poly::Symbol;
 
 /// A statement that failed, with the text it was read from.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use polarform::notes::document::Item;
-use polarform::notes::extract::read_files;
-use polarform::notes::finding::{Finding, Verdict};
+use polarform::document::Item;
+use polarform::document::read_files;
+use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options as CheckOptions, check_document};
 use polarform::source::SourceFile;
 use polarform::weave::{Options, PACKAGE, side_name, weave_latex, weave_markdown, write_file};

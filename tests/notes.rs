@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use polarform::notes::document::Document;
-use polarform::notes::extract::{Container, document, read_files};
-use polarform::notes::finding::{Finding, Verdict};
+use polarform::document::Document;
+use polarform::document::{Container, document, read_files};
+use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options, check_document};
 use polarform::source::SourceFile;
 

@@ -13,8 +13,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polarform::notes::extract::read_files;
-use polarform::notes::finding::{Finding, Verdict};
+use polarform::document::read_files;
+use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options, check_document};
 
 struct Expectation {

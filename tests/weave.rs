@@ -452,8 +452,8 @@ polar_sum(t^3, t^2)
 ";
 
 fn formulas(text: &str) -> Vec<String> {
-    use polarform::notes::document::Item;
-    use polarform::notes::extract::{Container, document};
+    use polarform::document::Item;
+    use polarform::document::{Container, document};
     let file = polarform::source::SourceFile::new("a.md", text);
     let items = document(file.clone(), Container::Markdown).items.into_iter();
     let formula = |item: Item| match item {

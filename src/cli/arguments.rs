@@ -7,10 +7,10 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::figure_arguments::FigureArguments;
-use crate::blossom::Method;
 use crate::budget::Limits;
-use crate::value::{Language, Notation};
-use crate::write::Format;
+use crate::language::value::{Language, Notation};
+use crate::language::write::Format;
+use crate::math::blossom::Method;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -73,7 +73,9 @@ fn parse_format(text: &str) -> Result<FormatArgument, String> {
     if text == "svg" {
         return Ok(FormatArgument::Svg);
     }
-    text.parse().map(FormatArgument::Words).map_err(|error: crate::write::UnknownFormat| error.to_string())
+    text.parse()
+        .map(FormatArgument::Words)
+        .map_err(|error: crate::language::write::UnknownFormat| error.to_string())
 }
 
 fn parse_language(text: &str) -> Result<Language, String> {

@@ -7,15 +7,15 @@ use std::path::Path;
 use super::Status;
 use super::arguments::{Arguments, Command, FormatArgument, Global, Two};
 use super::output::{Output, Trouble};
-use crate::diagnostic::{Code, Diagnostic, nearest};
-use crate::eval::{BUILTINS, Equals, builtin};
-use crate::expr::{Expr, Kind, Rel};
-use crate::poly::Symbol;
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::eval::{BUILTINS, Equals, builtin};
+use crate::language::syntax;
+use crate::language::value::{Value, Verdict, symbol_expr};
+use crate::language::write::text;
+use crate::math::poly::Symbol;
 use crate::session::{Answer, Failure, Session, read};
-use crate::source::{SourceFile, Span};
-use crate::syntax;
-use crate::value::{Value, Verdict, symbol_expr};
-use crate::write::text;
 
 /// Why a command ends before its end.
 pub(super) enum Stop {

@@ -9,16 +9,16 @@ use super::arguments::{FormatArgument, Global};
 use super::commands::{Ran, evaluated, formula, give};
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
 use super::output::{Output, PREVIEW, Trouble};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::Kind;
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
+use crate::formula::Kind;
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::syntax;
+use crate::language::value::Value;
+use crate::language::write::{Format, text};
 use crate::scene::Scene;
 use crate::session::{Failure, Session};
-use crate::source::{SourceFile, Span};
-use crate::syntax;
-use crate::value::Value;
 use crate::weave::write_file;
-use crate::write::{Format, text};
 
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

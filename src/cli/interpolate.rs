@@ -4,13 +4,13 @@ use super::Status;
 use super::arguments::{Interpolate, Interpolation};
 use super::commands::{Ran, evaluated, formula, list, operand, query};
 use super::output::Output;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{Expr, Kind, Rel};
-use crate::poly::Symbol;
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Value, symbol_expr};
+use crate::language::write::{Format, text};
+use crate::math::poly::Symbol;
 use crate::session::{Failure, Session};
-use crate::source::{SourceFile, Span};
-use crate::value::{Value, symbol_expr};
-use crate::write::{Format, text};
 
 type Failed<T> = Result<T, Box<Failure>>;
 

@@ -18,18 +18,18 @@ use super::arguments::{Global, Notes, NotesCheck, ReportKind};
 use super::commands::{Ran, Stop};
 use super::output::Output;
 use super::watch::Watch;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::document::Document;
-use crate::notes::extract::read_files;
-use crate::notes::finding::{FileReport, Verdict};
+use crate::document::Document;
+use crate::document::read_files;
+use crate::formula::source::SourceFile;
+use crate::judge::finding::{FileReport, Verdict};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::write::Format;
 use crate::notes::report::{
     TextOptions, render_html, render_json, render_listing, render_listing_json, render_sarif, render_summary,
     render_text,
 };
 use crate::notes::{Options, check_document, listing};
 use crate::session::Failure;
-use crate::source::SourceFile;
-use crate::write::Format;
 
 /// Seconds for one formula where nothing else is said.
 const SECONDS: f64 = 5.0;

@@ -4,21 +4,21 @@ use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 
 use super::arguments::Global;
-use crate::blossom::PolarForm;
-use crate::diagnostic::{Code, Diagnostic, render, render_json};
-use crate::expr::{Expr, Kind};
 use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
-use crate::number::Rational;
-use crate::scene::Scene;
-use crate::session::Failure;
-use crate::source::SourceFile;
-use crate::value::{
+use crate::formula::source::SourceFile;
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic, render, render_json};
+use crate::language::value::{
     Claim, Derivation, Language, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr,
 };
-use crate::write::{
+use crate::language::write::{
     Format, claim_json, expanded_terms, text, write_derivation, write_expanded, write_expr, write_grouped,
     write_table,
 };
+use crate::math::blossom::PolarForm;
+use crate::math::number::Rational;
+use crate::scene::Scene;
+use crate::session::Failure;
 
 /// Polar forms of a larger degree are written out without building the formula.
 const STREAM_ABOVE: usize = 6;
@@ -299,7 +299,7 @@ impl From<io::Error> for Trouble {
 }
 
 /// The form over Q, if all coefficients are numbers.
-fn rational(form: &PolarForm<crate::poly::Fraction>) -> Option<PolarForm<Rational>> {
+fn rational(form: &PolarForm<crate::math::poly::Fraction>) -> Option<PolarForm<Rational>> {
     let list: Option<Vec<Rational>> = form.coefficients().iter().map(|c| c.as_rational()).collect();
     list.map(PolarForm::new)
 }

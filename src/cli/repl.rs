@@ -14,15 +14,15 @@ use super::Status;
 use super::commands;
 use super::output::{Output, Trouble};
 use super::repl_helper::Helper;
-use crate::blossom::Method;
-use crate::diagnostic::{Code, Diagnostic, nearest};
-use crate::eval::{BUILTINS, Equals};
 use crate::figure::{TikzOptions, tikz};
-use crate::poly::Symbol;
+use crate::formula::source::SourceFile;
+use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::eval::{BUILTINS, Equals};
+use crate::language::value::{Notation, Value, symbol_expr};
+use crate::language::write::{Format, text};
+use crate::math::blossom::Method;
+use crate::math::poly::Symbol;
 use crate::session::Session;
-use crate::source::SourceFile;
-use crate::value::{Notation, Value, symbol_expr};
-use crate::write::{Format, text};
 
 /// A command of the session, as listed by `:help`.
 pub(super) struct ColonCommand {
@@ -277,7 +277,7 @@ impl Repl<'_> {
                     Value::Polar(polar) => polar.body(self.output.notation),
                     other => other.to_expr(),
                 };
-                self.output.line(&crate::write::latex(&body))?;
+                self.output.line(&crate::language::write::latex(&body))?;
             }
             _ => match name.parse::<Format>() {
                 Ok(format) => self.output.format = format,

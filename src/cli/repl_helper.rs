@@ -9,11 +9,11 @@ use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{Context, Helper as RustylineHelper};
 
 use super::repl::{COLON_COMMANDS, known_names};
-use crate::eval::builtin;
-use crate::latex;
-use crate::poly::Symbol;
-use crate::syntax;
-use crate::write::text;
+use crate::language::eval::builtin;
+use crate::language::latex;
+use crate::language::syntax;
+use crate::language::write::text;
+use crate::math::poly::Symbol;
 
 /// What the line editor needs to know.
 pub(super) struct Helper {
@@ -28,7 +28,7 @@ impl Helper {
 
     /// The names defined in the session.
     pub fn set_names<'a>(&mut self, names: impl Iterator<Item = &'a Symbol>) {
-        self.names = names.map(|symbol| text(&crate::value::symbol_expr(symbol))).collect();
+        self.names = names.map(|symbol| text(&crate::language::value::symbol_expr(symbol))).collect();
     }
 
     /// Where the word at `pos` starts, and what may stand for it.

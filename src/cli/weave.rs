@@ -12,15 +12,15 @@ use super::Status;
 use super::arguments::{Global, Weave};
 use super::commands::{Ran, Stop};
 use super::output::Output;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::extract::Container;
+use crate::document::Container;
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::write::Format;
 use crate::session::Failure;
-use crate::source::{SourceFile, Span};
 use crate::weave::{
     BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, pictures_in, read_input, replace_file,
     side_name, weave_book, weave_copy, weave_latex, weave_markdown, weave_notebook, write_file,
 };
-use crate::write::Format;
 
 /// The name of the LaTeX package.
 const STYLE: &str = "polarform.sty";

@@ -3,9 +3,9 @@
 use serde_json::{Value as Json, json};
 
 use super::{SvgOptions, TikzOptions, svg, tikz};
+use crate::language::value::{Notation, Value};
+use crate::language::write;
 use crate::scene::Scene;
-use crate::value::{Notation, Value};
-use crate::write;
 
 /// A drawing with its title, its description, its SVG and its TikZ.
 ///
@@ -23,7 +23,7 @@ pub fn figure_json(scene: &Scene) -> Json {
     })
 }
 
-/// A value as by [`crate::write::value_json`], with all figures in it drawn.
+/// A value as by [`crate::language::write::value_json`], with all figures in it drawn.
 ///
 /// ```
 /// use polarform::{figure::value_json, value::Value};

@@ -1,8 +1,8 @@
 //! Formulas as runs of characters: what a text element of a drawing can show.
 
-use crate::expr::{Accent, Enclosure, Expr, Kind, Precedence, Quotient, Sign};
+use crate::formula::{Accent, Enclosure, Expr, Kind, Precedence, Quotient, Sign};
+use crate::language::write::{unicode, unicode_relation};
 use crate::scene::Text;
-use crate::write::{unicode, unicode_relation};
 
 use super::measure::advance;
 
@@ -316,7 +316,7 @@ fn between(before: &Expr, after: &Expr) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::syntax::parse;
+    use crate::language::syntax::parse;
 
     /// Runs in one line: `_` and `^` before what is below and above the line.
     fn flat(formula: &str) -> String {

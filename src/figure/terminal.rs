@@ -3,8 +3,8 @@
 //! Lines are drawn with braille characters, each of which is a grid of 2 by 4 dots (Unicode
 //! block U+2800); points are marked, and labels stand beside them where there is room.
 
+use crate::language::write::unicode;
 use crate::scene::{Dash, Extent, Ink, Mark, Placed, Scene, Stroke, Style, Text, layout, trace};
-use crate::write::unicode;
 
 /// The drawing in `columns` by `rows` characters at most; lines have no blanks at their ends.
 ///

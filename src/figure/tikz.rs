@@ -6,8 +6,8 @@ use std::fmt::Write;
 use super::measure::measure;
 use super::number;
 use super::palette::{colour, name};
+use crate::language::write::latex;
 use crate::scene::{Dash, Ink, Mark, Placed, Scene, Shape, Size, Stroke, Style, Text, layout};
-use crate::write::latex;
 
 /// How a drawing becomes TikZ.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -21,7 +21,7 @@ const POINT: f64 = 0.625;
 
 /// The drawing as a `tikzpicture`, for a document with `\usepackage{tikz}`.
 ///
-/// Labels that are formulas are set as `$…$` by [`crate::write::latex()`], which needs amsmath
+/// Labels that are formulas are set as `$…$` by [`crate::language::write::latex()`], which needs amsmath
 /// for matrices, binomials and absolute values. Words in scripts other than Latin need a TeX
 /// that has them, as XeLaTeX does.
 ///
@@ -200,7 +200,7 @@ impl Writer {
 /// Words in LaTeX, with the signs that mean something there written out.
 fn escaped(words: &str) -> String {
     // a formula of one text is \text{…}: what stands in its braces
-    let text = latex(&crate::expr::Kind::Text(words.to_owned()).into());
+    let text = latex(&crate::formula::Kind::Text(words.to_owned()).into());
     match text.strip_prefix("\\text{").and_then(|rest| rest.strip_suffix('}')) {
         Some(inner) => inner.to_owned(),
         None => format!("${text}$"),

@@ -4,104 +4,12 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
-use super::document::{Document, Enclosure, Formula, Item, Style};
-use crate::diagnostic::Diagnostic;
-use crate::expr::{Expr, Kind, Link, Rel};
-use crate::source::Span;
-use crate::{latex, syntax};
-
-/// Where a statement stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// The sections, quotations and environments around it, outermost first.
-    pub scope: Vec<u32>,
-    /// Formulas with the same number stand in one paragraph or list.
-    pub group: u32,
-    /// The number of the formula.
-    pub formula: usize,
-}
-
-impl Place {
-    /// Whether both stand in sections of one section.
-    pub fn is_beside(&self, other: &Place) -> bool {
-        let parent = self.scope.len().saturating_sub(1);
-        parent > 0 && other.scope.len() == self.scope.len() && other.scope[..parent] == self.scope[..parent]
-    }
-
-    /// Whether what was said there holds here, as far as the layout tells.
-    pub fn sees(&self, earlier: &Place) -> bool {
-        self.scope.starts_with(&earlier.scope)
-    }
-}
-
-/// One side of a relation.
-#[derive(Clone, Debug)]
-pub struct Side {
-    /// The formula, with spans in the file.
-    pub expr: Expr,
-    /// As written.
-    pub latex: String,
-}
-
-impl Side {
-    /// Whether some part of it could not be read.
-    pub fn is_unread(&self) -> bool {
-        fn unread(expr: &Expr) -> bool {
-            if matches!(expr.kind, Kind::Unread(_)) {
-                return true;
-            }
-            let mut found = false;
-            expr.for_each_child(&mut |child| found = found || unread(child));
-            found
-        }
-        unread(&self.expr)
-    }
-}
-
-/// A chain of relations.
-#[derive(Clone, Debug)]
-pub struct Chain {
-    /// At least two sides.
-    pub sides: Vec<Side>,
-    /// The relations between them, with their places.
-    pub relations: Vec<(Rel, Span)>,
-    /// Conditions said with it.
-    pub conditions: Vec<Expr>,
-    /// Whether it is itself said as a condition of another one ("where a = b").
-    pub given: bool,
-    /// Why parts could not be read.
-    pub problems: Vec<Diagnostic>,
-}
-
-/// What a formula says.
-#[derive(Clone, Debug)]
-pub enum Said {
-    /// Relations.
-    Chain(Chain),
-    /// A condition: a range, a membership, a sum of weights.
-    Condition(Side),
-    /// A formula without a relation.
-    Bare(Side, Vec<Diagnostic>),
-    /// A declaration by comment.
-    Declaration(String, Span),
-    /// A block of queries, of which the definitions count.
-    Queries(String, Span),
-}
-
-/// A statement with its surroundings.
-#[derive(Clone, Debug)]
-pub struct Statement {
-    /// What is said.
-    pub said: Said,
-    /// Where.
-    pub place: Place,
-    /// The words of the paragraph before the formula.
-    pub before: String,
-    /// The words of this paragraph and those before it, as far as they may name what is spoken of.
-    pub recent: String,
-    /// The words between the formula before and this one.
-    pub gap: String,
-}
+use crate::document::{Document, Enclosure, Formula, Item, Style};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Rel};
+use crate::judge::statement::{Chain, Place, Said, Side, Statement};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::{latex, syntax};
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -494,7 +402,7 @@ fn give_first(statements: &mut [Statement]) {
             Said::Chain(chain) => {
                 looks_back(&statements[at].gap)
                     && chain.relations.first().is_some_and(|(rel, _)| matches!(rel, Rel::Eq | Rel::Define))
-                    && super::names::Head::of(&chain.sides[0].expr).is_some()
+                    && crate::judge::names::Head::of(&chain.sides[0].expr).is_some()
             }
             _ => false,
         };
@@ -584,7 +492,7 @@ fn is_condition(expr: &Expr, follows: bool) -> bool {
         [Link { rel: Rel::Eq, expr, .. }] => {
             let names = matches!(&left.kind, Kind::Add(terms) if terms.iter().all(|term| bare(&term.expr)));
             let weights =
-                matches!(&left.kind, Kind::Big { op: crate::expr::BigOp::Sum, body, .. } if bare(body));
+                matches!(&left.kind, Kind::Big { op: crate::formula::BigOp::Sum, body, .. } if bare(body));
             let one = matches!(&expr.kind, Kind::Number(_));
             (names && (one || follows && bare(expr))) || (weights && one)
         }

@@ -1,7 +1,7 @@
 //! What a scene consists of.
 
 use super::{Ink, Spot, Style};
-use crate::expr::Expr;
+use crate::formula::Expr;
 
 /// What a label says.
 #[derive(Clone, Debug, PartialEq)]

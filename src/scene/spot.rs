@@ -4,7 +4,7 @@ use std::fmt;
 
 use num_traits::ToPrimitive;
 
-use crate::number::Rational;
+use crate::math::number::Rational;
 
 /// A place in the plane, in the coordinates of the data.
 ///
@@ -135,7 +135,7 @@ impl std::error::Error for SceneError {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{integer, rational};
+    use crate::math::number::{integer, rational};
 
     #[test]
     fn rounding() {

@@ -2,8 +2,8 @@
 
 use num_traits::{One, Signed, ToPrimitive, pow};
 
-use crate::expr::{Expr, Kind, Quotient, Sign, Term};
-use crate::number::{Int, Rational, integer, rational};
+use crate::formula::{Expr, Kind, Quotient, Sign, Term};
+use crate::math::number::{Int, Rational, integer, rational};
 
 /// About `count` multiples of 1, 2, 5/2 or 5 times a power of ten in [from, to], ascending.
 ///
@@ -113,7 +113,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn text(value: &Rational) -> String {
-        crate::write::text(&exact_text(value))
+        crate::language::write::text(&exact_text(value))
     }
 
     #[test]

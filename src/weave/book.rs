@@ -9,7 +9,7 @@ use std::fmt;
 use serde_json::Value;
 
 use super::{Mode, Options, Woven, weave_markdown};
-use crate::source::SourceFile;
+use crate::formula::source::SourceFile;
 
 /// Why there is no book.
 #[derive(Debug)]

@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 use tempfile::Builder;
 
-use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::extract::MAX_BYTES;
-use crate::source::SourceFile;
+use crate::document::MAX_BYTES;
+use crate::formula::source::SourceFile;
+use crate::language::diagnostic::{Code, Diagnostic};
 
 const MARK: &str = "\u{feff}";
 

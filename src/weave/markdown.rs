@@ -7,8 +7,8 @@ use super::options::BlockOptions;
 use super::plan::{Block, Plan, Site, SiteKind, Template};
 use super::runner::Runner;
 use super::{Mode, Options};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::source::{SourceFile, Span};
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// A change of a text.
 #[derive(Clone, Debug, PartialEq)]

@@ -96,13 +96,16 @@ impl Markup {
     fn reason(self, reason: &str) -> String {
         match self {
             // Dollars are no trouble outside of formulas.
-            Markup::Markdown => crate::write::write_words(reason, crate::write::Format::Latex),
+            Markup::Markdown => {
+                crate::language::write::write_words(reason, crate::language::write::Format::Latex)
+            }
             Markup::Latex => {
-                let pieces =
-                    reason.split('`').enumerate().map(|(i, piece)| match crate::syntax::parse(piece) {
-                        Ok(formula) if i % 2 == 1 => format!("${}$", crate::write::latex(&formula)),
+                let pieces = reason.split('`').enumerate().map(|(i, piece)| {
+                    match crate::language::syntax::parse(piece) {
+                        Ok(formula) if i % 2 == 1 => format!("${}$", crate::language::write::latex(&formula)),
                         _ => escaped(piece),
-                    });
+                    }
+                });
                 pieces.collect()
             }
         }
@@ -263,8 +266,8 @@ pub(super) fn within_cell(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::language::value::Value;
     use crate::session::Session;
-    use crate::value::Value;
     use crate::weave::{BlockOptions, render};
 
     fn pieces(statements: &[&str]) -> Vec<Piece> {
@@ -273,8 +276,9 @@ mod tests {
             let answer = session.run(statement).unwrap();
             let lines = match (&answer.outcome.value, statement.starts_with("polar(")) {
                 (Value::Polar(polar), true) => {
-                    let method = crate::blossom::Method::Elementary;
-                    crate::derive::polar(polar, method, &crate::derive::Names::default()).lines
+                    let method = crate::math::blossom::Method::Elementary;
+                    crate::language::derive::polar(polar, method, &crate::language::derive::Names::default())
+                        .lines
                 }
                 _ => Vec::new(),
             };

@@ -33,7 +33,7 @@ mod tex;
 #[cfg(test)]
 mod tests;
 
-pub use crate::notes::extract::options_in;
+pub use crate::document::options_in;
 pub use book::{BookError, weave_book};
 pub use files::{Input, read_input, replace_file, write_file};
 pub use notebook::weave_notebook;
@@ -42,9 +42,9 @@ pub use render::{Picture, Piece, Shown, StepLine, render};
 pub use tex::{Load, side_name, weave_latex};
 
 use crate::budget::Limits;
-use crate::diagnostic::Code;
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::Code;
 use crate::session::{Failure, Session};
-use crate::source::{SourceFile, Span};
 use markdown::{edited, edits, line_end, signature};
 use runner::Runner;
 use stamp::{with_stamp, without_stamp};

@@ -6,10 +6,10 @@
 use super::markdown::{Edit, edited, edits};
 use super::runner::Runner;
 use super::{Options, Woven, plan};
-use crate::notes::document::Places;
-use crate::notes::extract::markdown_cells;
+use crate::document::Places;
+use crate::document::markdown_cells;
+use crate::formula::source::{SourceFile, Span};
 use crate::session::Session;
-use crate::source::{SourceFile, Span};
 
 /// Weaves the Markdown cells of a notebook.
 ///

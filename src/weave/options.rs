@@ -4,10 +4,10 @@
 //! blanks or commas, also in the braces of Pandoc (`{.polarform style=list}`), or in the brackets of
 //! `\begin{polarform}[style=list]`.
 
-use crate::blossom::Method;
-use crate::diagnostic::{Code, Diagnostic, nearest};
-use crate::source::Span;
-use crate::value::{Language, Notation};
+use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::value::{Language, Notation};
+use crate::math::blossom::Method;
 
 /// How several results are arranged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -194,7 +194,7 @@ fn words(text: &str) -> Vec<Word<'_>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::notes::extract::options_in;
+    use crate::document::options_in;
 
     fn read(text: &str) -> BlockOptions {
         BlockOptions::default().with(text, 0).unwrap()

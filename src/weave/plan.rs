@@ -18,11 +18,11 @@ use std::ops::Range;
 
 use super::options::BlockOptions;
 use super::stamp::Digest;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::document::Places;
-use crate::notes::extract::options_in;
-use crate::notes::extract::{Opening, Part, PartKind, markdown_parts, query_at};
-use crate::source::Span;
+use crate::document::Places;
+use crate::document::options_in;
+use crate::document::{Opening, Part, PartKind, markdown_parts, query_at};
+use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic};
 
 const BEGIN: &str = "woven";
 const END: &str = "/woven";

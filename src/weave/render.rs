@@ -1,13 +1,15 @@
 //! What a value looks like in a document, whatever the document is written in.
 
 use super::options::BlockOptions;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::expr::{Expr, Kind};
 use crate::figure::{SvgOptions, TikzOptions, svg, tikz};
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::syntax::parse;
+use crate::language::value::{
+    Claim, Judgement, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr,
+};
+use crate::language::write::{latex, latex_table, split_at_relation, text, write_words};
 use crate::session::Answer;
-use crate::syntax::parse;
-use crate::value::{Claim, Judgement, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr};
-use crate::write::{latex, latex_table, split_at_relation, text, write_words};
 
 /// Longer sides of a refuted claim are not repeated beside it.
 const LONGEST_SIDE: usize = 60;
@@ -232,7 +234,7 @@ pub(super) fn words_in_formula(words: &str) -> String {
 
 /// The same in plain notation.
 pub(super) fn words_as_text(words: &str) -> String {
-    write_words(words, crate::write::Format::Text)
+    write_words(words, crate::language::write::Format::Text)
 }
 
 /// Words as text of LaTeX.

@@ -2,16 +2,16 @@
 
 use super::options::{BlockOptions, Show};
 use super::render::{Piece, remark, render, words_as_text};
-use crate::blossom::Method;
-use crate::derive::{self, Combination};
-use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::eval::Equals;
-use crate::expr::{Expr, Kind, Rel};
-use crate::poly::Symbol;
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::derive::{self, Combination};
+use crate::language::diagnostic::{Code, Diagnostic, Severity};
+use crate::language::eval::Equals;
+use crate::language::syntax;
+use crate::language::value::{Claim, Line, PolarKind, Value, Verdict, symbol_expr};
+use crate::math::blossom::Method;
+use crate::math::poly::Symbol;
 use crate::session::{Answer, Failure, Session, guarded, read};
-use crate::source::{SourceFile, Span};
-use crate::syntax;
-use crate::value::{Claim, Line, PolarKind, Value, Verdict, symbol_expr};
 
 /// Where the bytes of a query stand in its file.
 pub(super) type Place<'a> = dyn Fn(Span) -> Span + 'a;
@@ -307,7 +307,7 @@ fn rename(lines: &mut [Line], call: &Expr, name: Option<Expr>) {
             let pieces = words.split('`').enumerate().map(|(i, piece)| match syntax::parse(piece) {
                 Ok(mut formula) if i % 2 == 1 => {
                     replace(&mut formula, &names);
-                    crate::write::text(&formula)
+                    crate::language::write::text(&formula)
                 }
                 _ => piece.to_owned(),
             });

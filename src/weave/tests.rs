@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::diagnostic::Severity;
+use crate::language::diagnostic::Severity;
 
 fn file(text: &str) -> SourceFile {
     SourceFile::new("a.md", text)
@@ -139,7 +139,10 @@ fn the_stamp_knows_what_matters() {
     let again = weave_markdown(&file(&first), &fresh);
     assert!(!again.unchanged && again.stale.is_empty() && again.text == first);
     let other = Options {
-        blocks: BlockOptions { notation: crate::value::Notation::Expanded, ..BlockOptions::default() },
+        blocks: BlockOptions {
+            notation: crate::language::value::Notation::Expanded,
+            ..BlockOptions::default()
+        },
         ..Options::default()
     };
     assert!(!weave_markdown(&file(&first), &other).unchanged);
@@ -369,7 +372,7 @@ fn time_is_linear() {
     ] {
         let text = piece.repeat(20_000);
         plan::plan(&text, &BlockOptions::default());
-        crate::notes::extract::latex_parts(&text);
+        crate::document::latex_parts(&text);
     }
     let text = "$x$<!-- woven -->\n```polarform\n```\n".repeat(5_000);
     plan::plan(&text, &BlockOptions::default());

@@ -16,10 +16,10 @@ use super::runner::Runner;
 use super::side::{Before, Entry, Key, block_result, body, file as side_file, inline_result};
 use super::stamp::Digest;
 use super::{Options, Woven};
-use crate::diagnostic::{Code, Diagnostic};
-use crate::notes::extract::{Part, PartKind, latex_parts};
+use crate::document::{Part, PartKind, latex_parts};
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::session::Session;
-use crate::source::{SourceFile, Span};
 
 /// Finds the files that a document reads with `\input` and its kin, by the name that stands there.
 pub type Load<'a> = dyn FnMut(&str) -> Option<SourceFile> + 'a;

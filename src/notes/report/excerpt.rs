@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::source::{SourceFile, Span, floor_boundary};
+use crate::formula::source::{SourceFile, Span, floor_boundary};
 
 /// Lines wider than this many columns are cut.
 const WIDTH: usize = 100;

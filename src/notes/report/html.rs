@@ -7,8 +7,8 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::mathml::mathml;
 use super::place::Locator;
 use super::{Tally, counted, states_something};
-use crate::diagnostic::Severity;
-use crate::notes::finding::{FileReport, Finding, Verdict};
+use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic::Severity;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");

@@ -3,8 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use super::place::Locator;
-use crate::diagnostic;
-use crate::notes::finding::{FileReport, Finding, Verdict};
+use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic;
 
 /// The report as JSON:
 /// `{"files": [{"file", "formulas": […], "problems": […]}], "summary": {verdict: count}}`.

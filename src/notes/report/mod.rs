@@ -26,12 +26,12 @@ pub use sarif::render_sarif;
 pub use table::render_summary;
 pub use terminal::{TextOptions, render_text};
 
-use super::finding::{FileReport, Finding, Verdict};
+use crate::judge::finding::{FileReport, Finding, Verdict};
 
 /// How many findings there are of each kind.
 ///
 /// ```
-/// use polarform::notes::finding::{FileReport, Verdict};
+/// use polarform::judge::finding::{FileReport, Verdict};
 /// use polarform::notes::report::Tally;
 /// use polarform::source::SourceFile;
 /// let report = FileReport {

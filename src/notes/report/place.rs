@@ -1,6 +1,6 @@
 //! Lines and columns of spans, found in one pass over the file.
 
-use crate::source::{SourceFile, Span, floor_boundary};
+use crate::formula::source::{SourceFile, Span, floor_boundary};
 
 /// A place in a file, everything counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use super::json::pretty;
 use super::place::{Locator, Region};
 use super::states_something;
-use crate::diagnostic::{Code, Diagnostic, Severity};
-use crate::notes::finding::{FileReport, Finding, Verdict};
+use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
 /// What a result is an instance of. The index of a rule is its place in `ALL`.
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@ use comfy_table::{CellAlignment, Table, presets};
 
 use super::terminal::{BOLD, painted, plain};
 use super::{Tally, counted};
-use crate::notes::finding::{FileReport, Verdict};
+use crate::judge::finding::{FileReport, Verdict};
 
 /// Verdicts in the order in which a person asks for them.
 const ORDER: [Verdict; 6] = [

@@ -6,9 +6,9 @@ use unicode_width::UnicodeWidthStr;
 use super::excerpt::{Excerpt, fitting};
 use super::place::Locator;
 use super::table::render_summary;
-use crate::diagnostic::{shortened, with_column};
-use crate::notes::finding::{FileReport, Finding, Verdict};
-use crate::source::SourceFile;
+use crate::formula::source::SourceFile;
+use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic::{shortened, with_column};
 
 const RED: &str = "\x1b[1;31m";
 const GREEN: &str = "\x1b[32m";
@@ -32,11 +32,11 @@ pub struct TextOptions {
 }
 
 /// The report for a terminal: a snippet for each refuted or suspicious finding, then a summary.
-/// Problems of the files themselves are only counted; [`crate::diagnostic::render`] shows them.
+/// Problems of the files themselves are only counted; [`crate::language::diagnostic::render`] shows them.
 /// Cost: linear in the findings shown and, once, in the file.
 ///
 /// ```
-/// use polarform::notes::finding::{FileReport, Finding, Verdict};
+/// use polarform::judge::finding::{FileReport, Finding, Verdict};
 /// use polarform::notes::report::{TextOptions, render_text};
 /// use polarform::source::{SourceFile, Span};
 /// let wrong = Finding {

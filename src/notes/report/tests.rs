@@ -2,8 +2,8 @@ use proptest::prelude::*;
 use serde_json::Value;
 
 use super::*;
-use crate::diagnostic::{Code, Diagnostic};
-use crate::source::{SourceFile, Span};
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// The first occurrence of `part` in the text.
 fn at(text: &str, part: &str) -> Span {

@@ -3,8 +3,8 @@
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::Plane;
-use crate::expr::Expr;
-use crate::number::{Rational, rational};
+use crate::formula::Expr;
+use crate::math::number::{Rational, rational};
 use crate::scene::{
     Aspect, Axis, Ink, Item, Orientation, Path, Scene, SceneError, Spot, Style, Text, Tick, exact_text,
     nice_ticks,
@@ -97,7 +97,7 @@ pub fn as_graph(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::integer;
+    use crate::math::number::integer;
     use crate::scene::{Extent, layout};
 
     #[test]

@@ -3,8 +3,8 @@
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use crate::budget;
-use crate::expr::Expr;
-use crate::number::{Rational, binomial};
+use crate::formula::Expr;
+use crate::math::number::{Rational, binomial};
 use crate::scene::{
     Aspect, Axis, Direction, Ink, Label, Marker, Orientation, Path, Scene, SceneError, Segment, Shape, Spot,
     Style, Text, Tick, bezier_path, exact_text, nice_ticks,
@@ -312,8 +312,8 @@ fn range(paths: &[Vec<Path>]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::basis::{Basis, change_of_basis};
-    use crate::number::{integer, rational};
+    use crate::math::basis::{Basis, change_of_basis};
+    use crate::math::number::{integer, rational};
     use proptest::prelude::*;
 
     proptest! {

@@ -2,9 +2,9 @@
 
 use super::Curve;
 use super::curve::{add_points, add_polygon};
-use crate::curve::convex_hull;
-use crate::expr::{Expr, Rel};
-use crate::number::Rational;
+use crate::formula::{Expr, Rel};
+use crate::math::curve::convex_hull;
+use crate::math::number::Rational;
 use crate::scene::{
     Dash, Direction, Entry, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, Text, exact_text,
 };

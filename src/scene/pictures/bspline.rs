@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::curve::{add_points, add_polygon};
-use crate::expr::Expr;
+use crate::formula::Expr;
 use crate::scene::{Dash, Direction, Ink, Label, Marker, Scene, SceneError, Shape, Style};
 
 /// A spline curve by its Bézier pieces, with its de Boor points and its knots on the curve.

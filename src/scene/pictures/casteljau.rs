@@ -4,8 +4,8 @@ use num_traits::{One, Zero};
 
 use super::Plane;
 use super::curve::{levels, outward};
-use crate::expr::Expr;
-use crate::number::Rational;
+use crate::formula::Expr;
+use crate::math::number::Rational;
 use crate::scene::{
     Dash, Direction, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path,
 };

@@ -2,8 +2,8 @@
 
 use super::curve::{add_names, add_points, add_polygon, levels};
 use super::{Curve, Plane};
-use crate::expr::Expr;
-use crate::number::Rational;
+use crate::formula::Expr;
+use crate::math::number::Rational;
 use crate::scene::{Dash, Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
 
 /// Two curves of the same degree over [r, s] and [s, u], and the construction that tells how
@@ -139,7 +139,7 @@ impl ContinuityPicture {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{integer, rational};
+    use crate::math::number::{integer, rational};
     use num_traits::{One, Zero, pow};
     use proptest::prelude::*;
 
@@ -156,7 +156,7 @@ mod tests {
         let terms = coefficients.iter().enumerate();
         terms
             .map(|(k, &c)| {
-                integer(c) * &elementary[k] / Rational::from_integer(crate::number::binomial(n, k))
+                integer(c) * &elementary[k] / Rational::from_integer(crate::math::number::binomial(n, k))
             })
             .fold(Rational::zero(), |sum, term| sum + term)
     }
@@ -188,7 +188,7 @@ mod tests {
             let s = steps.0 - 1;
             let mut other = coefficients.clone();
             for (j, coefficient) in other.iter_mut().enumerate().take(k + 2) {
-                let binomial = crate::number::binomial(k + 1, j).as_small().unwrap();
+                let binomial = crate::math::number::binomial(k + 1, j).as_small().unwrap();
                 *coefficient += change * binomial * pow(-s, k + 1 - j);
             }
             let picture = ContinuityPicture {

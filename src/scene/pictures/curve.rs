@@ -4,8 +4,8 @@ use num_traits::{One, ToPrimitive, Zero};
 
 use super::Plane;
 use crate::budget;
-use crate::expr::Expr;
-use crate::number::Rational;
+use crate::formula::Expr;
+use crate::math::number::Rational;
 use crate::scene::{
     Direction, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path,
     rational_bezier_path,

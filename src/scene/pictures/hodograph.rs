@@ -4,8 +4,8 @@ use num_traits::Zero;
 
 use super::curve::add_names;
 use super::{BezierPicture, Curve, Plane};
-use crate::expr::Expr;
-use crate::number::{Rational, integer};
+use crate::formula::Expr;
+use crate::math::number::{Rational, integer};
 use crate::scene::{Ink, Marker, Path, Scene, SceneError, Shape, Spot, Style};
 
 /// A Bézier curve beside its hodograph, the curve F'(t) of its derivatives.

@@ -1,7 +1,7 @@
 //! Names of control points as values of the polar form.
 
 use crate::budget;
-use crate::expr::Expr;
+use crate::formula::Expr;
 
 /// f(r, …, r), f(r, …, r, s), …, f(s, …, s): the control points of degree n over [r, s].
 ///

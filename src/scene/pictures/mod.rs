@@ -48,7 +48,7 @@ pub use projection::projected;
 pub use pyramid::{Apex, PyramidPicture};
 pub use triangle::{TriangleDomain, TrianglePicture};
 
-use crate::number::Rational;
+use crate::math::number::Rational;
 
 /// A point of the plane, exactly.
 pub type Plane = [Rational; 2];

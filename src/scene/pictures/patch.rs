@@ -4,7 +4,7 @@ use super::Space;
 use super::curve::outward;
 use super::projection::{Point, de_casteljau, light, nearness, point, project};
 use crate::budget;
-use crate::expr::Expr;
+use crate::formula::Expr;
 use crate::scene::{Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
 
 /// How many pieces the surface has in each direction.

@@ -4,7 +4,7 @@
 //! fall on each other as they do in the isometric projection.
 
 use super::{Plane, Space};
-use crate::number::rational;
+use crate::math::number::rational;
 use crate::scene::spot::rounded;
 use crate::scene::{SceneError, Spot};
 

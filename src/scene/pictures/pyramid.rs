@@ -1,7 +1,7 @@
 //! Triangular schemes.
 
 use crate::budget;
-use crate::expr::Expr;
+use crate::formula::Expr;
 use crate::scene::{Aspect, Direction, Ink, Label, Path, Scene, SceneError, Spot, Style};
 
 /// Where the last level of a scheme is.

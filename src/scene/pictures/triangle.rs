@@ -5,7 +5,7 @@ use super::curve::outward;
 use super::patch::add_pieces;
 use super::projection::{Point, between, point, project};
 use crate::budget;
-use crate::expr::Expr;
+use crate::formula::Expr;
 use crate::scene::{Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
 
 /// How many pieces the surface has along each side.
@@ -192,7 +192,7 @@ fn value(degree: usize, points: &[Point], [u, v, w]: [f64; 3]) -> Point {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{integer, rational};
+    use crate::math::number::{integer, rational};
 
     #[test]
     fn order() {

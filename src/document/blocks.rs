@@ -1,0 +1,476 @@
+//! The blocks of Markdown: quotations, lists, headings, tables, code, paragraphs.
+//!
+//! Follows CommonMark 0.31 and GitHub's tables, with one difference: a formula is stronger than a
+//! block. From its opening to its closing sign a display is one piece, whatever its lines look
+//! like, and it may begin or end anywhere in a line. (The crate `markdown` wants `$$` alone on its
+//! line: after `$$a =` on one line and `b$$` on the next, it takes all that follows for a formula
+//! until the next line of `$$`.) Time and space are linear in the length of the text.
+
+use std::borrow::Cow;
+
+use super::collect::Collector;
+use super::cursor::Cursor;
+use super::inline;
+use super::parts::{Part, PartKind, options_in};
+use super::signs::{braced_name, display_end, inline_end, is_math_environment, line_at};
+use crate::document::{Enclosure, Item, Places, Style};
+use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// Takes the Markdown text apart.
+pub(super) fn scan(text: &str, out: &mut Collector) {
+    let mut blocks =
+        Blocks { text, out, open: Vec::new(), code: None, lines: Vec::new(), no_comment: usize::MAX };
+    let mut at = front_matter(text);
+    while at < text.len() {
+        at = blocks.line(at);
+    }
+    blocks.end_code(text.len(), false);
+    blocks.end_paragraph();
+    blocks.close(0);
+}
+
+/// The length of the YAML or TOML block at the beginning.
+fn front_matter(text: &str) -> usize {
+    let fence = line_at(text, 0).trim_end();
+    if fence != "---" && fence != "+++" {
+        return 0;
+    }
+    let mut at = line_at(text, 0).len() + 1;
+    while at < text.len() {
+        let line = line_at(text, at);
+        at += line.len() + 1;
+        if line.trim_end() == fence || (fence == "---" && line.trim_end() == "...") {
+            return at.min(text.len());
+        }
+    }
+    0
+}
+
+/// Deeper quotations and lists are taken for text.
+const MAX_NESTING: usize = 100;
+
+enum Open {
+    Quotation,
+    /// Its lines are indented by this many columns.
+    Item(usize),
+    /// A fenced division of Pandoc.
+    Division,
+}
+
+impl Open {
+    fn enclosure(&self) -> Enclosure {
+        match self {
+            Open::Quotation => Enclosure::Quotation,
+            Open::Item(_) => Enclosure::Item,
+            Open::Division => Enclosure::Environment,
+        }
+    }
+}
+
+/// A fenced code block.
+struct Fence {
+    mark: u8,
+    len: usize,
+    start: Span,
+    /// What is said of it.
+    info: Span,
+    /// Whether it is a block of GitHub's ```math.
+    math: bool,
+    /// Its lines, if they are of interest.
+    lines: Option<Vec<Span>>,
+    /// The columns by which the opening fence is indented, and so may its lines.
+    indent: usize,
+}
+
+struct Blocks<'a> {
+    text: &'a str,
+    out: &'a mut Collector,
+    open: Vec<Open>,
+    code: Option<Fence>,
+    /// The lines of the paragraph, without the marks of what encloses it.
+    lines: Vec<Span>,
+    /// From where on no comment ends.
+    no_comment: usize,
+}
+
+impl Blocks<'_> {
+    /// Takes the line that starts at `start`, with those that a formula in it goes on to; the
+    /// start of the next one.
+    fn line(&mut self, start: usize) -> usize {
+        let end = start + line_at(self.text, start).len();
+        let next = end + 1;
+        let mut cursor = Cursor::new(self.text, start, end);
+        let mut matched = 0;
+        for open in &self.open {
+            let goes_on = match open {
+                Open::Quotation => cursor.quotation_mark(),
+                Open::Item(columns) => cursor.is_blank() || cursor.skip_columns(*columns),
+                Open::Division => true,
+            };
+            if !goes_on {
+                break;
+            }
+            matched += 1;
+        }
+        let all = matched == self.open.len();
+        if self.code.is_some() {
+            if all {
+                self.code_line(&cursor);
+                return next;
+            }
+            self.end_code(start, false);
+        }
+        if cursor.is_blank() {
+            self.end_paragraph();
+            self.close(matched);
+            return next;
+        }
+        if all && self.underline(&mut cursor.clone()) {
+            return next;
+        }
+        let mut fresh = false;
+        loop {
+            let in_paragraph = !self.lines.is_empty();
+            if cursor.indent() >= 4 && !self.opens_display(&cursor) {
+                if in_paragraph {
+                    break;
+                }
+                self.close_unless(fresh, matched);
+                return next;
+            }
+            let indent = cursor.indent();
+            cursor.skip_spaces();
+            let nests = self.open.len() < MAX_NESTING;
+            if nests && cursor.quotation_mark() {
+                self.begin(Open::Quotation, fresh, matched);
+            } else if let Some((mark, len)) = cursor.fence() {
+                self.end_paragraph();
+                self.close_unless(fresh, matched);
+                let rest = &cursor.rest()[len..];
+                let begin = cursor.end() - rest.trim_start().len();
+                let info = Span::new(begin, begin + rest.trim().len());
+                let math = matches!(rest.trim(), "math" | "{math}");
+                let queries = options_in(rest).is_some();
+                let lines = (math || queries || self.out.layout.is_some()).then(Vec::new);
+                let start = Span::new(cursor.at(), cursor.at() + len);
+                self.code = Some(Fence { mark, len, start, info, math, lines, indent });
+                return next;
+            } else if let Some((level, span)) = cursor.heading() {
+                self.end_paragraph();
+                self.close_unless(fresh, matched);
+                self.heading(level, span);
+                return next;
+            } else if cursor.is_rule() {
+                self.end_paragraph();
+                self.close_unless(fresh, matched);
+                return next;
+            } else if nests && let Some(columns) = cursor.list_mark(indent, in_paragraph && all && !fresh) {
+                self.begin(Open::Item(columns), fresh, matched);
+            } else if nests && let Some(closing) = cursor.division() {
+                self.end_paragraph();
+                self.division(closing, fresh, matched);
+                return next;
+            } else {
+                break;
+            }
+            fresh = true;
+            if cursor.is_blank() {
+                return next;
+            }
+        }
+        // A comment on a line of its own does not go on with the paragraph of a quotation.
+        let comment = !all && cursor.rest().trim_start().starts_with("<!--");
+        if fresh || comment || self.lines.is_empty() {
+            self.end_paragraph();
+            self.close_unless(fresh, matched);
+        }
+        cursor.skip_spaces();
+        self.paragraph_line(cursor.at(), cursor.end())
+    }
+
+    fn opens_display(&self, cursor: &Cursor) -> bool {
+        cursor.rest().trim_start().starts_with("$$")
+    }
+
+    fn begin(&mut self, open: Open, fresh: bool, matched: usize) {
+        self.end_paragraph();
+        self.close_unless(fresh, matched);
+        self.out.enter(open.enclosure());
+        self.open.push(open);
+    }
+
+    /// Closes what did not go on, before the first new block of a line.
+    fn close_unless(&mut self, fresh: bool, matched: usize) {
+        if !fresh {
+            self.close(matched);
+        }
+    }
+
+    fn close(&mut self, keep: usize) {
+        while self.open.len() > keep {
+            if let Some(open) = self.open.pop() {
+                self.out.leave(open.enclosure());
+            }
+        }
+    }
+
+    fn division(&mut self, closing: bool, fresh: bool, matched: usize) {
+        if !closing {
+            self.begin(Open::Division, fresh, matched);
+        } else if let Some(last) = self.open.iter().rposition(|open| matches!(open, Open::Division)) {
+            self.close(last);
+        }
+    }
+
+    /// A heading that is underlined: the lines of the paragraph are its text.
+    fn underline(&mut self, cursor: &mut Cursor) -> bool {
+        let (Some(first), Some(last)) = (self.lines.first(), self.lines.last()) else { return false };
+        if cursor.indent() >= 4 || self.text[last.range()].trim_end().ends_with("$$") {
+            return false;
+        }
+        cursor.skip_spaces();
+        let rest = cursor.rest().trim_end();
+        let level = match rest.as_bytes().first() {
+            Some(b'=') => 1,
+            Some(b'-') => 2,
+            _ => return false,
+        };
+        if !rest.bytes().all(|byte| byte == rest.as_bytes()[0]) {
+            return false;
+        }
+        let span = first.to(*last);
+        self.lines.clear();
+        self.heading(level, span);
+        true
+    }
+
+    fn heading(&mut self, level: u8, span: Span) {
+        self.out.push(Item::Heading { level, span });
+        self.set_margin();
+        inline::heading(&self.text[span.range()], span.start, self.out);
+        self.out.end_paragraph();
+    }
+
+    fn code_line(&mut self, cursor: &Cursor) {
+        let Some(fence) = &mut self.code else { return };
+        let rest = cursor.rest().trim();
+        let closes = rest.len() >= fence.len && rest.bytes().all(|byte| byte == fence.mark);
+        if closes && cursor.indent() < 4 {
+            self.end_code(cursor.at() + cursor.rest().trim_end().len(), true);
+        } else if let Some(lines) = &mut fence.lines {
+            let mut cursor = cursor.clone();
+            cursor.skip_columns(fence.indent.min(cursor.indent()));
+            lines.push(Span::new(cursor.at(), cursor.end()));
+        }
+    }
+
+    fn end_code(&mut self, at: usize, closed: bool) {
+        let Some(fence) = self.code.take() else { return };
+        if let Some(lines) = &fence.lines {
+            let span = Span::new(fence.start.start, at);
+            self.note_code(&fence, lines, span, closed);
+            if fence.math {
+                let masked = masked(self.text, lines);
+                self.out.formula(Style::Display, &masked, lines.first().map_or(at, |line| line.start));
+                self.out.end_paragraph();
+            } else if closed && options_in(&self.text[fence.info.range()]).is_some() {
+                let code = masked(self.text, lines);
+                self.out.queries(&code, lines.first().map_or(at, |line| line.start));
+            }
+        }
+        if !closed {
+            self.out.problem(
+                Diagnostic::warning(Code::UnclosedBlock, "the code block is never closed")
+                    .at(fence.start)
+                    .reason("it begins here")
+                    .hint("close it with a line of the same marks; nothing in it was checked"),
+            );
+        }
+    }
+
+    /// Notes a fenced block, if parts are wanted; one that holds a formula is a formula.
+    fn note_code(&mut self, fence: &Fence, lines: &[Span], span: Span, closed: bool) {
+        self.set_margin();
+        let Some(layout) = &mut self.out.layout else { return };
+        if fence.math && closed {
+            let ends = [fence.start.to(fence.info), Span::new(span.end - fence.len, span.end)];
+            let all = [&ends[..1], lines, &ends[1..]].concat();
+            let masked = masked(self.text, &all);
+            let first = lines.first().map_or(ends[1].start, |line| line.start);
+            let inner = first - span.start..ends[1].start - span.start;
+            layout.push(PartKind::Formula { style: Style::Display, inner }, span, &masked, span.start);
+            return;
+        }
+        let mut part = Part {
+            kind: PartKind::Code { info: fence.info, closed },
+            span,
+            text: String::new(),
+            places: Places::default(),
+            margin: layout.margin.clone(),
+        };
+        for line in lines {
+            part.places.push(part.text.len(), line.start, true);
+            part.text.push_str(self.text[line.range()].trim_end_matches('\r'));
+            part.text.push('\n');
+        }
+        layout.parts.push(part);
+    }
+
+    /// What a further line of the open blocks begins with.
+    fn set_margin(&mut self) {
+        let Some(layout) = &mut self.out.layout else { return };
+        layout.margin.clear();
+        for open in &self.open {
+            match open {
+                Open::Quotation => layout.margin.push_str("> "),
+                Open::Item(columns) => layout.margin.extend(std::iter::repeat_n(' ', *columns)),
+                Open::Division => {}
+            }
+        }
+    }
+
+    /// Adds a line to the paragraph, with all lines that a formula or comment in it spans.
+    fn paragraph_line(&mut self, start: usize, end: usize) -> usize {
+        let mut start = start;
+        let mut end = end;
+        let mut at = start;
+        loop {
+            match self.opening(at, end) {
+                Some(close) if close > end => {
+                    self.lines.push(Span::new(start, end));
+                    while end < close {
+                        let line = line_at(self.text, end + 1);
+                        let mut cursor = Cursor::new(self.text, end + 1, end + 1 + line.len());
+                        for open in &self.open {
+                            match open {
+                                Open::Quotation => {
+                                    cursor.quotation_mark();
+                                }
+                                Open::Item(columns) => {
+                                    cursor.skip_columns(*columns);
+                                }
+                                Open::Division => {}
+                            }
+                        }
+                        (start, end) = (cursor.at(), end + 1 + line.len());
+                        if end < close {
+                            self.lines.push(Span::new(start, end));
+                        }
+                    }
+                    at = close;
+                }
+                Some(close) => at = close,
+                None => break,
+            }
+        }
+        self.lines.push(Span::new(start, end));
+        end + 1
+    }
+
+    /// The first display or comment that opens between `at` and `end`: where it ends.
+    fn opening(&mut self, mut at: usize, end: usize) -> Option<usize> {
+        let bytes = self.text.as_bytes();
+        while at < end {
+            match bytes[at] {
+                b'`' => at = inline::code_span(&self.text[..end], at),
+                b'\\' => {
+                    if let Some(close) = self.opening_command(at) {
+                        return Some(close);
+                    }
+                    at += 2;
+                }
+                b'<' if self.text[at..].starts_with("<!--") => match self.comment_end(at + 4) {
+                    Some(close) => return Some(close + 3),
+                    None => at += 4,
+                },
+                b'$' if bytes.get(at + 1) == Some(&b'$') => match display_end(self.text, at + 2, "$$", false)
+                {
+                    Some(close) => return Some(close + 2),
+                    None => at += 2,
+                },
+                b'$' => at = inline_end(&self.text[..end], at).unwrap_or(at) + 1,
+                _ => at += 1,
+            }
+        }
+        None
+    }
+
+    fn opening_command(&mut self, at: usize) -> Option<usize> {
+        let rest = &self.text[at..];
+        for (open, close) in [(r"\[", r"\]"), (r"\\[", r"\\]")] {
+            if rest.starts_with(open) {
+                let from = at + open.len();
+                let found = display_end(self.text, from, close, false)?;
+                let formula = inline::is_bracketed_formula(&self.text[from..found]);
+                return formula.then_some(found + close.len());
+            }
+        }
+        let (name, after) = braced_name(self.text, at + rest.strip_prefix(r"\begin").map(|_| 6)?)?;
+        if !is_math_environment(name) {
+            return None;
+        }
+        let closing = format!(r"\end{{{name}}}");
+        display_end(self.text, after, &closing, false).map(|found| found + closing.len())
+    }
+
+    fn comment_end(&mut self, from: usize) -> Option<usize> {
+        if from >= self.no_comment {
+            return None;
+        }
+        let found = self.text[from..].find("-->").map(|found| from + found);
+        if found.is_none() {
+            self.no_comment = from;
+        }
+        found
+    }
+
+    fn end_paragraph(&mut self) {
+        if self.lines.is_empty() {
+            return;
+        }
+        self.set_margin();
+        let lines = std::mem::take(&mut self.lines);
+        let table = (1..lines.len()).find(|&row| {
+            self.text[lines[row - 1].range()].contains('|')
+                && is_delimiter_row(&self.text[lines[row].range()])
+        });
+        let (words, rows) = lines.split_at(table.map_or(lines.len(), |row| row - 1));
+        if let Some(first) = words.first() {
+            inline::paragraph(&masked(self.text, words), first.start, self.out);
+            self.out.end_paragraph();
+        }
+        for (row, line) in rows.iter().enumerate() {
+            if row != 1 {
+                self.out.enter(Enclosure::Row);
+                inline::paragraph(&self.text[line.range()], line.start, self.out);
+                self.out.end_row();
+            }
+        }
+    }
+}
+
+fn is_delimiter_row(line: &str) -> bool {
+    line.contains('-')
+        && line.contains(['|', ':'])
+        && line.bytes().all(|byte| matches!(byte, b'|' | b'-' | b':' | b' ' | b'\t' | b'\r'))
+}
+
+/// The text from the first of the lines to the last, in which the marks of the enclosing blocks
+/// are blanked.
+fn masked<'a>(text: &'a str, lines: &[Span]) -> Cow<'a, str> {
+    let (Some(first), Some(last)) = (lines.first(), lines.last()) else { return "".into() };
+    if lines.windows(2).all(|pair| pair[0].end + 1 == pair[1].start) {
+        return text[first.start..last.end].into();
+    }
+    let mut masked = String::with_capacity(last.end - first.start);
+    for line in lines {
+        let gap = line.start - (first.start + masked.len());
+        if gap > 0 {
+            masked.push('\n');
+            masked.extend(std::iter::repeat_n(' ', gap - 1));
+        }
+        masked.push_str(&text[line.range()]);
+    }
+    masked.into()
+}

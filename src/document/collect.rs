@@ -1,0 +1,161 @@
+//! Where the readers of containers put what they find.
+
+use super::clean::cleaned;
+use super::macros::Macros;
+use super::parts::Layout;
+use super::plain;
+use crate::document::{Document, Enclosure, Formula, Item, Style};
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// So many problems are told of a file; the rest are of the same kind.
+const MAX_PROBLEMS: usize = 1000;
+
+/// The pieces found so far.
+#[derive(Default)]
+pub(super) struct Collector {
+    items: Vec<Item>,
+    problems: Vec<Diagnostic>,
+    pub(super) macros: Macros,
+    /// Where everything stands, if that is asked for.
+    pub(super) layout: Option<Layout>,
+    /// Whether something was said since the last paragraph or enclosure.
+    said: bool,
+}
+
+impl Collector {
+    /// A collector that goes on with the macros and problems of another.
+    pub(super) fn with(macros: Macros, problems: Vec<Diagnostic>) -> Self {
+        Collector { macros, problems, ..Collector::default() }
+    }
+
+    /// What was found in the file.
+    pub(super) fn into_document(self, file: SourceFile) -> Document {
+        Document { file, items: self.items, problems: self.problems }
+    }
+
+    /// What was found in a part of the file: items and problems.
+    pub(super) fn into_parts(self) -> (Vec<Item>, Vec<Diagnostic>, Macros) {
+        (self.items, self.problems, self.macros)
+    }
+
+    pub(super) fn push(&mut self, item: Item) {
+        match item {
+            Item::Words(_) | Item::Formula(_) | Item::Heading { .. } => self.said = true,
+            Item::Break | Item::Enter(_) | Item::Leave(_) => self.said = false,
+            Item::Declaration { .. } => {}
+        }
+        self.items.push(item);
+    }
+
+    pub(super) fn problem(&mut self, problem: Diagnostic) {
+        if self.problems.len() < MAX_PROBLEMS {
+            self.problems.push(problem);
+        }
+    }
+
+    /// A formula: `text` as it stands at byte `start`, without the signs around it.
+    pub(super) fn formula(&mut self, style: Style, text: &str, start: usize) {
+        self.formula_of(style, text, start, false);
+    }
+
+    /// A formula of a LaTeX file, where comments may stand in it.
+    pub(super) fn commented_formula(&mut self, style: Style, text: &str, start: usize) {
+        self.formula_of(style, text, start, true);
+    }
+
+    fn formula_of(&mut self, style: Style, text: &str, start: usize, comments: bool) {
+        let start = start + (text.len() - text.trim_start().len());
+        let span = Span::new(start, start + text.trim().len());
+        let text = cleaned(text.trim(), start, comments);
+        let (mut text, problem) = self.macros.expand(text);
+        if let Some(problem) = problem {
+            self.problem(problem);
+        }
+        text.text.truncate(text.text.trim_end().len());
+        if !text.text.is_empty() {
+            self.push(Item::Formula(Formula { style, span, text: text.text, places: text.places }));
+        }
+    }
+
+    /// A block of queries; `text` stands at byte `start`.
+    pub(super) fn queries(&mut self, text: &str, start: usize) {
+        let span = Span::new(start, start + text.len());
+        self.push(Item::Declaration { text: text.to_owned(), span, block: true });
+    }
+
+    /// Words on one or several lines.
+    pub(super) fn words(&mut self, text: &str, start: usize) {
+        for (line, at) in lines(text, start) {
+            self.line(line, at);
+        }
+    }
+
+    /// Words among which formulas in plain notation may stand; `continues` a formula before them.
+    pub(super) fn prose(&mut self, text: &str, start: usize, continues: bool) {
+        for (i, (line, at)) in lines(text, start).enumerate() {
+            let mut said = 0;
+            for found in plain::find(line, continues && i == 0) {
+                self.line(&line[said..found.range.start], at + said);
+                said = found.range.end;
+                self.formula(Style::Plain, &found.text, at + found.range.start);
+            }
+            self.line(&line[said..], at + said);
+        }
+    }
+
+    fn line(&mut self, line: &str, at: usize) {
+        let begin = at + (line.len() - line.trim_start().len());
+        let len = line.trim().len();
+        if len > 0 {
+            self.push(Item::Words(Span::new(begin, begin + len)));
+        }
+    }
+
+    /// The end of a paragraph, unless nothing was said since the last one.
+    pub(super) fn end_paragraph(&mut self) {
+        if self.said {
+            self.push(Item::Break);
+        }
+    }
+
+    pub(super) fn enter(&mut self, what: Enclosure) {
+        self.push(Item::Enter(what));
+    }
+
+    pub(super) fn leave(&mut self, what: Enclosure) {
+        self.push(Item::Leave(what));
+    }
+
+    /// The row of a table ends; one in which nothing stands was none.
+    pub(super) fn end_row(&mut self) {
+        if self.items.last() == Some(&Item::Enter(Enclosure::Row)) {
+            self.items.pop();
+        } else {
+            self.end_paragraph();
+            self.leave(Enclosure::Row);
+        }
+    }
+
+    /// A sign that opens a formula which is never closed.
+    pub(super) fn unclosed(&mut self, sign: &str, at: usize, closing: &str) {
+        let problem = Diagnostic::warning(Code::UnclosedFormula, format!("{sign} is never closed"))
+            .at(Span::new(at, at + sign.len()))
+            .reason("a formula begins here");
+        self.problem(if sign == "$" {
+            problem.hint(r"write $ after the formula, or \$ for the currency")
+        } else {
+            problem.hint(format!("write {closing} after the formula"))
+        });
+    }
+}
+
+/// The lines of a text with the bytes where they start.
+fn lines(text: &str, start: usize) -> impl Iterator<Item = (&str, usize)> {
+    let mut at = start;
+    text.split('\n').map(move |line| {
+        let begin = at;
+        at += line.len() + 1;
+        (line, begin)
+    })
+}

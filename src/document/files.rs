@@ -1,0 +1,164 @@
+//! Files of notes, and the files they include.
+
+use std::collections::HashSet;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use super::collect::Collector;
+use super::decode::decode;
+use super::macros::Macros;
+use super::{Container, scan, tex};
+use crate::document::Document;
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// A longer file is refused.
+pub const MAX_BYTES: u64 = 64 << 20;
+
+/// How many files one may include, and how deep.
+const MAX_FILES: usize = 1000;
+const MAX_DEPTH: usize = 20;
+
+/// Reads a file of notes and takes it apart. What it includes is read for its macros.
+///
+/// The kind is told by the ending: `.tex`, `.ltx`, `.sty` are LaTeX, `.ipynb` a notebook, all else
+/// is Markdown.
+///
+/// # Errors
+/// When the file is missing, a directory, not text, or longer than [`MAX_BYTES`]. What is wrong
+/// inside is a problem of the document.
+pub fn read_file(path: &Path) -> Result<Document, Diagnostic> {
+    let mut documents = read_files(path)?;
+    // The file itself comes first.
+    Ok(documents.swap_remove(0))
+}
+
+/// Reads a file of notes and all that it includes by `\input` and its kin, in this order: the file
+/// itself, then the others in the order of reading. They share their macros.
+///
+/// # Errors
+/// As for [`read_file`]; an included file that cannot be read is a problem of the one that includes it.
+pub fn read_files(path: &Path) -> Result<Vec<Document>, Diagnostic> {
+    let (file, problems) = load(path)?;
+    let mut out = Collector::with(Default::default(), problems);
+    let kind = Container::of(path);
+    if kind != Container::Latex {
+        scan(file.text(), kind, &mut out);
+        return Ok(vec![out.into_document(file)]);
+    }
+    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+    let mut loader = Loader { folder, documents: Vec::new(), open: Vec::new(), read: HashSet::new() };
+    loader.latex(path, file, true, out);
+    Ok(loader.documents.into_iter().flatten().collect())
+}
+
+impl Container {
+    /// The kind of a file by the ending of its name.
+    pub fn of(path: &Path) -> Container {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+        match ending.as_deref() {
+            Some("tex" | "ltx" | "latex" | "sty" | "cls") => Container::Latex,
+            Some("ipynb") => Container::Notebook,
+            _ => Container::Markdown,
+        }
+    }
+}
+
+/// Reads LaTeX files into documents.
+struct Loader {
+    /// The folder of the first file.
+    folder: PathBuf,
+    /// In the order in which they were begun.
+    documents: Vec<Option<Document>>,
+    /// The files that include each other, up to the one that is being read.
+    open: Vec<PathBuf>,
+    read: HashSet<PathBuf>,
+}
+
+impl Loader {
+    /// Takes a file apart; its macros are handed back.
+    fn latex(&mut self, path: &Path, file: SourceFile, body: bool, mut out: Collector) -> Macros {
+        let slot = self.documents.len();
+        self.documents.push(None);
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        self.read.insert(path.clone());
+        self.open.push(path);
+        tex::scan(file.text(), body, &mut out, &mut |name, place, body, out| {
+            self.include(name, place, body, out)
+        });
+        self.open.pop();
+        let macros = std::mem::take(&mut out.macros);
+        self.documents[slot] = Some(out.into_document(file));
+        macros
+    }
+
+    fn include(&mut self, name: &str, place: Span, body: bool, out: &mut Collector) {
+        let Some(path) = self.find(name) else {
+            // Packages and class files of the system are not looked for.
+            let missing =
+                Diagnostic::warning(Code::Include, format!("the included file {name} was not found"));
+            out.problem(missing.at(place).hint("its formulas and macros are not known; check the path"));
+            return;
+        };
+        let known = fs::canonicalize(&path).unwrap_or_else(|_| path.clone());
+        if self.open.contains(&known) {
+            let cycle = Diagnostic::warning(Code::Include, format!("{name} includes itself"));
+            out.problem(cycle.at(place).hint("remove one of the inclusions; it is read once"));
+            return;
+        }
+        if self.read.contains(&known) {
+            return;
+        }
+        if self.open.len() >= MAX_DEPTH || self.documents.len() >= MAX_FILES {
+            let many = Diagnostic::warning(Code::Include, format!("{name} was not read: too many files"));
+            out.problem(many.at(place).hint("check it by itself"));
+            return;
+        }
+        match load(&path) {
+            Ok((file, problems)) => {
+                let inner = Collector::with(std::mem::take(&mut out.macros), problems);
+                out.macros = self.latex(&path, file, body, inner);
+            }
+            Err(problem) => out.problem(Diagnostic { code: Code::Include, span: Some(place), ..problem }),
+        }
+    }
+
+    /// The file of this name, with or without its ending: beside the first file, as LaTeX looks
+    /// for it, or beside the one that includes it.
+    fn find(&self, name: &str) -> Option<PathBuf> {
+        let folders = [Some(self.folder.as_path()), self.open.last().and_then(|path| path.parent())];
+        let named = |folder: &Path| [folder.join(format!("{name}.tex")), folder.join(name)];
+        folders.into_iter().flatten().flat_map(named).find(|path| path.is_file())
+    }
+}
+
+/// The text of a file, with what had to be guessed.
+fn load(path: &Path) -> Result<(SourceFile, Vec<Diagnostic>), Diagnostic> {
+    let name = path.display().to_string();
+    let failed = |error: io::Error| match error.kind() {
+        io::ErrorKind::NotFound => problem(&name, "there is no such file", "check the path"),
+        io::ErrorKind::PermissionDenied => {
+            problem(&name, "the file may not be read", "check its permissions")
+        }
+        _ => problem(&name, &error.to_string(), "check the path"),
+    };
+    if fs::metadata(path).map_err(failed)?.is_dir() {
+        return Err(problem(&name, "this is a directory", "name the files in it"));
+    }
+    let mut bytes = Vec::new();
+    File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)).map_err(failed)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let what = format!("the file has more than {} MiB, which is the limit", MAX_BYTES >> 20);
+        return Err(problem(&name, &what, "split it"));
+    }
+    let (text, problems) = decode(bytes).map_err(|problem| {
+        let message = format!("{name}: {}", problem.message);
+        Diagnostic { message, ..problem }
+    })?;
+    Ok((SourceFile::new(name, text), problems))
+}
+
+fn problem(name: &str, what: &str, hint: &str) -> Diagnostic {
+    Diagnostic::error(Code::File, format!("{name}: {what}")).hint(hint)
+}

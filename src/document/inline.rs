@@ -1,0 +1,501 @@
+//! What stands within a paragraph of Markdown: words, formulas, comments, code, tags, links.
+
+use std::collections::BTreeMap;
+
+use super::collect::Collector;
+use super::parts::{Opening, PartKind, hidden_queries, query_at};
+use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
+use crate::document::{Item, Style};
+use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// Takes the text of a paragraph apart; it stands at byte `start` of the file.
+pub(super) fn paragraph(text: &str, start: usize, out: &mut Collector) {
+    Inline::new(text, start, true, out).scan();
+}
+
+/// The formulas of a heading.
+pub(super) fn heading(text: &str, start: usize, out: &mut Collector) {
+    Inline::new(text, start, false, out).scan();
+}
+
+/// The end of the code span that opens at `at`, or of the backquotes there.
+pub(super) fn code_span(text: &str, at: usize) -> usize {
+    let run = run_of(text, at, b'`');
+    closing_run(text, at + run, run).unwrap_or(at + run)
+}
+
+fn run_of(text: &str, at: usize, mark: u8) -> usize {
+    text.as_bytes()[at..].iter().take_while(|&&byte| byte == mark).count()
+}
+
+/// Code spans and addresses are this long at most; it keeps looking for their ends linear.
+const NEARBY: usize = 1000;
+
+/// The rest of the line, but not more of it than is worth looking at.
+pub(super) fn nearby(text: &str) -> &str {
+    let mut end = text.len().min(NEARBY);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let text = &text[..end];
+    text.split('\n').next().unwrap_or(text)
+}
+
+/// The end of the next run of exactly `run` backquotes.
+fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
+    let mut at = from;
+    while at < from + NEARBY {
+        at += text[at..].bytes().position(|byte| byte == b'`')?;
+        let len = run_of(text, at, b'`');
+        at += len;
+        if len == run {
+            return Some(at);
+        }
+    }
+    None
+}
+
+/// Whether `\[ … \]` or `\( … \)` holds a formula: Markdown also writes brackets like that.
+pub(super) fn is_bracketed_formula(content: &str) -> bool {
+    let content = content.trim();
+    let letter = content.chars().count() == 1 && content.chars().all(char::is_alphabetic);
+    letter || (content.contains(['\\', '=', '^', '_', '+', '<', '>', '(', '/']) && !reads_as_prose(content))
+}
+
+struct Inline<'a> {
+    text: &'a str,
+    start: usize,
+    out: &'a mut Collector,
+    /// Whether the words count: those of a heading do not.
+    words: bool,
+    /// Whether what comes next directly follows a formula.
+    after_formula: bool,
+    /// Up to where everything was said.
+    said: usize,
+    /// Whether a bracket was opened.
+    bracket: bool,
+    /// Tags without a closing tag from here on.
+    no_close: Vec<String>,
+    /// For each number of backquotes, from where on no such run stands.
+    no_code: BTreeMap<usize, usize>,
+    /// From where on no comment ends.
+    no_comment: usize,
+}
+
+impl<'a> Inline<'a> {
+    fn new(text: &'a str, start: usize, words: bool, out: &'a mut Collector) -> Self {
+        Inline {
+            text,
+            start,
+            out,
+            words,
+            after_formula: false,
+            said: 0,
+            bracket: false,
+            no_close: Vec::new(),
+            no_code: BTreeMap::new(),
+            no_comment: usize::MAX,
+        }
+    }
+
+    fn scan(mut self) {
+        let mut at = 0;
+        while let Some(&byte) = self.text.as_bytes().get(at) {
+            at = match byte {
+                b'\\' => self.command(at),
+                b'`' => self.code(at),
+                b'<' => self.angle(at),
+                b'$' => self.dollar(at),
+                b'!' | b']' => self.link(at),
+                b'[' => {
+                    self.bracket = true;
+                    at + 1
+                }
+                b'h' | b'w' => self.address(at),
+                b'{' => self.query(at),
+                _ => at + 1,
+            };
+        }
+        self.say(self.text.len());
+    }
+
+    /// The words up to `at`.
+    fn say(&mut self, at: usize) {
+        if self.words && self.said < at {
+            let words = &self.text[self.said..at];
+            self.out.prose(words, self.start + self.said, self.after_formula);
+        }
+        self.said = self.said.max(at);
+        self.after_formula = false;
+    }
+
+    /// Passes what is neither words nor formula.
+    fn skip(&mut self, from: usize, to: usize) -> usize {
+        self.say(from);
+        self.said = to;
+        to
+    }
+
+    /// The formula `text`, with the signs around it `from..to`.
+    fn formula(&mut self, style: Style, text: Span, from: usize, to: usize) -> usize {
+        self.say(from);
+        if let Some(layout) = &mut self.out.layout {
+            let inner = text.start - from..text.end - from;
+            let span = Span::new(from, to).shifted(self.start);
+            layout.push(PartKind::Formula { style, inner }, span, &self.text[from..to], span.start);
+        }
+        self.out.formula(style, &self.text[text.range()], self.start + text.start);
+        self.said = to;
+        self.after_formula = true;
+        to
+    }
+
+    fn command(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        // The signs of LaTeX, and as some generators of pages want them, with the backslash escaped.
+        for (open, close, style) in [
+            (r"\[", r"\]", Style::Display),
+            (r"\(", r"\)", Style::Inline),
+            (r"\\[", r"\\]", Style::Display),
+            (r"\\(", r"\\)", Style::Inline),
+        ] {
+            let from = at + open.len();
+            if rest.starts_with(open)
+                && let Some(end) = display_end(self.text, from, close, false)
+                && is_bracketed_formula(&self.text[from..end])
+            {
+                return self.formula(style, Span::new(from, end), at, end + close.len());
+            }
+        }
+        if rest.starts_with(r"\begin")
+            && let Some((name, after)) = braced_name(self.text, at + 6)
+            && is_math_environment(name)
+        {
+            let closing = format!(r"\end{{{name}}}");
+            return match display_end(self.text, after, &closing, false) {
+                Some(end) => {
+                    let end = end + closing.len();
+                    self.formula(Style::Display, Span::new(at, end), at, end)
+                }
+                None => {
+                    self.out.unclosed(&rest[..after - at], self.start + at, &closing);
+                    after
+                }
+            };
+        }
+        at + 1 + rest[1..].chars().next().map_or(0, char::len_utf8)
+    }
+
+    fn code(&mut self, at: usize) -> usize {
+        let run = run_of(self.text, at, b'`');
+        if self.no_code.get(&run).is_some_and(|&from| at >= from) {
+            return at + run;
+        }
+        match closing_run(self.text, at + run, run) {
+            Some(end) => self.skip(at, end),
+            None => {
+                self.no_code.insert(run, at);
+                at + run
+            }
+        }
+    }
+
+    fn angle(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        if rest.starts_with("<!--") && at < self.no_comment {
+            return match rest[4..].find("-->") {
+                Some(len) => {
+                    self.say(at);
+                    self.comment(at + 4, at + 4 + len);
+                    self.skip(at, at + 4 + len + 3)
+                }
+                None => {
+                    self.no_comment = at;
+                    at + 4
+                }
+            };
+        }
+        match tag(rest) {
+            Some((len, raw)) => {
+                let hidden = raw.map_or(0, |name| self.hidden(at + len, name));
+                self.skip(at, at + len + hidden)
+            }
+            None => at + 1,
+        }
+    }
+
+    /// How many bytes from `at` on are no text, up to the end of the tag.
+    fn hidden(&mut self, at: usize, name: &str) -> usize {
+        let close = format!("</{name}>");
+        if self.no_close.contains(&close) {
+            return 0;
+        }
+        match self.text[at..].find(&close) {
+            Some(found) => found + close.len(),
+            None => {
+                self.no_close.push(close);
+                0
+            }
+        }
+    }
+
+    /// `{{ … }}`, where parts are wanted.
+    fn query(&mut self, at: usize) -> usize {
+        let Some(layout) = &mut self.out.layout else { return at + 1 };
+        if !self.text[at + 1..].starts_with('{') {
+            return at + 1;
+        }
+        match query_at(self.text, at, false) {
+            Opening::Query(inner) => {
+                let end = inner.end + 2;
+                let span = Span::new(at, end).shifted(self.start);
+                // A query is one piece, however its lines are broken.
+                let text = self.text[inner.clone()].replace(['\n', '\r'], " ");
+                layout.push(PartKind::Query, span, &text, self.start + inner.start);
+                self.skip(at, end)
+            }
+            Opening::Unclosed => {
+                self.out.problem(
+                    Diagnostic::error(Code::UnclosedQuery, "{{ is never closed")
+                        .at(Span::new(at, at + 2).shifted(self.start))
+                        .reason("a query begins here")
+                        .hint(r"write }} after the query, or \{{ for the braces"),
+                );
+                self.skip(at, at + 2)
+            }
+            Opening::Other => {
+                let braces = self.text[at..].bytes().take_while(|&byte| byte == b'{').count();
+                self.skip(at, at + braces.max(1))
+            }
+        }
+    }
+
+    /// `<!-- polarform: … -->`, or a hidden block of queries.
+    fn comment(&mut self, from: usize, to: usize) {
+        if let Some(layout) = &mut self.out.layout {
+            let span = Span::new(from - 4, to + 3).shifted(self.start);
+            layout.push(PartKind::Comment, span, &self.text[from..to], self.start + from);
+        }
+        if let Some(part) = hidden_queries(&self.text[from..to]) {
+            let start = part.places.byte(0);
+            return self.out.queries(&part.text, self.start + from + start);
+        }
+        let Some(colon) = self.text[from..to].trim_start().strip_prefix("polarform:") else { return };
+        let text = colon.trim();
+        let start = to - colon.len() + (colon.len() - colon.trim_start().len());
+        let span = Span::new(start, start + text.len()).shifted(self.start);
+        self.out.push(Item::Declaration { text: text.to_owned(), span, block: false });
+    }
+
+    fn dollar(&mut self, at: usize) -> usize {
+        if self.text[at..].starts_with("$$") {
+            return self.dollars(at);
+        }
+        if let Some(code) = self.text[at..].strip_prefix("$`")
+            && let Some(len) = nearby(code).find("`$")
+        {
+            let text = Span::new(at + 2, at + 2 + len);
+            return self.formula(Style::Inline, text, at, text.end + 2);
+        }
+        // Who writes into the text must not take a price and the code after it for a formula.
+        let strict = self.out.layout.is_some();
+        let has_code = |end: usize| {
+            let content = &self.text[at..end];
+            content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))
+        };
+        match inline_end(self.text, at).filter(|&end| !strict || !has_code(end)) {
+            Some(end) => self.formula(Style::Inline, Span::new(at + 1, end), at, end + 1),
+            None => {
+                if !is_currency(self.text, at) && !self.ends_cell(at) {
+                    self.out.unclosed("$", self.start + at, "$");
+                }
+                self.skip(at, at + 1)
+            }
+        }
+    }
+
+    /// Whether the `$` closes a cell, after a tab, that was opened without one: `$b_0 = c$⇥= d$`.
+    fn ends_cell(&self, at: usize) -> bool {
+        let rest = self.text[at + 1..].trim_start_matches([' ', '\t', '\r']);
+        (rest.is_empty() || rest.starts_with('\n')) && self.text[self.said..at].starts_with('\t')
+    }
+
+    fn dollars(&mut self, at: usize) -> usize {
+        match display_end(self.text, at + 2, "$$", false) {
+            Some(end) if !self.text[at + 2..end].trim().is_empty() => {
+                self.formula(Style::Display, Span::new(at + 2, end), at, end + 2)
+            }
+            Some(end) => self.skip(at, end + 2),
+            None => {
+                self.out.unclosed("$$", self.start + at, "$$");
+                let rest = &self.text[at + 2..];
+                if !rest.contains('$') && rest.contains('\\') && !rest.lines().any(reads_as_prose) {
+                    return self.formula(
+                        Style::Display,
+                        Span::new(at + 2, self.text.len()),
+                        at,
+                        self.text.len(),
+                    );
+                }
+                self.skip(at, at + 2)
+            }
+        }
+    }
+
+    /// The address of a link or an image.
+    fn link(&mut self, at: usize) -> usize {
+        let rest = nearby(&self.text[at..]);
+        let label = match rest.strip_prefix("![") {
+            Some(label) => match label.find("](") {
+                Some(len) => len + 2,
+                None => return at + 1,
+            },
+            None if rest.starts_with("](") && self.bracket => 0,
+            None => return at + 1,
+        };
+        let mut depth = 0_usize;
+        for (i, byte) in rest.bytes().enumerate().skip(label + 1) {
+            match byte {
+                b'(' => depth += 1,
+                b')' if depth == 1 => return self.skip(at, at + i + 1),
+                b')' => depth -= 1,
+                _ => {}
+            }
+        }
+        at + 1
+    }
+
+    /// A web address in the text.
+    fn address(&mut self, at: usize) -> usize {
+        let rest = &self.text[at..];
+        if !["https://", "http://", "www."].iter().any(|begin| rest.starts_with(begin)) {
+            return at + 1;
+        }
+        let stop = |c: char| c.is_whitespace() || matches!(c, '<' | '>' | ')' | '|') || !c.is_ascii();
+        let len = rest.find(stop).unwrap_or(rest.len());
+        self.skip(at, at + len)
+    }
+}
+
+/// Names of tags that may be taken for one: `<b` also begins a relation.
+const TAGS: &[&str] = &[
+    "a",
+    "abbr",
+    "article",
+    "aside",
+    "audio",
+    "b",
+    "blockquote",
+    "body",
+    "br",
+    "button",
+    "caption",
+    "center",
+    "cite",
+    "code",
+    "col",
+    "colgroup",
+    "dd",
+    "del",
+    "details",
+    "dfn",
+    "div",
+    "dl",
+    "dt",
+    "em",
+    "embed",
+    "figcaption",
+    "figure",
+    "font",
+    "footer",
+    "form",
+    "h1",
+    "h2",
+    "h3",
+    "h4",
+    "h5",
+    "h6",
+    "head",
+    "header",
+    "hr",
+    "html",
+    "i",
+    "iframe",
+    "img",
+    "input",
+    "ins",
+    "kbd",
+    "label",
+    "legend",
+    "li",
+    "link",
+    "main",
+    "mark",
+    "meta",
+    "nav",
+    "noscript",
+    "ol",
+    "option",
+    "p",
+    "picture",
+    "pre",
+    "q",
+    "s",
+    "samp",
+    "script",
+    "section",
+    "select",
+    "small",
+    "source",
+    "span",
+    "strike",
+    "strong",
+    "style",
+    "sub",
+    "summary",
+    "sup",
+    "svg",
+    "table",
+    "tbody",
+    "td",
+    "textarea",
+    "tfoot",
+    "th",
+    "thead",
+    "title",
+    "tr",
+    "tt",
+    "u",
+    "ul",
+    "var",
+    "video",
+];
+
+/// The length of the tag or address in angle brackets at the beginning, and its name if what it
+/// encloses is no text.
+fn tag(rest: &str) -> Option<(usize, Option<&str>)> {
+    let inner = rest.get(1..)?;
+    let close = inner.bytes().take(2000).position(|byte| matches!(byte, b'>' | b'<'))?;
+    if inner.as_bytes()[close] == b'<' {
+        return None;
+    }
+    let content = &inner[..close];
+    let len = close + 2;
+    let address = content.contains("://") || content.starts_with("mailto:");
+    if address && !content.contains(char::is_whitespace) {
+        return Some((len, None));
+    }
+    let name = content.trim_start_matches('/');
+    let name = &name[..name.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(name.len())];
+    if !TAGS.iter().any(|tag| tag.eq_ignore_ascii_case(name)) {
+        return None;
+    }
+    let attributes = content.trim_start_matches('/')[name.len()..].trim_end_matches('/').trim();
+    let plausible = attributes.is_empty()
+        || (attributes.contains('=') && attributes.starts_with(|c: char| c.is_ascii_alphabetic()))
+        || name.len() > 2;
+    let raw = ["code", "pre", "script", "style", "svg", "kbd", "samp", "tt", "textarea"];
+    let hidden = !content.starts_with('/') && !content.ends_with('/') && raw.contains(&name);
+    plausible.then_some((len, hidden.then_some(name)))
+}

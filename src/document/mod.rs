@@ -1,0 +1,80 @@
+//! A file of lecture notes, taken apart.
+//!
+//! **Definition.** A *document* is the sequence of the headings, words, formulas and declarations
+//! of a file, in its order, with what encloses them: quotations, list items, rows of tables,
+//! environments of LaTeX.
+//!
+//! **Invariants.** All spans are bytes of the file, on character boundaries. Items do not overlap
+//! and follow each other in the order of the file. What is wrong with a file (a formula that is
+//! never closed) is a problem of the document; the rest of the file is still taken apart. Any text
+//! whatever is taken apart, in time linear in its length.
+//!
+//! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc.
+
+mod arguments;
+mod blocks;
+mod clean;
+mod collect;
+mod cursor;
+mod decode;
+mod files;
+mod inline;
+mod item;
+mod macros;
+mod notebook;
+mod parts;
+mod plain;
+mod signs;
+mod tex;
+mod tex_parts;
+mod text;
+mod vocabulary;
+
+pub use files::{MAX_BYTES, read_file, read_files};
+pub use item::{Document, Enclosure, Formula, Item, Places, Style};
+pub use notebook::{Cell, markdown_cells};
+pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};
+
+use crate::formula::source::SourceFile;
+use collect::Collector;
+
+/// How the formulas stand in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Container {
+    /// Markdown, also plain text.
+    Markdown,
+    /// LaTeX.
+    Latex,
+    /// The Markdown cells of a Jupyter notebook.
+    Notebook,
+}
+
+/// Takes a text apart. Files that it includes are not read; [`read_files`] does that.
+///
+/// Cost: linear in the length of the text.
+///
+/// ```
+/// use polarform::document::{Item, Style};
+/// use polarform::document::{Container, document};
+/// use polarform::source::SourceFile;
+/// let notes = document(SourceFile::new("a.md", "Let $F(t) = t^2$.\n"), Container::Markdown);
+/// let Item::Formula(formula) = &notes.items[1] else { unreachable!() };
+/// assert_eq!((formula.text.as_str(), formula.style), ("F(t) = t^2", Style::Inline));
+/// assert_eq!(notes.file.line_column(formula.span.start), (1, 6));
+/// ```
+pub fn document(file: SourceFile, kind: Container) -> Document {
+    let mut out = Collector::default();
+    scan(file.text(), kind, &mut out);
+    out.into_document(file)
+}
+
+fn scan(text: &str, kind: Container, out: &mut Collector) {
+    match kind {
+        Container::Markdown => blocks::scan(text, out),
+        Container::Latex => tex::scan(text, true, out, &mut |_, _, _, _| {}),
+        Container::Notebook => notebook::scan(text, out),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,476 @@
+//! Formulas in plain notation among words: `F(u) = f(u, u, u)`, `F(t) = t³ + 3t² + 5t + 1`.
+//!
+//! **Definition.** A formula in a line of prose is a longest run of names (one letter, perhaps with
+//! indices, exponents, primes), numbers, operators and brackets that holds a relation sign at its
+//! top level with mathematics on both sides, and that one of the two readers can read. Words of two
+//! letters and more end a run, as do full stops, and commas outside of brackets.
+//!
+//! When in doubt it is prose: a formula that is missed says nothing, one that is made up is judged.
+
+use std::ops::Range;
+
+use super::signs::is_ideograph;
+use crate::language::{latex, syntax};
+
+/// A formula of a line: its bytes, and its text, in which marks of emphasis are blanked.
+pub(super) struct Found {
+    pub(super) range: Range<usize>,
+    pub(super) text: String,
+}
+
+/// A longer run of tokens is not read: it is data, not prose.
+const MAX_TOKENS: usize = 400;
+
+/// How many tokens may be left out at the ends of a run to make it readable.
+const MAX_CUT: usize = 3;
+
+/// The formulas of a line, in order. After a formula (`continues`) one may begin with a relation
+/// sign: what stands on its left is the formula before.
+pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
+    if !line.contains(['=', '≤', '≥', '≠', '≔', '≜', '⩽', '⩾']) {
+        return Vec::new();
+    }
+    let tokens = tokens(line);
+    let mut found = Vec::new();
+    for segment in tokens.split(|token| token.kind == Kind::Cut) {
+        for run in balanced(segment) {
+            let first =
+                continues && run.first().is_some_and(|token| line[..token.range.start].trim().is_empty());
+            found.extend(formulas(line, run, first));
+        }
+    }
+    found
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Name,
+    /// A bare `a`, `A` or `I`, which may be a word.
+    Article,
+    Number,
+    /// ∑, ∏, ∫, ∂ …: an operand follows.
+    Prefix,
+    /// `!`: an operand stands before.
+    Postfix,
+    Operator,
+    Relation,
+    Open(char),
+    Close(char),
+    Comma,
+    Dots,
+    Cut,
+}
+
+#[derive(Clone, Debug)]
+struct Token {
+    kind: Kind,
+    range: Range<usize>,
+    /// Whether white space stands before it.
+    spaced: bool,
+    /// Marks of emphasis at both ends.
+    marks: usize,
+}
+
+fn tokens(line: &str) -> Vec<Token> {
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    let mut spaced = false;
+    while let Some(c) = line[at..].chars().next() {
+        if c.is_whitespace() {
+            at += c.len_utf8();
+            spaced = true;
+            continue;
+        }
+        let (kind, len, marks) = token(line, at, c);
+        tokens.push(Token { kind, range: at..at + len, spaced, marks });
+        at += len;
+        spaced = false;
+    }
+    tokens
+}
+
+fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
+    let rest = &line[at..];
+    let one = c.len_utf8();
+    if c.is_ascii_digit() {
+        let mut len = rest.bytes().take_while(u8::is_ascii_digit).count();
+        if let Some(tail) = rest[len..].strip_prefix('.') {
+            let decimals = tail.bytes().take_while(u8::is_ascii_digit).count();
+            len += if decimals > 0 { decimals + 1 } else { 0 };
+        }
+        let word = letters(&rest[len..]);
+        if word > 1 {
+            return (Kind::Cut, len + word, 0);
+        }
+        return (Kind::Number, len + exponents(&rest[len..]), 0);
+    }
+    if is_letter(c) {
+        let word = letters(rest);
+        if word > 1 || !c.is_ascii() {
+            return (Kind::Cut, word, 0);
+        }
+        return name(rest, one);
+    }
+    if syntax::greek_name(c).is_some() || is_blackboard(c) {
+        return name(rest, one);
+    }
+    if c == '*' {
+        let marks = rest.bytes().take_while(|&byte| byte == b'*').count();
+        let free = !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == ')');
+        if free && marks <= 2 && rest[marks..].starts_with(is_symbol) {
+            let inner = &rest[marks..];
+            let first = inner.chars().next().map_or(0, char::len_utf8);
+            let (kind, len, _) = name(inner, first);
+            if kind != Kind::Cut
+                && letters(inner) <= 1
+                && inner[len..].starts_with(&rest[..marks])
+                && !inner[len + marks..].starts_with(|c: char| c.is_alphanumeric() || c == '*')
+            {
+                return (Kind::Name, len + 2 * marks, marks);
+            }
+        }
+        return (if marks == 1 { Kind::Operator } else { Kind::Cut }, marks, 0);
+    }
+    for dots in ["...", "…", "⋯"] {
+        if rest.starts_with(dots) {
+            return (Kind::Dots, dots.len(), 0);
+        }
+    }
+    for relation in [":=", "<=", ">=", "!=", "=", "≤", "≥", "≠", "≔", "≜", "⩽", "⩾", "<", ">"] {
+        if let Some(after) = rest.strip_prefix(relation) {
+            // ==, =>, <=> and arrows are no relations.
+            let arrow = after.starts_with(['=', '>', '<']) || (relation == "<" && after.starts_with('-'));
+            return (if arrow { Kind::Cut } else { Kind::Relation }, relation.len() + usize::from(arrow), 0);
+        }
+    }
+    let kind = match c {
+        '∑' | '∏' | '∫' | '∂' | '∇' => {
+            let (kind, len, _) = name(rest, one);
+            return (if kind == Kind::Cut { kind } else { Kind::Prefix }, len, 0);
+        }
+        '√' => Kind::Prefix,
+        '!' => Kind::Postfix,
+        '+' | '-' | '−' | '–' | '±' | '/' | '^' | '·' | '⋅' | '×' | '∘' | '⊗' => Kind::Operator,
+        '(' | '[' | '{' => Kind::Open(c),
+        ')' => Kind::Close('('),
+        ']' => Kind::Close('['),
+        '}' => Kind::Close('{'),
+        ',' | ';' => Kind::Comma,
+        '∞' => Kind::Number,
+        _ => Kind::Cut,
+    };
+    (kind, one, 0)
+}
+
+/// Letters that form words: Greek letters and raised ones stand for themselves.
+fn is_letter(c: char) -> bool {
+    c.is_alphabetic() && syntax::greek_name(c).is_none() && !is_blackboard(c) && !is_raised(c)
+}
+
+fn is_symbol(c: char) -> bool {
+    c.is_ascii_alphabetic() || syntax::greek_name(c).is_some()
+}
+
+fn is_blackboard(c: char) -> bool {
+    matches!(c, 'ℝ' | 'ℕ' | 'ℤ' | 'ℚ' | 'ℂ' | 'ℙ' | '𝔼' | '𝔸')
+}
+
+/// Raised and lowered digits, letters and signs, and accents.
+fn is_raised(c: char) -> bool {
+    matches!(c, '²' | '³' | '¹' | 'ʰ'..='˿' | 'ᴬ'..='ᶿ' | '⁰'..='₟' | 'ⱼ' | 'ⱽ')
+        || matches!(c, '\u{302}'..='\u{308}' | '\u{20d7}')
+}
+
+/// The bytes of the word at the beginning; a letter may stand next to an ideograph.
+fn letters(text: &str) -> usize {
+    let ideographs = text.starts_with(is_ideograph);
+    text.chars().take_while(|&c| is_letter(c) && is_ideograph(c) == ideographs).map(char::len_utf8).sum()
+}
+
+/// The bytes of raised characters and primes at the beginning.
+fn exponents(text: &str) -> usize {
+    text.chars().take_while(|&c| is_raised(c)).map(char::len_utf8).sum()
+}
+
+/// A name of one letter of `len` bytes, with its indices, exponents and primes.
+fn name(text: &str, len: usize) -> (Kind, usize, usize) {
+    let letter = len;
+    let mut len = len;
+    len += text[len..].bytes().take_while(u8::is_ascii_digit).count();
+    loop {
+        let rest = &text[len..];
+        len += match rest.chars().next() {
+            Some(c) if is_raised(c) || matches!(c, '\'' | '’' | '′' | '″') => c.len_utf8(),
+            Some(sign @ ('_' | '^')) => match script(&rest[1..]) {
+                Some(script) => 1 + script,
+                None if sign == '^' => break,
+                // A word with underscores.
+                None => return (Kind::Cut, len + 1 + letters(&rest[1..]), 0),
+            },
+            _ => break,
+        };
+    }
+    let article = len == letter && text.starts_with(['a', 'A', 'I']);
+    (if article { Kind::Article } else { Kind::Name }, len, 0)
+}
+
+/// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names.
+fn script(text: &str) -> Option<usize> {
+    let first = text.chars().next()?;
+    if first == '{' {
+        let close = text.find('}').filter(|&close| close < 40)?;
+        return (!text[1..close].contains(['{', '='])).then_some(close + 1);
+    }
+    if first.is_ascii_digit() {
+        return Some(text.bytes().take_while(u8::is_ascii_digit).count());
+    }
+    if syntax::greek_name(first).is_some() {
+        return Some(first.len_utf8());
+    }
+    if !first.is_ascii_alphabetic() {
+        return None;
+    }
+    let word = letters(text);
+    let splits = text[word..].starts_with(|c: char| matches!(c, '_' | '^' | '(') || is_raised(c));
+    match word {
+        1 => Some(1),
+        2 if splits => Some(1),
+        2 => Some(2),
+        _ => None,
+    }
+}
+
+/// The parts of a segment between brackets that have no partner in it.
+fn balanced(segment: &[Token]) -> Vec<&[Token]> {
+    let mut open: Vec<(usize, char)> = Vec::new();
+    let mut lonely = Vec::new();
+    for (i, token) in segment.iter().enumerate() {
+        match token.kind {
+            Kind::Open(c) => open.push((i, c)),
+            Kind::Close(c) => {
+                // `[0, 1)` is an interval: one kind of bracket may close the other.
+                if open.last().is_some_and(|&(_, o)| o == c || (o != '{' && c != '{')) {
+                    open.pop();
+                } else {
+                    lonely.push(i);
+                }
+            }
+            _ => {}
+        }
+    }
+    lonely.extend(open.into_iter().map(|(i, _)| i));
+    lonely.sort_unstable();
+    let mut runs = Vec::new();
+    let mut from = 0;
+    for at in lonely.into_iter().chain([segment.len()]) {
+        // What follows `f(` is half an argument.
+        let call = from >= 2
+            && matches!(segment[from - 1].kind, Kind::Open(_))
+            && matches!(segment[from - 2].kind, Kind::Name | Kind::Article)
+            && !segment[from - 1].spaced;
+        if from < at && !call {
+            runs.push(&segment[from..at]);
+        }
+        from = at + 1;
+    }
+    runs
+}
+
+/// The formulas of a run whose brackets are balanced: its parts between commas.
+fn formulas(line: &str, run: &[Token], mut continues: bool) -> Vec<Found> {
+    let mut found = Vec::new();
+    let mut depth = 0_usize;
+    let mut from = 0;
+    let mut parts: Vec<&[Token]> = Vec::new();
+    for (i, token) in run.iter().enumerate() {
+        match token.kind {
+            Kind::Open(_) => depth += 1,
+            Kind::Close(_) => depth = depth.saturating_sub(1),
+            Kind::Comma if depth == 0 => {
+                parts.push(&run[from..i]);
+                from = i + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&run[from..]);
+    for (i, part) in parts.iter().enumerate() {
+        // `i = 0, 1, …, n` and `x = 1, 2` say something else than `i = 0` and `x = 1`.
+        let list = parts.get(i + 1).is_some_and(|next| {
+            matches!(next, [Token { kind: Kind::Number | Kind::Dots, .. }, ..])
+                && !next.iter().any(|token| token.kind == Kind::Relation)
+        });
+        if !list && part.len() <= MAX_TOKENS {
+            found.extend(formula(line, part, continues));
+        }
+        continues = false;
+    }
+    found
+}
+
+/// The longest readable formula of a part, which may lack a few tokens at the ends.
+fn formula(line: &str, part: &[Token], continues: bool) -> Option<Found> {
+    let mut part = part;
+    // `-o=2` is an option of a program.
+    let glued = part.iter().all(|token| token.kind != Kind::Relation || !token.spaced);
+    if glued && part.first().is_some_and(|token| is_minus(line, token)) {
+        return None;
+    }
+    // In `a F(t) = 0` the first letter is a word.
+    while let Some(last) = part.windows(2).rposition(|pair| {
+        pair[0].kind == Kind::Article && pair[1].spaced && starts_operand(&pair[1]) || joins_nothing(pair)
+    }) {
+        let (head, tail) = part.split_at(last + 1);
+        part = if has_relation(tail) {
+            tail
+        } else {
+            &head[..head.len() - usize::from(head[last].kind == Kind::Article)]
+        };
+    }
+    for cut in 0..=MAX_CUT {
+        for front in 0..=cut {
+            let end = part.len().checked_sub(cut - front)?;
+            let Some(tokens) = part.get(front..end) else { continue };
+            if let Some(found) = readable(line, tokens, continues && front == 0) {
+                return Some(found);
+            }
+        }
+    }
+    None
+}
+
+fn is_minus(line: &str, token: &Token) -> bool {
+    matches!(&line[token.range.clone()], "-" | "−")
+}
+
+fn starts_operand(token: &Token) -> bool {
+    matches!(token.kind, Kind::Name | Kind::Article | Kind::Number | Kind::Prefix)
+}
+
+/// Two operands that cannot be a product: `x 2`.
+fn joins_nothing(pair: &[Token]) -> bool {
+    matches!(pair[0].kind, Kind::Name | Kind::Article | Kind::Number) && pair[1].kind == Kind::Number
+}
+
+fn has_relation(tokens: &[Token]) -> bool {
+    tokens.iter().any(|token| token.kind == Kind::Relation)
+}
+
+fn readable(line: &str, tokens: &[Token], continues: bool) -> Option<Found> {
+    let first = tokens.first()?;
+    let last = tokens.last()?;
+    let begins = match first.kind {
+        Kind::Relation => continues,
+        Kind::Operator => is_minus(line, first),
+        Kind::Postfix | Kind::Close(_) | Kind::Comma | Kind::Cut | Kind::Dots => false,
+        _ => true,
+    };
+    let ends =
+        matches!(last.kind, Kind::Name | Kind::Article | Kind::Number | Kind::Close(_) | Kind::Postfix);
+    if !begins || !ends {
+        return None;
+    }
+    let mut depth = 0_usize;
+    let mut sides = vec![0_usize];
+    let mut strong = false;
+    for token in tokens {
+        match token.kind {
+            Kind::Open(_) => depth += 1,
+            Kind::Close(_) => depth = depth.checked_sub(1)?,
+            Kind::Relation if depth == 0 => {
+                sides.push(0);
+                strong |= !matches!(&line[token.range.clone()], "<" | ">");
+            }
+            Kind::Name | Kind::Article | Kind::Number => {
+                if let Some(side) = sides.last_mut() {
+                    *side += 1;
+                }
+            }
+            _ => {}
+        }
+    }
+    let skipped = usize::from(continues && first.kind == Kind::Relation);
+    if depth != 0 || sides.len() < 2 || !strong || sides[skipped..].contains(&0) {
+        return None;
+    }
+    let range = first.range.start..last.range.end;
+    let mut text = line[range.clone()].to_owned();
+    for token in tokens.iter().filter(|token| token.marks > 0) {
+        let (from, to) = (token.range.start - range.start, token.range.end - range.start);
+        let blank = " ".repeat(token.marks);
+        text.replace_range(from..from + token.marks, &blank);
+        text.replace_range(to - token.marks..to, &blank);
+    }
+    let asked = if skipped > 0 { format!("x{text}") } else { text.clone() };
+    (syntax::parse(&asked).is_ok() || latex::read(&asked).is_ok()).then_some(Found { range, text })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(line: &str) -> Vec<String> {
+        find(line, false).into_iter().map(|found| found.text).collect()
+    }
+
+    #[test]
+    fn formulas_in_prose() {
+        for (line, wanted) in [
+            ("by the identity F(u) = f(u, u, u). (u is real)", vec!["F(u) = f(u, u, u)"]),
+            ("and f (∑_j a_ju_j) = ∑_j a_jf(u_j) for all", vec!["f (∑_j a_ju_j) = ∑_j a_jf(u_j)"]),
+            ("with ∑ a_j = 1.", vec!["∑ a_j = 1"]),
+            ("of F(t) = t³ + 3t² + 5t + 1 can", vec!["F(t) = t³ + 3t² + 5t + 1"]),
+            ("that f(u,..., u) = F(u), where", vec!["f(u,..., u) = F(u)"]),
+            ("(given that x_1 ≤ t ≤ x_2)", vec!["x_1 ≤ t ≤ x_2"]),
+            ("F(0) = 0, F(1) = 1", vec!["F(0) = 0", "F(1) = 1"]),
+            ("define G(t) := -t^2;", vec!["G(t) := -t^2"]),
+            ("曲线F(t) = t²在", vec!["F(t) = t²"]),
+            ("take a F(t) = 2t here", vec!["F(t) = 2t"]),
+            ("f(t1, t2) = t1 t2 + 1", vec!["f(t1, t2) = t1 t2 + 1"]),
+            ("so a = b + 1 and", vec!["a = b + 1"]),
+            ("let n! = n (n-1)!", vec!["n! = n (n-1)!"]),
+        ] {
+            assert_eq!(found(line), wanted, "{line}");
+        }
+    }
+
+    #[test]
+    fn emphasis_is_blanked() {
+        let all = find("of *F*(t) = 2 *t* as", false);
+        assert_eq!(all[0].text, " F (t) = 2  t ");
+        assert_eq!(all[0].range, 3..17);
+    }
+
+    #[test]
+    fn prose_stays_prose() {
+        for line in [
+            "for i = 0, 1, ..., n we",
+            "x = 1, 2 or 3",
+            "width=5px height=3em",
+            "max_degree = 3",
+            "speed = distance / time",
+            "a function F",
+            "if x == y then",
+            "n => n+1",
+            "f : ℝ → ℝ",
+            "F =",
+            "= 3 is it",
+            "赋范空间=线性空间+范数",
+            "the points f(0,0,0), f(0,0,1)",
+            "x < y",
+            "a / b",
+            "--flag=value -o=2",
+            "E = mc²",
+            "f(x = y",
+        ] {
+            assert_eq!(found(line), [""; 0], "{line}");
+        }
+    }
+
+    #[test]
+    fn a_formula_may_go_on() {
+        let all = find("\t= f(0, 0, 1)", true);
+        assert_eq!((all[0].text.as_str(), all[0].range.clone()), ("= f(0, 0, 1)", 1..13));
+        assert!(find("is = 3", true).is_empty());
+    }
+}

@@ -1,0 +1,100 @@
+//! Short constructors for computed expressions (no span).
+
+use super::{Expr, Kind, Link, Quotient, Rel, Sign, Term};
+use crate::formula::source::Span;
+use crate::math::number::Rational;
+use num_traits::{One, Signed};
+
+impl Expr {
+    /// An expression read at `span`.
+    pub fn new(kind: Kind, span: Span) -> Self {
+        Expr { kind, span }
+    }
+
+    /// A number; fractions become quotients and negative numbers a sum of one negative term,
+    /// as they would be written.
+    pub fn number(value: &Rational) -> Self {
+        let magnitude = value.abs();
+        let unsigned = if magnitude.denom().is_one() {
+            Expr::from(Kind::Number(magnitude))
+        } else {
+            let part = |x: &crate::math::number::Int| Kind::Number(Rational::from_integer(x.clone())).into();
+            Kind::Div(
+                Box::new(part(magnitude.numer())),
+                Box::new(part(magnitude.denom())),
+                Quotient::Fraction,
+            )
+            .into()
+        };
+        if value.is_negative() { unsigned.negated() } else { unsigned }
+    }
+
+    /// A small integer.
+    pub fn int(value: i64) -> Self {
+        Expr::number(&Rational::from_integer(value.into()))
+    }
+
+    /// A plain name.
+    pub fn name(name: impl Into<String>) -> Self {
+        Kind::Name(name.into()).into()
+    }
+
+    /// base_index
+    pub fn indexed(base: impl Into<String>, index: i64) -> Self {
+        Kind::Subscript(Box::new(Expr::name(base)), vec![Expr::int(index)]).into()
+    }
+
+    /// −self, as a sum of one negative term.
+    pub fn negated(self) -> Self {
+        Kind::Add(vec![Term { sign: Sign::Minus, expr: self }]).into()
+    }
+
+    /// A sum of signed terms; one positive term is that term itself, none is 0.
+    pub fn sum(mut terms: Vec<Term>) -> Self {
+        match terms.as_slice() {
+            [] => Expr::int(0),
+            [Term { sign: Sign::Plus, .. }] => terms.remove(0).expr,
+            _ => Kind::Add(terms).into(),
+        }
+    }
+
+    /// A product; one factor is that factor itself, none is 1.
+    pub fn product(mut factors: Vec<Expr>) -> Self {
+        match factors.len() {
+            0 => Expr::int(1),
+            1 => factors.remove(0),
+            _ => Kind::Mul(factors).into(),
+        }
+    }
+
+    /// self^exponent
+    pub fn power(self, exponent: Expr) -> Self {
+        Kind::Pow(Box::new(self), Box::new(exponent)).into()
+    }
+
+    /// self / denominator as a fraction.
+    pub fn over(self, denominator: Expr) -> Self {
+        Kind::Div(Box::new(self), Box::new(denominator), Quotient::Fraction).into()
+    }
+
+    /// callee(arguments)
+    pub fn apply(callee: Expr, arguments: Vec<Expr>) -> Self {
+        Kind::Apply(Box::new(callee), vec![arguments]).into()
+    }
+
+    /// left rel right
+    pub fn relation(left: Expr, rel: Rel, right: Expr) -> Self {
+        Kind::Chain(Box::new(left), vec![Link { rel, span: Span::default(), expr: right }]).into()
+    }
+
+    /// (self)
+    pub fn grouped(self) -> Self {
+        Kind::Group(Box::new(self)).into()
+    }
+}
+
+impl From<Kind> for Expr {
+    fn from(kind: Kind) -> Self {
+        Expr { kind, span: Span::default() }
+    }
+}

@@ -1,0 +1,160 @@
+//! Trying the readings of ambiguous notations until one makes a chain true.
+
+use super::check::Checker;
+use super::context::Condition;
+use super::model::{Ambiguity, Choices, Curve};
+use super::statement::{Chain, Place};
+use super::trial::{Outcomes, Tally, Trial};
+use crate::formula::{Expr, Kind, Rel};
+
+/// An attempt to judge a chain under one way of reading it.
+pub struct Attempt {
+    pub outcomes: Outcomes,
+    pub choices: Choices,
+}
+
+impl Checker {
+    /// Tries the readings of ambiguous notations until one makes everything true; else the first.
+    pub(super) fn attempts(
+        &self,
+        sides: &[&Expr],
+        relations: &[Rel],
+        chain: &Chain,
+        place: &Place,
+        curve: Option<Curve>,
+    ) -> Attempt {
+        let run = |choices: Choices| -> Attempt {
+            Attempt {
+                outcomes: self.trial(sides, relations, chain, place, curve.clone(), choices).run(),
+                choices,
+            }
+        };
+        let first = run(Choices::default());
+        let bad =
+            |attempt: &Attempt| attempt.outcomes.tallies.iter().map(|tally| tally.fails.len()).sum::<usize>();
+        let good =
+            |attempt: &Attempt| attempt.outcomes.tallies.iter().map(|tally| tally.holds).sum::<usize>();
+        if bad(&first) == 0 && good(&first) > 0 {
+            return first;
+        }
+        let mut ambiguous = std::collections::BTreeSet::new();
+        let mut far = false;
+        for tally in &first.outcomes.tallies {
+            ambiguous.extend(tally.record.ambiguous.iter().copied());
+            far |= tally.record.definitions.iter().any(|(_, near)| !near);
+        }
+        let mut options = vec![Choices::default()];
+        for ambiguity in ambiguous {
+            let more: Vec<Choices> = options
+                .iter()
+                .map(|choices| {
+                    let mut other = *choices;
+                    match ambiguity {
+                        Ambiguity::Binomial => other.total_above = true,
+                        Ambiguity::Bernstein => other.degree_first = true,
+                        Ambiguity::Power => other.powers = true,
+                        Ambiguity::Spline => other.spline_degree = true,
+                        Ambiguity::Dots => other.all_products = true,
+                    }
+                    other
+                })
+                .collect();
+            options.extend(more);
+        }
+        if far {
+            let more: Vec<Choices> =
+                options.iter().map(|choices| Choices { near_only: true, ..*choices }).collect();
+            options.extend(more);
+        }
+        // A formula with integers in it speaks of functions in general.
+        let general = !first.outcomes.integers.is_empty()
+            || first.outcomes.tallies.iter().any(|tally| tally.record.infinite);
+        let examples = |attempt: &Attempt| {
+            attempt.outcomes.tallies.iter().any(|tally| !tally.record.definitions.is_empty())
+        };
+        let mut best = first;
+        if general && examples(&best) {
+            let attempt = run(Choices { general: true, ..Choices::default() });
+            if good(&attempt) + bad(&attempt) > 0 {
+                best = attempt;
+                for choices in &mut options {
+                    choices.general = true;
+                }
+                if bad(&best) == 0 {
+                    return best;
+                }
+            }
+        }
+        for choices in options.into_iter().skip(1) {
+            let attempt = run(choices);
+            // Everything is zero: that is no reading anybody means.
+            let solid = |attempt: &Attempt| {
+                attempt.outcomes.tallies.iter().map(|tally| tally.nonzero + tally.fails.len()).sum::<usize>()
+            };
+            if solid(&attempt) * 2 < solid(&best) {
+                continue;
+            }
+            if bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
+                || bad(&attempt) == 0 && good(&attempt) > 0
+            {
+                best = attempt;
+            }
+            if bad(&best) == 0 {
+                break;
+            }
+        }
+        best
+    }
+
+    pub(super) fn trial<'a>(
+        &self,
+        sides: &[&'a Expr],
+        relations: &[Rel],
+        chain: &Chain,
+        place: &'a Place,
+        curve: Option<Curve>,
+        choices: Choices,
+    ) -> Trial<'a> {
+        let mut earlier: Vec<&Condition> =
+            self.context.conditions.iter().filter(|c| !chain.conditions.contains(&c.expr)).collect();
+        // The nearest and latest first.
+        earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
+        earlier.reverse();
+        Trial {
+            sides: sides.to_vec(),
+            relations: relations.to_vec(),
+            conditions: chain.conditions.clone(),
+            earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
+            context: self.context.clone(),
+            place,
+            curve,
+            choices,
+            limits: self.limits.clone(),
+        }
+    }
+}
+
+/// A relation that fails only where it is not meant: for integers that are 0, or for indices beyond
+/// the degree. Nothing is restricted if the file itself says for which integers it holds.
+pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
+    let enough = tally.holds_inner >= 2 || tally.holds >= 6;
+    if !enough || outcomes.integers.is_empty() || tally.fails.len() > tally.holds.max(12) {
+        return None;
+    }
+    let ranges = chain.conditions.iter().any(|condition| {
+        matches!(&condition.kind, Kind::Chain(_, links)
+            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))))
+    });
+    if tally.fails.iter().all(|failure| failure.outside) {
+        return Some("true for indices from 0 to the degree");
+    }
+    if ranges {
+        return None;
+    }
+    let zero = |integers: &[(String, i64)]| integers.iter().any(|(_, value)| *value == 0);
+    tally
+        .fails
+        .iter()
+        .all(|failure| failure.outside || zero(&failure.integers))
+        .then_some("true for positive integers")
+}

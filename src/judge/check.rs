@@ -1,0 +1,581 @@
+//! Judging statements one after the other: what they define is known to those after them.
+
+use std::rc::Rc;
+
+use super::attempt::{Attempt, restricted};
+use super::context::{Body, Condition, Context, Definition, Letters};
+use super::finding::{Finding, Verdict};
+use super::known::definable;
+use super::lint;
+use super::model::{Choices, Curve};
+use super::names::Head;
+use super::prove::prove;
+use super::refute;
+use super::statement::{Chain, Place, Said, Side, Statement};
+use super::trial::Tally;
+use crate::budget::{self, Limits};
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::value::Value;
+use crate::language::write;
+
+/// Judges statements in their order.
+pub struct Checker {
+    pub(super) file: SourceFile,
+    pub(super) context: Rc<Context>,
+    pub(super) limits: Limits,
+    /// How many of the next formulas are not to be judged.
+    pub(super) ignored: usize,
+    /// What was found so far, one finding for each relation.
+    pub findings: Vec<Finding>,
+    /// What is wrong with declarations.
+    pub problems: Vec<Diagnostic>,
+}
+
+impl Checker {
+    /// Before the first statement; `statements` are all that will come, for what letters are used as.
+    pub fn new(file: &SourceFile, limits: &Limits, statements: &[Statement]) -> Self {
+        let letters = Letters::of(statements);
+        Checker {
+            file: file.clone(),
+            context: Rc::new(Context { letters, ..Context::default() }),
+            limits: limits.clone(),
+            ignored: 0,
+            findings: Vec::new(),
+            problems: Vec::new(),
+        }
+    }
+
+    fn line(&self, span: Span) -> usize {
+        self.file.line_column(span.start).0
+    }
+
+    /// Judges the next statement, or takes in what it defines.
+    pub fn statement(&mut self, statement: &Statement) {
+        match &statement.said {
+            Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
+            Said::Queries(text, span) => self.queries(text, &statement.place, *span),
+            Said::Condition(side) => {
+                let mut finding = of_side(side, Verdict::Definition, 1);
+                finding.reason = Some("a condition".to_owned());
+                if side.is_unread() {
+                    finding.verdict = Verdict::Unread;
+                }
+                self.findings.push(finding);
+                let line = self.line(side.expr.span);
+                let condition = Condition { expr: side.expr.clone(), place: statement.place.clone(), line };
+                Rc::make_mut(&mut self.context).conditions.push(condition);
+            }
+            Said::Bare(side, problems) => {
+                let mut finding = of_side(side, Verdict::Undecided, 0);
+                finding.reason = Some("it states nothing to check".to_owned());
+                if side.is_unread() {
+                    finding.verdict = Verdict::Unread;
+                    finding.reason = problems.first().map(|problem| problem.message.clone());
+                }
+                self.findings.push(finding);
+            }
+            Said::Chain(chain) => {
+                if self.ignored > 0 {
+                    self.ignored -= 1;
+                    for at in 0..chain.relations.len() {
+                        let mut finding = blank(chain, at);
+                        finding.verdict = Verdict::Undecided;
+                        finding.reason = Some("the file says to ignore this".to_owned());
+                        self.findings.push(finding);
+                    }
+                    return;
+                }
+                let limits = self.limits.clone();
+                let before = self.context.clone();
+                match budget::run(&limits, || self.chain(chain, statement)) {
+                    Ok(findings) => self.findings.extend(findings),
+                    Err(stop) => {
+                        self.context = before;
+                        for at in 0..chain.relations.len() {
+                            let mut finding = blank(chain, at);
+                            finding.verdict = Verdict::Undecided;
+                            finding.reason = Some(stop.to_string());
+                            self.findings.push(finding);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds a definition that later formulas use.
+    pub(super) fn define(&mut self, head: Head, body: Body, conditions: &[Expr], place: &Place, span: Span) {
+        let definition = Definition {
+            head,
+            body,
+            conditions: conditions.to_vec(),
+            place: place.clone(),
+            line: self.line(span),
+            queried: false,
+        };
+        Rc::make_mut(&mut self.context).definitions.push(definition);
+    }
+
+    fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
+        let place = &statement.place;
+        let mut findings: Vec<Finding> = (0..chain.relations.len()).map(|at| blank(chain, at)).collect();
+        for (at, finding) in findings.iter_mut().enumerate() {
+            let unread = chain.sides[at + 1].is_unread() || chain.sides[at].is_unread();
+            if unread {
+                finding.verdict = Verdict::Unread;
+                finding.reason = chain.problems.first().map(|problem| problem.message.clone());
+            }
+        }
+        let checkable = |rel: Rel| {
+            matches!(
+                rel,
+                Rel::Eq | Rel::Define | Rel::Equiv | Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt | Rel::Ne
+            )
+        };
+        if let Some(at) = chain.relations.iter().position(|(rel, _)| !checkable(*rel)) {
+            for (i, finding) in findings.iter_mut().enumerate() {
+                let (rel, _) = chain.relations[i];
+                if finding.verdict != Verdict::Unread && !checkable(rel) {
+                    let declares = matches!(rel, Rel::In | Rel::Subset | Rel::Colon | Rel::To | Rel::MapsTo);
+                    finding.verdict = if declares { Verdict::Definition } else { Verdict::Undecided };
+                    finding.reason = Some(
+                        if declares {
+                            "says what a name ranges over"
+                        } else {
+                            "this relation is not checked"
+                        }
+                        .to_owned(),
+                    );
+                }
+            }
+            // What stands before and after it is judged by itself.
+            for (from, to) in [(0, at), (at + 1, chain.relations.len())] {
+                if from < to {
+                    let part = Chain {
+                        sides: chain.sides[from..=to].to_vec(),
+                        relations: chain.relations[from..to].to_vec(),
+                        ..chain.clone()
+                    };
+                    for (mut finding, place) in self.chain(&part, statement).into_iter().zip(from..to) {
+                        finding.relation = place + 1;
+                        findings[place] = finding;
+                    }
+                }
+            }
+            return findings;
+        }
+        if let Some(reason) = lint::declares(chain) {
+            for finding in findings.iter_mut().filter(|finding| finding.verdict != Verdict::Unread) {
+                finding.verdict = Verdict::Definition;
+                finding.reason = Some(reason.to_owned());
+            }
+            // w_0 = w_2 = 1
+            if let Some(Side { expr: value, .. }) = chain.sides.last()
+                && matches!(value.kind, Kind::Number(_))
+                && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
+            {
+                for side in &chain.sides {
+                    let certain = |head: &Head| {
+                        head.lower
+                            .iter()
+                            .chain(&head.upper)
+                            .all(|index| matches!(index.kind, Kind::Number(_)))
+                    };
+                    if let Some(head) = Head::of(&side.expr).filter(certain) {
+                        self.define(head, Body::Formula(value.clone()), &[], place, side.expr.span);
+                    }
+                }
+            }
+            return findings;
+        }
+        let curve = refute::curve_spoken_of(&statement.recent);
+        let head =
+            definable(&chain.sides[0].expr).filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define));
+        let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
+        let first_known = queried
+            || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        if let Some(listed) = self.listed(chain, place) {
+            return vec![listed];
+        }
+        let defines = chain.relations[0].0 == Rel::Define && !first_known;
+        let mut start = 0;
+        if let Some(head) = &head
+            && (!first_known || defines)
+            && !chain.sides[0].is_unread()
+        {
+            // A new name: its right-hand side says what it is.
+            self.definition(chain, head, place, &mut findings[0]);
+            start = 1;
+        }
+        if start == 0
+            && let Some(function) = self.new_derivative(chain, place)
+        {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some(format!("says what the derivative of {function} is"));
+            start = 1;
+        }
+        if start == 0
+            && let Some(reason) = lint::joins(&self.context, chain, place)
+        {
+            findings[0].reason = Some(reason);
+            start = 1;
+        }
+        if start < chain.relations.len() {
+            self.judge(chain, start, statement, curve, head.as_ref(), &mut findings);
+        }
+        // s = N_0^2(t) + … shows the curve that a query gives.
+        if queried && findings[0].verdict == Verdict::Undecided {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some("shows the value of a query".to_owned());
+        }
+        findings
+    }
+
+    fn definition(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &mut Finding) {
+        let body = &chain.sides[1];
+        if body.is_unread() {
+            return;
+        }
+        finding.verdict = Verdict::Definition;
+        finding.reason = Some(format!("introduces {}", head.base));
+        finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        if self.is_queried(head, place) {
+            return;
+        }
+        // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
+        let derivative = head.parenthesized
+            && head.arguments.is_some()
+            && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
+        // The pieces of one B-spline follow from the recursion for all.
+        let pieces = head.base == "N"
+            && matches!(body.expr.kind, Kind::Cases(_))
+            && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        if derivative || pieces || lint::missing_argument(head, &body.expr).is_some() {
+            return;
+        }
+        self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+    }
+
+    /// Judges the relations from number `start` on.
+    fn judge(
+        &mut self,
+        chain: &Chain,
+        start: usize,
+        statement: &Statement,
+        curve: Option<Curve>,
+        head: Option<&Head>,
+        findings: &mut [Finding],
+    ) {
+        let place = &statement.place;
+        let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
+        let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
+        let best = self.attempts(&sides, &relations, chain, place, curve.clone());
+        if let (Some(head), 0) = (head, start) {
+            findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
+        }
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            if findings[at].verdict == Verdict::Unread {
+                continue;
+            }
+            let from_start = at == 0;
+            let verdict = self.verdict(tally, &best, chain, at, statement, head.filter(|_| from_start));
+            match verdict {
+                Judged::Verdict(finding) => {
+                    let old = &findings[at];
+                    let warning = match finding.verdict {
+                        Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
+                        _ => finding.warning.clone().or(old.warning.clone()),
+                    };
+                    findings[at] = Finding {
+                        warning,
+                        span: old.span,
+                        mark: old.mark,
+                        latex: old.latex.clone(),
+                        reading: old.reading.clone(),
+                        relation: old.relation,
+                        ..*finding
+                    };
+                }
+                Judged::Redefinition(warning) => {
+                    if let Some(head) = head {
+                        if refute::is_standard(Some(head)) {
+                            // What everybody calls so keeps its meaning.
+                            findings[at].verdict = Verdict::Definition;
+                            findings[at].reason = Some(format!("introduces {}", head.base));
+                            findings[at].warning = warning;
+                            continue;
+                        }
+                        self.definition(chain, head, place, &mut findings[at]);
+                        if let Some(why) = tally.unclear.first().or(tally.errors.first().map(|e| &e.message))
+                            && let Some(reason) = &mut findings[at].reason
+                        {
+                            reason.push_str(&format!(" (not computed: {why})"));
+                        }
+                        if warning.is_some() {
+                            findings[at].warning = warning;
+                        }
+                    }
+                }
+            }
+        }
+        self.across(chain, start, place, &curve, best.choices, findings);
+        // Equations for new coefficients say what these are.
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            if matches!(findings[at].verdict, Verdict::Undecided)
+                && let [failure] = tally.fails.as_slice()
+                && let Some(solution) = lint::unknowns(&self.context, place, &failure.left, &failure.right)
+            {
+                let names: Vec<String> = solution.iter().map(|(symbol, _)| symbol.to_string()).collect();
+                for (symbol, value) in solution {
+                    let expr = crate::language::value::symbol_expr(&symbol);
+                    if let Some(head) = Head::of(&expr) {
+                        self.define(head, Body::Value(Value::Scalar(value)), &[], place, findings[at].span);
+                    }
+                }
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says what {} are", names.join(", ")));
+                findings[at].witness = None;
+                findings[at].suggestion = None;
+            }
+        }
+        let suggestions: Vec<(usize, Option<String>)> = findings
+            .iter()
+            .enumerate()
+            .filter(|(at, finding)| *at >= start && finding.verdict == Verdict::Refuted)
+            .map(|(at, _)| (at, super::repair::suggestion(self, chain, at, place, &curve, best.choices)))
+            .collect();
+        for (at, suggestion) in suggestions {
+            findings[at].suggestion = suggestion;
+        }
+    }
+
+    /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one
+    /// is judged by comparing the sides around.
+    fn across(
+        &self,
+        chain: &Chain,
+        start: usize,
+        place: &Place,
+        curve: &Option<Curve>,
+        choices: Choices,
+        findings: &mut [Finding],
+    ) {
+        for at in start..chain.relations.len().saturating_sub(1) {
+            let open = |finding: &Finding| {
+                matches!(finding.verdict, Verdict::Refuted | Verdict::Undecided | Verdict::Unread)
+            };
+            let equal = |at: usize| matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv);
+            if !(open(&findings[at]) && open(&findings[at + 1]) && equal(at) && equal(at + 1)) {
+                continue;
+            }
+            if chain.sides[at].is_unread() || chain.sides[at + 2].is_unread() {
+                continue;
+            }
+            let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
+            let trial = self.trial(&sides, &[Rel::Eq], chain, place, curve.clone(), choices);
+            let outcomes = trial.run();
+            let tally = &outcomes.tallies[0];
+            if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
+                let next = &mut findings[at + 1];
+                let ranged = !outcomes.integers.is_empty() || outcomes.degrees;
+                next.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
+                next.reason = Some("equal to the side before the last".to_owned());
+                next.instances = ranged.then(|| format!("{} instances", tally.holds));
+                (next.witness, next.suggestion, next.warning) = (None, None, None);
+            }
+        }
+    }
+
+    /// S''(x) = … of an unknown S tells what its derivative is.
+    fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<String> {
+        let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
+        let Kind::Prime(function, _) = &callee.kind else { return None };
+        let head = Head::of(function)?;
+        let bare = groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Name(_)));
+        let right = super::names::bases(&chain.sides[1].expr);
+        let known =
+            self.context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some())
+                || right.contains(&head.base)
+                || right.contains(&head.base.to_lowercase());
+        (bare && !known).then_some(head.base)
+    }
+
+    fn verdict(
+        &self,
+        tally: &Tally,
+        attempt: &Attempt,
+        chain: &Chain,
+        at: usize,
+        statement: &Statement,
+        head: Option<&Head>,
+    ) -> Judged {
+        let mut finding = blank(chain, at);
+        let outcomes = &attempt.outcomes;
+        finding.notes = self.notes(tally);
+        let ranged = !outcomes.integers.is_empty() || outcomes.degrees || tally.record.infinite;
+        let range = || {
+            let mut names = outcomes.integers.join(", ");
+            if names.is_empty() {
+                names = "the degree".to_owned();
+            }
+            let largest = if outcomes.integers.is_empty() { 4 } else { outcomes.largest };
+            format!("{names} from 0 to {largest}")
+        };
+        if tally.fails.is_empty()
+            && tally.mismatches.len() > tally.holds
+            && let Some((integers, message)) = tally.mismatches.first()
+        {
+            let values: Vec<String> =
+                integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            finding.verdict = Verdict::Refuted;
+            finding.reason = Some(message.clone());
+            finding.witness = Some(values.join(", "));
+            return Judged::Verdict(Box::new(finding));
+        }
+        if tally.fails.is_empty() && tally.holds > 0 {
+            finding.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
+            if ranged {
+                finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
+                let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
+                if tally.holds < 2 || few {
+                    finding.verdict = Verdict::Undecided;
+                    finding.reason = Some("too few instances make sense".to_owned());
+                }
+            }
+            if let Some(number) = tally.condition {
+                finding.notes.push(format!("uses an earlier condition (number {number})"));
+            }
+            if finding.verdict == Verdict::Sampled
+                && let Some(reason) = self.proof(chain, at, &statement.place, attempt)
+            {
+                finding.verdict = Verdict::Proved;
+                finding.reason = Some(reason);
+            }
+            return Judged::Verdict(Box::new(finding));
+        }
+        if let Some(reason) = restricted(tally, outcomes, chain) {
+            finding.verdict = Verdict::Sampled;
+            finding.reason = Some(reason.to_owned());
+            finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
+            if let Some(reason) = self.proof(chain, at, &statement.place, attempt) {
+                finding.verdict = Verdict::Proved;
+                finding.reason = Some(reason);
+            }
+            return Judged::Verdict(Box::new(finding));
+        }
+        finding.verdict = Verdict::Undecided;
+        if tally.fails.is_empty() {
+            let reason = tally
+                .unclear
+                .first()
+                .cloned()
+                .or_else(|| tally.errors.first().map(|error| error.message.clone()));
+            if tally.record.mixed && tally.holds == 0 {
+                finding.warning = tally.errors.first().map(|error| error.message.clone());
+            }
+            if outcomes.integers.len() > 8 {
+                finding.reason = Some("too many integers without values".to_owned());
+            } else {
+                finding.reason = reason.or_else(|| Some("no instance makes sense".to_owned()));
+            }
+            // A new name whose formula cannot be computed is defined all the same.
+            if let Some(head) = head
+                && !chain.sides[1].is_unread()
+                && !refute::is_standard(Some(head))
+                && !refute::calls(&chain.sides[1].expr, &head.base)
+            {
+                return Judged::Redefinition(finding.warning);
+            }
+            return Judged::Verdict(Box::new(finding));
+        }
+        let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
+        match refutation {
+            refute::Decision::Refuted { failure, reasons } => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason = Some(reasons);
+                finding.witness = refute::counterexample(&failure);
+                if ranged {
+                    finding.instances = Some(format!(
+                        "fails in {} of {} instances: {}",
+                        tally.fails.len(),
+                        tally.fails.len() + tally.holds,
+                        range()
+                    ));
+                }
+            }
+            refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
+            refute::Decision::Sampled(reason) => {
+                finding.verdict = Verdict::Sampled;
+                finding.reason = Some(reason);
+                finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
+            }
+            refute::Decision::Open(reason) => {
+                finding.reason = Some(reason);
+            }
+            refute::Decision::Loose(reason) => {
+                finding.reason = Some("it fails as it stands".to_owned());
+                finding.warning = Some(reason);
+            }
+        }
+        Judged::Verdict(Box::new(finding))
+    }
+
+    /// A proof for all integers, if one is found.
+    fn proof(&self, chain: &Chain, at: usize, place: &Place, attempt: &Attempt) -> Option<String> {
+        let choices = attempt.choices;
+        let equal = matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv | Rel::Define);
+        let tally = &attempt.outcomes.tallies[at - (chain.relations.len() - attempt.outcomes.tallies.len())];
+        let plain =
+            tally.record.unknown.is_empty() && tally.record.paired.is_empty() && tally.condition.is_none();
+        if !equal || !plain || choices.total_above || choices.powers || tally.record.infinite {
+            return None;
+        }
+        let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
+        let limits = Limits { time: Some(super::trial::share(&self.limits, 16)), ..self.limits.clone() };
+        let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+        let proof = budget::run(&limits, || prove(left, right, &lookup)).ok()??;
+        Some(proof.reason)
+    }
+
+    fn notes(&self, tally: &Tally) -> Vec<String> {
+        let mut notes: Vec<String> = tally.record.standard.iter().cloned().collect();
+        for (number, _) in &tally.record.definitions {
+            let definition = &self.context.definitions[*number];
+            notes.push(format!("{} as defined in line {}", definition.head.base, definition.line));
+        }
+        for name in &tally.record.unknown {
+            notes.push(format!("{name} is any polynomial"));
+        }
+        notes
+    }
+}
+
+/// What comes of one relation.
+enum Judged {
+    Verdict(Box<Finding>),
+    /// It defines its name anew.
+    Redefinition(Option<String>),
+}
+
+/// A finding for a relation, not judged yet.
+pub fn blank(chain: &Chain, at: usize) -> Finding {
+    let (left, right) = (&chain.sides[at], &chain.sides[at + 1]);
+    let (rel, sign) = chain.relations[at];
+    let sign_text = write::latex(&Expr::relation(Expr::name("a"), rel, Expr::name("b")));
+    let sign_text = sign_text.trim_start_matches('a').trim_end_matches('b').trim().to_owned();
+    let reading = Expr::relation(left.expr.clone(), rel, right.expr.clone());
+    let latex = format!("{} {} {}", left.latex, sign_text, right.latex);
+    let span = left.expr.span.to(sign).to(right.expr.span);
+    Finding::new(span, sign, latex, write::latex(&reading), at + 1)
+}
+
+/// A finding for a formula without a relation.
+pub fn of_side(side: &Side, verdict: Verdict, relation: usize) -> Finding {
+    let span = side.expr.span;
+    let finding = Finding::new(span, span, side.latex.clone(), write::latex(&side.expr), relation);
+    Finding { verdict, ..finding }
+}

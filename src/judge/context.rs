@@ -1,0 +1,168 @@
+//! What names mean, and where: the definitions and conditions met so far.
+
+use std::collections::BTreeSet;
+
+use super::names::{Head, walk};
+use super::statement::{Place, Said, Statement};
+use crate::formula::{Expr, Kind};
+use crate::language::value::Value;
+
+/// What a name stands for.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// The right-hand side as written.
+    Formula(Expr),
+    /// A value found by comparing coefficients.
+    Value(Value),
+}
+
+/// A definition met in the notes.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Its left-hand side.
+    pub head: Head,
+    /// Its right-hand side.
+    pub body: Body,
+    /// Conditions said with it.
+    pub conditions: Vec<Expr>,
+    /// Where it was given.
+    pub place: Place,
+    /// The line, for reports.
+    pub line: usize,
+    /// Whether a query gives it; the items of a list there are counted from 0.
+    pub queried: bool,
+}
+
+/// A condition on names, such as α + β + γ = 1.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// As written.
+    pub expr: Expr,
+    /// Where.
+    pub place: Place,
+    /// The line, for reports.
+    pub line: usize,
+}
+
+/// Everything known at a place of the notes.
+#[derive(Clone, Debug, Default)]
+pub struct Context {
+    /// In the order they were met.
+    pub definitions: Vec<Definition>,
+    /// In the order they were met.
+    pub conditions: Vec<Condition>,
+    /// How letters are used in the whole document.
+    pub letters: Letters,
+}
+
+/// How letters are used in a document.
+#[derive(Clone, Debug, Default)]
+pub struct Letters {
+    /// Letters that are applied to arguments like functions.
+    pub functions: BTreeSet<String>,
+    /// Letters whose index 10 means 1, 0, because there is an index 00 or 01, too.
+    pub pairs: BTreeSet<String>,
+    /// Letters with an upper index that is no power: b_i^r.
+    pub towers: BTreeSet<String>,
+}
+
+/// Letters for functions even if nothing else shows it.
+const FUNCTIONS: &[&str] = &["f", "g", "h", "F", "G", "H", "phi", "psi", "varphi", "Phi", "Psi"];
+
+/// Letters for variables.
+const VARIABLES: &[&str] = &["t", "u", "v", "w", "x", "y", "z", "s", "r", "tau", "xi", "theta", "lambda"];
+
+/// Letters that are numbers even before a parenthesis.
+const NUMBERS: &[&str] =
+    &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
+
+/// Whether a name is usual for a variable.
+pub fn is_variable(name: &str) -> bool {
+    VARIABLES.contains(&name)
+}
+
+impl Letters {
+    /// Looks through all formulas.
+    pub fn of(statements: &[Statement]) -> Self {
+        let mut letters = Letters {
+            functions: FUNCTIONS.iter().map(|name| (*name).to_owned()).collect(),
+            ..Letters::default()
+        };
+        let mut look = |expr: &Expr| {
+            walk(expr, &mut |part| letters.look(part));
+        };
+        for statement in statements {
+            match &statement.said {
+                Said::Chain(chain) => chain.sides.iter().for_each(|side| look(&side.expr)),
+                Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
+                Said::Declaration(..) | Said::Queries(..) => {}
+            }
+        }
+        letters
+    }
+
+    fn look(&mut self, expr: &Expr) {
+        match &expr.kind {
+            Kind::Apply(callee, groups) => {
+                let Some(head) = Head::of(callee) else { return };
+                if NUMBERS.contains(&head.base.as_str()) && head.lower.is_empty() {
+                    return;
+                }
+                let flat: Vec<&Expr> = groups.iter().flatten().collect();
+                let variable = |expr: &Expr| {
+                    Head::of(expr).is_some_and(|head| {
+                        head.arguments.is_none() && head.upper.is_empty() && is_variable(&head.base)
+                    })
+                };
+                if flat.len() > 1 || flat.iter().any(|argument| variable(argument)) {
+                    self.functions.insert(head.base);
+                }
+            }
+            Kind::Subscript(base, lower) => {
+                if let [index] = lower.as_slice()
+                    && let Kind::Name(word) = &index.kind
+                    && word.len() == 2
+                    && word.starts_with('0')
+                    && let Some(head) = Head::of(base)
+                {
+                    self.pairs.insert(head.base);
+                }
+            }
+            Kind::Pow(base, upper) => {
+                // b_i^{r-1} beside b_i^r is a point of the algorithm of de Casteljau.
+                if let Kind::Subscript(..) = &base.kind
+                    && let Some(head) = Head::of(base)
+                    && matches!(&upper.kind, Kind::Add(terms) if terms.len() == 2
+                        && matches!(terms[0].expr.kind, Kind::Name(_))
+                        && matches!(terms[1].expr.kind, Kind::Number(_)))
+                {
+                    self.towers.insert(head.base);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a letter is applied like a function.
+    pub fn is_function(&self, base: &str) -> bool {
+        self.functions.contains(base)
+    }
+}
+
+impl Context {
+    /// The definitions of a letter visible from a place, the nearest and latest first: their numbers,
+    /// and whether they stand in the same section, example or quotation, or one around it.
+    pub fn visible<'a>(
+        &'a self,
+        base: &'a str,
+        place: &'a Place,
+    ) -> impl Iterator<Item = (usize, &'a Definition, bool)> + 'a {
+        let near = move |definition: &Definition| place.sees(&definition.place);
+        let all = move || self.definitions.iter().enumerate().rev().filter(move |(_, d)| d.head.base == base);
+        let first = all().filter(move |(_, d)| near(d)).map(|(i, d)| (i, d, true));
+        let second = all()
+            .filter(move |(_, d)| !near(d) && matches!(d.body, Body::Formula(_)))
+            .map(|(i, d)| (i, d, false));
+        first.chain(second)
+    }
+}

@@ -1,0 +1,122 @@
+//! What comes of a file of notes: one finding for each relation.
+
+use crate::formula::source::{SourceFile, Span};
+use crate::language::diagnostic::Diagnostic;
+
+/// What is said of a relation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Introduces a name, a value for one, or a condition; used afterwards.
+    Definition,
+    /// An exact identity, for all values of its symbols.
+    Proved,
+    /// A family: exact for every instance tried.
+    Sampled,
+    /// Wrong, with a counterexample.
+    Refuted,
+    /// Read, but a condition or a definition is missing.
+    Undecided,
+    /// Outside what the reader knows.
+    Unread,
+}
+
+impl Verdict {
+    /// All verdicts, in the order of reports.
+    pub const ALL: [Verdict; 6] = [
+        Verdict::Definition,
+        Verdict::Proved,
+        Verdict::Sampled,
+        Verdict::Refuted,
+        Verdict::Undecided,
+        Verdict::Unread,
+    ];
+
+    /// The word used in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Definition => "definition",
+            Verdict::Proved => "proved",
+            Verdict::Sampled => "sampled",
+            Verdict::Refuted => "refuted",
+            Verdict::Undecided => "undecided",
+            Verdict::Unread => "unread",
+        }
+    }
+
+    /// Whether the relation was judged: neither undecided nor unread.
+    pub fn is_judged(self) -> bool {
+        !matches!(self, Verdict::Undecided | Verdict::Unread)
+    }
+}
+
+/// One relation of a file with its verdict. A formula without a relation has one finding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// Both sides of the relation in the file.
+    pub span: Span,
+    /// What the caret points at: the relation sign, or the side that is wrong.
+    pub mark: Span,
+    /// Both sides as written.
+    pub latex: String,
+    /// How it was understood, printed anew as LaTeX.
+    pub reading: String,
+    /// Counted from 1 in its chain; 0 for a formula without a relation.
+    pub relation: usize,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Why.
+    pub reason: Option<String>,
+    /// A counterexample: "n = 2, i = 1, t = 1/2: left 1/4, right 0".
+    pub witness: Option<String>,
+    /// The likely repair, as LaTeX that can be pasted over the relation.
+    pub suggestion: Option<String>,
+    /// Which instances were tried, if it is a family: "54 instances: n from 0 to 6, …".
+    pub instances: Option<String>,
+    /// Something suspicious that is no refutation.
+    pub warning: Option<String>,
+    /// Meanings that were assumed: "B_i^n is the Bernstein polynomial".
+    pub notes: Vec<String>,
+}
+
+impl Finding {
+    /// A finding that says nothing yet: undecided, without reasons.
+    pub fn new(span: Span, mark: Span, latex: String, reading: String, relation: usize) -> Self {
+        Finding {
+            span,
+            mark,
+            latex,
+            reading,
+            relation,
+            verdict: Verdict::Undecided,
+            reason: None,
+            witness: None,
+            suggestion: None,
+            instances: None,
+            warning: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Whether a person should look at it.
+    pub fn is_suspicious(&self) -> bool {
+        self.verdict == Verdict::Refuted || self.warning.is_some()
+    }
+}
+
+/// All findings of a file.
+#[derive(Clone, Debug)]
+pub struct FileReport {
+    /// The file.
+    pub file: SourceFile,
+    /// Its relations in order.
+    pub findings: Vec<Finding>,
+    /// What is wrong with the file itself.
+    pub problems: Vec<Diagnostic>,
+}
+
+impl FileReport {
+    /// How many findings have this verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.findings.iter().filter(|finding| finding.verdict == verdict).count()
+    }
+}

@@ -1,0 +1,248 @@
+//! Whether the left side of an equation has a meaning already: then the equation is a claim, else a
+//! definition.
+
+use super::check::Checker;
+use super::context::{Definition, is_variable};
+use super::model::{Curve, capital_of};
+use super::names::{Head, bases, is_index_letter};
+use super::refute::calls;
+use super::statement::Place;
+use crate::formula::{Expr, Kind};
+use crate::language::value::Value;
+use crate::language::write;
+
+/// The left side of a definition: a name, perhaps with indices, applied to distinct names.
+pub fn definable(expr: &Expr) -> Option<Head> {
+    let head = Head::of(expr)?;
+    let simple = |index: &Expr| {
+        matches!(
+            index.kind,
+            Kind::Name(_) | Kind::Number(_) | Kind::Text(_) | Kind::Accent(..) | Kind::Mul(_)
+        )
+    };
+    if !head.lower.iter().chain(&head.upper).all(simple) {
+        return None;
+    }
+    // t^j is a power, unless the name is applied to something or has another index.
+    let star = matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Name(name)
+        if matches!(name.as_str(), "ast" | "star")));
+    if head.arguments.is_none()
+        && head.lower.is_empty()
+        && !head.upper.is_empty()
+        && !head.parenthesized
+        && !star
+    {
+        return None;
+    }
+    if matches!(head.base.as_str(), "Delta" | "nabla" | "D") {
+        return None;
+    }
+    // f(t_1, t_2, t_3) has places; f(t_2, t_3, t) is a value at knots.
+    let numbered: Vec<(String, i64)> = head
+        .flat()
+        .iter()
+        .filter_map(|argument| {
+            let own = Head::of(argument)?;
+            match own.lower.as_slice() {
+                [Expr { kind: Kind::Number(q), .. }] => Some((own.base, Value::number(q.clone()).as_int()?)),
+                _ => None,
+            }
+        })
+        .collect();
+    if let Some((_, first)) = numbered.first()
+        && !head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis)
+    {
+        let mut expected: Option<(String, i64)> = None;
+        let in_order = numbered.iter().all(|(base, index)| {
+            let fits = match &expected {
+                Some((known, next)) if known == base => index == next,
+                _ => *index <= 1,
+            };
+            expected = Some((base.clone(), index + 1));
+            fits
+        });
+        if numbered.len() != head.flat().len() || !in_order || *first > 1 {
+            return None;
+        }
+    }
+    let mut names: Vec<String> = Vec::new();
+    let arguments = head.flat();
+    let dots = arguments.iter().any(|argument| argument.kind == Kind::Ellipsis);
+    for argument in arguments {
+        if argument.kind == Kind::Ellipsis {
+            continue;
+        }
+        let own = Head::of(argument)?;
+        if own.arguments.is_some() || !own.upper.is_empty() {
+            return None;
+        }
+        // S(x_i) is a value at a node.
+        let at_node = !dots && own.lower.iter().any(|index| !matches!(index.kind, Kind::Number(_)))
+            || !dots && head.flat().len() == 1 && own.lower.len() == 1 && own.base == "x";
+        if at_node {
+            return None;
+        }
+        let text = write::text(argument);
+        if names.contains(&text) {
+            return None;
+        }
+        names.push(text);
+    }
+    Some(head)
+}
+
+/// Whether a definition could be the one of a head: the same numbers of indices and arguments, and
+/// every index of the head is covered.
+fn covers(definition: &Definition, head: &Head) -> bool {
+    let own = &definition.head;
+    let index = |pattern: &Expr, index: &Expr| match (&pattern.kind, &index.kind) {
+        (Kind::Name(name), _) if is_index_letter(name) => true,
+        _ => pattern.same_as(index),
+    };
+    let dots = |head: &Head| head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis);
+    own.lower.len() == head.lower.len()
+        && own.upper.len() == head.upper.len()
+        && own.arguments.is_some() == head.arguments.is_some()
+        && own.lower.iter().zip(&head.lower).all(|(a, b)| index(a, b))
+        && own.upper.iter().zip(&head.upper).all(|(a, b)| index(a, b))
+        && (dots(own) || dots(head) || own.flat().len() == head.flat().len())
+}
+
+impl Checker {
+    /// Whether a query nearby gives a value for a name as a whole.
+    pub(super) fn is_queried(&self, head: &Head, place: &Place) -> bool {
+        let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        whole
+            && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| {
+                near && d.queried && d.head.lower.is_empty() && d.head.arguments.is_none()
+            })
+    }
+
+    /// Whether a name has a meaning already, so that an equation for it is a claim.
+    pub(super) fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
+        let standard = match head.base.as_str() {
+            "B" => {
+                head.arguments.is_some() && matches!(head.lower.len() + head.upper.len(), 2 | 4)
+                    || head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
+            }
+            "sigma" => head.lower.len() == 2 && head.arguments.is_some(),
+            _ => false,
+        };
+        let right = bases(body);
+        let recursive = right.contains(&head.base);
+        if standard
+            || self
+                .context
+                .visible(&head.base, place)
+                .any(|(_, d, near)| covers(d, head) && (near || recursive))
+        {
+            return true;
+        }
+        if curve.as_ref().is_some_and(|curve| curve.points == head.base)
+            && head.arguments.is_none()
+            && head.upper.is_empty()
+        {
+            return true;
+        }
+        // b_1 of a list b that a query gives, f(t_1, t_2) of a polar form f
+        let part = match (&*head.lower, &head.arguments) {
+            ([Expr { kind: Kind::Number(_), .. }], None) | ([], Some(_)) => head.upper.is_empty(),
+            _ => false,
+        };
+        let given = |definition: &Definition| {
+            definition.queried && definition.head.lower.is_empty() && definition.head.arguments.is_none()
+        };
+        if part && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| near && given(d))
+        {
+            return true;
+        }
+        let function = self.context.letters.is_function(&head.base);
+        let plain = head.lower.is_empty() && head.upper.is_empty();
+        let plain_below = head.lower.is_empty();
+        let base_known = || {
+            plain_below
+                && self.context.visible(&head.base, place).any(|(_, d, near)| {
+                    near && d.head.upper.is_empty()
+                        && d.head.arguments.is_some()
+                        && d.head.lower.len() == head.lower.len()
+                })
+        };
+        // F^{(q)}(u), f^r(t), f^{(+1)}(…), f_u(u, v)
+        if let ([upper], Some(_)) = (head.upper.as_slice(), &head.arguments)
+            && function
+        {
+            let order = match &upper.kind {
+                Kind::Name(name) => is_index_letter(name),
+                Kind::Number(_) => head.parenthesized,
+                _ => false,
+            };
+            if order
+                && (head.parenthesized && (calls(body, &head.base.to_lowercase()) || calls(body, &head.base))
+                    || base_known())
+            {
+                return true;
+            }
+        }
+        if head.upper.is_empty()
+            && let [index] = head.lower.as_slice()
+            && head.arguments.is_some()
+        {
+            let letters = bases(index);
+            let partial = letters.iter().all(|letter| is_variable(letter))
+                && self.context.visible(&head.base, place).any(|(_, d, near)| {
+                    let own: Vec<String> =
+                        d.head.flat().iter().filter_map(|e| Head::of(e)).map(|h| h.base).collect();
+                    near && d.head.lower.is_empty()
+                        && own.len() > 1
+                        && letters.iter().all(|l| own.contains(l))
+                });
+            if partial {
+                return true;
+            }
+        }
+        if !plain {
+            return false;
+        }
+        // The polar form of a function that is known, or that the right-hand side speaks of.
+        let capital = capital_of(&head.base);
+        let small = head.base.to_lowercase();
+        let count = head.flat().len();
+        let of_known = || {
+            self.context.visible(&capital, place).any(|(_, definition, _)| {
+                definition.head.flat().len() == 1
+                    && definition.head.lower.is_empty()
+                    && definition.head.upper.is_empty()
+            })
+        };
+        if capital != head.base {
+            if head.arguments.is_some() {
+                let polar = count > 1 || curve.is_some();
+                return polar
+                    && (of_known()
+                        || curve.is_some()
+                        || right.contains(&capital)
+                        || calls(body, &head.base))
+                    || count == 1 && of_known();
+            }
+            return function && of_known();
+        }
+        // F(t) = f(t, …, t), F(t) = Σ F^{(i)}(τ) …
+        head.arguments.is_some()
+            && small != head.base
+            && (calls_plain(body, &small) && self.context.letters.is_function(&small)
+                || calls(body, &head.base))
+    }
+}
+
+/// Whether a letter without indices is called in a formula.
+fn calls_plain(expr: &Expr, base: &str) -> bool {
+    let mut found = false;
+    super::names::walk(expr, &mut |part| {
+        if let Kind::Apply(callee, _) = &part.kind {
+            found = found
+                || Head::of(callee)
+                    .is_some_and(|head| head.base == base && head.lower.is_empty() && head.upper.is_empty());
+        }
+    });
+    found
+}

@@ -1,0 +1,26 @@
+//! From a claim and what is known to a verdict.
+//!
+//! A statement is a chain of relations with its conditions (`statement`). A new name is a definition
+//! (`known`, `context`); a claim is tried on all small instances (`trial`), each with a meaning for
+//! every name (`model`), compared exactly (`compare`). What holds in every instance may have a proof
+//! for all (`prove`); what fails is refuted only if it can be nothing but a claim (`refute`), and
+//! gets a suggestion (`repair`). What comes of each relation is a `finding`.
+
+mod attempt;
+pub mod check;
+mod compare;
+mod context;
+mod declare;
+mod features;
+pub mod finding;
+mod known;
+mod lint;
+mod lists;
+mod model;
+pub(crate) mod names;
+pub mod prove;
+mod refute;
+mod repair;
+pub mod statement;
+mod trial;
+mod unfold;

@@ -1,0 +1,528 @@
+//! Calls: definitions, derivatives, standard families, polar forms, unknown functions.
+
+use super::{Ambiguity, Evaluated, Model};
+use crate::formula::{Accent, Expr, Kind, Sign};
+use crate::judge::names::{Head, is_index_letter};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::arithmetic;
+use crate::language::eval::{Machine, nth_derivative};
+use crate::language::value::Value;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+
+/// The variable in which functions are differentiated.
+const FRESH: &str = "\u{2022}";
+
+impl Model {
+    /// `callee(groups)`; `None` if it is no call of a function.
+    pub(super) fn call(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        groups: &[Vec<Expr>],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if !self.is_function(machine, callee) {
+            return None;
+        }
+        if let (Kind::Name(name), true) = (&callee.kind, self.is_queried(callee, groups))
+            && let Some(Ok(function)) = self.defined(machine, &Head::of(callee)?, None)
+        {
+            let own = [(Symbol::new(name), function)];
+            return Some(machine.with_locals(own, |machine| machine.eval(expr)));
+        }
+        // A permutation of all arguments: F(π(u_1, …, u_n)).
+        if let [group] = groups
+            && let [only] = group.as_slice()
+            && let Kind::Apply(inner, permuted) = &only.kind
+            && matches!(&inner.kind, Kind::Name(name) if name == "pi")
+        {
+            let [list] = permuted.as_slice() else { return None };
+            let values = self.arguments(machine, list, None, expr).map(|mut values| {
+                let shift = 1.min(values.len());
+                values.rotate_left(shift);
+                vec![values]
+            });
+            return Some(values.and_then(|values| self.apply(machine, callee, &values, expr)));
+        }
+        // S(x_i - 0) and S(x_i + 0) are limits from one side.
+        let one_sided = groups.iter().flatten().any(|argument| {
+            matches!(&argument.kind, Kind::Add(terms) if terms.len() == 2
+                && matches!(&terms[1].expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q)))
+        });
+        if one_sided {
+            return Some(Err(unclear("what a limit from one side is", expr)));
+        }
+        let mut values = Vec::with_capacity(groups.len());
+        self.flexible.set(false);
+        for group in groups {
+            let arity = self.arity(callee, groups.len());
+            match self.arguments(machine, group, arity, expr) {
+                Ok(group) => values.push(group),
+                Err(error) => return Some(Err(error)),
+            }
+        }
+        Some(self.apply(machine, callee, &values, expr))
+    }
+
+    /// Whether a query says what is called, so that the language knows how to call it: f := polar(…).
+    fn is_queried(&self, callee: &Expr, groups: &[Vec<Expr>]) -> bool {
+        let Kind::Name(name) = &callee.kind else { return false };
+        let written_out = |item: &Expr| !matches!(item.kind, Kind::Ellipsis | Kind::Brace(..));
+        groups.iter().flatten().all(written_out)
+            && self.context.visible(name, &self.place).next().is_some_and(|(_, definition, _)| {
+                definition.queried && definition.head.arguments.is_none() && definition.head.lower.is_empty()
+            })
+    }
+
+    /// Whether what stands before a bracket is a function and not a factor.
+    pub(super) fn is_function(&self, machine: &mut Machine, callee: &Expr) -> bool {
+        match &callee.kind {
+            Kind::Prime(..) | Kind::Derivative { .. } => true,
+            Kind::Accent(Accent::Dot | Accent::Ddot, _) => true,
+            Kind::Subscript(base, _) if matches!(base.kind, Kind::Accent(Accent::Dot | Accent::Ddot, _)) => {
+                true
+            }
+            Kind::Group(inner) => match &inner.kind {
+                Kind::Add(terms) => terms.iter().all(|term| self.is_function(machine, &term.expr)),
+                Kind::Mul(factors) => factors.iter().all(|factor| self.is_function(machine, factor)),
+                Kind::Compose(_) | Kind::Derivative { .. } => true,
+                _ => self.is_function(machine, inner),
+            },
+            _ => {
+                let Some(head) = Head::of(callee) else { return false };
+                if head.arguments.is_some() {
+                    return false;
+                }
+                let plain = head.lower.is_empty() && head.upper.is_empty();
+                if plain && machine.lookup(&Symbol::new(&head.base)).is_some() {
+                    return false;
+                }
+                if plain && (is_index_letter(&head.base) && !self.context.letters.is_function(&head.base)) {
+                    return false;
+                }
+                let context = self.context.clone();
+                let defined = context
+                    .visible(&head.base, &self.place)
+                    .find(|(_, definition, _)| definition.head.lower.len() == head.lower.len());
+                match defined {
+                    Some((_, definition, near)) if near || !self.context.letters.is_function(&head.base) => {
+                        definition.head.arguments.is_some() || self.context.letters.is_function(&head.base)
+                    }
+                    _ => {
+                        self.context.letters.is_function(&head.base)
+                            || matches!(head.base.as_str(), "B" | "sigma" | "N" | "P")
+                                && !(head.lower.is_empty() && head.upper.is_empty())
+                    }
+                }
+            }
+        }
+    }
+
+    /// How many arguments a group is to have, where dots leave that open.
+    fn arity(&self, callee: &Expr, groups: usize) -> Option<usize> {
+        let head = Head::of(callee)?;
+        if groups == 2 {
+            return Some(2);
+        }
+        let lifted = head.parenthesized
+            && matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Add(terms) if terms.len() == 1));
+        self.degree.map(|degree| degree + usize::from(lifted))
+    }
+
+    /// The values of a list of arguments: with dots and braces written out and powers repeated.
+    /// Dots without a count are filled up to `arity`.
+    pub(super) fn arguments(
+        &self,
+        machine: &mut Machine,
+        items: &[Expr],
+        arity: Option<usize>,
+        expr: &Expr,
+    ) -> Result<Vec<Value>, Diagnostic> {
+        // f(0^{n-i} 1^i), f(0^2, t)
+        if let Some(values) = self.repeated_by_powers(machine, items)? {
+            return Ok(values);
+        }
+        if !items.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..))) {
+            return items.iter().map(|item| machine.eval(item)).collect();
+        }
+        self.dotted_arguments(machine, items, arity, expr)
+    }
+
+    fn repeated_by_powers(
+        &self,
+        machine: &mut Machine,
+        items: &[Expr],
+    ) -> Result<Option<Vec<Value>>, Diagnostic> {
+        let repetition = |expr: &Expr| {
+            matches!(&expr.kind, Kind::Pow(base, _)
+                if matches!(&base.kind, Kind::Number(_)))
+        };
+        let factors: Vec<&Expr> = items
+            .iter()
+            .flat_map(|item| match &item.kind {
+                Kind::Mul(factors) if factors.iter().any(repetition) => factors.iter().collect(),
+                _ => vec![item],
+            })
+            .collect();
+        if !factors.iter().any(|factor| repetition(factor)) {
+            return Ok(None);
+        }
+        let mut values = Vec::new();
+        for factor in factors {
+            match &factor.kind {
+                Kind::Pow(base, exponent) if matches!(base.kind, Kind::Number(_) | Kind::Name(_)) => {
+                    let count = machine.eval_int(exponent)?;
+                    let count = usize::try_from(count).map_err(|_| {
+                        Diagnostic::error(Code::Domain, format!("{count} copies make no sense"))
+                            .at(factor.span)
+                    })?;
+                    crate::budget::charge_terms(count as u64);
+                    let value = machine.eval(base)?;
+                    values.extend(std::iter::repeat_n(value, count));
+                }
+                _ => values.push(machine.eval(factor)?),
+            }
+        }
+        Ok(Some(values))
+    }
+
+    /// The value of a function at arguments that are values already.
+    pub(super) fn apply(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        match &callee.kind {
+            Kind::Group(inner) => self.apply(machine, inner, values, expr),
+            Kind::Accent(Accent::Bold | Accent::Script | Accent::Blackboard, inner)
+                if matches!(inner.kind, Kind::Group(_)) =>
+            {
+                self.apply(machine, inner, values, expr)
+            }
+            Kind::Prime(inner, order) => self.derivative(machine, inner, *order as usize, values, expr),
+            Kind::Accent(Accent::Dot, inner) => self.derivative(machine, inner, 1, values, expr),
+            Kind::Accent(Accent::Ddot, inner) => self.derivative(machine, inner, 2, values, expr),
+            Kind::Subscript(base, lower) => {
+                let (order, inner) = match &base.kind {
+                    Kind::Accent(Accent::Dot, inner) => (1, inner),
+                    Kind::Accent(Accent::Ddot, inner) => (2, inner),
+                    _ => return self.apply_head(machine, callee, values, expr),
+                };
+                let inner = Expr::new(Kind::Subscript(inner.clone(), lower.clone()), callee.span);
+                self.derivative(machine, &inner, order, values, expr)
+            }
+            Kind::Derivative { variables, body: Some(body), .. } => {
+                if let ([(_, order)], [group]) = (variables.as_slice(), values)
+                    && group.len() == 1
+                {
+                    let order = match order {
+                        Some(order) => machine.eval_int(order)?,
+                        None => 1,
+                    };
+                    return self.derivative(machine, body, order.max(0) as usize, values, expr);
+                }
+                machine.eval(callee)
+            }
+            // (f + g)(t_1, t_2, t_3): each takes as many arguments as it has.
+            Kind::Add(terms) => {
+                let mut sum: Option<Value> = None;
+                for term in terms {
+                    let value = self.apply_some(machine, &term.expr, values, expr)?;
+                    let value = if term.sign == Sign::Minus { arithmetic::negate(value)? } else { value };
+                    sum = Some(match sum {
+                        None => value,
+                        Some(sum) => arithmetic::add(sum, value)?,
+                    });
+                }
+                sum.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty sum").at(expr.span))
+            }
+            Kind::Mul(factors) => {
+                let mut product = Value::int(1);
+                for factor in factors {
+                    let value = self.apply_some(machine, factor, values, expr)?;
+                    product = arithmetic::multiply(product, value)?;
+                }
+                Ok(product)
+            }
+            Kind::Compose(items) => {
+                let mut current = values.to_vec();
+                let mut result = None;
+                for item in items.iter().rev() {
+                    let value = self.apply(machine, item, &current, expr)?;
+                    current = vec![vec![value.clone()]];
+                    result = Some(value);
+                }
+                result.ok_or_else(|| Diagnostic::error(Code::Empty, "nothing is composed").at(expr.span))
+            }
+            _ => self.apply_head(machine, callee, values, expr),
+        }
+    }
+
+    /// As [`Model::apply`], with the first arguments only if the function takes fewer.
+    fn apply_some(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        if let ([group], Some(head)) = (values, Head::of(callee)) {
+            for count in (1..group.len()).rev() {
+                if self.defined(machine, &head, Some(values)).is_some() {
+                    break;
+                }
+                let first = vec![group[..count].to_vec()];
+                if let Some(result) = self.defined(machine, &head, Some(&first)) {
+                    return result;
+                }
+            }
+            // The polar form of a certain polynomial has as many arguments as its degree.
+            if let Some(degree) = self.degree_of_example(machine, &head, expr)
+                && degree < group.len()
+            {
+                return self.apply(machine, callee, &[group[..degree].to_vec()], expr);
+            }
+        }
+        self.apply(machine, callee, values, expr)
+    }
+
+    /// The derivative of a function of one variable, at a value.
+    fn derivative(
+        &self,
+        machine: &mut Machine,
+        function: &Expr,
+        order: usize,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        let [group] = values else {
+            return Err(unclear("the derivative of a function of two groups of arguments", expr));
+        };
+        let [argument] = group.as_slice() else {
+            return Err(unclear("in which variable this is differentiated", expr));
+        };
+        let Value::Scalar(argument) = argument else {
+            return Err(unclear("the derivative at something that is not a number", expr));
+        };
+        if order == 0 {
+            return self.apply(machine, function, values, expr);
+        }
+        let fresh = Symbol::new(FRESH);
+        let own = vec![vec![Value::symbol(fresh.clone())]];
+        let value = self.apply(machine, function, &own, expr)?;
+        each(value, &|formula| {
+            let derived = nth_derivative(&formula, &fresh, order);
+            derived
+                .substitute(&[(fresh.clone(), argument.clone())])
+                .map_err(|_| arithmetic::division_by_zero())
+        })
+    }
+
+    /// F' alone, as in F' = 3 t^2.
+    pub(super) fn derived_name(
+        &self,
+        machine: &mut Machine,
+        body: &Expr,
+        order: usize,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let head = Head::of(body)?;
+        if machine.lookup(&Symbol::new(&head.base)).is_some() {
+            return None;
+        }
+        let context = self.context.clone();
+        let definition = context.visible(&head.base, &self.place).find_map(|(_, definition, _)| {
+            let arguments = definition.head.flat();
+            match arguments.as_slice() {
+                [one] => Head::of(one).map(|own| own.base),
+                _ => None,
+            }
+        });
+        let Some(variable) = definition else {
+            return Some(Err(unclear("what is differentiated here", expr)));
+        };
+        let variable = Symbol::new(&variable);
+        let own = vec![vec![Value::symbol(variable)]];
+        Some(self.derivative(machine, body, order, &own, expr))
+    }
+
+    fn apply_head(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        let Some(head) = Head::of(callee) else {
+            return Err(unclear("what is applied here", expr));
+        };
+        if let [group] = values
+            && group.iter().any(|value| matches!(value, Value::Vector(_)))
+            && let Some(result) = self.affine_by_definition(machine, &head, group)
+        {
+            return result;
+        }
+        if let Some(result) = self.defined(machine, &head, Some(values)) {
+            return result;
+        }
+        if let Some(result) = self.varied(machine, &head, values, expr) {
+            return result;
+        }
+        if let Some(result) = self.family(machine, &head, values, expr) {
+            return result;
+        }
+        self.function(machine, &head, values, expr)
+    }
+
+    /// Calls whose indices say what to do with the function: F^{(q)}, f^{(+1)}, f^r, x_u.
+    fn varied(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if let [upper] = head.upper.as_slice() {
+            let bare = Expr { kind: bare(head, true), span: expr.span };
+            if head.base == "B" || head.base == "N" || head.base == "sigma" {
+                return None;
+            }
+            if head.parenthesized {
+                if matches!(&upper.kind, Kind::Add(terms) if terms.len() == 1 && terms[0].sign == Sign::Plus)
+                {
+                    self.note("f^{(+1)} is the polar form of the degree raised by one");
+                    return Some(self.apply(machine, &bare, values, expr));
+                }
+                let order = machine.eval(upper).ok()?.as_int()?;
+                let order = usize::try_from(order).ok()?;
+                return Some(self.derivative(machine, &bare, order, values, expr));
+            }
+            if matches!(&upper.kind, Kind::Name(name) if matches!(name.as_str(), "ast" | "star")) {
+                return None;
+            }
+            if head.lower.is_empty() && self.context.letters.is_function(&head.base) {
+                let order = machine.eval(upper).ok()?;
+                if !matches!(upper.kind, Kind::Number(_)) {
+                    self.ambiguous(Ambiguity::Power);
+                    if !self.choices.powers {
+                        let order = usize::try_from(order.as_int()?).ok()?;
+                        return Some(self.derivative(machine, &bare, order, values, expr));
+                    }
+                }
+                let value = match self.apply(machine, &bare, values, expr) {
+                    Ok(value) => value,
+                    Err(error) => return Some(Err(error)),
+                };
+                return Some(arithmetic::power(value, &order).map_err(|error| error.at(expr.span)));
+            }
+        }
+        // x_u(u, v), x_{uv}: partial derivatives of a function that has these variables
+        let [index] = head.lower.as_slice() else { return None };
+        let letters: Vec<&str> = match &index.kind {
+            Kind::Name(name) => vec![name.as_str()],
+            Kind::Mul(factors) => factors
+                .iter()
+                .map(|factor| match &factor.kind {
+                    Kind::Name(name) => Some(name.as_str()),
+                    _ => None,
+                })
+                .collect::<Option<_>>()?,
+            _ => return None,
+        };
+        let plain = Head { lower: Vec::new(), ..head.clone() };
+        let context = self.context.clone();
+        let (_, definition, _) = context.visible(&head.base, &self.place).find(|(_, definition, _)| {
+            let own: Vec<String> =
+                definition.head.flat().iter().filter_map(|e| Head::of(e)).map(|h| h.base).collect();
+            definition.head.lower.is_empty() && letters.iter().all(|letter| own.iter().any(|o| o == letter))
+        })?;
+        let own: Vec<Symbol> = definition
+            .head
+            .flat()
+            .iter()
+            .filter_map(|e| Head::of(e))
+            .map(|head| Symbol::new(head.base))
+            .collect();
+        let symbols: Vec<Vec<Value>> = vec![own.iter().cloned().map(Value::symbol).collect()];
+        let flat: Vec<&Value> = values.iter().flatten().collect();
+        if flat.len() != own.len() {
+            return None;
+        }
+        let replacements: Option<Vec<(Symbol, Fraction)>> = own
+            .iter()
+            .zip(&flat)
+            .map(|(symbol, value)| Some((symbol.clone(), value.as_scalar()?.clone())))
+            .collect();
+        let replacements = replacements?;
+        let value = self.defined(machine, &plain, Some(&symbols))?;
+        Some(value.and_then(|value| {
+            each(value, &|formula| {
+                let derived = letters
+                    .iter()
+                    .fold(formula, |formula, letter| nth_derivative(&formula, &Symbol::new(*letter), 1));
+                derived.substitute(&replacements).map_err(|_| arithmetic::division_by_zero())
+            })
+        }))
+    }
+
+    /// F ∘ G without arguments: a formula in the variable of G.
+    pub(super) fn composed(&self, machine: &mut Machine, items: &[Expr], expr: &Expr) -> Option<Evaluated> {
+        if !items.iter().all(|item| self.is_function(machine, item)) {
+            return None;
+        }
+        let variable = Head::of(items.last()?).and_then(|head| {
+            let context = self.context.clone();
+            context
+                .visible(&head.base, &self.place)
+                .find_map(|(_, d, _)| d.head.flat().first().and_then(|first| Head::of(first)))
+                .map(|head| head.base)
+        })?;
+        let own = vec![vec![Value::symbol(Symbol::new(variable))]];
+        let whole = Expr::new(Kind::Compose(items.to_vec()), expr.span);
+        Some(self.apply(machine, &whole, &own, expr))
+    }
+}
+
+/// The name without its upper index (or all indices kept below).
+fn bare(head: &Head, keep_lower: bool) -> Kind {
+    let base = match head.base.split_once(' ') {
+        Some((accent, base)) => {
+            let accent = Accent::ALL.into_iter().find(|a| a.name() == accent).unwrap_or(Accent::Bar);
+            Expr::from(Kind::Accent(accent, Box::new(Expr::name(base))))
+        }
+        None => Expr::name(&head.base),
+    };
+    if keep_lower && !head.lower.is_empty() {
+        Kind::Subscript(Box::new(base), head.lower.clone())
+    } else {
+        base.kind
+    }
+}
+
+/// Applies an operation to a formula, or to each coordinate of a point.
+pub(super) fn each(value: Value, operation: &dyn Fn(Fraction) -> Result<Fraction, Diagnostic>) -> Evaluated {
+    match value {
+        Value::Scalar(formula) => operation(formula).map(Value::Scalar),
+        Value::List(items) => {
+            items.into_iter().map(|item| each(item, operation)).collect::<Result<_, _>>().map(Value::List)
+        }
+        Value::Matrix(matrix) => {
+            let (rows, columns) = matrix.shape();
+            let entries: Result<Vec<Fraction>, Diagnostic> =
+                matrix.transpose().iter().cloned().map(operation).collect();
+            Ok(Value::Matrix(nalgebra::DMatrix::from_row_iterator(rows, columns, entries?)))
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} is no formula", other.kind()))),
+    }
+}
+
+pub(super) fn unclear(what: &str, expr: &Expr) -> Diagnostic {
+    Diagnostic::error(Code::Undecided, format!("it is not clear {what}")).at(expr.span)
+}
+
+/// A symbol as a formula.
+pub(super) fn variable(symbol: Symbol) -> Fraction {
+    Fraction::from(MultiPoly::symbol(symbol))
+}

@@ -1,0 +1,276 @@
+//! Definitions of the notes: which one fits a name or call, and what it gives.
+
+use super::{Bound, Evaluated, Model, holds};
+use crate::formula::{Expr, Kind};
+use crate::judge::context::{Body, Definition};
+use crate::judge::names::{Head, integer_names, is_index_letter};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Machine;
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+impl Model {
+    /// The value of a definition that fits.
+    pub(super) fn defined(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        values: Option<&[Vec<Value>]>,
+    ) -> Option<Evaluated> {
+        let context = self.context.clone();
+        let mut best: Option<(usize, usize, bool, Bound)> = None;
+        for (number, definition, near) in context.visible(&head.base, &self.place) {
+            // n = 3 holds for its paragraph.
+            let own = &definition.head;
+            let fixed = own.arguments.is_none()
+                && own.lower.is_empty()
+                && own.upper.is_empty()
+                && is_index_letter(&own.base)
+                && matches!(&definition.body, Body::Formula(body) if matches!(body.kind, Kind::Number(_)));
+            if fixed && definition.place.group != self.place.group {
+                continue;
+            }
+            if self.choices.near_only && !near
+                || (self.choices.general || self.curve.is_some()) && self.is_example(definition)
+            {
+                continue;
+            }
+            // One of a neighbouring section counts if it is later than that of the section around.
+            if let Some((best_number, _, best_near, _)) = &best
+                && *best_near
+                && !near
+                && !(number > *best_number && self.place.is_beside(&definition.place))
+            {
+                continue;
+            }
+            let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
+            // Of several that fit, the one with most exact indices; else the latest.
+            let better = best.as_ref().is_none_or(|(latest, most, ..)| exact > *most || number > *latest);
+            if better {
+                best = Some((number, exact, near, bound));
+            }
+        }
+        let (number, _, near, bound) = best?;
+        let definition = &context.definitions[number];
+        let outermost = self.depth.get() == 0;
+        let result = self.unfold(machine, definition, bound);
+        // A definition that leads nowhere is as good as none.
+        if let Err(error) = &result {
+            let nowhere = matches!(
+                error.code,
+                Code::UnknownName | Code::UnknownFunction | Code::Unsupported | Code::AmbiguousProduct
+            );
+            if nowhere || outermost && matches!(error.code, Code::Recursion | Code::Undecided) {
+                return None;
+            }
+        }
+        self.record.borrow_mut().definitions.insert((number, near));
+        Some(result)
+    }
+
+    /// The item b_i of a list b that a query gives.
+    pub(super) fn item_of_query(&self, machine: &mut Machine, head: &Head) -> Option<Value> {
+        let [index] = head.lower.as_slice() else { return None };
+        let list = Head { lower: Vec::new(), ..head.clone() };
+        let given = self.context.visible(&head.base, &self.place).any(|(_, d, _)| d.queried);
+        if !given || !head.upper.is_empty() || head.arguments.is_some() {
+            return None;
+        }
+        let Value::List(items) = self.defined(machine, &list, None)?.ok()? else { return None };
+        let index = machine.eval(index).ok()?.as_int()?;
+        items.get(usize::try_from(index).ok()?).cloned()
+    }
+
+    /// Whether a definition is of one function elsewhere: F(t) = t^3 + 1.
+    pub(super) fn is_example(&self, definition: &Definition) -> bool {
+        let head = &definition.head;
+        let Body::Formula(body) = &definition.body else { return false };
+        definition.place.group != self.place.group
+            && head.arguments.is_some()
+            && head.lower.is_empty()
+            && head.upper.is_empty()
+            && !head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis)
+            && integer_names(body).is_empty()
+    }
+
+    pub(super) fn unfold(&self, machine: &mut Machine, definition: &Definition, bound: Bound) -> Evaluated {
+        let body = match &definition.body {
+            Body::Value(value) => return Ok(value.clone()),
+            Body::Formula(body) => body,
+        };
+        if self.depth.get() >= crate::budget::depth().min(60) {
+            return Err(Diagnostic::error(Code::Recursion, "this definition refers to itself without end"));
+        }
+        // Integers that nothing fixes have the value of the degree.
+        let mut bound = bound;
+        for name in integer_names(body) {
+            let symbol = Symbol::new(&name);
+            if matches!(name.as_str(), "n" | "d" | "m" | "N")
+                && !bound.iter().any(|(known, _)| *known == symbol)
+                && machine.lookup(&symbol).is_none()
+            {
+                match self.degree {
+                    Some(degree) => bound.push((symbol, Value::int(degree as i64))),
+                    None => self.record.borrow_mut().wants_degree = true,
+                }
+            }
+        }
+        self.depth.set(self.depth.get() + 1);
+        let result = machine.with_locals(bound, |machine| machine.eval(body));
+        self.depth.set(self.depth.get() - 1);
+        result.map(|value| match value {
+            Value::Matrix(matrix) if matrix.shape() == (1, 1) => Value::Scalar(matrix[(0, 0)].clone()),
+            other => other,
+        })
+    }
+
+    /// The parameters of a definition for a call, and how many indices agree exactly.
+    pub(super) fn matches(
+        &self,
+        machine: &mut Machine,
+        definition: &Definition,
+        head: &Head,
+        values: Option<&[Vec<Value>]>,
+    ) -> Option<(Bound, usize)> {
+        let own = &definition.head;
+        if own.upper.len() != head.upper.len() {
+            return None;
+        }
+        if own.lower.len() != head.lower.len() {
+            // Φ for a Φ_i whose formula does not depend on i
+            let Body::Formula(body) = &definition.body else { return None };
+            let free = integer_names(body);
+            let idle =
+                own.lower.iter().all(|index| matches!(&index.kind, Kind::Name(name) if !free.contains(name)));
+            if !head.lower.is_empty() || !idle {
+                return None;
+            }
+        }
+        let mut bound = Bound::new();
+        let mut exact = 0;
+        let indices = own.lower.iter().chain(&own.upper).zip(head.lower.iter().chain(&head.upper));
+        for (pattern, index) in indices {
+            match &pattern.kind {
+                Kind::Name(name) if is_index_letter(name) => {
+                    let value = match machine.lookup(&Symbol::new(name)) {
+                        Some(value) if matches!(&index.kind, Kind::Name(other) if other == name) => {
+                            value.clone()
+                        }
+                        _ => machine.eval(index).ok()?,
+                    };
+                    value.as_int()?;
+                    bound.push((Symbol::new(name), value));
+                }
+                Kind::Number(_) => {
+                    let (value, wanted) = (machine.eval(index).ok()?, machine.eval(pattern).ok()?);
+                    if value != wanted {
+                        return None;
+                    }
+                    exact += 1;
+                }
+                _ if pattern.same_as(index) => exact += 1,
+                _ => {
+                    // p_{n-1} on the left of a definition: for the same value of the index
+                    let (value, wanted) =
+                        (machine.eval(index).ok()?.as_int()?, machine.eval(pattern).ok()?.as_int()?);
+                    if value != wanted {
+                        return None;
+                    }
+                    exact += 1;
+                }
+            }
+        }
+        match (&own.arguments, values) {
+            (None, None) => {}
+            (Some(groups), Some(values)) => {
+                if groups.len() != values.len() {
+                    return None;
+                }
+                for (patterns, values) in groups.iter().zip(values) {
+                    exact += self.match_arguments(machine, patterns, values, &mut bound)?;
+                }
+            }
+            // The function itself: F for F(t) = …
+            (Some(groups), None) => {
+                for pattern in groups.iter().flatten() {
+                    let symbol = self.symbol_of(machine, &Head::of(pattern)?)?;
+                    bound.push((symbol.clone(), Value::symbol(symbol)));
+                }
+            }
+            (None, Some(_)) => return None,
+        }
+        for condition in &definition.conditions {
+            let holds = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
+            if holds == Ok(Some(false)) {
+                return None;
+            }
+        }
+        Some((bound, exact))
+    }
+
+    pub(super) fn match_arguments(
+        &self,
+        machine: &mut Machine,
+        patterns: &[Expr],
+        values: &[Value],
+        bound: &mut Bound,
+    ) -> Option<usize> {
+        let dots = patterns.iter().position(|pattern| pattern.kind == Kind::Ellipsis);
+        let Some(dots) = dots else {
+            if patterns.len() != values.len() {
+                return None;
+            }
+            let mut exact = 0;
+            for (pattern, value) in patterns.iter().zip(values) {
+                match Head::of(pattern) {
+                    Some(head) if head.arguments.is_none() => {
+                        let symbol = self.symbol_of(machine, &head)?;
+                        if let Some((_, known)) = bound.iter().find(|(known, _)| *known == symbol) {
+                            if known != value {
+                                return None;
+                            }
+                        } else {
+                            bound.push((symbol, value.clone()));
+                        }
+                    }
+                    _ => {
+                        if machine.eval(pattern).ok()? != *value {
+                            return None;
+                        }
+                        exact += 1;
+                    }
+                }
+            }
+            return Some(exact);
+        };
+        // t_1, …, t_n: as many as there are
+        if dots == 0 || dots + 2 != patterns.len() {
+            return None;
+        }
+        let first = Head::of(&patterns[0])?;
+        let last = Head::of(&patterns[dots + 1])?;
+        let [start] = first.lower.as_slice() else { return None };
+        let [end] = last.lower.as_slice() else { return None };
+        let start = machine.eval(start).ok()?.as_int()?;
+        let count = values.len() as i64;
+        match &end.kind {
+            Kind::Name(name) if machine.lookup(&Symbol::new(name)).is_none() => {
+                bound.push((Symbol::new(name), Value::int(start + count - 1)));
+            }
+            Kind::Name(name) if !bound.iter().any(|(known, _)| *known == Symbol::new(name)) => {
+                bound.push((Symbol::new(name), Value::int(start + count - 1)));
+            }
+            _ => {
+                let end = machine.with_locals(bound.clone(), |machine| machine.eval_int(end)).ok()?;
+                if end != start + count - 1 {
+                    return None;
+                }
+            }
+        }
+        let base = Symbol::new(&first.base);
+        for (i, value) in values.iter().enumerate() {
+            bound.push((base.numbered(start + i as i64), value.clone()));
+        }
+        Some(0)
+    }
+}

@@ -1,0 +1,430 @@
+//! One instance of a statement: every name has a meaning in it.
+//!
+//! A model says what the names of a statement stand for when its integers have values: the
+//! definitions of the notes, standard meanings, and for functions that nobody defined polynomials
+//! with symbols as coefficients. It is a [`Reading`]: what it has no opinion on is left to the
+//! evaluator of the language.
+
+mod calls;
+mod definitions;
+mod dots;
+mod families;
+mod notations;
+mod polynomials;
+mod steps;
+
+pub use polynomials::capital_of;
+
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use super::context::Context;
+use super::names::Head;
+use super::statement::Place;
+use crate::formula::{BinomialStyle, Expr, Kind, Rel};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::{Machine, Reading};
+use crate::language::value::Value;
+use crate::math::poly::{Index, Symbol};
+
+type Evaluated = Result<Value, Diagnostic>;
+
+/// How many terms a sum without bounds is given.
+pub const FREE_TERMS: i64 = 3;
+
+/// Notations that are read one way or another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Choices {
+    /// C_n^i has its total above (C_i^n in other books).
+    pub total_above: bool,
+    /// B_{i,n} has its degree first.
+    pub degree_first: bool,
+    /// f^k(t) is a power, not a derivative.
+    pub powers: bool,
+    /// Only definitions of the same section are used.
+    pub near_only: bool,
+    /// N_i^k has degree k, not order k.
+    pub spline_degree: bool,
+    /// t_1 t_2 + … + t_4 t_5 has all products of two, not only those of neighbours.
+    pub all_products: bool,
+    /// The formula is about functions in general: those defined elsewhere by one formula are not
+    /// meant.
+    pub general: bool,
+}
+
+/// What happened during an evaluation.
+#[derive(Clone, Debug, Default)]
+pub struct Record {
+    /// Numbers of arguments polar forms were called with.
+    pub arities: BTreeSet<usize>,
+    /// Whether a degree was needed that nothing fixes.
+    pub wants_degree: bool,
+    /// Definitions that were used, and whether they stand near.
+    pub definitions: BTreeSet<(usize, bool)>,
+    /// Functions without a definition.
+    pub unknown: BTreeSet<String>,
+    /// Functions without a definition that are tied to their polar forms.
+    pub paired: BTreeSet<String>,
+    /// Meanings assumed.
+    pub standard: BTreeSet<String>,
+    /// Notations with several readings that occurred.
+    pub ambiguous: BTreeSet<Ambiguity>,
+    /// A curve was given another number of control points than its degree asks for.
+    pub mixed: bool,
+    /// Whether an infinite sum was cut.
+    pub infinite: bool,
+    /// Whether a polar form had dots without a count among its arguments.
+    pub flexible: bool,
+}
+
+impl Record {
+    /// Adds what happened in another evaluation.
+    pub fn merge(&mut self, other: &Record) {
+        self.arities.extend(&other.arities);
+        self.definitions.extend(&other.definitions);
+        self.unknown.extend(other.unknown.iter().cloned());
+        self.paired.extend(other.paired.iter().cloned());
+        self.standard.extend(other.standard.iter().cloned());
+        self.ambiguous.extend(&other.ambiguous);
+        self.wants_degree |= other.wants_degree;
+        self.mixed |= other.mixed;
+        self.infinite |= other.infinite;
+        self.flexible |= other.flexible;
+    }
+}
+
+/// A notation with several readings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ambiguity {
+    /// C_a^b.
+    Binomial,
+    /// B_{a,b}.
+    Bernstein,
+    /// f^k(t).
+    Power,
+    /// N_i^k.
+    Spline,
+    /// t_1 t_2 + … + t_4 t_5.
+    Dots,
+}
+
+/// The curve that a sentence speaks of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Curve {
+    /// The letter of its control points.
+    pub points: String,
+}
+
+/// One instance of a statement.
+pub struct Model {
+    context: Rc<Context>,
+    place: Place,
+    choices: Choices,
+    /// The degree of functions without definition; `None` while it is being found out.
+    degree: Option<usize>,
+    /// Whether this is the evaluation that finds out the degrees.
+    discovering: bool,
+    /// Bézier curves are spoken of in the sentence.
+    curve: Option<Curve>,
+    /// Divided differences occur: values of functions are symbols.
+    opaque: bool,
+    /// The knot interval for B-splines.
+    interval: Option<i64>,
+    /// Whether the knots are the integers.
+    uniform: bool,
+    /// Whether functions of two groups of arguments occur.
+    tensor: bool,
+    /// Capital letters whose small ones are their polar forms in this statement.
+    pairs: BTreeSet<String>,
+    /// Whether the arguments just read had dots without a count.
+    flexible: Cell<bool>,
+    depth: Cell<usize>,
+    record: RefCell<Record>,
+}
+
+impl Model {
+    /// A model at a place of the notes.
+    pub fn new(context: Rc<Context>, place: Place, choices: Choices, curve: Option<Curve>) -> Self {
+        Model {
+            context,
+            place,
+            choices,
+            degree: None,
+            discovering: false,
+            curve,
+            opaque: false,
+            interval: None,
+            uniform: false,
+            tensor: false,
+            pairs: BTreeSet::new(),
+            flexible: Cell::new(false),
+            depth: Cell::new(0),
+            record: RefCell::default(),
+        }
+    }
+
+    /// The same with a degree for functions without definition.
+    pub fn with_degree(mut self, degree: Option<usize>) -> Self {
+        self.degree = degree;
+        self
+    }
+
+    /// For finding out the degrees: polar forms have the value 0.
+    pub fn discovering(mut self) -> Self {
+        self.discovering = true;
+        self
+    }
+
+    /// Capital letters whose small ones are their polar forms.
+    pub fn with_pairs(mut self, pairs: BTreeSet<String>) -> Self {
+        self.pairs = pairs;
+        self
+    }
+
+    /// Values of functions are symbols.
+    pub fn opaque(mut self, opaque: bool) -> Self {
+        self.opaque = opaque;
+        self
+    }
+
+    /// B-splines are considered between the knots number m and m + 1.
+    pub fn on_interval(mut self, interval: Option<i64>, uniform: bool) -> Self {
+        self.interval = interval;
+        self.uniform = uniform;
+        self
+    }
+
+    /// Functions of two groups of arguments occur: F(u, v) is the diagonal of f(u, …; v, …).
+    pub fn with_tensor(mut self, tensor: bool) -> Self {
+        self.tensor = tensor;
+        self
+    }
+
+    /// What happened since this was asked last.
+    pub fn take_record(&self) -> Record {
+        self.record.take()
+    }
+
+    fn note(&self, meaning: impl Into<String>) {
+        self.record.borrow_mut().standard.insert(meaning.into());
+    }
+
+    fn ambiguous(&self, ambiguity: Ambiguity) {
+        self.record.borrow_mut().ambiguous.insert(ambiguity);
+    }
+}
+
+impl Reading for Model {
+    fn eval(&self, machine: &mut Machine, expr: &Expr) -> Option<Evaluated> {
+        match &expr.kind {
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => self.name(machine, expr),
+            Kind::Accent(accent, _) => match accent {
+                crate::formula::Accent::Dot | crate::formula::Accent::Ddot => None,
+                crate::formula::Accent::Hat => self.hat(machine, expr),
+                _ => self.name(machine, expr),
+            },
+            Kind::Apply(callee, groups) => self.call(machine, callee, groups, expr),
+            Kind::Add(terms) => self.sum(machine, terms, expr),
+            Kind::Mul(factors) => self.product(machine, factors, expr),
+            Kind::Pow(base, exponent) => self.power(machine, base, exponent, expr),
+            Kind::Binomial(n, k, BinomialStyle::Subscripted) => {
+                self.ambiguous(Ambiguity::Binomial);
+                if !self.choices.total_above {
+                    return None;
+                }
+                Some(machine.eval(n).and_then(|n| {
+                    let k = machine.eval(k)?;
+                    crate::language::eval::arithmetic::binomial(&k, &n).map_err(|error| error.at(expr.span))
+                }))
+            }
+            Kind::Matrix(rows, delimiter) => self.blocks(machine, rows, *delimiter, expr),
+            Kind::Big { op, lower, upper, body } => {
+                self.unbounded(machine, *op, lower, upper.as_deref(), body, expr)
+            }
+            Kind::Prime(body, order) => self.derived_name(machine, body, *order as usize, expr),
+            Kind::At { body, lower, upper: None } => self.at(machine, body, lower, expr),
+            Kind::List(items) | Kind::Tuple(items) if items.len() == 1 => Some(machine.eval(&items[0])),
+            Kind::Compose(items) => self.composed(machine, items, expr),
+            Kind::Cases(cases) if self.interval.is_some() => self.cases_between_knots(machine, cases, expr),
+            _ => None,
+        }
+    }
+}
+
+impl Model {
+    /// The value of a name with its indices.
+    fn name(&self, machine: &mut Machine, expr: &Expr) -> Option<Evaluated> {
+        let head = Head::of(expr)?;
+        // Parameters and integers of the instance come first.
+        if head.lower.is_empty() && head.upper.is_empty() {
+            if let Some(value) = machine.lookup(&Symbol::new(&head.base)) {
+                return Some(Ok(value.clone()));
+            }
+            if let Some(value) = self.local(machine, &head) {
+                return Some(Ok(value));
+            }
+        } else if let Some(value) = self.local(machine, &head) {
+            return Some(Ok(value));
+        }
+        if let Some(result) = self.defined(machine, &head, None) {
+            return Some(result);
+        }
+        if let Some(item) = self.item_of_query(machine, &head) {
+            return Some(Ok(item));
+        }
+        if let Some(result) = self.standard_name(machine, &head, expr) {
+            return Some(result);
+        }
+        if let Some(result) = self.without_arguments(machine, &head, expr) {
+            return Some(result);
+        }
+        let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
+        let greek = crate::language::syntax::greek_char(word).is_some();
+        if word.chars().count() > 1 && !greek && word != "ell" {
+            // convert(c, polar)
+            if crate::language::eval::builtin(word).is_some() {
+                return None;
+            }
+            let unknown = Diagnostic::error(Code::UnknownName, format!("'{word}' has no meaning here"));
+            return Some(Err(unknown.at(expr.span)));
+        }
+        Some(self.symbol(machine, &head, expr).map(Value::symbol))
+    }
+
+    /// A value bound in this evaluation, such as t_1 of f(t_1, …, t_n).
+    fn local(&self, machine: &mut Machine, head: &Head) -> Option<Value> {
+        let symbol = self.symbol_of(machine, head)?;
+        machine.lookup(&symbol).cloned()
+    }
+
+    /// The symbol that a name without value stands for.
+    fn symbol(&self, machine: &mut Machine, head: &Head, expr: &Expr) -> Result<Symbol, Diagnostic> {
+        self.symbol_of(machine, head).ok_or_else(|| {
+            Diagnostic::error(Code::Undecided, "an index of this name has no value").at(expr.span)
+        })
+    }
+
+    fn symbol_of(&self, machine: &mut Machine, head: &Head) -> Option<Symbol> {
+        let mut symbol = match head.base.split_once(' ') {
+            Some((accent, base)) => Symbol::new(base).with_accent(accent),
+            None => Symbol::new(&head.base),
+        };
+        let mut lower = Vec::with_capacity(head.lower.len());
+        for index in &head.lower {
+            match self.index(machine, index)? {
+                Index::Number(i) if i >= 10 && self.context.letters.pairs.contains(&head.base) => {
+                    lower.extend([Index::Number(i / 10), Index::Number(i % 10)]);
+                }
+                index => lower.push(index),
+            }
+        }
+        if !lower.is_empty() {
+            symbol = symbol.with_indices(lower);
+        }
+        if !head.upper.is_empty() {
+            let upper: Option<Vec<Index>> =
+                head.upper.iter().map(|index| self.index(machine, index)).collect();
+            symbol = symbol.with_upper(upper?);
+        }
+        Some(symbol)
+    }
+
+    fn index(&self, machine: &mut Machine, expr: &Expr) -> Option<Index> {
+        match &expr.kind {
+            // An arbitrary permutation: the one that exchanges the first two will do, since all are
+            // made of such exchanges.
+            Kind::Apply(callee, groups)
+                if matches!(&callee.kind, Kind::Name(name) if name == "pi")
+                    && machine.lookup(&Symbol::new("pi")).is_none() =>
+            {
+                let [group] = groups.as_slice() else { return None };
+                let [place] = group.as_slice() else { return None };
+                let place = machine.eval(place).ok()?.as_int()?;
+                let alone = ["n", "d", "m"].iter().any(|name| {
+                    machine.lookup(&Symbol::new(*name)).and_then(Value::as_int).is_some_and(|size| size < 2)
+                });
+                Some(Index::Number(match place {
+                    1 if !alone => 2,
+                    2 if !alone => 1,
+                    other => other,
+                }))
+            }
+            Kind::Name(name) if machine.lookup(&Symbol::new(name)).is_none() => {
+                Some(Index::Word(name.clone()))
+            }
+            Kind::Text(text) => Some(Index::Word(text.trim().to_owned())),
+            Kind::Add(terms) if terms.len() == 1 && matches!(terms[0].expr.kind, Kind::Number(_)) => {
+                Some(Index::Word("+".to_owned() + &machine.eval(&terms[0].expr).ok()?.as_int()?.to_string()))
+            }
+            // u_{ij} with a two-letter index
+            Kind::Mul(factors) => {
+                let mut word = String::new();
+                for factor in factors {
+                    match self.index(machine, factor)? {
+                        Index::Number(i) => word.push_str(&i.to_string()),
+                        Index::Word(part) => word.push_str(&part),
+                    }
+                    word.push(',');
+                }
+                Some(Index::Word(word.trim_end_matches(',').to_owned()))
+            }
+            _ => {
+                let value = machine.eval(expr).ok()?;
+                match value.as_int() {
+                    Some(i) => Some(Index::Number(i)),
+                    None => match value {
+                        Value::Scalar(value) => Some(Index::Word(value.to_string())),
+                        _ => None,
+                    },
+                }
+            }
+        }
+    }
+
+    /// v̂, which may be defined as p − q; else the vector with the coordinate v.
+    fn hat(&self, machine: &mut Machine, expr: &Expr) -> Option<Evaluated> {
+        let head = Head::of(expr)?;
+        match self.defined(machine, &head, None)? {
+            Ok(Value::Scalar(v)) => Some(Ok(Value::Vector(v))),
+            other => Some(other),
+        }
+    }
+}
+
+/// Values for names.
+pub type Bound = Vec<(Symbol, Value)>;
+
+fn shape(message: &str, expr: &Expr) -> Diagnostic {
+    Diagnostic::error(Code::Shape, message).at(expr.span)
+}
+
+/// Whether a condition on integers holds; `None` if that cannot be said.
+pub fn holds(machine: &mut Machine, condition: &Expr) -> Option<bool> {
+    let Kind::Chain(left, links) = &condition.kind else { return None };
+    let mut value = machine.eval(left).ok()?.as_int()?;
+    for link in links {
+        if let (Rel::Eq | Rel::In, Kind::Range(from, to)) = (link.rel, &link.expr.kind) {
+            let (from, to) = (machine.eval(from).ok()?.as_int()?, machine.eval(to).ok()?.as_int()?);
+            if !(from..=to).contains(&value) {
+                return Some(false);
+            }
+            continue;
+        }
+        let next = machine.eval(&link.expr).ok()?.as_int()?;
+        let ok = match link.rel {
+            Rel::Eq => value == next,
+            Rel::Ne => value != next,
+            Rel::Lt => value < next,
+            Rel::Le => value <= next,
+            Rel::Gt => value > next,
+            Rel::Ge => value >= next,
+            _ => return None,
+        };
+        if !ok {
+            return Some(false);
+        }
+        value = next;
+    }
+    Some(true)
+}

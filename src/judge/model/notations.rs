@@ -1,0 +1,265 @@
+//! Notations of notes that the language does not have: block matrices, sums without bounds, cases on
+//! knot intervals, indices in the place of exponents.
+
+use super::{Evaluated, FREE_TERMS, Model, calls, shape};
+use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
+use crate::judge::names::{Head, implied_index, walk};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::{Machine, arithmetic};
+use crate::language::value::Value;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use nalgebra::DMatrix;
+
+impl Model {
+    /// Powers that are none: A^T is left to the language, b_i^r may be a name with two indices.
+    pub(super) fn power(
+        &self,
+        machine: &mut Machine,
+        base: &Expr,
+        exponent: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if let Kind::Name(mark) = &exponent.kind
+            && matches!(mark.as_str(), "T" | "top")
+        {
+            return Some(machine.eval(base).and_then(|value| match value {
+                Value::Scalar(_) => Ok(value),
+                other => {
+                    crate::language::eval::arithmetic::transpose(other).map_err(|error| error.at(expr.span))
+                }
+            }));
+        }
+        // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.
+        if let Kind::Apply(callee, _) = &base.kind
+            && Head::of(callee).is_some_and(|head| head.upper.is_empty())
+            && self.is_function(machine, callee)
+        {
+            return Some(machine.eval(base).and_then(|value| {
+                let exponent = machine.eval(exponent)?;
+                arithmetic::power(value, &exponent).map_err(|error| error.at(expr.span))
+            }));
+        }
+        let head = Head::of(expr)?;
+        if let Some(result) = self.defined(machine, &head, None) {
+            return Some(result);
+        }
+        if let Some(result) = self.standard_name(machine, &head, expr) {
+            return Some(result);
+        }
+        if !head.lower.is_empty() && self.context.letters.towers.contains(&head.base) && !head.parenthesized {
+            return Some(self.symbol(machine, &head, expr).map(Value::symbol));
+        }
+        if matches!(&exponent.kind, Kind::Name(star) if star == "ast" || star == "star" || star == "prime") {
+            return Some(self.symbol(machine, &head, expr).map(Value::symbol));
+        }
+        None
+    }
+
+    /// A matrix with blocks in it or with empty cells beside them.
+    pub(super) fn blocks(
+        &self,
+        machine: &mut Machine,
+        rows: &[Vec<Option<Expr>>],
+        delimiter: Delimiter,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if delimiter == Delimiter::Bar || rows.iter().flatten().all(Option::is_some) {
+            return None;
+        }
+        let height = rows.len();
+        let width = rows.iter().map(Vec::len).max().unwrap_or(0);
+        let mut matrix: DMatrix<Option<Fraction>> = DMatrix::from_element(height, width, None);
+        let mut blocks = Vec::new();
+        for (i, row) in rows.iter().enumerate() {
+            for (j, cell) in row.iter().enumerate() {
+                let Some(cell) = cell else { continue };
+                match machine.eval(cell) {
+                    Ok(Value::Scalar(x)) => matrix[(i, j)] = Some(x),
+                    Ok(Value::Matrix(block)) => blocks.push((i, j, block)),
+                    Ok(_) => return Some(Err(shape("a cell that is neither a number nor a matrix", expr))),
+                    Err(error) => return Some(Err(error)),
+                }
+            }
+        }
+        for (i, j, block) in blocks {
+            // A block stands for the empty cells around it: its corner is the first empty cell there.
+            let (h, w) = block.shape();
+            let fits = (0..=height.saturating_sub(h))
+                .flat_map(|top| (0..=width.saturating_sub(w)).map(move |left| (top, left)));
+            let place = fits.into_iter().find(|&(top, left)| {
+                (top..top + h).contains(&i)
+                    && (left..left + w).contains(&j)
+                    && (top..top + h).all(|r| (left..left + w).all(|c| matrix[(r, c)].is_none()))
+            });
+            let Some((top, left)) = place else {
+                return Some(Err(shape("where the block in this matrix ends is not clear", expr)));
+            };
+            for r in 0..h {
+                for c in 0..w {
+                    matrix[(top + r, left + c)] = Some(block[(r, c)].clone());
+                }
+            }
+        }
+        let zero = || Fraction::from(MultiPoly::zero());
+        Some(Ok(Value::Matrix(matrix.map(|cell| cell.unwrap_or_else(zero)))))
+    }
+
+    /// Sums without bounds, with bounds but no index, or up to ∞.
+    pub(super) fn unbounded(
+        &self,
+        machine: &mut Machine,
+        op: BigOp,
+        lower: &[Expr],
+        upper: Option<&Expr>,
+        body: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if !matches!(op, BigOp::Sum | BigOp::Product) {
+            return None;
+        }
+        let range = |name: &str, from: Expr, to: Expr| {
+            let piece = Expr::new(
+                Kind::Chain(
+                    Box::new(Expr::name(name)),
+                    vec![Link { rel: Rel::Eq, span: expr.span, expr: from }],
+                ),
+                expr.span,
+            );
+            let big =
+                Kind::Big { op, lower: vec![piece], upper: Some(Box::new(to)), body: Box::new(body.clone()) };
+            Expr::new(big, expr.span)
+        };
+        if let Some(upper) = upper
+            && matches!(&upper.kind, Kind::Name(name) if name == "infty")
+        {
+            let Some(degree) = self.degree else {
+                self.record.borrow_mut().wants_degree = true;
+                return Some(Err(Diagnostic::error(Code::Undecided, "an infinite sum").at(expr.span)));
+            };
+            self.record.borrow_mut().infinite = true;
+            let end = Expr::int(degree.max(4) as i64 + 4);
+            let big = Kind::Big {
+                op,
+                lower: lower.to_vec(),
+                upper: Some(Box::new(end)),
+                body: Box::new(body.clone()),
+            };
+            return Some(machine.eval(&Expr::new(big, expr.span)));
+        }
+        let bound_names: Vec<Expr> = lower
+            .iter()
+            .flat_map(|piece| match &piece.kind {
+                Kind::Sequence(items) | Kind::Tuple(items) => items.clone(),
+                _ => vec![piece.clone()],
+            })
+            .collect();
+        match (bound_names.as_slice(), upper) {
+            ([], None) => {
+                let name = implied_index(body)?;
+                Some(machine.eval(&range(&name, Expr::int(1), Expr::int(FREE_TERMS))))
+            }
+            ([one], None) => match &one.kind {
+                Kind::Name(name) => Some(machine.eval(&range(name, Expr::int(1), Expr::int(FREE_TERMS)))),
+                _ => None,
+            },
+            ([from], Some(to)) if !matches!(from.kind, Kind::Chain(..)) => {
+                let name = implied_index(body)?;
+                Some(machine.eval(&range(&name, from.clone(), to.clone())))
+            }
+            // i + j + k = d, i, j, k ≥ 0: the sums run over nonnegative integers anyway
+            (many, None) if many.len() > 1 => {
+                let first = &many[0];
+                let Kind::Chain(left, _) = &first.kind else { return None };
+                let rest = many[1..].iter().all(|piece| match &piece.kind {
+                    Kind::Name(_) => true,
+                    Kind::Chain(_, links) => matches!(links.as_slice(), [Link { rel: Rel::Ge, expr, .. }]
+                        if matches!(&expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q))),
+                    _ => false,
+                });
+                if !matches!(left.kind, Kind::Add(_)) || !rest {
+                    return None;
+                }
+                let big =
+                    Kind::Big { op, lower: vec![first.clone()], upper: None, body: Box::new(body.clone()) };
+                Some(machine.eval(&Expr::new(big, expr.span)))
+            }
+            _ => None,
+        }
+    }
+
+    /// Cases on where t lies: t is taken in the middle of the knot interval.
+    pub(super) fn cases_between_knots(
+        &self,
+        machine: &mut Machine,
+        cases: &[(Expr, Option<Expr>)],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        if machine.lookup(&Symbol::new("t")).and_then(Value::as_rational).is_some() {
+            return None;
+        }
+        let middle = self.middle()?;
+        for (value, condition) in cases {
+            let Some(condition) = condition else { return Some(machine.eval(value)) };
+            let names = ["t", "u", "x"].map(|name| (Symbol::new(name), Value::number(middle.clone())));
+            let verdict = machine.with_locals(names, |machine| machine.eval(condition));
+            let holds = match verdict {
+                Ok(Value::Claim(claim)) => claim.verdict() == crate::language::value::Verdict::Proved,
+                Ok(Value::Text(_)) => true,
+                Ok(_) => return Some(Err(calls::unclear("when this case holds", expr))),
+                // "otherwise" in words
+                Err(error) if error.code == Code::UnknownName => true,
+                Err(error) => return Some(Err(error)),
+            };
+            if holds {
+                return Some(machine.eval(value));
+            }
+        }
+        Some(Err(calls::unclear("which case holds", expr)))
+    }
+
+    /// The middle of the knot interval considered.
+    pub fn middle(&self) -> Option<crate::math::number::Rational> {
+        let m = self.interval?;
+        Some((self.knot(m) + self.knot(m + 1)) / crate::math::number::integer(2))
+    }
+
+    /// The knot number j: uneven ones, unless the notes define B-splines over the integers.
+    pub fn knot(&self, j: i64) -> crate::math::number::Rational {
+        const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
+        let uneven = usize::try_from(j + 4).ok().and_then(|at| UNEVEN.get(at).copied());
+        crate::math::number::integer(match uneven {
+            Some(knot) if !self.uniform => knot,
+            _ if self.uniform => j,
+            _ => 3 * j,
+        })
+    }
+
+    /// Values at t_1 = … = t_n = t, also where an equals sign was lost.
+    pub(super) fn at(
+        &self,
+        machine: &mut Machine,
+        body: &Expr,
+        lower: &[Expr],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let [piece] = lower else { return None };
+        let Kind::Chain(left, links) = &piece.kind else { return None };
+        let dots = links.iter().any(|link| {
+            let mut found = false;
+            walk(&link.expr, &mut |part| found = found || part.kind == Kind::Ellipsis);
+            found
+        });
+        if !dots {
+            return None;
+        }
+        let head = Head::of(left)?;
+        let value = match machine.eval(&links.last()?.expr) {
+            Ok(value) => value,
+            Err(error) => return Some(Err(error)),
+        };
+        // All members of the family t_1, t_2, … get the value.
+        let base = Symbol::new(&head.base);
+        let names: Vec<(Symbol, Value)> = (0..=40).map(|i| (base.numbered(i), value.clone())).collect();
+        Some(machine.with_locals(names, |machine| machine.eval(body)).map_err(|error| error.at(expr.span)))
+    }
+}

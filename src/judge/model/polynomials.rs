@@ -1,0 +1,426 @@
+//! Functions without a definition: polynomials with symbols as coefficients, and their polar forms.
+
+use super::calls::{each, unclear, variable};
+use super::{Evaluated, Model};
+use crate::formula::{Expr, Kind};
+use crate::judge::names::Head;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Machine;
+use crate::language::value::Value;
+use crate::math::basis;
+use crate::math::blossom::{Argument, PolarForm};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
+use num_traits::Zero;
+
+/// The degree of unknown functions that no polar form gives a degree.
+const USUAL_DEGREE: usize = 3;
+
+impl Model {
+    /// The value of a function that no definition fits.
+    pub(super) fn function(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        if let [points, parameter] = values
+            && points.len() > 1
+            && parameter.len() == 1
+            && !head.lower.is_empty()
+        {
+            return self.bezier(machine, head, points, &parameter[0], expr);
+        }
+        let upper = head.base.chars().next().is_some_and(char::is_uppercase);
+        match values {
+            [one] if one.len() == 1 && (upper || !self.is_paired(machine, head)) => {
+                self.of_one_variable(machine, head, &one[0], expr)
+            }
+            [uv] if self.tensor && upper && uv.len() == 2 && head.lower.is_empty() => {
+                self.tensor(head, &[uv[0].clone(), uv[0].clone()], &[uv[1].clone(), uv[1].clone()], expr)
+            }
+            [arguments] if head.lower.is_empty() => {
+                let capital = capital_of(&head.base);
+                self.polar(machine, &capital, head, arguments, expr)
+            }
+            [u, v] if head.lower.is_empty() => self.tensor(head, u, v, expr),
+            _ => Err(unclear("what this function is", expr)),
+        }
+    }
+
+    /// f alone, where F is known: the polar form of degree 0.
+    pub(super) fn without_arguments(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let capital = capital_of(&head.base);
+        if !head.lower.is_empty()
+            || !head.upper.is_empty()
+            || capital == head.base
+            || !self.context.letters.is_function(&head.base)
+        {
+            return None;
+        }
+        let known = self.context.visible(&capital, &self.place).any(|(_, definition, _)| {
+            definition.head.flat().len() == 1
+                && definition.head.lower.is_empty()
+                && definition.head.upper.is_empty()
+        });
+        self.flexible.set(false);
+        known.then(|| self.polar(machine, &capital, head, &[], expr))
+    }
+
+    /// The degree of F, if f is its polar form and F one certain polynomial.
+    pub(super) fn degree_of_example(&self, machine: &mut Machine, head: &Head, expr: &Expr) -> Option<usize> {
+        let capital = capital_of(&head.base);
+        if !head.lower.is_empty() || !head.upper.is_empty() || capital == head.base {
+            return None;
+        }
+        let (_, definition, _) = self.context.visible(&capital, &self.place).next()?;
+        let crate::judge::context::Body::Formula(body) = &definition.body else { return None };
+        if definition.head.flat().len() != 1 || !crate::judge::names::integer_names(body).is_empty() {
+            return None;
+        }
+        let coefficients = self.coefficients(machine, &capital, expr).ok()?;
+        Some(coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0))
+    }
+
+    /// Whether a small letter is the polar form of a function with the capital one.
+    fn is_paired(&self, machine: &mut Machine, head: &Head) -> bool {
+        if self.curve.is_some() {
+            return true;
+        }
+        let capital = capital_of(&head.base);
+        let known = self.record.borrow().paired.contains(&capital);
+        known || self.pairs.contains(&capital) || {
+            let call = Head { base: capital, arguments: None, ..head.clone() };
+            let own = vec![vec![Value::symbol(Symbol::new("t"))]];
+            self.context.visible(&call.base, &self.place).next().is_some()
+                && self.defined(machine, &call, Some(&own)).is_some()
+        }
+    }
+
+    /// An unknown function of one variable: Σ F_k z^k.
+    fn of_one_variable(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        argument: &Value,
+        expr: &Expr,
+    ) -> Evaluated {
+        // F(t) where only f(t_1, …, t_n) is known
+        if head.lower.is_empty() && head.upper.is_empty() {
+            let small = head.base.to_lowercase();
+            if small != head.base
+                && let Some(result) = self.diagonal(machine, &small, argument)
+            {
+                return result;
+            }
+        }
+        let Value::Scalar(z) = argument else {
+            return Err(unclear("what the value at this argument is", expr));
+        };
+        if self.opaque {
+            let name = Symbol::new(&head.base).with_indices([crate::math::poly::Index::Word(z.to_string())]);
+            self.record.borrow_mut().unknown.insert(head.base.clone());
+            return Ok(Value::symbol(name));
+        }
+        let mut name = Symbol::new(format!("[{}]", head.base));
+        for index in &head.lower {
+            name = name.with_indices([crate::math::poly::Index::Word(machine.eval(index).map_or_else(
+                |_| "?".to_owned(),
+                |value| match value.as_int() {
+                    Some(i) => i.to_string(),
+                    None => crate::language::write::text(&value.to_expr()),
+                },
+            ))]);
+        }
+        let coefficients = if head.lower.is_empty() && head.upper.is_empty() {
+            self.coefficients(machine, &head.base, expr)?
+        } else {
+            self.record.borrow_mut().unknown.insert(head.base.clone());
+            (0..=USUAL_DEGREE as i64).map(|k| variable(name.numbered(k))).collect()
+        };
+        Ok(Value::Scalar(coefficients.iter().rev().fold(zero(), |sum, c| sum.times(z).plus(c))))
+    }
+
+    fn diagonal(&self, machine: &mut Machine, small: &str, argument: &Value) -> Option<Evaluated> {
+        let context = self.context.clone();
+        let (_, definition, near) = context.visible(small, &self.place).find(|(_, definition, _)| {
+            definition.head.lower.is_empty() && definition.head.flat().len() > 1
+        })?;
+        if !near || self.choices.general && self.is_example(definition) {
+            return None;
+        }
+        let count = definition.head.flat().iter().filter(|e| e.kind != Kind::Ellipsis).count();
+        let count = match self.degree {
+            Some(degree) if definition.head.flat().len() != count => degree,
+            _ => count,
+        };
+        let head = Head { arguments: None, ..definition.head.clone() };
+        self.defined(machine, &head, Some(&[vec![argument.clone(); count]]))
+    }
+
+    /// The coefficients of the function called by a capital letter.
+    fn coefficients(
+        &self,
+        machine: &mut Machine,
+        capital: &str,
+        expr: &Expr,
+    ) -> Result<Vec<Fraction>, Diagnostic> {
+        let z = Symbol::new("\u{25e6}");
+        let head = Head {
+            base: capital.to_owned(),
+            lower: Vec::new(),
+            upper: Vec::new(),
+            parenthesized: false,
+            arguments: None,
+        };
+        if let Some(result) = self.defined(machine, &head, Some(&[vec![Value::symbol(z.clone())]])) {
+            let Value::Scalar(formula) = result? else {
+                return Err(unclear("which polynomial this is", expr));
+            };
+            let Some(polynomial) = formula.as_polynomial() else {
+                return Err(Diagnostic::error(Code::Type, "this is not a polynomial").at(expr.span));
+            };
+            return Ok(polynomial.coefficients_in(&z).into_iter().map(Fraction::from).collect());
+        }
+        let Some(degree) = self.degree else {
+            self.record.borrow_mut().wants_degree = true;
+            return Ok(vec![zero()]);
+        };
+        if let Some(curve) = &self.curve {
+            // Σ b_i B_i^n in powers
+            let matrix = basis::bernstein_to_power(degree);
+            let points: Vec<Fraction> =
+                (0..=degree).map(|i| variable(Symbol::new(&curve.points).numbered(i as i64))).collect();
+            return Ok((0..=degree)
+                .map(|row| {
+                    (0..=row)
+                        .fold(zero(), |sum, column| sum.plus(&points[column].scaled(&matrix[(row, column)])))
+                })
+                .collect());
+        }
+        self.record.borrow_mut().unknown.insert(capital.to_owned());
+        let name = Symbol::new(format!("[{capital}]"));
+        Ok((0..=degree).map(|k| variable(name.numbered(k as i64))).collect())
+    }
+
+    /// The polar form, with as many arguments as are given, of the function called by a capital letter.
+    fn polar(
+        &self,
+        machine: &mut Machine,
+        capital: &str,
+        head: &Head,
+        arguments: &[Value],
+        expr: &Expr,
+    ) -> Evaluated {
+        self.record.borrow_mut().paired.insert(capital.to_owned());
+        if let Some(result) = self.affine_by_definition(machine, head, arguments) {
+            return result;
+        }
+        if !self.flexible.get() {
+            self.record.borrow_mut().arities.insert(arguments.len());
+        }
+        if self.discovering {
+            return Ok(Value::int(0));
+        }
+        let list: Option<Vec<Argument<Fraction>>> = arguments
+            .iter()
+            .map(|value| match value {
+                Value::Scalar(u) => Some(Argument::Point(u.clone())),
+                Value::Vector(v) => Some(Argument::Vector(v.clone())),
+                _ => None,
+            })
+            .collect();
+        let Some(list) = list else {
+            return Err(unclear("what these arguments are", expr));
+        };
+        let mut coefficients = self.coefficients(machine, capital, expr)?;
+        while coefficients.len() > 1 && coefficients.last().is_some_and(Zero::is_zero) {
+            coefficients.pop();
+        }
+        let degree = coefficients.len() - 1;
+        let wrong_count = || {
+            let message = format!(
+                "{} is of degree {degree}, so its polar form has more than {} arguments",
+                capital,
+                arguments.len()
+            );
+            Diagnostic::error(Code::Arity, message).at(expr.span)
+        };
+        let more = arguments.len().checked_sub(degree).ok_or_else(wrong_count)?;
+        coefficients.extend(std::iter::repeat_n(zero(), more));
+        PolarForm::new(coefficients).value(&list).map(Value::Scalar).map_err(|_| wrong_count())
+    }
+
+    /// A polar form that is defined by its values at numbers, at a vector: f(…, p − q) is
+    /// f(…, p) − f(…, q).
+    pub(super) fn affine_by_definition(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        arguments: &[Value],
+    ) -> Option<Evaluated> {
+        let at = arguments.iter().position(|value| matches!(value, Value::Vector(_)))?;
+        let Value::Vector(v) = &arguments[at] else { return None };
+        let with = |value: Fraction| {
+            let mut list = arguments.to_vec();
+            list[at] = Value::Scalar(value);
+            vec![list]
+        };
+        let plain = Head { arguments: None, ..head.clone() };
+        let known = |model: &Model, machine: &mut Machine, values: Vec<Vec<Value>>| {
+            model.defined(machine, &plain, Some(&values)).or_else(|| {
+                let list = &values[0];
+                list.iter()
+                    .any(|value| matches!(value, Value::Vector(_)))
+                    .then(|| model.affine_by_definition(machine, head, list))
+                    .flatten()
+            })
+        };
+        let end = known(self, machine, with(v.clone()))?;
+        let start = known(self, machine, with(zero()))?;
+        Some(end.and_then(|end| {
+            crate::language::eval::arithmetic::add(end, crate::language::eval::arithmetic::negate(start?)?)
+        }))
+    }
+
+    /// An unknown tensor-product form: symmetric and affine in each group.
+    fn tensor(&self, head: &Head, u: &[Value], v: &[Value], expr: &Expr) -> Evaluated {
+        self.record.borrow_mut().unknown.insert(capital_of(&head.base));
+        let scalars = |values: &[Value]| -> Option<Vec<Fraction>> {
+            values.iter().map(|value| value.as_scalar().cloned()).collect()
+        };
+        let (Some(u), Some(v)) = (scalars(u), scalars(v)) else {
+            return Err(unclear("what these arguments are", expr));
+        };
+        let name = Symbol::new(format!("[{}]", capital_of(&head.base)));
+        let (su, sv) = (means(&u), means(&v));
+        let mut sum = zero();
+        for (i, a) in su.iter().enumerate() {
+            for (j, b) in sv.iter().enumerate() {
+                sum = sum.plus(&variable(name.numbered(i as i64).numbered(j as i64)).times(a).times(b));
+            }
+        }
+        Ok(Value::Scalar(sum))
+    }
+
+    /// P_n(b_0, …, b_n; t): the Bézier curve with these control points.
+    fn bezier(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        points: &[Value],
+        parameter: &Value,
+        expr: &Expr,
+    ) -> Evaluated {
+        let [degree] = head.lower.as_slice() else {
+            return Err(unclear("what this function is", expr));
+        };
+        let degree = machine.eval_int(degree)?;
+        self.note(format!("{}_n(b_0, ..., b_n; t) is the Bézier curve with these control points", head.base));
+        if degree + 1 != points.len() as i64 {
+            self.record.borrow_mut().mixed = true;
+            let message =
+                format!("a curve of degree {degree} has {} control points, not {}", degree + 1, points.len());
+            return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
+        }
+        let Value::Scalar(t) = parameter else {
+            return Err(unclear("what this parameter is", expr));
+        };
+        let one = Fraction::from_rational(&Rational::from_integer(1.into()));
+        let mut row = points.to_vec();
+        while row.len() > 1 {
+            row = row
+                .windows(2)
+                .map(|pair| {
+                    let left = each(pair[0].clone(), &|b| Ok(b.times(&one.minus(t))))?;
+                    let right = each(pair[1].clone(), &|b| Ok(b.times(t)))?;
+                    crate::language::eval::arithmetic::add(left, right)
+                })
+                .collect::<Result<_, _>>()?;
+        }
+        row.pop().ok_or_else(|| unclear("what this curve is", expr))
+    }
+
+    /// f[x_0, …, x_k] = Σ_i f(x_i) / Π_{j≠i} (x_i − x_j). For nodes that repeat the nodes are put in
+    /// at the end: of a polynomial f this is a polynomial in its nodes.
+    pub(super) fn divided_difference(
+        &self,
+        machine: &mut Machine,
+        function: &Expr,
+        nodes: &[Expr],
+        expr: &Expr,
+    ) -> Evaluated {
+        let nodes = self.arguments(machine, nodes, None, expr)?;
+        self.note("f[x_0, ..., x_k] is the divided difference");
+        let nodes: Option<Vec<Fraction>> = nodes.iter().map(|node| node.as_scalar().cloned()).collect();
+        let Some(nodes) = nodes else {
+            return Err(unclear("what these nodes are", expr));
+        };
+        let repeated = nodes.iter().enumerate().any(|(i, x)| nodes[..i].contains(x));
+        let places: Vec<Symbol> = (0..nodes.len()).map(|i| Symbol::indexed("node", i as i64)).collect();
+        let values: Vec<(Symbol, Fraction)> = places.iter().cloned().zip(nodes.iter().cloned()).collect();
+        let symbol = |place: &Symbol| Fraction::from(MultiPoly::symbol(place.clone()));
+        let nodes = if repeated { places.iter().map(symbol).collect() } else { nodes };
+        let mut sum = zero();
+        for (i, x) in nodes.iter().enumerate() {
+            let value = self.apply(machine, function, &[vec![Value::Scalar(x.clone())]], expr)?;
+            let Value::Scalar(mut term) = value else {
+                return Err(unclear("what the values of this function are", expr));
+            };
+            for (j, y) in nodes.iter().enumerate() {
+                if i != j {
+                    let quotient = crate::language::eval::arithmetic::divide(
+                        Value::Scalar(term),
+                        Value::Scalar(x.minus(y)),
+                    )?;
+                    let Value::Scalar(next) = quotient else {
+                        return Err(unclear("what this quotient is", expr));
+                    };
+                    term = next;
+                }
+            }
+            sum = sum.plus(&term);
+        }
+        if repeated {
+            sum =
+                sum.substitute(&values).map_err(|_| crate::language::eval::arithmetic::division_by_zero())?;
+        }
+        Ok(Value::Scalar(sum))
+    }
+}
+
+/// The letter of the function whose polar form is called by a small letter.
+pub fn capital_of(base: &str) -> String {
+    let mut letters = base.chars();
+    match (letters.next(), letters.as_str()) {
+        (Some(first), "") => first.to_uppercase().collect(),
+        _ => format!("{}{}", base[..1].to_uppercase(), &base[1..]),
+    }
+}
+
+fn zero() -> Fraction {
+    Fraction::from(MultiPoly::zero())
+}
+
+/// The means σ_{i,n} of the elementary symmetric functions, for all i.
+pub(super) fn means(values: &[Fraction]) -> Vec<Fraction> {
+    let one = Fraction::from_rational(&Rational::from_integer(1.into()));
+    let mut sums = vec![one];
+    for value in values {
+        let mut next = sums.clone();
+        next.push(zero());
+        for (i, sum) in sums.iter().enumerate() {
+            next[i + 1] = next[i + 1].plus(&sum.times(value));
+        }
+        sums = next;
+    }
+    let row = crate::math::number::binomial_row(values.len());
+    sums.into_iter().zip(row).map(|(sum, count)| sum.scaled(&Rational::new(1.into(), count))).collect()
+}

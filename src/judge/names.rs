@@ -1,0 +1,266 @@
+//! Names as written: heads of definitions and calls, names that stand for integers.
+
+use std::collections::BTreeSet;
+
+use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
+
+/// A name with its indices and arguments, as it stands on the left of a definition or in a call.
+#[derive(Clone, Debug)]
+pub struct Head {
+    /// The letter, with its mark: "P", "hat v".
+    pub base: String,
+    /// The indices below.
+    pub lower: Vec<Expr>,
+    /// The indices above.
+    pub upper: Vec<Expr>,
+    /// Whether the upper index stands in parentheses: f^{(2)}.
+    pub parenthesized: bool,
+    /// The arguments by groups; `None` if it is not applied to anything.
+    pub arguments: Option<Vec<Vec<Expr>>>,
+}
+
+impl Head {
+    /// Takes a name apart; `None` for anything else.
+    pub fn of(expr: &Expr) -> Option<Head> {
+        match &expr.kind {
+            Kind::Name(name) => Some(Head {
+                base: name.clone(),
+                lower: Vec::new(),
+                upper: Vec::new(),
+                parenthesized: false,
+                arguments: None,
+            }),
+            Kind::Accent(Accent::Bold | Accent::Script | Accent::Blackboard, body) => Head::of(body),
+            Kind::Accent(accent @ (Accent::Hat | Accent::Bar | Accent::Vec | Accent::Tilde), body) => {
+                let mut head = Head::of(body).filter(|head| head.arguments.is_none())?;
+                head.base = format!("{} {}", accent.name(), head.base);
+                Some(head)
+            }
+            Kind::Subscript(base, lower) => {
+                let mut head = Head::of(base).filter(|head| head.lower.is_empty())?;
+                head.lower = lower.iter().flat_map(split_digits).collect();
+                head.arguments.is_none().then_some(head)
+            }
+            Kind::Pow(base, upper) => {
+                let mut head = Head::of(base)?;
+                if !head.upper.is_empty() || head.arguments.is_some() {
+                    return None;
+                }
+                head.upper = vec![upper.as_ref().clone()];
+                Some(head)
+            }
+            Kind::Upper(base, upper) => {
+                let mut head = Head::of(base)?;
+                if !head.upper.is_empty() || head.arguments.is_some() {
+                    return None;
+                }
+                head.upper = upper.clone();
+                head.parenthesized = true;
+                Some(head)
+            }
+            Kind::Apply(callee, groups) => {
+                let mut head = Head::of(callee)?;
+                if head.arguments.is_some() {
+                    return None;
+                }
+                head.arguments = Some(groups.clone());
+                Some(head)
+            }
+            _ => None,
+        }
+    }
+
+    /// The arguments, groups run together.
+    pub fn flat(&self) -> Vec<&Expr> {
+        self.arguments.iter().flatten().flatten().collect()
+    }
+}
+
+/// The index 01 stands for 0, 1: a number of a row and one of a column.
+fn split_digits(index: &Expr) -> Vec<Expr> {
+    match &index.kind {
+        Kind::Name(word) if word.len() > 1 && word.bytes().all(|b| b.is_ascii_digit()) => {
+            word.bytes().map(|b| Expr::new(Expr::int(i64::from(b - b'0')).kind, index.span)).collect()
+        }
+        _ => vec![index.clone()],
+    }
+}
+
+/// Letters that stand for integers when they are indices.
+const INDEX_LETTERS: &[&str] =
+    &["i", "j", "k", "l", "m", "n", "d", "r", "s", "q", "p", "N", "M", "ell", "nu", "mu"];
+
+/// Whether a name is one of the letters used for indices.
+pub fn is_index_letter(name: &str) -> bool {
+    INDEX_LETTERS.contains(&name)
+}
+
+/// The names of an expression that must be integers for it to make sense: in bounds, binomials,
+/// factorials, indices, exponents and counts. Names bound by sums are left out.
+pub fn integer_names(expr: &Expr) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    collect(expr, Position::Free, &mut found);
+    found
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Position {
+    Free,
+    /// Here only letters usual for indices count.
+    Index,
+    /// Here every name is an integer.
+    Integer,
+}
+
+fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
+    match &expr.kind {
+        Kind::Name(name) => {
+            let usual = is_index_letter(name);
+            if position == Position::Integer && name.chars().count() == 1 && name != "T"
+                || position == Position::Index && usual
+            {
+                found.insert(name.clone());
+            }
+        }
+        Kind::Subscript(base, lower) => {
+            collect(base, Position::Free, found);
+            lower.iter().for_each(|index| collect(index, Position::Index, found));
+        }
+        Kind::Upper(base, upper) => {
+            collect(base, Position::Free, found);
+            upper.iter().for_each(|index| collect(index, Position::Index, found));
+        }
+        Kind::Pow(base, exponent) => {
+            collect(base, position, found);
+            let index = if position == Position::Free { Position::Index } else { position };
+            let symbolic = matches!(exponent.kind, Kind::Name(_) | Kind::Add(_) | Kind::Mul(_));
+            collect(exponent, if symbolic { index } else { Position::Index }, found);
+        }
+        Kind::Binomial(n, k, _) => {
+            collect(n, Position::Integer, found);
+            collect(k, Position::Integer, found);
+        }
+        Kind::Factorial(body) => collect(body, Position::Integer, found),
+        Kind::Range(from, to) => {
+            collect(from, Position::Integer, found);
+            collect(to, Position::Integer, found);
+        }
+        Kind::Brace(items, label) => {
+            items.iter().for_each(|item| collect(item, position, found));
+            label.iter().for_each(|label| collect(label, Position::Integer, found));
+        }
+        Kind::Derivative { variables, body, .. } => {
+            for (_, order) in variables {
+                order.iter().for_each(|order| collect(order, Position::Integer, found));
+            }
+            body.iter().for_each(|body| collect(body, position, found));
+        }
+        Kind::Big { lower, upper, body, op } => {
+            let mut inner = BTreeSet::new();
+            let mut own = own_names(lower);
+            collect(body, position, &mut inner);
+            for piece in lower {
+                match &piece.kind {
+                    Kind::Chain(left, links) => {
+                        if !matches!(links[0].rel, Rel::Subset | Rel::In) {
+                            collect(left, Position::Integer, &mut inner);
+                        }
+                        links.iter().for_each(|link| collect(&link.expr, Position::Integer, &mut inner));
+                    }
+                    _ if upper.is_some() => collect(piece, Position::Integer, &mut inner),
+                    _ => {}
+                }
+            }
+            if own.is_empty() && matches!(op, BigOp::Sum | BigOp::Product) {
+                own.extend(implied_index(body));
+            }
+            if let Some(upper) = upper {
+                collect(upper, Position::Integer, &mut inner);
+            }
+            found.extend(inner.into_iter().filter(|name| !own.contains(name)));
+        }
+        Kind::Integral { lower, upper, body, .. } => {
+            for part in lower.iter().chain(upper).chain([body]) {
+                collect(part, position, found);
+            }
+        }
+        Kind::Cases(cases) => {
+            for (value, condition) in cases {
+                collect(value, position, found);
+                if let Some(condition) = condition {
+                    collect(condition, Position::Index, found);
+                }
+            }
+        }
+        _ => expr.for_each_child(&mut |child| collect(child, position, found)),
+    }
+}
+
+/// The names that a sum or product runs over.
+pub fn own_names(lower: &[Expr]) -> Vec<String> {
+    let mut own = Vec::new();
+    for piece in lower {
+        match &piece.kind {
+            Kind::Name(name) => own.push(name.clone()),
+            Kind::Chain(left, links) => match (&left.kind, links.len()) {
+                (Kind::Name(name), 1) => own.push(name.clone()),
+                (Kind::Add(terms), _) => own.extend(terms.iter().filter_map(|term| match &term.expr.kind {
+                    Kind::Name(name) => Some(name.clone()),
+                    _ => None,
+                })),
+                (_, 2) => {
+                    if let Kind::Name(name) = &links[0].expr.kind {
+                        own.push(name.clone());
+                    }
+                }
+                _ => {}
+            },
+            Kind::Sequence(items) | Kind::Tuple(items) => {
+                own.extend(own_names(items));
+            }
+            _ => {}
+        }
+    }
+    own
+}
+
+/// The index of a sum that names none: the first letter that is an index in its body.
+pub fn implied_index(body: &Expr) -> Option<String> {
+    let mut found = None;
+    walk(body, &mut |expr| {
+        if found.is_some() {
+            return;
+        }
+        if let Kind::Subscript(_, lower) | Kind::Upper(_, lower) = &expr.kind {
+            found = lower.iter().find_map(|index| match &index.kind {
+                Kind::Name(name) if is_index_letter(name) => Some(name.clone()),
+                _ => None,
+            });
+        }
+    });
+    // u_{ij} under a sum over j and the like keep their last letter.
+    found
+}
+
+/// Calls `visit` on the expression and everything in it.
+pub fn walk<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    visit(expr);
+    expr.for_each_child(&mut |child| walk(child, visit));
+}
+
+/// The bases of all names in an expression.
+pub fn bases(expr: &Expr) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    walk(expr, &mut |part| match &part.kind {
+        Kind::Name(name) => {
+            found.insert(name.clone());
+        }
+        Kind::Accent(..) => {
+            if let Some(head) = Head::of(part) {
+                found.insert(head.base);
+            }
+        }
+        _ => {}
+    });
+    found
+}

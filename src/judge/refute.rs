@@ -1,0 +1,612 @@
+//! When a relation that fails is wrong, and when it is a condition, an equation or a new definition.
+//!
+//! A false alarm is worse than silence. A relation is refuted only if its names have a certain
+//! meaning and it can be nothing but a claim; everything else that fails stays open.
+
+use std::collections::BTreeSet;
+
+use super::check::Checker;
+use super::compare::{self, Outcome};
+use super::model::Curve;
+use super::names::{Head, bases, walk};
+use super::statement::{Chain, Statement};
+use super::trial::{Failure, Outcomes, Tally};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::Value;
+use crate::language::write;
+use crate::math::poly::Symbol;
+
+/// What a failing relation is taken for.
+pub enum Decision {
+    /// Wrong.
+    Refuted {
+        /// The instance that shows it best.
+        failure: Box<Failure>,
+        /// Why, in words.
+        reasons: String,
+    },
+    /// The name on the left is defined anew, perhaps with a warning.
+    Redefinition(Option<String>),
+    /// True in a restricted sense, which is said.
+    Sampled(String),
+    /// Not decided, and why.
+    Open(String),
+    /// Suspicious: an index that belongs to nothing.
+    Loose(String),
+}
+
+/// Words before a formula that make it a condition or an equation to be solved.
+const CONDITION_CUES: &[&str] = &[
+    "if",
+    "when",
+    "whenever",
+    "suppose",
+    "assume",
+    "such that",
+    "satisfy",
+    "satisfies",
+    "solve",
+    "equation",
+    "condition",
+    "conditions",
+    "require",
+    "requires",
+    "iff",
+    "unless",
+    "want",
+    "find",
+    "impose",
+    "unknown",
+    "solves",
+    "which",
+    "whether",
+    "vanishes",
+    "root",
+    "roots",
+    "zero of",
+    "ask",
+    "若",
+    "如果",
+    "当",
+    "条件",
+    "满足",
+    "方程",
+    "假设",
+    "求",
+    "使得",
+    "要求",
+    "等价",
+    "wenn",
+    "falls",
+    "löse",
+    "gleichung",
+    "bedingung",
+    "bedingungen",
+    "si",
+    "résoudre",
+    "équation",
+    "condition de",
+];
+
+/// Words before a formula that introduce a new meaning.
+const DEFINITION_CUES: &[&str] = &[
+    "let", "define", "set", "put", "denote", "given", "consider", "设", "令", "记", "定义", "取", "给定",
+    "sei", "setze", "soit", "posons", "on pose",
+];
+
+/// The last words before a formula, in small letters.
+fn last_words(statement: &Statement) -> String {
+    let text = if statement.gap.trim().is_empty() { &statement.before } else { &statement.gap };
+    let tail: Vec<char> = text.trim().chars().rev().take(60).collect();
+    let tail: String = tail.into_iter().rev().collect();
+    // Only what stands after the last full stop belongs to the sentence.
+    let start = tail
+        .rfind(['.', '。', ';', '；', '\n'])
+        .map_or(0, |at| at + tail[at..].chars().next().map_or(1, char::len_utf8));
+    let words = tail[start..].to_lowercase();
+    // "If F is of degree n, then we have": what follows is the conclusion.
+    match words.rfind("then").or_else(|| words.rfind("we have")) {
+        Some(at) => words[at..].to_owned(),
+        None => words,
+    }
+}
+
+fn has_cue(words: &str, cues: &[&str]) -> bool {
+    cues.iter().any(|cue| {
+        if cue.is_ascii() {
+            words.split(|c: char| !c.is_alphanumeric()).any(|word| word == *cue)
+                || (cue.contains(' ') && words.contains(cue))
+        } else {
+            words.contains(cue)
+        }
+    })
+}
+
+/// The Bézier curve that the words before a formula speak of, if they speak of its polar form.
+pub fn curve_spoken_of(recent: &str) -> Option<Curve> {
+    let text = recent.to_lowercase();
+    let tail: String = {
+        let letters: Vec<char> = text.chars().rev().take(400).collect();
+        letters.into_iter().rev().collect()
+    };
+    let bezier = [
+        "bezier curve",
+        "bézier curve",
+        "贝塞尔曲线",
+        "bezier曲线",
+        "bezier 曲线",
+        "bézierkurve",
+        "courbe de bézier",
+    ]
+    .iter()
+    .any(|word| tail.contains(word));
+    let polar = ["polar form", "blossom", "极形式", "开花", "polarform", "forme polaire"]
+        .iter()
+        .any(|word| tail.contains(word));
+    (bezier && polar).then(|| Curve { points: "b".to_owned() })
+}
+
+/// Whether a name is called as a function in a formula.
+pub fn calls(expr: &Expr, base: &str) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        if let Kind::Apply(callee, _) = &part.kind {
+            let inner = match &callee.kind {
+                Kind::Prime(inner, _) => inner,
+                _ => callee,
+            };
+            found = found || Head::of(inner).is_some_and(|head| head.base == base);
+        }
+    });
+    found
+}
+
+/// Whether the head is that of a family with a standard meaning.
+pub fn is_standard(head: Option<&Head>) -> bool {
+    head.is_some_and(|head| matches!(head.base.as_str(), "B" | "sigma"))
+}
+
+/// What a failing relation is.
+pub fn decide(
+    checker: &Checker,
+    tally: &Tally,
+    outcomes: &Outcomes,
+    chain: &Chain,
+    at: usize,
+    statement: &Statement,
+    head: Option<&Head>,
+) -> Decision {
+    let words = last_words(statement);
+    let first = at == 0;
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
+        return Decision::Open(format!("{name} has no argument here"));
+    }
+    if let Some(index) = loose_index(left, right, &chain.conditions) {
+        let reason = format!("the index {index} occurs on one side only, and nothing says what it is");
+        return Decision::Loose(reason);
+    }
+    let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
+    let Some(failure) = best_failure(tally, outcomes, chain) else {
+        let reason = format!(
+            "exact for {} of {} instances tried; is it meant for a part of the range?",
+            tally.holds,
+            tally.holds + tally.fails.len()
+        );
+        return Decision::Open(reason);
+    };
+    // Something holds for functions of degree at most 1 only: it says that they are affine.
+    let degrees = tally.fails.iter().filter_map(|failure| failure.degree).min();
+    if outcomes.degrees && tally.holds > 0 && degrees.is_some_and(|least| least == 2) {
+        return Decision::Sampled("true for functions of degree at most 1, that is, affine ones".to_owned());
+    }
+    // n is not said here: true for one degree, as in an example for n = 3.
+    if outcomes.degrees && outcomes.integers.is_empty() && tally.holds > 0 {
+        let failed: BTreeSet<usize> = tally.fails.iter().filter_map(|failure| failure.degree).collect();
+        if (1..=4).any(|degree| !failed.contains(&degree)) {
+            return Decision::Open("true for some degrees only: which one is meant?".to_owned());
+        }
+    }
+    let standard = is_standard(head);
+    if let Some(head) = head
+        && first
+    {
+        let own: BTreeSet<String> = bases(right);
+        let property = own.contains(&head.base) || is_constant(&failure.right);
+        if standard && !property {
+            // B_i^n = … that differs from what everybody calls so.
+            let warning = format!(
+                "this differs from the usual meaning of {}{}",
+                head.base,
+                counterexample(&failure).map_or(String::new(), |text| format!(": {text}"))
+            );
+            return Decision::Redefinition(Some(warning));
+        }
+        let again = checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
+            definition.head.flat().len() == head.flat().len()
+                && definition.head.lower.len() == head.lower.len()
+                && definition.head.upper.len() == head.upper.len()
+        });
+        // n = 2, a_k = k^2: a name that is no function gets a new value.
+        let value = head.arguments.is_none()
+            && (head.lower.is_empty() && is_constant(&failure.right) || again)
+            && !own.contains(&head.base);
+        if value && !standard {
+            return Decision::Redefinition(None);
+        }
+        let cue =
+            has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
+        let of_capital = own.contains(&super::model::capital_of(&head.base))
+            || curve_spoken_of(&statement.recent).is_some();
+        if cue && again && !of_capital && !standard && !own.contains(&head.base) {
+            return Decision::Redefinition(None);
+        }
+    }
+    if let Some(head) = head
+        && first
+        && !standard
+    {
+        // A second definition of a name: a claim only where the first one is at hand.
+        let defined = checker.context.visible(&head.base, &statement.place).find(|(_, definition, near)| {
+            *near && definition.head.arguments.is_some() == head.arguments.is_some()
+        });
+        let elsewhere = defined.is_none()
+            && checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
+                definition.head.flat().len() == head.flat().len()
+                    && definition.head.lower.len() == head.lower.len()
+                    && definition.head.arguments.is_some() == head.arguments.is_some()
+            });
+        let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
+            || curve_spoken_of(&statement.recent).is_some();
+        // A recursion that differs from an earlier one defines the family anew.
+        let recursion = !head.lower.is_empty() && calls(right, &head.base);
+        if elsewhere && !of_capital || recursion {
+            return Decision::Redefinition(None);
+        }
+        if let Some((_, definition, _)) = defined
+            && !of_capital
+            && !bases(right).contains(&head.base)
+            && definition.place.group != statement.place.group
+        {
+            return Decision::Redefinition(None);
+        }
+    }
+    if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.recent).is_none() {
+        return Decision::Open("a condition, by the words before it".to_owned());
+    }
+    let differences = [left, right].iter().any(|side| bases(side).contains("Delta"));
+    let known = differences || !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
+    let unknown: BTreeSet<&String> = tally.record.unknown.iter().collect();
+    let unpaired: Vec<&&String> =
+        unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
+    if unknown.len() > 1 {
+        return Decision::Open(format!(
+            "a condition on {}",
+            unknown.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(" and ")
+        ));
+    }
+    let sums = has_structure(left) || has_structure(right);
+    let (sl, sr) = (visible(&failure.left), visible(&failure.right));
+    if !unpaired.is_empty() {
+        let name = unpaired[0].as_str();
+        let bare = match &left.kind {
+            Kind::Apply(callee, groups) => {
+                Head::of(callee).is_some_and(|head| head.base == name)
+                    && groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Name(_)))
+            }
+            _ => false,
+        };
+        let differences = super::features::has_divided_differences(&[left, right]);
+        let identity = bare && sums && calls(right, name);
+        if !(identity || differences && sl == sr && !sl.is_empty()) {
+            return Decision::Open(format!("a condition on {name}, or it needs to be known what {name} is"));
+        }
+        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+    } else if !unknown.is_empty() {
+        // F and its polar form: both sides must speak of them.
+        let names: Vec<String> =
+            unknown.iter().flat_map(|name| [(*name).clone(), name.to_lowercase()]).collect();
+        let speaks = |side: &Expr| names.iter().any(|name| calls(side, name));
+        if !(speaks(left) && speaks(right)) {
+            return Decision::Open("a condition on the polar form, or a definition of its points".to_owned());
+        }
+        if bare_values(left) && bare_values(right) {
+            return Decision::Open("a condition on the polar form".to_owned());
+        }
+    }
+    let refuted = |failure: Failure| {
+        let reasons = reasons(&failure, tally);
+        Decision::Refuted { failure: Box::new(failure), reasons }
+    };
+    if inequality {
+        return refuted(failure);
+    }
+    // Which symbols the sides speak of.
+    let common: Vec<&Symbol> = sl.intersection(&sr).collect();
+    if !known && unknown.is_empty() {
+        let numbers = sl.is_empty() && sr.is_empty();
+        let same = sl == sr;
+        let expansion =
+            at > 0 && has_structure(left) && has_structure(right) && (sl.is_subset(&sr) || sr.is_subset(&sl));
+        let family = same && !outcomes.integers.is_empty() && (has_structure(left) || has_structure(right));
+        if numbers || expansion || family || (same && (at > 0 || degrees_agree(&failure))) {
+            return refuted(failure);
+        }
+        return Decision::Open("an equation between names without a meaning".to_owned());
+    }
+    let letters = |symbols: &BTreeSet<Symbol>| -> BTreeSet<String> {
+        symbols.iter().map(|symbol| symbol.base().to_owned()).collect()
+    };
+    let (bl, br) = (letters(&sl), letters(&sr));
+    let subset = sr.is_subset(&sl) || sl.is_subset(&sr) || br.is_subset(&bl) || bl.is_subset(&br);
+    if !subset {
+        return missing_or_redefinition(head, first, "names without a meaning occur on one side only");
+    }
+    let extra: Vec<&Symbol> = sr.difference(&sl).filter(|symbol| !bl.contains(symbol.base())).collect();
+    if !extra.is_empty() && unknown.is_empty() && !standard {
+        let names: Vec<String> = extra.iter().map(|symbol| symbol.to_string()).collect();
+        return missing_or_redefinition(head, first, &format!("{} has no meaning here", names.join(", ")));
+    }
+    if extra.iter().any(|symbol| symbol.is_plain()) && !standard && unknown.is_empty() {
+        return missing_or_redefinition(head, first, "a name without a meaning occurs on the right");
+    }
+    let constant =
+        |symbols: &BTreeSet<Symbol>, other: &BTreeSet<Symbol>| symbols.is_empty() && !other.is_empty();
+    let only_standard = tally.record.definitions.is_empty() && unknown.is_empty();
+    if (constant(&sr, &sl) || constant(&sl, &sr))
+        && !only_standard
+        && tally.record.unknown.is_empty()
+        && at == 0
+    {
+        let curve = curve_spoken_of(&statement.recent).is_some() && head.is_some();
+        if !curve {
+            return missing_or_redefinition(head, first, "an equation to be solved, or a condition");
+        }
+    }
+    if bare_values(left) && bare_values(right) && at == 0 {
+        return Decision::Open("a condition on the values of a function".to_owned());
+    }
+    // Definitions of other sections count only if the formula speaks of their coefficients.
+    let far: Vec<usize> =
+        tally.record.definitions.iter().filter(|(_, near)| !near).map(|(number, _)| *number).collect();
+    if !far.is_empty() {
+        let written: BTreeSet<String> = bases(left);
+        let linked = common.iter().any(|symbol| {
+            !symbol.indices().is_empty() && !written.contains(symbol.base()) && !is_argument(symbol, left)
+        });
+        if !linked {
+            let line = checker.context.definitions[far[0]].line;
+            return missing_or_redefinition(
+                head,
+                first,
+                &format!("it contradicts line {line}, which stands in another section"),
+            );
+        }
+    }
+    refuted(failure)
+}
+
+fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {
+    if head.is_some() && first && !is_standard(head) {
+        Decision::Redefinition(None)
+    } else {
+        Decision::Open(reason.to_owned())
+    }
+}
+
+fn is_constant(value: &Value) -> bool {
+    value.as_rational().is_some()
+}
+
+fn is_argument(symbol: &Symbol, side: &Expr) -> bool {
+    let text = symbol.to_string();
+    let mut found = false;
+    walk(side, &mut |part| {
+        if let Kind::Subscript(..) = &part.kind {
+            found = found || write::text(part) == text;
+        }
+    });
+    found
+}
+
+/// B_i^j without an argument beside B_j^n(t).
+fn without_argument(side: &Expr) -> Option<String> {
+    fn search(expr: &Expr, called: &mut bool, bare: &mut Option<String>) {
+        let family = |expr: &Expr| {
+            Head::of(expr).is_some_and(|head| {
+                head.base == "B" && head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
+            })
+        };
+        if let Kind::Apply(callee, groups) = &expr.kind
+            && family(callee)
+        {
+            *called = true;
+            groups.iter().flatten().for_each(|argument| search(argument, called, bare));
+        } else if family(expr) {
+            bare.get_or_insert_with(|| write::text(expr));
+        } else {
+            expr.for_each_child(&mut |child| search(child, called, bare));
+        }
+    }
+    let (mut called, mut bare) = (false, None);
+    search(side, &mut called, &mut bare);
+    bare.filter(|_| called)
+}
+
+/// A running index that is free on one side only.
+fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String> {
+    let running = |side: &Expr| -> BTreeSet<String> {
+        super::names::integer_names(side)
+            .into_iter()
+            .filter(|name| matches!(name.as_str(), "i" | "j" | "k" | "l"))
+            .collect()
+    };
+    let (a, b) = (running(left), running(right));
+    let said: BTreeSet<String> = conditions.iter().flat_map(bases).collect();
+    // In the sums of one side the same letter runs: the free one is a slip.
+    let mut bound = BTreeSet::new();
+    for side in [left, right] {
+        walk(side, &mut |part| {
+            if let Kind::Big { lower, .. } = &part.kind {
+                bound.extend(super::names::own_names(lower));
+            }
+        });
+    }
+    a.symmetric_difference(&b).find(|name| bound.contains(*name) && !said.contains(*name)).cloned()
+}
+
+/// Whether a side is nothing but a value of a function at numbers or indexed names.
+fn bare_values(side: &Expr) -> bool {
+    match &side.kind {
+        Kind::Apply(callee, groups) => {
+            Head::of(callee).is_some_and(|head| !matches!(head.base.as_str(), "B" | "sigma"))
+                && groups.iter().flatten().all(|argument| {
+                    let mut plain = true;
+                    walk(argument, &mut |part| {
+                        plain = plain
+                            && !matches!(&part.kind, Kind::Brace(..) | Kind::Ellipsis | Kind::Big { .. });
+                    });
+                    plain
+                })
+        }
+        Kind::Group(inner) => bare_values(inner),
+        _ => false,
+    }
+}
+
+/// Sums, products, factorials, binomials: signs of an identity rather than of a condition.
+fn has_structure(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| {
+        found = found
+            || matches!(
+                part.kind,
+                Kind::Big { .. } | Kind::Factorial(_) | Kind::Binomial(..) | Kind::Integral { .. }
+            );
+    });
+    found
+}
+
+/// The symbols of a value that are no coefficients of an unknown function.
+fn visible(value: &Value) -> BTreeSet<Symbol> {
+    compare::symbols(value).into_iter().filter(|symbol| !symbol.base().starts_with('[')).collect()
+}
+
+/// Whether both sides have the same degree in every symbol, as the two sides of a wrong expansion
+/// have and those of an equation to be solved have not.
+fn degrees_agree(failure: &Failure) -> bool {
+    let (Value::Scalar(a), Value::Scalar(b)) = (&failure.left, &failure.right) else { return true };
+    let (Some(a), Some(b)) = (a.as_polynomial(), b.as_polynomial()) else { return true };
+    a.variables().iter().chain(b.variables()).all(|symbol| a.degree_in(symbol) == b.degree_in(symbol))
+        && a.total_degree().unwrap_or(0) > 1
+}
+
+/// The failure that shows the slip best: nothing extreme, small numbers. `None` if the failures are
+/// such that the relation may be meant for a part of the range.
+fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<Failure> {
+    let explicit = chain.conditions.iter().any(|condition| {
+        matches!(&condition.kind, Kind::Chain(_, links)
+            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))
+                || matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt)))
+    });
+    if outcomes.integers.is_empty() {
+        // Degrees only: the highest tells most.
+        let last = tally.fails.iter().max_by_key(|failure| failure.degree.unwrap_or(0))?;
+        let mut smallest = tally.fails.iter().filter(|failure| failure.degree.unwrap_or(0) >= 1);
+        return Some(smallest.next().unwrap_or(last).clone());
+    }
+    // Cases speak of the ends of the range.
+    let cases = chain.sides.iter().any(|side| matches!(side.expr.kind, Kind::Cases(_)));
+    let inner: Vec<&Failure> = tally
+        .fails
+        .iter()
+        .filter(|failure| {
+            failure.inner
+                || cases
+                    && !failure.outside
+                    && failure
+                        .integers
+                        .iter()
+                        .all(|(name, value)| !matches!(name.as_str(), "n" | "d") || *value >= 2)
+        })
+        .collect();
+    let holds = tally.holds_inner;
+    let wrong = !inner.is_empty() && inner.len() * 2 >= holds;
+    let enough = wrong || (explicit && !inner.is_empty()) || (holds == 0 && tally.fails.len() > tally.holds);
+    if !enough {
+        return None;
+    }
+    let pool: Vec<&Failure> = if inner.is_empty() { tally.fails.iter().collect() } else { inner };
+    pool.into_iter()
+        .filter(|failure| matches!(failure.outcome, Outcome::Fails(_)))
+        .min_by_key(|failure| failure.integers.iter().map(|(_, value)| *value).sum::<i64>())
+        .cloned()
+}
+
+/// Why it is wrong, in words.
+fn reasons(failure: &Failure, tally: &Tally) -> String {
+    let Outcome::Fails(judgement) = &failure.outcome else { return "the sides differ".to_owned() };
+    let mut parts: Vec<String> = judgement.reasons.clone();
+    if let Some(difference) = &judgement.difference
+        && !compare::symbols(difference).iter().any(|symbol| symbol.base().starts_with('['))
+    {
+        let text = write::text(&difference.to_expr());
+        if text.chars().count() <= 140 {
+            let instance = instance(failure);
+            let place = if instance.is_empty() { String::new() } else { format!(" for {instance}") };
+            parts.push(format!("left minus right is {text}{place}"));
+        }
+    }
+    if tally.holds > 0 && parts.is_empty() {
+        parts.push("the sides differ".to_owned());
+    }
+    if parts.is_empty() { "the sides differ".to_owned() } else { parts.join("; ") }
+}
+
+fn instance(failure: &Failure) -> String {
+    let mut pairs: Vec<String> =
+        failure.integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    if let (Some(degree), true) = (failure.degree, failure.integers.is_empty()) {
+        pairs.push(format!("degree {degree}"));
+    }
+    if let Some(interval) = failure.interval {
+        pairs.push(format!("t between t_{interval} and t_{}", interval + 1));
+    }
+    pairs.join(", ")
+}
+
+/// The counterexample in words: values of integers, functions and symbols, and of both sides.
+pub fn counterexample(failure: &Failure) -> Option<String> {
+    let witness = match &failure.outcome {
+        Outcome::Fails(judgement) => judgement.witness.clone(),
+        _ => None,
+    };
+    let witness = witness.or_else(|| compare::witness(&failure.left, &failure.right));
+    let mut parts = Vec::new();
+    let instance = instance(failure);
+    if !instance.is_empty() {
+        parts.push(instance);
+    }
+    let Some(witness) = witness else {
+        return (!parts.is_empty()).then(|| parts.join(", "));
+    };
+    // Coefficients of unknown functions are shown as the function.
+    let mut functions: Vec<(String, Vec<String>)> = Vec::new();
+    for (symbol, value) in &witness.assignment {
+        match symbol.base().strip_prefix('[').and_then(|name| name.strip_suffix(']')) {
+            Some(name) => {
+                let text = value.to_string();
+                match functions.iter_mut().find(|(known, _)| known == name) {
+                    Some((_, list)) => list.push(text),
+                    None => functions.push((name.to_owned(), vec![text])),
+                }
+            }
+            None => parts.push(format!("{symbol} = {value}")),
+        }
+    }
+    for (name, list) in functions {
+        parts.push(format!("{name} with the coefficients {} of 1, t, ...", list.join(", ")));
+    }
+    let place = if parts.is_empty() { String::new() } else { format!("{}: ", parts.join(", ")) };
+    Some(format!("{place}left {}, right {}", witness.left, witness.right))
+}

@@ -1,0 +1,492 @@
+//! The likely slip in a wrong formula.
+//!
+//! Small edits of one side are tried: an index or exponent changed by one, a letter or index
+//! exchanged for one that occurs beside it, a sign, a number changed a little, a factor added or
+//! left out, the entries of a binomial. An edit is a repair if with it the relation holds in every
+//! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
+//! for single edits and stops after a time.
+
+use std::time::Instant;
+
+use super::check::Checker;
+use super::model::{Choices, Curve};
+use super::names::{Head, walk};
+use super::statement::{Chain, Place};
+use super::trial::Outcomes;
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::write;
+use crate::math::number::{Rational, integer};
+use num_traits::{One, Signed, Zero};
+
+/// A repair of the relation number `at`, as LaTeX.
+pub fn suggestion(
+    checker: &Checker,
+    chain: &Chain,
+    at: usize,
+    place: &Place,
+    curve: &Option<Curve>,
+    choices: Choices,
+) -> Option<String> {
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    let rel = chain.relations[at].0;
+    let start = Instant::now();
+    let holds = |left: &Expr, right: &Expr, quick: bool| -> bool {
+        let trial = checker.trial(&[left, right], &[rel], chain, place, curve.clone(), choices);
+        let outcomes = if quick { trial.first(3) } else { trial.run() };
+        is_true(&outcomes, quick)
+    };
+    // The slip is on the right more often than on the left, and there the edits are listed first.
+    let mut candidates: Vec<(Expr, Expr)> = Vec::new();
+    if at == 0 {
+        candidates.extend(with_arguments(left, right).map(|left| (left, right.clone())));
+    }
+    candidates.extend(edits(right, left, curve).into_iter().map(|edit| (left.clone(), edit)));
+    if at > 0 || Head::of(left).is_none() {
+        candidates.extend(edits(left, right, &None).into_iter().map(|edit| (edit, right.clone())));
+    }
+    let next = chain
+        .sides
+        .get(at + 2)
+        .filter(|_| matches!(chain.relations[at + 1].0, Rel::Eq))
+        .map(|side| &side.expr);
+    let mut best: Option<(Expr, Expr)> = None;
+    for (left, right) in candidates {
+        if start.elapsed() > super::trial::share(&checker.limits, 16) {
+            break;
+        }
+        crate::budget::steps(64);
+        if !holds(&left, &right, true) || !holds(&left, &right, false) {
+            continue;
+        }
+        // One that mends the rest of the chain, too, is surely meant.
+        match next {
+            Some(next) if !next.same_as(&right) => {
+                if holds(&right, next, false) {
+                    return Some(printed(&left, rel, &right));
+                }
+                best.get_or_insert((left, right));
+            }
+            _ => return Some(printed(&left, rel, &right)),
+        }
+    }
+    best.or_else(|| constant_apart(checker, chain, at, place, curve, choices))
+        .map(|(left, right)| printed(&left, rel, &right))
+}
+
+fn printed(left: &Expr, rel: Rel, right: &Expr) -> String {
+    write::latex(&Expr::relation(left.clone(), rel, right.clone()))
+}
+
+fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
+    let tally = &outcomes.tallies[0];
+    let ranged = !outcomes.integers.is_empty();
+    let enough = if !ranged || quick { tally.holds > 0 } else { tally.holds_inner >= 1 || tally.holds >= 4 };
+    let fails = tally.fails.iter().filter(|failure| !failure.outside && (failure.inner || !ranged)).count();
+    fails == 0 && enough && tally.mismatches.is_empty()
+}
+
+/// f(t) = … in t_1, …, t_n: the arguments written out.
+fn with_arguments(left: &Expr, right: &Expr) -> Option<Expr> {
+    let head = Head::of(left)?;
+    super::lint::missing_argument(&head, right)?;
+    let Kind::Apply(callee, _) = &left.kind else { return None };
+    let arguments = head.flat();
+    let base = arguments.first()?;
+    let mut last = None;
+    walk(right, &mut |part| {
+        if let Kind::Big { upper: Some(upper), .. } = &part.kind
+            && last.is_none()
+        {
+            last = Some(upper.as_ref().clone());
+        }
+    });
+    let index = |index: Expr| Expr::from(Kind::Subscript(Box::new((*base).clone()), vec![index]));
+    let list = vec![index(Expr::int(1)), Kind::Ellipsis.into(), index(last?)];
+    Some(Expr::apply(callee.as_ref().clone(), list))
+}
+
+/// The right side with the constant added that makes the relation true, if the sides differ by a
+/// number only, or the formula on the left written out, if the relation is between numbers.
+fn constant_apart(
+    checker: &Checker,
+    chain: &Chain,
+    at: usize,
+    place: &Place,
+    curve: &Option<Curve>,
+    choices: Choices,
+) -> Option<(Expr, Expr)> {
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    let trial = checker.trial(&[left, right], &[Rel::Eq], chain, place, curve.clone(), choices);
+    let outcomes = trial.run();
+    if !outcomes.integers.is_empty() {
+        return None;
+    }
+    // The value of the left side, if it is a formula of bearable length.
+    let failure = outcomes.tallies[0].fails.last()?;
+    let invented = super::compare::symbols(&failure.left).iter().any(|symbol| symbol.base().starts_with('['));
+    let crate::language::value::Value::Scalar(value) = &failure.left else { return None };
+    let size = value.numerator().len() + value.denominator().len();
+    if invented || size > 24 {
+        return None;
+    }
+    Some((left.clone(), crate::language::value::polynomial_expr(value)))
+}
+
+/// Small edits of a formula, the likeliest first.
+fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
+    let mut pool = Pool::default();
+    pool.collect(expr);
+    pool.collect(other);
+    let mut found: Vec<(u32, Expr)> = Vec::new();
+    let mut binomials = Vec::new();
+    walk(expr, &mut |part| {
+        if let Kind::Binomial(..) = &part.kind {
+            binomials.push(part.span);
+        }
+    });
+    at_every_node(expr, false, &mut |node, in_index, rebuild| {
+        for (cost, replacement) in node_edits(node, in_index, &pool) {
+            // A lost factor is likelier than another binomial.
+            let within =
+                binomials.iter().any(|span| span.start <= node.span.start && node.span.end <= span.end);
+            let cost = cost + if within { 3 } else { 0 };
+            // The same slip may have been made wherever the name stands.
+            if matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
+                let mut all = expr.clone();
+                if replace_all(&mut all, node, &replacement) > 1 {
+                    found.push((cost, all));
+                }
+            }
+            found.push((cost, rebuild(replacement)));
+        }
+    });
+    // Factors for the whole side, or for the terms of its sum.
+    for (cost, factor) in factors(&pool, expr) {
+        found.push((cost, Expr::product(vec![factor.clone(), grouped(expr)])));
+        within_sums(expr, &factor, cost, &mut found);
+    }
+    if let Some(curve) = curve {
+        let point = Expr::from(Kind::Subscript(Box::new(Expr::name(&curve.points)), vec![Expr::name("i")]));
+        within_sums(expr, &point, 0, &mut found);
+    }
+    found.sort_by_key(|(cost, _)| *cost);
+    found.into_iter().map(|(_, edit)| edit).collect()
+}
+
+/// Replaces a node wherever it occurs; says how often.
+fn replace_all(expr: &mut Expr, node: &Expr, by: &Expr) -> usize {
+    if expr.same_as(node) {
+        *expr = with_span(by.clone(), node);
+        return 1;
+    }
+    let mut count = 0;
+    expr.for_each_child_mut(&mut |child| count += replace_all(child, node, by));
+    count
+}
+
+fn grouped(expr: &Expr) -> Expr {
+    match expr.kind {
+        Kind::Add(_) => expr.clone().grouped(),
+        _ => expr.clone(),
+    }
+}
+
+/// The body of a sum multiplied by a factor.
+fn within_sums(expr: &Expr, factor: &Expr, cost: u32, found: &mut Vec<(u32, Expr)>) {
+    at_every_node(expr, false, &mut |node, _, rebuild| {
+        if let Kind::Big { op, lower, upper, body } = &node.kind {
+            // A factor goes before what depends on the variable, after binomials.
+            let mut factors = match &body.kind {
+                Kind::Mul(factors) => factors.clone(),
+                _ => vec![body.as_ref().clone()],
+            };
+            let at = factors
+                .iter()
+                .take_while(|f| matches!(f.kind, Kind::Binomial(..) | Kind::Number(_) | Kind::Div(..)))
+                .count();
+            factors.insert(at, factor.clone());
+            let body = Box::new(Expr::product(factors));
+            let big = Kind::Big { op: *op, lower: lower.clone(), upper: upper.clone(), body };
+            found.push((cost + 1, rebuild(Expr::new(big, node.span))));
+        }
+    });
+}
+
+/// Factors that are easily lost: n, 1/n, 1/n!, signs, small numbers.
+fn factors(pool: &Pool, expr: &Expr) -> Vec<(u32, Expr)> {
+    let one_over = |e: Expr| Expr::int(1).over(e);
+    let mut list =
+        vec![(3, Expr::int(2)), (3, one_over(Expr::int(2))), (4, Expr::int(3)), (4, one_over(Expr::int(3)))];
+    for name in &pool.integers {
+        let n = || Expr::name(name);
+        let factorial = || Expr::from(Kind::Factorial(Box::new(n())));
+        list.push((2, n()));
+        list.push((3, one_over(n())));
+        list.push((3, one_over(factorial())));
+        list.push((4, factorial()));
+        let plus = |by: i64| {
+            let term = |sign, expr| Term { sign, expr };
+            let sign = if by < 0 { Sign::Minus } else { Sign::Plus };
+            Expr::from(Kind::Add(vec![term(Sign::Plus, n()), term(sign, Expr::int(by.abs()))]))
+        };
+        list.push((4, plus(1).grouped()));
+        list.push((4, plus(-1).grouped()));
+        list.push((4, one_over(plus(1))));
+        list.push((4, one_over(plus(-1))));
+    }
+    // The alternating sign of a sum over i up to n, perhaps with 1/n!.
+    walk(expr, &mut |part| {
+        if let Kind::Big { lower, upper: Some(upper), .. } = &part.kind
+            && let Some(i) = super::names::own_names(lower).first()
+        {
+            let minus_one = || Expr::int(-1).grouped();
+            let term = |sign, expr| Term { sign, expr };
+            let difference: Expr =
+                Kind::Add(vec![term(Sign::Plus, upper.as_ref().clone()), term(Sign::Minus, Expr::name(i))])
+                    .into();
+            let factorial = Expr::from(Kind::Factorial(upper.clone()));
+            for exponent in [difference, Expr::name(i)] {
+                let sign = minus_one().power(exponent);
+                list.push((4, sign.clone()));
+                list.push((5, sign.over(factorial.clone())));
+            }
+        }
+    });
+    list
+}
+
+/// Names and numbers that occur in a formula and may have been exchanged.
+#[derive(Default)]
+struct Pool {
+    /// Indexed names by base, each with its indices.
+    siblings: Vec<Expr>,
+    /// Plain names that are no functions.
+    names: Vec<String>,
+    /// Names of integers.
+    integers: Vec<String>,
+}
+
+impl Pool {
+    fn collect(&mut self, expr: &Expr) {
+        walk(expr, &mut |part| match &part.kind {
+            Kind::Subscript(..) if !self.siblings.iter().any(|known| known.same_as(part)) => {
+                self.siblings.push(part.clone());
+            }
+            Kind::Name(name) if !self.names.contains(name) => self.names.push(name.clone()),
+            _ => {}
+        });
+        for name in super::names::integer_names(expr) {
+            if !self.integers.contains(&name) {
+                self.integers.push(name);
+            }
+        }
+    }
+}
+
+/// Edits of one node, with a cost each.
+fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
+    let mut list: Vec<(u32, Expr)> = Vec::new();
+    let new = |kind: Kind| Expr::new(kind, node.span);
+    match &node.kind {
+        Kind::Number(q) => {
+            let mut near = vec![q + integer(1), q - integer(1)];
+            if !in_index {
+                near.extend([
+                    q * integer(2),
+                    q / integer(2),
+                    q + integer(2),
+                    q * integer(3),
+                    q / integer(3),
+                    q - integer(2),
+                ]);
+            }
+            for value in near {
+                let usable = if in_index { value.is_positive() } else { !value.is_negative() };
+                if usable {
+                    list.push((if in_index { 0 } else { 1 }, with_span(Expr::number(&value), node)));
+                }
+            }
+        }
+        Kind::Name(name) => {
+            for other in pool.names.iter().filter(|other| *other != name) {
+                let alike = super::names::is_index_letter(name) == super::names::is_index_letter(other);
+                let case = name.chars().next().map(char::is_uppercase)
+                    == other.chars().next().map(char::is_uppercase);
+                if alike && case {
+                    list.push((if in_index { 1 } else { 2 }, new(Kind::Name(other.clone()))));
+                }
+            }
+            // i for i + 1 and i − 1
+            if in_index && super::names::is_index_letter(name) {
+                for sign in [Sign::Plus, Sign::Minus] {
+                    let terms = vec![
+                        Term { sign: Sign::Plus, expr: node.clone() },
+                        Term { sign, expr: Expr::int(1) },
+                    ];
+                    list.push((0, new(Kind::Add(terms))));
+                }
+            }
+        }
+        Kind::Subscript(base, indices) => {
+            for sibling in &pool.siblings {
+                if let Kind::Subscript(own, others) = &sibling.kind
+                    && own.same_as(base)
+                    && others.len() == indices.len()
+                    && !sibling.same_as(node)
+                {
+                    list.push((1, with_span(sibling.clone(), node)));
+                }
+            }
+            // P_{n,0,0} for P_{0,0,n}, v_k for v_{k-1}
+            for i in 0..indices.len() {
+                for j in i + 1..indices.len() {
+                    let mut swapped = indices.clone();
+                    swapped.swap(i, j);
+                    list.push((2, new(Kind::Subscript(base.clone(), swapped))));
+                }
+                if let Kind::Add(terms) = &indices[i].kind
+                    && terms.len() == 2
+                    && matches!(&terms[1].expr.kind, Kind::Number(q) if q.is_one())
+                {
+                    let mut plain = indices.clone();
+                    plain[i] = terms[0].expr.clone();
+                    list.push((1, new(Kind::Subscript(base.clone(), plain))));
+                }
+            }
+        }
+        Kind::Add(terms) => {
+            for (i, term) in terms.iter().enumerate() {
+                let mut changed = terms.clone();
+                changed[i].sign = if term.sign == Sign::Plus { Sign::Minus } else { Sign::Plus };
+                list.push((1, new(Kind::Add(changed))));
+                if terms.len() == 2 {
+                    // n − 1 for n, n + 1 for n − 1
+                    let number = matches!(&terms[1].expr.kind, Kind::Number(q) if q.is_one());
+                    if number && i == 1 {
+                        list.push((0, terms[0].expr.clone()));
+                    }
+                }
+                if terms.len() > 2 {
+                    let mut shorter = terms.clone();
+                    shorter.remove(i);
+                    list.push((4, new(Kind::Add(shorter))));
+                }
+            }
+            if in_index {
+                // n − k for n − 2, by a letter that occurs
+                for (i, term) in terms.iter().enumerate().skip(1) {
+                    if matches!(term.expr.kind, Kind::Number(_)) {
+                        for name in &pool.integers {
+                            let mut changed = terms.clone();
+                            changed[i].expr = Expr::name(name);
+                            list.push((2, new(Kind::Add(changed))));
+                        }
+                    }
+                }
+            }
+        }
+        Kind::Mul(factors) => {
+            for i in 0..factors.len() {
+                if factors.len() > 1 && !matches!(factors[i].kind, Kind::Ellipsis) {
+                    let mut fewer = factors.clone();
+                    fewer.remove(i);
+                    list.push((3, Expr::product(fewer)));
+                }
+            }
+        }
+        Kind::Div(a, b, style) => {
+            list.push((4, a.as_ref().clone()));
+            list.push((4, new(Kind::Div(b.clone(), a.clone(), *style))));
+        }
+        Kind::Binomial(n, k, style) => {
+            list.push((3, new(Kind::Binomial(k.clone(), n.clone(), *style))));
+        }
+        Kind::Pow(base, exponent) => {
+            if !in_index {
+                list.push((2, base.as_ref().clone()));
+            }
+            if let Kind::Number(q) = &exponent.kind
+                && q == &Rational::zero()
+            {
+                list.push((1, base.as_ref().clone()));
+            }
+        }
+        Kind::Apply(callee, groups) if groups.len() == 1 => {
+            for i in 1..groups[0].len() {
+                let mut swapped = groups[0].clone();
+                swapped.swap(i - 1, i);
+                list.push((3, new(Kind::Apply(callee.clone(), vec![swapped]))));
+            }
+        }
+        Kind::Group(_) => {
+            for name in &pool.integers {
+                list.push((5, node.clone().power(Expr::name(name))));
+            }
+        }
+        _ => {}
+    }
+    // A power that was lost.
+    if !in_index && matches!(node.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Group(_)) {
+        list.push((4, node.clone().power(Expr::int(2))));
+    }
+    list
+}
+
+fn with_span(mut expr: Expr, like: &Expr) -> Expr {
+    expr.span = like.span;
+    expr
+}
+
+/// What is called for a node: the node, whether it stands in an index, and a function that gives the
+/// whole formula with the node replaced.
+type Visit<'a> = &'a mut dyn FnMut(&Expr, bool, &dyn Fn(Expr) -> Expr);
+
+/// Calls `visit` for every node with a function that gives the whole formula with the node replaced.
+fn at_every_node(expr: &Expr, in_index: bool, visit: Visit<'_>) {
+    let mut path = Vec::new();
+    descend(expr, expr, in_index, &mut path, visit);
+}
+
+fn descend(whole: &Expr, node: &Expr, in_index: bool, path: &mut Vec<usize>, visit: Visit<'_>) {
+    if node.kind == Kind::Ellipsis {
+        return;
+    }
+    let here = path.clone();
+    visit(node, in_index, &|replacement| {
+        let mut copy = whole.clone();
+        put(&mut copy, &here, replacement);
+        copy
+    });
+    let mut children = Vec::new();
+    node.for_each_child(&mut |child| children.push(child));
+    for (i, child) in children.into_iter().enumerate() {
+        let index = match &node.kind {
+            // i − 1 is edited as a whole
+            Kind::Add(_) if in_index && matches!(child.kind, Kind::Name(_)) => false,
+            Kind::Subscript(..) | Kind::Upper(..) | Kind::Pow(..) => i > 0 || in_index,
+            Kind::Binomial(..) | Kind::Factorial(_) => true,
+            Kind::Big { lower, upper, .. } => i < lower.len() + usize::from(upper.is_some()),
+            _ => in_index,
+        };
+        path.push(i);
+        descend(whole, child, index, path, visit);
+        path.pop();
+    }
+}
+
+fn put(expr: &mut Expr, path: &[usize], replacement: Expr) {
+    let Some((first, rest)) = path.split_first() else {
+        *expr = replacement;
+        return;
+    };
+    let mut at = 0;
+    let mut replacement = Some(replacement);
+    expr.for_each_child_mut(&mut |child| {
+        if at == *first
+            && let Some(replacement) = replacement.take()
+        {
+            put(child, rest, replacement);
+        }
+        at += 1;
+    });
+}

@@ -1,0 +1,85 @@
+//! Definitions put into formulas, for proofs: P(t) becomes its right-hand side.
+
+use std::collections::BTreeSet;
+
+use super::check::Checker;
+use super::context::Body;
+use super::model::Choices;
+use super::names::{Head, bases, is_index_letter, own_names, walk};
+use super::statement::Place;
+use crate::formula::{Expr, Kind};
+
+impl Checker {
+    /// What a name or call stands for by the definitions seen from a place, with its indices and
+    /// arguments put in; `None` if that is not certain.
+    pub(super) fn unfolded(&self, expr: &Expr, place: &Place, choices: Choices) -> Option<Expr> {
+        let head = Head::of(expr)?;
+        if head.base == "B" && head.upper.is_empty() && head.lower.len() == 2 && head.arguments.is_some() {
+            // B_{i,n}, or B_{n,i}
+            let (i, n) = if choices.degree_first { (1, 0) } else { (0, 1) };
+            let Kind::Apply(callee, groups) = &expr.kind else { return None };
+            let base = Box::new(Expr::name("B"));
+            let lower = Expr::new(Kind::Subscript(base, vec![head.lower[i].clone()]), callee.span);
+            let family = Expr::new(Kind::Pow(Box::new(lower), Box::new(head.lower[n].clone())), callee.span);
+            return Some(Expr::new(Kind::Apply(Box::new(family), groups.clone()), expr.span));
+        }
+        if matches!(head.base.as_str(), "B" | "sigma" | "Delta") {
+            return None;
+        }
+        let (_, definition, near) = self.context.visible(&head.base, place).next()?;
+        let own = &definition.head;
+        let shapes = own.lower.len() == head.lower.len()
+            && own.upper.len() == head.upper.len()
+            && own.arguments.is_some() == head.arguments.is_some()
+            && own.flat().len() == head.flat().len();
+        let Body::Formula(body) = &definition.body else { return None };
+        if !near || !shapes || !definition.conditions.is_empty() {
+            return None;
+        }
+        let patterns = own.lower.iter().chain(&own.upper).chain(own.flat());
+        let values = head.lower.iter().chain(&head.upper).chain(head.flat());
+        let mut by: Vec<(String, Expr)> = Vec::new();
+        for (at, (pattern, value)) in patterns.zip(values).enumerate() {
+            let index = at < own.lower.len() + own.upper.len();
+            match &pattern.kind {
+                Kind::Name(name) if !index || is_index_letter(name) => by.push((name.clone(), value.clone())),
+                _ if pattern.same_as(value) => {}
+                _ => return None,
+            }
+        }
+        // Names of the arguments must not be caught by sums of the body, nor dots be stretched.
+        let free: BTreeSet<String> = by.iter().flat_map(|(_, value)| bases(value)).collect();
+        let mut safe = true;
+        walk(body, &mut |part| match &part.kind {
+            Kind::Big { lower, .. } => {
+                let own = own_names(lower);
+                safe = safe
+                    && !own
+                        .iter()
+                        .any(|name| free.contains(name) || by.iter().any(|(known, _)| known == name));
+            }
+            Kind::Ellipsis | Kind::Derivative { .. } | Kind::Integral { .. } | Kind::Unread(_) => {
+                safe = false
+            }
+            _ => {}
+        });
+        safe.then(|| {
+            let mut result = body.clone();
+            put(&mut result, &by);
+            result.grouped()
+        })
+    }
+}
+
+fn put(expr: &mut Expr, by: &[(String, Expr)]) {
+    if let Kind::Name(name) = &expr.kind {
+        if let Some((_, value)) = by.iter().find(|(known, _)| known == name) {
+            *expr = match value.kind {
+                Kind::Name(_) | Kind::Number(_) => value.clone(),
+                _ => value.clone().grouped(),
+            };
+        }
+        return;
+    }
+    expr.for_each_child_mut(&mut |child| put(child, by));
+}

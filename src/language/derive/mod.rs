@@ -1,0 +1,43 @@
+//! Derivations as a person writes them on a board: lines of formulas, each with its reason.
+//!
+//! **Definition.** A *derivation* ([`crate::language::value::Derivation`]) is a list of lines; each line is
+//! an equation (or several side by side) that either introduces a name or holds by the lines before
+//! it, and words that say why. The last line is the result. Numbers are put in: nothing is left to
+//! be computed by the reader.
+//!
+//! **Invariant.** Every line is true. The tests read each one back and have it checked, by the
+//! language and by the checker of lecture notes.
+//!
+//! | for | see |
+//! | --- | --- |
+//! | a polar form by each of six methods | [`polar()`] |
+//! | the polar form of a sum, product, composition | [`combination`] |
+//! | derivatives by vector arguments; elevation | [`derivative`], [`elevation`], [`elevation_of_curve`] |
+//! | A_n and its inverse | [`power_matrix`], [`bernstein_matrix`] |
+//! | values by schemes; inserted knots | [`casteljau`], [`de_boor`], [`insertion`] |
+//! | C^k conditions | [`joining`] |
+//! | divided differences; cubic splines | [`newton()`], [`moments()`] |
+//! | all words, in all languages | [`words`] |
+//!
+//! References: those of the modules whose results are derived: [`crate::math::blossom`],
+//! [`crate::math::curve`], [`crate::math::spline`], [`crate::math::interpolate`].
+
+mod calculus;
+mod combine;
+mod join;
+mod lines;
+mod matrices;
+mod moments;
+mod newton;
+mod polar;
+mod schemes;
+pub mod words;
+
+pub use calculus::{derivative, elevation, elevation_of_curve};
+pub use combine::{Combination, combination};
+pub use join::joining;
+pub use matrices::{bernstein_matrix, power_matrix};
+pub use moments::moments;
+pub use newton::newton;
+pub use polar::{Names, polar, polar_of_curve};
+pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

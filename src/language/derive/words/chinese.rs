@@ -1,0 +1,166 @@
+//! Chinese.
+
+use num_traits::One;
+
+use super::{AtEnds, Reason, Title, power_of};
+use crate::math::blossom::Method;
+
+/// What is derived.
+pub(super) fn title(title: Title) -> String {
+    match title {
+        Title::Polar(Method::Elementary) => "用初等对称函数求极形式".into(),
+        Title::Polar(Method::Probability) => "用数学期望求极形式".into(),
+        Title::Polar(Method::Taylor) => "用泰勒公式求极形式".into(),
+        Title::Polar(Method::Parts) => "用分部积分求极形式".into(),
+        Title::Polar(Method::Laguerre) => "用拉盖尔极化求极形式".into(),
+        Title::Polar(Method::Bezier) => "用贝塞尔控制顶点求极形式".into(),
+        Title::Sum => "和的极形式".into(),
+        Title::Product => "乘积的极形式".into(),
+        Title::Composition => "复合多项式的极形式".into(),
+        Title::Derivative(k) => format!("用极形式求 `{k}` 阶导数"),
+        Title::Elevation(k) => format!("升阶 `{k}` 次"),
+        Title::PowerMatrix(n) => format!("矩阵 `A_{n}`"),
+        Title::BernsteinMatrix(n) => format!("矩阵 `A_{n}` 的逆矩阵"),
+        Title::DeCasteljau => "de Casteljau 算法".into(),
+        Title::DeBoor => "de Boor 算法".into(),
+        Title::Insertion => "节点插入".into(),
+        Title::Joining(k) => format!("两条曲线的 `C^{k}` 拼接条件"),
+        Title::Newton => "差商与牛顿插值公式".into(),
+        Title::Moments => "三次样条的三弯矩法".into(),
+    }
+}
+
+/// Why a line holds.
+pub(super) fn reason(reason: &Reason) -> String {
+    match reason {
+        Reason::Given => "已知".into(),
+        Reason::DegreeAtMost(n) => format!("次数不超过 `{n}` 的多项式"),
+        Reason::Wanted => "求 `H` 的极形式 `h`".into(),
+        Reason::PolarFormOf(name) => format!("`{name}` 的极形式"),
+        Reason::PutTogether => "整理即得".into(),
+        Reason::PowerToMean { variable, power, of } if of.is_one() => {
+            format!("替换 {}：只有一个乘积", power_of(variable, *power))
+        }
+        Reason::PowerToMean { variable, power, of } => {
+            format!("替换 {}：`{of}` 个乘积的平均值", power_of(variable, *power))
+        }
+        Reason::PowersReplaced => "各次幂换成相应的平均值".into(),
+        Reason::Expectation { size, of, probability } => {
+            format!("从 `{of}` 个变元中随机取 `{size}` 个，每种取法的概率为 `{probability}`，乘积的数学期望")
+        }
+        Reason::ExpectationIsLinear => "各次幂换成乘积的数学期望".into(),
+        Reason::Auxiliary => "辅助函数".into(),
+        Reason::TaylorForm => "极形式的泰勒型公式".into(),
+        Reason::TermNumber(i) => format!("`i = {i}` 的项"),
+        Reason::TauDropsOut(tau) => format!("各项相加，`{tau}` 消去"),
+        Reason::ProductRule => "由乘积求导法则".into(),
+        Reason::CancelsWithTheTermBefore => "由乘积求导法则，第一部分与上一项的最后一部分抵消".into(),
+        Reason::Telescopes => "相邻两项抵消，故各项之和为常数".into(),
+        Reason::TauIsZero(tau) => format!("取 `{tau} = 0`"),
+        Reason::AnyTau(tau) => format!("和与 `{tau}` 无关，可取 `{tau} = 0`"),
+        Reason::StartOfPolars => "从多项式本身出发".into(),
+        Reason::PolarBy(argument) => format!("关于 `{argument}` 的极化"),
+        Reason::AfterAllPolars(tau) => format!("全部极化之后 `{tau}` 消去"),
+        Reason::InBernsteinBasis(n) => {
+            format!("用伯恩斯坦基表示：`b_i = sum(j=0..i, binomial(i, j)/binomial({n}, j) c_j)`")
+        }
+        Reason::PolarOfBernstein { index, degree } => format!("`B_{index}^{degree}` 的极形式"),
+        Reason::PolarFormIsLinear => "和的极形式等于极形式的和".into(),
+        Reason::ProductsOfMeans => "每个变量的幂换成该组变元中相应个数的乘积的平均值".into(),
+        Reason::HandedOut => "每个单项式换成把各因子分配给不同变元的所有方式的平均值".into(),
+
+        Reason::LeaveOut { from, to } if from + 1 == *to => {
+            format!("从 `{to}` 个变元中依次去掉一个，取平均值")
+        }
+        Reason::LeaveOut { from, to } => {
+            format!("从 `{to}` 个变元中任取 `{from}` 个，对所有取法求平均值")
+        }
+        Reason::SameArguments => "两者的变元个数相同".into(),
+        Reason::Added => "相加即得".into(),
+        Reason::ConstantFactor => "有一个因子是常数".into(),
+        Reason::ConstantInside => "常数".into(),
+        Reason::DistinctArguments => "取不同的变元相乘".into(),
+        Reason::SymmetrisedProduct { count, m, n } => {
+            format!("对称化：从 `{}` 个变元中取 `{m}` 个给 `f`，对全部 `{count}` 种取法求平均值", m + n)
+        }
+        Reason::DistinctInside => "把不同变元的 `g` 代入 `f`".into(),
+        Reason::SymmetrisedComposition { count, .. } if count.is_one() => "已经对称".into(),
+        Reason::SymmetrisedComposition { count, m, n } => format!(
+            "对称化：把 `{}` 个变元分成 `{m}` 组，每组 `{n}` 个，对全部 `{count}` 种分法求平均值",
+            m * n
+        ),
+
+        Reason::DerivativeByHats { n, k } => {
+            format!("用向量变元求导，系数为 `{n}!/({n} - {k})!`")
+        }
+        Reason::MoreHatsThanArguments { n, k } => format!("次数不超过 `{n}`，小于 `{k}`"),
+        Reason::Diagonal => "令各变元相等".into(),
+        Reason::HatIsDifference => "`hat(1) = 1 - 0`，利用多重仿射性展开".into(),
+        Reason::ValueOfForm => "极形式的值".into(),
+        Reason::BezierPoints => "区间 `[0, 1]` 上的贝塞尔控制顶点".into(),
+        Reason::RaisedPoint { i, n } if *i == 0 || *i == n + 1 => "端点不变".into(),
+        Reason::RaisedPoint { i, n } => {
+            format!("以 `{i}/{m}` 和 `1 - {i}/{m}` 为权的加权平均", m = n + 1)
+        }
+
+        Reason::BinomialExpansion { n, j } => {
+            format!("`t^i` 的系数为 `(-1)^(i-j) binomial({n}, i) binomial(i, j)`，其中 `j = {j}`")
+        }
+        Reason::ColumnsOfPowers(n) => {
+            format!("第 `j` 列是 `B_j^{n}` 的系数，`j = 0, ..., {n}`")
+        }
+        Reason::BasesByMatrix => "由幂基得到伯恩斯坦基".into(),
+        Reason::BinomialOfOne { n, j } => {
+            format!("`B_i^{n}` 的系数为 `binomial(i, j)/binomial({n}, j)`，其中 `j = {j}`")
+        }
+        Reason::ColumnsOfBernstein(n) => {
+            format!("第 `j` 列是 `t^j` 的系数，`j = 0, ..., {n}`")
+        }
+        Reason::Inverse => "由一组基变到另一组基，再变回来".into(),
+
+        Reason::ControlPoints => "控制顶点".into(),
+        Reason::Level(r) => format!("第 `{r}` 层"),
+        Reason::PointOfCurve => "曲线上的点".into(),
+        Reason::DivideByWeight => "除以权因子，即最后一个坐标".into(),
+        Reason::Knots => "节点向量".into(),
+        Reason::KnotInterval(j) => format!("参数落在 `t_{j}` 到 `t_{}` 的节点区间内", j + 1),
+        Reason::InsertionRatio { i, n } => {
+            format!("`alpha_{i} = (t - t_{i})/(t_{} - t_{i})`", i + n)
+        }
+        Reason::MixedPoint(i) => format!("新的控制顶点 `{i}`"),
+        Reason::NewKnots => "插入后的节点向量".into(),
+        Reason::NewControlPoints => "全部控制顶点，其余控制顶点不变".into(),
+
+        Reason::Extrapolated(j) => format!("用 de Casteljau 算法外推 `{j}` 步，到区间之外"),
+        Reason::LastControlPoint => "第一条曲线的最后一个控制顶点".into(),
+        Reason::ControlPointOfSecond(j) => format!("第二条曲线的控制顶点 `{j}`"),
+        Reason::ConditionHolds(j) => format!("两者相等，`{j}` 阶条件成立"),
+        Reason::ConditionFails(j) => format!("不为零，`{j}` 阶条件不成立"),
+        Reason::Condition(j) => format!("`{j}` 阶条件"),
+        Reason::ConditionOnDifference(j) => format!("须为零，即 `{j}` 阶条件"),
+
+        Reason::Nodes => "插值节点".into(),
+        Reason::Data => "给定数据".into(),
+        Reason::DividedDifference(k) => format!("`{k}` 阶差商"),
+        Reason::EqualNodes(k) => format!("重节点：`{k}` 阶导数除以 `{k}!`"),
+        Reason::NewtonForm => "牛顿插值公式".into(),
+        Reason::NumbersPutIn => "代入数值".into(),
+        Reason::ByPowers => "展开".into(),
+
+        Reason::StepLength => "区间长度".into(),
+        Reason::CoefficientOf { moment } => format!("`M_{moment}` 的系数"),
+        Reason::RightSide { i, next } => {
+            format!("方程 `mu_{i} M_{} + 2 M_{i} + lambda_{i} M_{next} = d_{i}` 的右端", i - 1)
+        }
+        Reason::EndSlope { i, next } => format!("方程 `2 M_{i} + M_{next} = d_{i}` 的右端，`S'` 已给定"),
+        Reason::MomentSystem(AtEnds::Natural) => "三弯矩方程组，自然边界条件 `S'' = 0`".into(),
+        Reason::MomentSystem(AtEnds::Clamped) => "三弯矩方程组，固支边界条件".into(),
+        Reason::MomentSystem(AtEnds::NotAKnot) => {
+            "三弯矩方程组，非扭结边界条件：`S'''` 在端点的相邻节点处连续".into()
+        }
+        Reason::MomentSystem(AtEnds::Periodic) => "三弯矩方程组，周期边界条件".into(),
+        Reason::MomentSystem(AtEnds::Given) => "三弯矩方程组，含给定的边界条件".into(),
+        Reason::SystemSolved => "用消元法求解".into(),
+        Reason::Piece(i) => format!("区间 `[x_{i}, x_{}]` 上的一段", i + 1),
+    }
+}

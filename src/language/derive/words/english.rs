@@ -1,0 +1,194 @@
+//! English.
+
+use num_traits::One;
+
+use super::{AtEnds, Reason, Title, power_of};
+use crate::math::blossom::Method;
+
+/// What is derived.
+pub(super) fn title(title: Title) -> String {
+    match title {
+        Title::Polar(Method::Elementary) => "The polar form by elementary symmetric functions".into(),
+        Title::Polar(Method::Probability) => "The polar form as an expected value".into(),
+        Title::Polar(Method::Taylor) => "The polar form by Taylor's formula".into(),
+        Title::Polar(Method::Parts) => "The polar form by integration by parts".into(),
+        Title::Polar(Method::Laguerre) => "The polar form by Laguerre's polars".into(),
+        Title::Polar(Method::Bezier) => "The polar form by Bézier points".into(),
+        Title::Sum => "The polar form of a sum".into(),
+        Title::Product => "The polar form of a product".into(),
+        Title::Composition => "The polar form of a composition".into(),
+        Title::Derivative(k) => format!("The derivative of order {k} by the polar form"),
+        Title::Elevation(k) => format!("The degree raised by {k}"),
+        Title::PowerMatrix(n) => format!("The matrix `A_{n}`"),
+        Title::BernsteinMatrix(n) => format!("The inverse of the matrix `A_{n}`"),
+        Title::DeCasteljau => "De Casteljau's algorithm".into(),
+        Title::DeBoor => "De Boor's algorithm".into(),
+        Title::Insertion => "Insertion of a knot".into(),
+        Title::Joining(k) => format!("Conditions for two curves to meet `C^{k}`"),
+        Title::Newton => "Divided differences and Newton's form".into(),
+        Title::Moments => "A cubic spline by its moments".into(),
+    }
+}
+
+/// Why a line holds.
+pub(super) fn reason(reason: &Reason) -> String {
+    match reason {
+        Reason::Given => "given".into(),
+        Reason::DegreeAtMost(n) => format!("a polynomial of degree at most {n}"),
+        Reason::Wanted => "the polar form `h` of `H` is wanted".into(),
+        Reason::PolarFormOf(name) => format!("the polar form of `{name}`"),
+        Reason::PutTogether => "put together".into(),
+        Reason::PowerToMean { variable, power, of } if of.is_one() => {
+            format!("replaces {}: the only product", power_of(variable, *power))
+        }
+        Reason::PowerToMean { variable, power, of } => {
+            format!("replaces {}: the mean of {of} products", power_of(variable, *power))
+        }
+        Reason::PowersReplaced => "every power replaced by its mean".into(),
+        Reason::Expectation { size, of, probability } => format!(
+            "the expected product of {size} of {of} arguments drawn at random, each choice with probability `{probability}`"
+        ),
+        Reason::ExpectationIsLinear => "every power replaced by its expected product".into(),
+        Reason::Auxiliary => "the auxiliary function".into(),
+        Reason::TaylorForm => "the polar form in Taylor's manner".into(),
+        Reason::TermNumber(i) => format!("the term `i = {i}`"),
+        Reason::TauDropsOut(tau) => format!("the sum of all terms; `{tau}` drops out"),
+        Reason::ProductRule => "by the product rule".into(),
+        Reason::CancelsWithTheTermBefore => {
+            "by the product rule; the first part cancels the last one before".into()
+        }
+        Reason::Telescopes => "neighbours cancel: the sum of all terms is constant".into(),
+        Reason::TauIsZero(tau) => format!("at `{tau} = 0`"),
+        Reason::AnyTau(tau) => format!("the sum does not depend on `{tau}`, so `{tau} = 0` will do"),
+        Reason::StartOfPolars => "the polynomial itself".into(),
+        Reason::PolarBy(argument) => format!("the polar by `{argument}`"),
+        Reason::AfterAllPolars(tau) => format!("after all polars `{tau}` is gone"),
+        Reason::InBernsteinBasis(n) => {
+            format!("in the Bernstein basis: `b_i = sum(j=0..i, binomial(i, j)/binomial({n}, j) c_j)`")
+        }
+        Reason::PolarOfBernstein { index, degree } => {
+            format!("the polar form of `B_{index}^{degree}`")
+        }
+        Reason::PolarFormIsLinear => "the polar form of a sum is the sum of the polar forms".into(),
+        Reason::ProductsOfMeans => {
+            "each power of each variable replaced by the mean of the products of so many of its arguments"
+                .into()
+        }
+        Reason::HandedOut => {
+            "each monomial replaced by the mean over all ways to hand its factors to different arguments"
+                .into()
+        }
+
+        Reason::LeaveOut { from, to } if from + 1 == *to => {
+            format!("the mean over all ways to leave out one of {to} arguments")
+        }
+        Reason::LeaveOut { from, to } => {
+            format!("the mean over all ways to choose {from} of {to} arguments")
+        }
+        Reason::SameArguments => "both with the same number of arguments".into(),
+        Reason::Added => "added".into(),
+        Reason::ConstantFactor => "one factor is constant".into(),
+        Reason::ConstantInside => "a constant".into(),
+        Reason::DistinctArguments => "multiplied, with different arguments".into(),
+        Reason::SymmetrisedProduct { count, m, n } => {
+            format!(
+                "symmetrised: the mean over all {count} ways to choose {m} of {} arguments for `f`",
+                m + n
+            )
+        }
+        Reason::DistinctInside => "`g` with different arguments put into `f`".into(),
+        Reason::SymmetrisedComposition { count, .. } if count.is_one() => "already symmetric".into(),
+        Reason::SymmetrisedComposition { count, m, n } => format!(
+            "symmetrised: the mean over all {count} ways to split {} arguments into {m} groups of {n}",
+            m * n
+        ),
+
+        Reason::DerivativeByHats { n, k } => {
+            format!("the derivative by vector arguments, with the factor `{n}!/({n} - {k})!`")
+        }
+        Reason::MoreHatsThanArguments { n, k } => {
+            format!("the degree is at most {n}, less than {k}")
+        }
+        Reason::Diagonal => "the diagonal of the polar form".into(),
+        Reason::HatIsDifference => "`hat(1) = 1 - 0`, and `f` is multi-affine".into(),
+        Reason::ValueOfForm => "a value of the polar form".into(),
+        Reason::BezierPoints => "the Bézier points over `[0, 1]`".into(),
+        Reason::RaisedPoint { i, n } if *i == 0 || *i == n + 1 => "the end stays".into(),
+        Reason::RaisedPoint { i, n } => {
+            format!("the mean with the weights `{i}/{m}` and `1 - {i}/{m}`", m = n + 1)
+        }
+
+        Reason::BinomialExpansion { n, j } => {
+            format!("the coefficient of `t^i` is `(-1)^(i-j) binomial({n}, i) binomial(i, j)`, `j = {j}`")
+        }
+        Reason::ColumnsOfPowers(n) => {
+            format!("the coefficients of `B_j^{n}` are column `j`, `j = 0, ..., {n}`")
+        }
+        Reason::BasesByMatrix => "from the powers to the Bernstein polynomials".into(),
+        Reason::BinomialOfOne { n, j } => {
+            format!("the coefficient of `B_i^{n}` is `binomial(i, j)/binomial({n}, j)`, `j = {j}`")
+        }
+        Reason::ColumnsOfBernstein(n) => {
+            format!("the coefficients of `t^j` are column `j`, `j = 0, ..., {n}`")
+        }
+        Reason::Inverse => "from one basis to the other and back".into(),
+
+        Reason::ControlPoints => "control points".into(),
+        Reason::Level(r) => format!("level {r}"),
+        Reason::PointOfCurve => "the point of the curve".into(),
+        Reason::DivideByWeight => "divided by the weight, the last coordinate".into(),
+        Reason::Knots => "the knots".into(),
+        Reason::KnotInterval(j) => {
+            format!("the parameter lies in the interval from `t_{j}` to `t_{}`", j + 1)
+        }
+        Reason::InsertionRatio { i, n } => {
+            format!("`alpha_{i} = (t - t_{i})/(t_{} - t_{i})`", i + n)
+        }
+        Reason::MixedPoint(i) => format!("the new control point {i}"),
+        Reason::NewKnots => "the knots with the new one".into(),
+        Reason::NewControlPoints => "all control points; the others stay".into(),
+
+        Reason::Extrapolated(j) => {
+            format!(
+                "continued beyond the interval, by {j} step{} of de Casteljau",
+                if *j == 1 { "" } else { "s" }
+            )
+        }
+        Reason::LastControlPoint => "the last control point of the first curve".into(),
+        Reason::ControlPointOfSecond(j) => format!("control point {j} of the second curve"),
+        Reason::ConditionHolds(j) => format!("equal: the condition of order {j} holds"),
+        Reason::ConditionFails(j) => format!("not 0: the condition of order {j} fails"),
+        Reason::Condition(j) => format!("the condition of order {j}"),
+        Reason::ConditionOnDifference(j) => format!("has to be 0: the condition of order {j}"),
+
+        Reason::Nodes => "the nodes".into(),
+        Reason::Data => "the data".into(),
+        Reason::DividedDifference(k) => format!("divided difference of order {k}"),
+        Reason::EqualNodes(k) => format!("equal nodes: the derivative of order {k} over `{k}!`"),
+        Reason::NewtonForm => "Newton's form".into(),
+        Reason::NumbersPutIn => "with the numbers".into(),
+        Reason::ByPowers => "multiplied out".into(),
+
+        Reason::StepLength => "the length of the interval".into(),
+        Reason::CoefficientOf { moment } => format!("the coefficient of `M_{moment}`"),
+        Reason::RightSide { i, next } => {
+            format!("the right side of `mu_{i} M_{} + 2 M_{i} + lambda_{i} M_{next} = d_{i}`", i - 1)
+        }
+        Reason::EndSlope { i, next } => {
+            format!("the right side of `2 M_{i} + M_{next} = d_{i}`: `S'` is given")
+        }
+        Reason::MomentSystem(AtEnds::Natural) => {
+            "the system of equations, with natural ends: `S'' = 0`".into()
+        }
+        Reason::MomentSystem(AtEnds::Clamped) => "the system of equations, with clamped ends".into(),
+        Reason::MomentSystem(AtEnds::NotAKnot) => {
+            "the system of equations; no knots: `S'''` is continuous at the nodes next to the ends".into()
+        }
+        Reason::MomentSystem(AtEnds::Periodic) => "the system of equations of a periodic spline".into(),
+        Reason::MomentSystem(AtEnds::Given) => {
+            "the system of equations, with the conditions at the ends".into()
+        }
+        Reason::SystemSolved => "its solution, by elimination".into(),
+        Reason::Piece(i) => format!("the piece on `[x_{i}, x_{}]`", i + 1),
+    }
+}

@@ -1,0 +1,394 @@
+//! Sums, products, powers and matrix operations of values. Errors know no place yet.
+
+use nalgebra::DMatrix;
+use num_traits::{One, Zero};
+
+use crate::budget;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Clause, Function, Parameter, Polar, PolarKind, Shape, Value};
+use crate::math::linalg::LinalgError;
+use crate::math::number::{Int, Rational};
+use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::{Field, Ring};
+use std::sync::Arc;
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+fn mismatch(operation: &str, left: &Value, right: &Value) -> Diagnostic {
+    Diagnostic::error(Code::Type, format!("{} and {} cannot be {operation}", left.kind(), right.kind()))
+}
+
+/// The diagnostic for an error of linear algebra.
+pub(crate) fn linalg(error: LinalgError) -> Diagnostic {
+    let code = match error {
+        LinalgError::Singular { .. } => Code::Singular,
+        _ => Code::Shape,
+    };
+    Diagnostic::error(code, error.to_string())
+}
+
+/// The sum of two values.
+pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
+    match (left, right) {
+        (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(a + b)),
+        (Value::Vector(a), Value::Vector(b)) => Ok(Value::Vector(a + b)),
+        (Value::List(a), Value::List(b)) if a.len() == b.len() => {
+            a.into_iter().zip(b).map(|(x, y)| add(x, y)).collect::<Result<_>>().map(Value::List)
+        }
+        (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Ok(Value::Matrix(a + b)),
+        (Value::Polar(a), Value::Polar(b)) => add_polar(&a, &b),
+        (Value::Piecewise(a), Value::Piecewise(b)) => super::geometry::add_piecewise(&a, &b),
+        // A sum that begins with nothing.
+        (Value::Piecewise(a), Value::Scalar(b)) | (Value::Scalar(b), Value::Piecewise(a)) if b.is_zero() => {
+            Ok(Value::Piecewise(a))
+        }
+        (Value::Geometry(a), Value::Geometry(b)) => super::geometry::add_curves(&a, &b),
+        (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "added", |x, y| Ok(x + y)),
+        (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "added", |x, y| Ok(x + y)),
+        (Value::List(a), Value::List(b)) => Err(Diagnostic::error(
+            Code::Shape,
+            format!("lists of {} and {} items cannot be added", a.len(), b.len()),
+        )),
+        (Value::Matrix(a), Value::Matrix(b)) => Err(Diagnostic::error(
+            Code::Shape,
+            format!("a {}x{} and a {}x{} matrix cannot be added", a.nrows(), a.ncols(), b.nrows(), b.ncols()),
+        )),
+        (a, b) => Err(mismatch("added", &a, &b)),
+    }
+}
+
+fn add_polar(a: &Polar, b: &Polar) -> Result<Value> {
+    let unequal = || {
+        Diagnostic::error(Code::Arity, "polar forms with different arguments cannot be added")
+            .hint("elevate the lower degree first, or use polar_sum(f, g), which does it")
+    };
+    let kind = match (&a.kind, &b.kind) {
+        (PolarKind::Univariate(f), PolarKind::Univariate(g)) if f.degree() == g.degree() => {
+            PolarKind::Univariate(f.sum(g))
+        }
+        (PolarKind::Tensor(f), PolarKind::Tensor(g)) if f.degrees() == g.degrees() => {
+            PolarKind::Tensor(f.sum(g).map_err(|_| unequal())?)
+        }
+        _ => return Err(unequal()),
+    };
+    Ok(Value::Polar(Arc::new(Polar { kind, variables: a.variables.clone() })))
+}
+
+/// The negative of a value.
+pub(crate) fn negate(value: Value) -> Result<Value> {
+    match value {
+        Value::Scalar(a) => Ok(Value::Scalar(-a)),
+        Value::Vector(a) => Ok(Value::Vector(-a)),
+        other => multiply(Value::int(-1), other),
+    }
+}
+
+/// The product of two values.
+pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
+    match (left, right) {
+        (Value::Scalar(a), Value::Scalar(b)) => {
+            // Repeated products of numbers must stay within the limit on digits, too.
+            if let (Some(x), Some(y)) = (a.as_rational(), b.as_rational()) {
+                let bits = |q: &Rational| q.numer().bits().max(q.denom().bits());
+                budget::charge_bits(bits(&x).saturating_add(bits(&y)));
+            }
+            Ok(Value::Scalar(a * b))
+        }
+        (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
+            Ok(Value::Vector(a * b))
+        }
+        (Value::Scalar(a), Value::List(items)) | (Value::List(items), Value::Scalar(a)) => items
+            .into_iter()
+            .map(|item| multiply(Value::Scalar(a.clone()), item))
+            .collect::<Result<_>>()
+            .map(Value::List),
+        (Value::Scalar(a), Value::Matrix(m)) | (Value::Matrix(m), Value::Scalar(a)) => {
+            Ok(Value::Matrix(m.map(|x| x.times(&a))))
+        }
+        (Value::Scalar(a), Value::Polar(f)) | (Value::Polar(f), Value::Scalar(a)) => scale_polar(&a, &f),
+        (Value::Scalar(a), Value::Piecewise(f)) | (Value::Piecewise(f), Value::Scalar(a)) => {
+            Ok(super::geometry::scale_piecewise(&a, &f))
+        }
+        (Value::Scalar(a), Value::Geometry(c)) | (Value::Geometry(c), Value::Scalar(a)) => {
+            super::geometry::scale_curve(&a, &c)
+        }
+        (Value::Matrix(a), Value::Matrix(b)) => {
+            if a.ncols() != b.nrows() {
+                return Err(Diagnostic::error(
+                    Code::Shape,
+                    format!(
+                        "a {}x{} matrix times a {}x{} matrix: the inner sizes differ",
+                        a.nrows(),
+                        a.ncols(),
+                        b.nrows(),
+                        b.ncols()
+                    ),
+                ));
+            }
+            budget::charge_terms((a.nrows() * b.ncols()) as u64);
+            Ok(Value::Matrix(crate::math::linalg::multiply(&a, &b).map_err(linalg)?))
+        }
+        (Value::Matrix(a), Value::List(items)) => {
+            let product = multiply(Value::Matrix(a), column(&items)?)?;
+            Ok(match product {
+                Value::Matrix(m) if m.ncols() == 1 => {
+                    Value::List(m.iter().cloned().map(Value::Scalar).collect())
+                }
+                other => other,
+            })
+        }
+        (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "multiplied", |x, y| Ok(x * y)),
+        (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "multiplied", |x, y| Ok(x * y)),
+        (Value::Polar(_), Value::Polar(_)) => {
+            Err(Diagnostic::error(Code::Type, "the product of two polar forms is not symmetric")
+                .hint("polar_product(f, g) is the polar form of the product of the polynomials"))
+        }
+        (a, b) => Err(mismatch("multiplied", &a, &b)),
+    }
+}
+
+fn scale_polar(a: &Fraction, f: &Polar) -> Result<Value> {
+    let kind = match &f.kind {
+        PolarKind::Univariate(form) => PolarKind::Univariate(form.map(|c| c.times(a))),
+        PolarKind::Tensor(form) => {
+            let rows = form.coefficients();
+            let grid = rows.iter().map(|row| row.iter().map(|c| c.times(a)).collect());
+            PolarKind::Tensor(
+                crate::math::blossom::TensorPolarForm::new(grid.collect())
+                    .map_err(super::arguments::polar)?,
+            )
+        }
+        PolarKind::Total(form) => {
+            let terms = form.terms().map(|(e, c)| (e.to_vec(), c.times(a)));
+            PolarKind::Total(
+                crate::math::blossom::TotalDegreePolarForm::new(form.dimension(), form.degree(), terms)
+                    .map_err(super::arguments::polar)?,
+            )
+        }
+    };
+    Ok(Value::Polar(Arc::new(Polar { kind, variables: f.variables.clone() })))
+}
+
+/// A list of scalars as a column.
+fn column(items: &[Value]) -> Result<Value> {
+    let entries: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
+    let entries =
+        entries.ok_or_else(|| Diagnostic::error(Code::Type, "expected a list of numbers or formulas"))?;
+    Ok(Value::Matrix(DMatrix::from_vec(entries.len(), 1, entries)))
+}
+
+/// The quotient of two values.
+pub(crate) fn divide(left: Value, right: Value) -> Result<Value> {
+    match (left, right) {
+        (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "divided", quotient),
+        (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "divided", quotient),
+        (a, Value::Scalar(b)) => {
+            let inverse = b.inverse().ok_or_else(division_by_zero)?;
+            multiply(a, Value::Scalar(inverse))
+        }
+        (a, b) => Err(mismatch("divided", &a, &b)),
+    }
+}
+
+fn quotient(a: Fraction, b: Fraction) -> Result<Fraction> {
+    Ok(a * b.inverse().ok_or_else(division_by_zero)?)
+}
+
+pub(crate) fn division_by_zero() -> Diagnostic {
+    Diagnostic::error(Code::DivisionByZero, "division by zero").reason("this is 0")
+}
+
+/// Largest exponent accepted; products of that size are stopped by other limits long before.
+const MAX_EXPONENT: i64 = i32::MAX as i64;
+
+/// A power, or a power of a matrix.
+pub(crate) fn power(base: Value, exponent: &Value) -> Result<Value> {
+    let Some(k) = exponent.as_rational() else {
+        return Err(Diagnostic::error(
+            Code::BadExponent,
+            format!("an exponent must be an integer, not {}", exponent.kind()),
+        )
+        .hint("give the exponent a value first, or sum over it with bounds"));
+    };
+    if !k.denom().is_one() {
+        return Err(Diagnostic::error(Code::BadExponent, format!("the exponent {k} is not an integer"))
+            .hint("roots are not rational; only integer powers are exact here"));
+    }
+    let Some(k) = k.numer().as_small().filter(|k| k.abs() <= MAX_EXPONENT) else {
+        let digits = k.numer().to_string().len();
+        let shown =
+            if digits > 40 { format!("an exponent of {digits} digits") } else { format!("the exponent {k}") };
+        return Err(Diagnostic::error(Code::TooManyTerms, format!("{shown} is too large")));
+    };
+    match base {
+        Value::Scalar(a) => scalar_power(&a, k).map(Value::Scalar),
+        Value::Matrix(m) => matrix_power(m, k),
+        Value::Function(f) => {
+            let zero = Value::int(0);
+            pointwise(&Value::Function(f), &zero, "raised to a power", |x, _| scalar_power(&x, k))
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} has no powers", other.kind()))),
+    }
+}
+
+fn scalar_power(a: &Fraction, k: i64) -> Result<Fraction> {
+    if a.is_zero() && k < 0 {
+        return Err(division_by_zero());
+    }
+    if let Some(q) = a.as_rational() {
+        let bits = q.numer().bits().max(q.denom().bits()).saturating_sub(1);
+        budget::charge_bits(bits.saturating_mul(k.unsigned_abs()));
+    }
+    let exponent =
+        i32::try_from(k).map_err(|_| Diagnostic::error(Code::TooManyTerms, "the exponent is too large"))?;
+    a.pow(exponent).map_err(|_| division_by_zero())
+}
+
+fn matrix_power(m: DMatrix<Fraction>, k: i64) -> Result<Value> {
+    if m.nrows() != m.ncols() {
+        return Err(Diagnostic::error(
+            Code::Shape,
+            format!("a {}x{} matrix has no powers", m.nrows(), m.ncols()),
+        ));
+    }
+    let mut base = if k < 0 { crate::math::linalg::inverse(&m).map_err(linalg)? } else { m };
+    let mut result = DMatrix::identity(base.nrows(), base.nrows());
+    let mut left = k.unsigned_abs();
+    while left > 0 {
+        budget::steps(256);
+        if left & 1 == 1 {
+            result = crate::math::linalg::multiply(&result, &base).map_err(linalg)?;
+        }
+        left >>= 1;
+        if left > 0 {
+            base = crate::math::linalg::multiply(&base, &base).map_err(linalg)?;
+        }
+    }
+    Ok(Value::Matrix(result))
+}
+
+/// The transpose of a matrix; a list is a row.
+pub(crate) fn transpose(value: Value) -> Result<Value> {
+    match value {
+        Value::Matrix(m) => Ok(Value::Matrix(m.transpose())),
+        Value::List(items) => match column(&items)? {
+            // A list is read as a row; its transpose is a column.
+            Value::Matrix(m) => Ok(Value::Matrix(m)),
+            other => Ok(other),
+        },
+        Value::Scalar(a) => Ok(Value::Scalar(a)),
+        other => Err(Diagnostic::error(Code::Type, format!("{} has no transpose", other.kind()))),
+    }
+}
+
+/// The cross product of two points in space, or an ordinary product of scalars.
+pub(crate) fn cross(left: Value, right: Value) -> Result<Value> {
+    let coordinates = |value: &Value| -> Option<Vec<Fraction>> {
+        match value {
+            Value::List(items) if items.len() == 3 => {
+                items.iter().map(|item| item.as_scalar().cloned()).collect()
+            }
+            _ => None,
+        }
+    };
+    match (coordinates(&left), coordinates(&right)) {
+        (Some(a), Some(b)) => {
+            let entry = |i: usize, j: usize| Value::Scalar(a[i].times(&b[j]).minus(&a[j].times(&b[i])));
+            Ok(Value::List(vec![entry(1, 2), entry(2, 0), entry(0, 1)]))
+        }
+        _ => multiply(left, right),
+    }
+}
+
+/// C(n, k): for integers the number of subsets (0 outside 0 ≤ k ≤ n), for symbolic n and
+/// a number k ≥ 0 the polynomial n(n−1)…(n−k+1)/k!.
+pub(crate) fn binomial(n: &Value, k: &Value) -> Result<Value> {
+    let (Some(top), Some(lower)) = (n.as_scalar(), k.as_int()) else {
+        return Err(Diagnostic::error(
+            Code::Type,
+            format!("binomial coefficients of {} over {} are not supported", n.kind(), k.kind()),
+        )
+        .hint("the lower entry must be an integer"));
+    };
+    if lower < 0 {
+        return Ok(Value::int(0));
+    }
+    if let Some(n) = n.as_int()
+        && n >= 0
+    {
+        if lower > n {
+            return Ok(Value::int(0));
+        }
+        // C(n, k) has at most k log2(n) bits.
+        let small = lower.min(n - lower) as u64;
+        budget::charge_bits(small.saturating_mul(64 - u64::from(n.leading_zeros())).min(n as u64));
+        let value = crate::math::number::binomial(n as usize, lower as usize);
+        return Ok(Value::number(Rational::from_integer(value)));
+    }
+    budget::charge_terms(lower as u64);
+    let mut product = Fraction::one();
+    for i in 0..lower {
+        let factor = top.minus(&Fraction::from_rational(&Rational::from_integer(Int::from(i))));
+        product = product.times(&factor).scaled(&Rational::new(Int::ONE, Int::from(i + 1)));
+    }
+    Ok(Value::Scalar(product))
+}
+
+pub(crate) fn factorial(n: &Value) -> Result<Value> {
+    match n.as_int() {
+        Some(n) if n >= 0 => {
+            let bits = (n as u64).saturating_mul(64 - u64::from(n.leading_zeros()));
+            budget::charge_bits(bits);
+            Ok(Value::number(Rational::from_integer(crate::math::number::factorial(n as usize))))
+        }
+        _ => Err(Diagnostic::error(
+            Code::Type,
+            format!("a factorial needs a nonnegative integer, not {}", n.kind()),
+        )),
+    }
+}
+
+/// Applies an operation to functions of one variable (or a function and a scalar) pointwise.
+fn pointwise(
+    left: &Value,
+    right: &Value,
+    verb: &str,
+    operation: impl Fn(Fraction, Fraction) -> Result<Fraction>,
+) -> Result<Value> {
+    let parts = |value: &Value| -> Option<(Option<Symbol>, Fraction)> {
+        match value {
+            Value::Function(f) => f.as_formula().map(|(t, formula)| (Some(t.clone()), formula.clone())),
+            Value::Scalar(a) => Some((None, a.clone())),
+            _ => None,
+        }
+    };
+    let (Some((left_name, a)), Some((right_name, b))) = (parts(left), parts(right)) else {
+        return Err(mismatch(verb, left, right)
+            .hint("functions are combined only if each is given by one formula in one variable"));
+    };
+    let Some(variable) = left_name.clone().or_else(|| right_name.clone()) else {
+        return Err(mismatch(verb, left, right));
+    };
+    let b = match right_name {
+        Some(name) if name != variable => b
+            .substitute(&[(name, Fraction::from(crate::math::poly::MultiPoly::symbol(variable.clone())))])
+            .map_err(|_| division_by_zero())?,
+        _ => b,
+    };
+    Ok(formula_function(variable, operation(a, b)?))
+}
+
+/// The function variable ↦ formula.
+pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
+    Value::Function(Arc::new(Function {
+        name: None,
+        shape: Shape::plain(1),
+        clauses: vec![Clause {
+            parameters: vec![Parameter::Name(variable)],
+            body: crate::language::value::polynomial_expr(&formula),
+            written: false,
+            formula: Some(formula),
+            scope: Default::default(),
+        }],
+    }))
+}

@@ -1,0 +1,444 @@
+//! Bézier curves.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use crate::formula::{Expr, Rel};
+use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::Arguments;
+use crate::language::eval::geometry::{bezier, curve_error, point_of, points_of, scalar_list};
+use crate::language::eval::wrong_kind;
+use crate::language::value::{Cell, Form, Geometry, Table, Value};
+use crate::math::curve::{self, BezierCurve, Tableau, affine};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::{Field, Ring};
+use num_traits::{One, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const TOPIC: &str = "Bézier curves";
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "bezier",
+        signature: "bezier([b_0, ..., b_n], a, b, weights=[w_0, ..., w_n])",
+        summary: "the Bézier curve with these control points over [a, b] (0 and 1 if not given)",
+        example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "bezier([b_0, ..., b_n], a, b, weights=[w_0, ..., w_n])";
+            args.expect(signature, 1..=3, &["weights", "homogeneous"])?;
+            let (points, form) = args.control_points(0)?;
+            let (a, b) = ends(args, 1)?;
+            let curve = BezierCurve::new(points, a, b).map_err(curve_error).at(args.span(0))?;
+            Ok(bezier(curve, form))
+        },
+    },
+    Builtin {
+        name: "curve_of",
+        signature: "curve_of([x(t), y(t), ...], a, b)",
+        summary: "polynomials as the coordinates of a Bézier curve over [a, b]",
+        example: "curve_of([t, t^2], 0, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("curve_of([x(t), y(t), ...], a, b)", 1..=3, &["variable"])?;
+            let (items, scalar) = match args.value(0)? {
+                Value::List(items) => (items.clone(), false),
+                one => (vec![one.clone()], true),
+            };
+            let given = match args.named_or("variable", usize::MAX) {
+                Some((value, span)) => Some(
+                    crate::language::eval::arguments::symbol_of(value)
+                        .ok_or_else(|| wrong_kind("a variable", value).at(span))?,
+                ),
+                None => None,
+            };
+            let coordinate = |item: &Value| {
+                args.with_first(item.clone()).univariate_in(0, given.clone()).map(|given| given.coefficients)
+            };
+            let coordinates = items.iter().map(coordinate).collect::<Result<Vec<_>>>()?;
+            let (a, b) = ends(args, 1)?;
+            let curve = BezierCurve::from_power(&coordinates, a, b).map_err(curve_error).at(args.span(0))?;
+            Ok(bezier(curve, Form { scalar, rational: false }))
+        },
+    },
+    Builtin {
+        name: "extended",
+        signature: "extended(c, t)",
+        summary: "the value of a curve at any parameter, also outside of its interval",
+        example: "extended(bezier([0, 1, 3]), 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("extended(c, t)", 2..=2, &[])?;
+            let t = args.scalar(1)?;
+            if let Value::Geometry(geometry) = args.value(0)?
+                && let Geometry::Spline(spline, form) = &**geometry
+            {
+                let point = super::splines::nearest_piece(spline, &t).and_then(|span| {
+                    spline.value_on(span, &t).map_err(crate::language::eval::geometry::spline_error)
+                });
+                return form.value(point.at(args.span(1))?).map_err(curve_error);
+            }
+            let (curve, form) = args.bezier(0)?;
+            form.value(curve.value(&t)).map_err(curve_error)
+        },
+    },
+    Builtin {
+        name: "casteljau",
+        signature: "casteljau(c, u_1, ..., u_n)",
+        summary: "de Casteljau's scheme with polar labels, for one parameter or for n of them",
+        example: "casteljau(bezier([0, 1, 4]), 1/2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("casteljau(c, u_1, ..., u_n)", 2..=usize::MAX, &[])?;
+            let (curve, form) = args.bezier(0)?;
+            let list = repeated(args.scalars_from(1)?, curve.degree());
+            let tableau = curve.tableau(&list).map_err(curve_error).at(args.span(1))?;
+            let (a, b) = curve.interval();
+            let unit = Field::inverse(&b.minus(a)).expect("the ends differ");
+            let ratios =
+                list.iter().enumerate().map(|(r, u)| vec![u.minus(a).times(&unit); curve.degree() - r]);
+            Ok(scheme(&tableau, &ratios.collect::<Vec<_>>(), form))
+        },
+    },
+    Builtin {
+        name: "control_points",
+        signature: "control_points(c)",
+        summary: "the control points of a curve, without weights",
+        example: "control_points(elevate(bezier([0, 2])))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("control_points(c)", 1..=1, &[])?;
+            let geometry = args.geometry(0)?;
+            let form = geometry.form();
+            let points = geometry.control_points();
+            match form.split(&points) {
+                Some((values, _)) => Ok(Value::List(values)),
+                None => Err(curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))),
+            }
+        },
+    },
+    Builtin {
+        name: "weights",
+        signature: "weights(c)",
+        summary: "the weights of a curve: all 1 if it is polynomial",
+        example: "weights(bezier([0, 1, 2], weights=[1, 2, 1]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("weights(c)", 1..=1, &[])?;
+            let geometry = args.geometry(0)?;
+            let points = geometry.control_points();
+            let rational = geometry.form().rational;
+            let weight = |point: &Vec<Fraction>| {
+                if rational { point[point.len() - 1].clone() } else { Fraction::one() }
+            };
+            Ok(scalar_list(points.iter().map(weight)))
+        },
+    },
+    Builtin {
+        name: "subdivide",
+        signature: "subdivide(c, t_1, ..., t_k)",
+        summary: "the parts of a curve between parameters, as a list",
+        example: "subdivide(bezier([0, 1, 4]), 1/2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("subdivide(c, t_1, ..., t_k)", 2..=usize::MAX, &[])?;
+            let (curve, form) = args.bezier(0)?;
+            let mut places = args.scalars_or_list(1)?;
+            if let Some(k) = places.iter().position(|t| curve.contains(t) == Some(false)) {
+                let (a, b) = curve.interval();
+                return Err(curve_error(crate::math::curve::CurveError::OutsideDomain)
+                    .at(args.span(k + 1))
+                    .reason(format!("the interval is [{a}, {b}]"))
+                    .hint("part(c, r, s) is the polynomial over any interval"));
+            }
+            let forwards = crate::math::piecewise::compare(curve.interval().0, curve.interval().1);
+            places.sort_by(|x, y| {
+                let order = crate::math::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal);
+                if forwards == Some(std::cmp::Ordering::Greater) { order.reverse() } else { order }
+            });
+            let parts = curve.subdivide_at(&places).map_err(curve_error).at(args.span(1))?;
+            Ok(Value::List(parts.into_iter().map(|part| bezier(part, form)).collect()))
+        },
+    },
+    Builtin {
+        name: "part",
+        signature: "part(c, r, s)",
+        summary: "the part of a curve over [r, s], also outside of its interval",
+        example: "part(bezier([0, 1, 4]), 1/2, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("part(c, r, s)", 3..=3, &[])?;
+            let (curve, form) = args.bezier(0)?;
+            let part = curve.part(&args.scalar(1)?, &args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
+            Ok(bezier(part, form))
+        },
+    },
+    Builtin {
+        name: "over",
+        signature: "over(c, a, b)",
+        summary: "the same control points over another interval",
+        example: "over(bezier([0, 1, 4]), 1, 3)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("over(c, a, b)", 3..=3, &[])?;
+            let (curve, form) = args.bezier(0)?;
+            let moved = curve.over(args.scalar(1)?, args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
+            Ok(bezier(moved, form))
+        },
+    },
+    Builtin {
+        name: "hodograph",
+        signature: "hodograph(c)",
+        summary: "the curve of the derivatives, with control points n/(b - a) (b_(i+1) - b_i)",
+        example: "hodograph(bezier([[0, 0], [1, 2], [2, 0]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("hodograph(c)", 1..=1, &[])?;
+            super::on_geometry::derivative(args)
+        },
+    },
+    Builtin {
+        name: "antiderivative",
+        signature: "antiderivative(c)",
+        summary: "the curve with this derivative that starts at 0",
+        example: "antiderivative(bezier([1, 2]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("antiderivative(c)", 1..=1, &[])?;
+            super::on_geometry::antiderivative(args)
+        },
+    },
+    Builtin {
+        name: "differences",
+        signature: "differences([b_0, ..., b_n], k)",
+        summary: "the forward differences of order k (1 if not given)",
+        example: "differences([b_0, b_1, b_2], 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("differences([b_0, ..., b_n], k)", 1..=2, &["k"])?;
+            let order = args.named_size("k", 1)?.unwrap_or(1);
+            let (points, form) = match args.value(0)? {
+                Value::Geometry(geometry) => (geometry.control_points(), geometry.form()),
+                _ => args.control_points(0)?,
+            };
+            let curve = BezierCurve::new(points, Fraction::zero(), Fraction::one());
+            let curve = curve.map_err(curve_error).at(args.span(0))?;
+            let list = curve.differences(order.min(curve.degree() + 1));
+            Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
+        },
+    },
+    Builtin {
+        name: "edges",
+        signature: "edges(c)",
+        summary: "b_0 and the edge vectors: the coefficients in Bézier's original basis f_i^n",
+        example: "edges(bezier([1, 2, 4]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("edges(c)", 1..=1, &[])?;
+            let (curve, form) = args.bezier(0)?;
+            Ok(Value::List(curve.edges().into_iter().map(|point| form.plain(point)).collect()))
+        },
+    },
+    Builtin {
+        name: "from_edges",
+        signature: "from_edges([a_0, ..., a_n], a, b)",
+        summary: "the Bézier curve with these edge vectors, the first being its start",
+        example: "from_edges([1, 1, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("from_edges([a_0, ..., a_n], a, b)", 1..=3, &[])?;
+            let (edges, form) = args.control_points(0)?;
+            let (a, b) = ends(args, 1)?;
+            let curve = BezierCurve::from_edges(&edges, a, b).map_err(curve_error).at(args.span(0))?;
+            Ok(bezier(curve, form))
+        },
+    },
+    Builtin {
+        name: "edge_basis",
+        signature: "edge_basis(n, t)",
+        summary: "Bézier's original basis f_0^n, ..., f_n^n with f_i = B_i^n + ... + B_n^n",
+        example: "edge_basis(3, t)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("edge_basis(n, t)", 1..=2, &[])?;
+            let n = args.size(0)?;
+            crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
+            let t = match args.len() {
+                2 => args.scalar(1)?,
+                _ => Fraction::from(MultiPoly::symbol(Symbol::new("t"))),
+            };
+            let lifted = |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Vec<_>>();
+            let basis = curve::bezier_edge_basis(n);
+            Ok(scalar_list(basis.iter().map(|p| crate::math::piecewise::horner(&lifted(p), &t))))
+        },
+    },
+    Builtin {
+        name: "curve_product",
+        signature: "curve_product(c, d)",
+        summary: "function times curve, or the scalar product of two curves, over one interval",
+        example: "curve_product(bezier([1, 2]), bezier([[0, 0], [1, 3]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("curve_product(c, d)", 2..=2, &[])?;
+            super::on_geometry::product(args)
+        },
+    },
+    Builtin {
+        name: "convex_hull",
+        signature: "convex_hull([p_0, ..., p_n])",
+        summary: "the corners of the convex hull of points of the plane, counterclockwise",
+        example: "convex_hull([[0, 0], [1, 1], [2, 0], [1, 3]])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("convex_hull([p_0, ..., p_n])", 1..=1, &[])?;
+            let points = match args.value(0)? {
+                Value::Geometry(geometry) if !geometry.form().rational => geometry.control_points(),
+                Value::Geometry(geometry) => {
+                    let split = geometry.form().split(&geometry.control_points());
+                    let positive =
+                        |w: &Fraction| w.as_rational().is_some_and(|q| num_traits::Signed::is_positive(&q));
+                    let (values, weights) = split.ok_or_else(|| {
+                        curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))
+                    })?;
+                    if !weights.iter().all(positive) {
+                        return Err(Diagnostic::error(
+                            Code::Domain,
+                            "the curve lies in the hull only if all weights are positive",
+                        )
+                        .at(args.span(0)));
+                    }
+                    values.iter().filter_map(|value| point_of(value).map(|(point, _)| point)).collect()
+                }
+                value => {
+                    points_of(value).ok_or_else(|| wrong_kind("a list of points", value).at(args.span(0)))?.0
+                }
+            };
+            let numbers: Option<Vec<Vec<Rational>>> =
+                points.iter().map(|point| point.iter().map(Fraction::as_rational).collect()).collect();
+            let numbers = numbers.ok_or_else(|| {
+                Diagnostic::error(Code::Undecided, "the hull of points with symbols depends on their values")
+                    .at(args.span(0))
+                    .hint("give the symbols values first")
+            })?;
+            let hull = curve::convex_hull(&numbers).map_err(curve_error).at(args.span(0))?;
+            let corner = |point: Vec<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
+            Ok(Value::List(hull.into_iter().map(corner).collect()))
+        },
+    },
+    Builtin {
+        name: "bernstein_maximum",
+        signature: "bernstein_maximum(n, i)",
+        summary: "where B_i^n is largest on [0, 1], namely i/n, and its value there",
+        example: "bernstein_maximum(3, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("bernstein_maximum(n, i)", 2..=2, &[])?;
+            let (place, value) = curve::bernstein_maximum(args.size(0)?, args.size(1)?).map_err(|_| {
+                Diagnostic::error(Code::Domain, "i is at most n")
+                    .at(args.span(1))
+                    .hint("B_i^n has 0 <= i <= n")
+            })?;
+            Ok(Value::List(vec![Value::number(place), Value::number(value)]))
+        },
+    },
+    Builtin {
+        name: "bernstein_scaling",
+        signature: "bernstein_scaling(n, c)",
+        summary: "the matrix of the B_i^n(c t) in the B_j^n(t): its entries are B_i^j(c)",
+        example: "bernstein_scaling(2, 1/2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("bernstein_scaling(n, c)", 2..=2, &[])?;
+            let n = args.size(0)?;
+            crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
+            let rows = curve::bernstein_scaling(n, &args.scalar(1)?);
+            Ok(Value::Matrix(nalgebra::DMatrix::from_fn(n + 1, n + 1, |i, j| rows[i][j].clone())))
+        },
+    },
+    Builtin {
+        name: "affine_combination",
+        signature: "affine_combination([p_0, ..., p_k], [w_0, ..., w_k])",
+        summary: "the weighted sum of points: weights of sum 1 give a point, of sum 0 a vector",
+        example: "affine_combination([[0, 0], [2, 4]], [1/2, 1/2])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("affine_combination([p_0, ..., p_k], [w_0, ..., w_k])", 2..=2, &[])?;
+            let (points, form) = args.control_points(0)?;
+            let weights = args.scalars(1)?;
+            let total = weights.iter().fold(Fraction::zero(), |sum, w| sum.plus(w));
+            if !total.is_one() && !total.is_zero() {
+                return Err(Diagnostic::error(
+                    Code::Domain,
+                    format!("the weights add up to {total}, not to 1 or 0"),
+                )
+                .at(args.span(1))
+                .hint("only sums 1 (a point) and 0 (a vector) do not depend on the origin"));
+            }
+            affine::affine_combination(&points, &weights).map(|p| form.plain(p)).map_err(curve_error)
+        },
+    },
+    Builtin {
+        name: "barycentric",
+        signature: "barycentric(p, [a_0, ..., a_k])",
+        summary: "the barycentric coordinates of a point with respect to independent corners",
+        example: "barycentric([1, 1], [[0, 0], [3, 0], [0, 3]])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("barycentric(p, [a_0, ..., a_k])", 2..=2, &[])?;
+            let value = args.value(0)?;
+            let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(args.span(0)))?;
+            let (corners, _) = args.control_points(1)?;
+            affine::barycentric(&corners, &point).map(scalar_list).map_err(curve_error).at(args.span(1))
+        },
+    },
+    Builtin {
+        name: "affine_rank",
+        signature: "affine_rank([p_0, ..., p_k])",
+        summary: "the dimension of the affine span of points; k for independent ones",
+        example: "affine_rank([[0, 0], [1, 1], [2, 2]])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("affine_rank([p_0, ..., p_k])", 1..=1, &[])?;
+            let (points, _) = args.control_points(0)?;
+            let rank = affine::affine_rank(&points).map_err(curve_error).at(args.span(0))?;
+            Ok(Value::int(rank as i64))
+        },
+    },
+];
+
+/// The ends of an interval from place `first` on; 0 and 1 if not given.
+pub(super) fn ends(args: &Arguments, first: usize) -> Result<(Fraction, Fraction)> {
+    let a = if args.len() > first { args.scalar(first)? } else { Fraction::zero() };
+    let b = if args.len() > first + 1 { args.scalar(first + 1)? } else { a.plus(&Fraction::one()) };
+    Ok((a, b))
+}
+
+/// One parameter n times, or all arguments as they are.
+pub(super) fn repeated(list: Vec<Fraction>, n: usize) -> Vec<Fraction> {
+    match list.as_slice() {
+        [t] => vec![t.clone(); n],
+        _ => list,
+    }
+}
+
+/// A scheme as a table; homogeneous points as they are. ratios[r][i] is how point i of level r + 1
+/// lies between points i and i + 1 of level r. Where values would be long (symbolic points or
+/// knots), each is shown as the mean it is.
+pub(super) fn scheme(tableau: &Tableau<Fraction>, ratios: &[Vec<Fraction>], form: Form) -> Value {
+    let as_means = shown_as_means(tableau, ratios);
+    let cell = |r: usize, i: usize| {
+        let label = polar_label(&tableau.labels[r][i]);
+        if r == 0 || !as_means {
+            return Cell::Labelled(label, form.plain(tableau.levels[r][i].clone()));
+        }
+        let below = |k: usize| polar_label(&tableau.labels[r - 1][k]);
+        let mean = mean_of_two(&ratios[r - 1][i], below(i), below(i + 1));
+        Cell::Formula(Expr::relation(label, Rel::Eq, mean))
+    };
+    let levels =
+        (0..tableau.levels.len()).map(|r| (0..tableau.levels[r].len()).map(|i| cell(r, i)).collect());
+    Value::Table(Arc::new(Table::triangle(levels.collect())))
+}

@@ -1,0 +1,321 @@
+//! Interpolating polynomials in the forms of Lagrange, Newton, Hermite, Neville and Aitken.
+
+use std::sync::Arc;
+
+use num_traits::Zero;
+
+use super::TOPIC;
+use super::data::{
+    Datum, Result, Samples, datum, difference_label, indexed, interpolation_error, norm, numbers, occurs,
+    polynomial, scalar_polynomial, symbol,
+};
+use super::tables;
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::diagnostic::At;
+use crate::language::eval::arguments::Arguments;
+use crate::language::eval::arithmetic;
+use crate::language::eval::builtins::Builtin;
+use crate::language::eval::wrong_kind;
+use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
+use crate::math::interpolate::{
+    DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
+    matrix_condition, polynomial_through, power_bernstein_condition, vandermonde, vandermonde_determinant,
+};
+use crate::math::poly::{Fraction, Symbol};
+
+pub(in crate::language::eval::builtins) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "lagrange",
+        signature: "lagrange([x_0, ..., x_n], [y_0, ..., y_n], variable=t)",
+        summary: "the polynomial of degree at most n through n + 1 points, by Lagrange's formula",
+        example: "lagrange([0, 1, 2], [1, 3, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "lagrange([x_0, ..., x_n], [y_0, ..., y_n], variable=t)";
+            args.expect(signature, 2..=2, &["variable"])?;
+            let samples = Samples::read(args)?;
+            let power = polynomial_through(&samples.nodes, &samples.values);
+            let power = power.map_err(Samples::failed(args))?;
+            Ok(polynomial(&power, samples.form, &samples.variable(args)?))
+        },
+    },
+    Builtin {
+        name: "lagrange_basis",
+        signature: "lagrange_basis([x_0, ..., x_n], variable=t)",
+        summary: "Lagrange's polynomials L_0, ..., L_n: L_j is 1 at x_j and 0 at the other nodes",
+        example: "lagrange_basis([0, 1, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("lagrange_basis([x_0, ..., x_n], variable=t)", 1..=1, &["variable"])?;
+            let nodes = args.scalars(0)?;
+            let form = LagrangeForm::new(&nodes, &nodes).map_err(Samples::failed(args))?;
+            let samples = Samples { nodes, values: Vec::new(), form: Form::default() };
+            let variable = samples.variable(args)?;
+            let basis = form.basis_polynomials();
+            Ok(Value::List(basis.iter().map(|p| scalar_polynomial(p, &variable)).collect()))
+        },
+    },
+    Builtin {
+        name: "newton",
+        signature: "newton([x_0, ..., x_n], [y_0, ..., y_n], variable=t)",
+        summary: "the same polynomial as a function in Newton's form c_0 + c_1 (t - x_0) + ...",
+        example: "newton([0, 1, 3], [1, 3, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "newton([x_0, ..., x_n], [y_0, ..., y_n], variable=t)";
+            args.expect(signature, 2..=2, &["variable"])?;
+            let samples = Samples::read(args)?;
+            let table = DividedDifferences::new(&samples.nodes, &samples.values);
+            let table = table.map_err(Samples::failed(args))?;
+            let variable = samples.variable(args)?;
+            newton_form(&table, samples.form, &variable)
+        },
+    },
+    Builtin {
+        name: "divided_differences",
+        signature: "divided_differences([x_0, ..., x_n], [y_0, ..., y_n])",
+        summary: "the triangle of divided differences; its diagonal has the coefficients of newton",
+        example: "divided_differences([0, 1, 3], [1, 3, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("divided_differences([x_0, ..., x_n], [y_0, ..., y_n])", 2..=2, &[])?;
+            let samples = Samples::read(args)?;
+            let table = DividedDifferences::new(&samples.nodes, &samples.values);
+            let table = table.map_err(Samples::failed(args))?;
+            let places: Vec<usize> = (0..samples.nodes.len()).collect();
+            Ok(Value::Table(Arc::new(tables::differences(&table, &places, samples.form))))
+        },
+    },
+    Builtin {
+        name: "hermite",
+        signature: "hermite([[x_0, f, f', ...], ..., [x_n, f, f', ...]], variable=t)",
+        summary: "the polynomial with given values and derivatives at the nodes",
+        example: "hermite([[0, 0, 0], [1, 1, 0]])",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "hermite([[x_0, f, f', ...], ..., [x_n, f, f', ...]], variable=t)";
+            args.expect(signature, 1..=1, &["variable"])?;
+            let (table, _, samples) = hermite_differences(args)?;
+            Ok(polynomial(&table.newton_form().to_power(), samples.form, &samples.variable(args)?))
+        },
+    },
+    Builtin {
+        name: "hermite_table",
+        signature: "hermite_table([[x_0, f, f', ...], ..., [x_n, f, f', ...]])",
+        summary: "divided differences with repeated nodes; f[x_0, ..., x_0] is a derivative over k!",
+        example: "hermite_table([[0, 0, 0], [1, 1, 0]])",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "hermite_table([[x_0, f, f', ...], ..., [x_n, f, f', ...]])";
+            args.expect(signature, 1..=1, &[])?;
+            let (table, places, samples) = hermite_differences(args)?;
+            Ok(Value::Table(Arc::new(tables::differences(&table, &places, samples.form))))
+        },
+    },
+    Builtin {
+        name: "neville",
+        signature: "neville([x_0, ..., x_n], [y_0, ..., y_n], t)",
+        summary: "Neville's tableau at a parameter: p_{0,1,2} interpolates at x_0, x_1, x_2",
+        example: "neville([0, 1, 3], [1, 3, 2], 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("neville([x_0, ..., x_n], [y_0, ..., y_n], t)", 2..=3, &["variable"])?;
+            pyramid(args, Scheme::Neville)
+        },
+    },
+    Builtin {
+        name: "aitken",
+        signature: "aitken([x_0, ..., x_n], [y_0, ..., y_n], t)",
+        summary: "Aitken's tableau at a parameter, where each new node is joined to x_0, ..., x_k",
+        example: "aitken([0, 1, 3], [1, 3, 2], 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("aitken([x_0, ..., x_n], [y_0, ..., y_n], t)", 2..=3, &["variable"])?;
+            pyramid(args, Scheme::Aitken)
+        },
+    },
+    Builtin {
+        name: "vandermonde",
+        signature: "vandermonde([x_0, ..., x_n], degree=k)",
+        summary: "the matrix of 1, x_i, x_i^2, ..., of degree n if not given",
+        example: "vandermonde([a, b, c])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("vandermonde([x_0, ..., x_n], degree=k)", 1..=2, &["degree"])?;
+            let nodes = args.scalars(0)?;
+            let Some(own) = nodes.len().checked_sub(1) else {
+                return Err(Samples::failed(args)(InterpolationError::TooFewPoints { needed: 1, given: 0 }));
+            };
+            let degree = args.named_size("degree", 1)?.unwrap_or(own);
+            Ok(Value::Matrix(vandermonde(&nodes, degree)))
+        },
+    },
+    Builtin {
+        name: "vandermonde_det",
+        signature: "vandermonde_det([x_0, ..., x_n])",
+        summary: "its determinant, the product of all x_j - x_i with i < j",
+        example: "vandermonde_det([1, 2, 4])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("vandermonde_det([x_0, ..., x_n])", 1..=1, &[])?;
+            Ok(Value::Scalar(vandermonde_determinant(&args.scalars(0)?)))
+        },
+    },
+    Builtin {
+        name: "interpolation_error",
+        signature: "interpolation_error(F, [x_0, ..., x_n])",
+        summary: "F minus its interpolant p: the quotient f[x_0, ..., x_n, t] and the node polynomial",
+        example: "interpolation_error(t^4, [-1, 0, 1])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("interpolation_error(F, [x_0, ..., x_n])", 2..=2, &["variable"])?;
+            let given = args.univariate(0, usize::MAX)?;
+            let nodes = args.scalars(1)?;
+            let variable = given.variable;
+            if nodes.iter().any(|x| x.variables().contains(&variable)) {
+                return Err(occurs(&variable).at(args.span(1)));
+            }
+            let mut power = given.coefficients;
+            if power.is_empty() {
+                power.push(Fraction::zero());
+            }
+            let remainder = Remainder::new(&power, &nodes).map_err(interpolation_error).at(args.span(1))?;
+            Ok(Value::Table(Arc::new(error_table(&remainder, &nodes, &variable))))
+        },
+    },
+    Builtin {
+        name: "condition_number",
+        signature: "condition_number(M, norm=infinity)",
+        summary: "|M| |M^-1| exactly, for norm=infinity (sums of rows) or norm=one (of columns)",
+        example: "condition_number(vandermonde([0, 1, 2]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("condition_number(M, norm=infinity)", 1..=2, &["norm"])?;
+            let matrix = args.matrix(0)?;
+            let entries = numbers(matrix.iter(), "the condition of a matrix", args.span(0))?;
+            let matrix = nalgebra::DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries);
+            let condition = matrix_condition(&matrix, norm(args, 1)?);
+            Ok(Value::number(condition.map_err(arithmetic::linalg).at(args.span(0))?.number()))
+        },
+    },
+    Builtin {
+        name: "basis_condition",
+        signature: "basis_condition(n, norm=infinity)",
+        summary: "the condition number of the change from Bézier points to powers, of degree n",
+        example: "basis_condition(3)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("basis_condition(n, norm=infinity)", 1..=2, &["norm"])?;
+            let n = args.size(0)?;
+            crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
+            Ok(Value::number(power_bernstein_condition(n, norm(args, 1)?).number()))
+        },
+    },
+];
+
+/// The function shown in Newton's form; for points, one for each coordinate.
+fn newton_form(table: &DividedDifferences<Fraction, Datum>, form: Form, variable: &Symbol) -> Result<Value> {
+    let nodes = table.nodes()[..table.degree()].to_vec();
+    let coefficients = table.coefficients();
+    let coordinate = |k: usize| {
+        let own = coefficients.iter().map(|c| c[k].clone()).collect();
+        NewtonForm::new(nodes.clone(), own).map(|form| newton_function(&form, variable))
+    };
+    let functions = (0..coefficients[0].len()).map(coordinate).collect::<std::result::Result<Vec<_>, _>>();
+    let mut functions = functions.map_err(interpolation_error)?;
+    Ok(if form.scalar { functions.swap_remove(0) } else { Value::List(functions) })
+}
+
+/// The rows [x_i, f, f', …] as a table of differences, the index of the node in each of its rows,
+/// and the data in one list.
+fn hermite_differences(
+    args: &Arguments,
+) -> Result<(DividedDifferences<Fraction, Datum>, Vec<usize>, Samples)> {
+    let span = args.span(0);
+    let value = args.value(0)?;
+    let wrong = |value: &Value| {
+        wrong_kind("a list of nodes with their data", value)
+            .at(span)
+            .hint("such as [[0, 1, 2], [1, 3]]: value 1 and derivative 2 at 0, value 3 at 1")
+    };
+    let rows: Vec<Vec<Value>> = match value {
+        Value::List(items) => {
+            let row = |item: &Value| match item {
+                Value::List(row) => Ok(row.clone()),
+                other => Err(wrong(other)),
+            };
+            items.iter().map(row).collect::<Result<_>>()?
+        }
+        Value::Matrix(matrix) => {
+            matrix.row_iter().map(|row| row.iter().cloned().map(Value::Scalar).collect()).collect()
+        }
+        other => return Err(wrong(other)),
+    };
+    let scalar = rows.iter().find_map(|row| row.get(1)).is_none_or(|first| first.as_scalar().is_some());
+    let form = Form { scalar, rational: false };
+    let mut data: Vec<(Fraction, Vec<Datum>)> = Vec::with_capacity(rows.len());
+    for row in &rows {
+        let Some((Value::Scalar(node), rest)) = row.split_first() else { return Err(wrong(value)) };
+        let own = rest.iter().map(|item| datum(item, form, span)).collect::<Result<_>>()?;
+        data.push((node.clone(), own));
+    }
+    let failed = |error| {
+        let equal = matches!(error, InterpolationError::EqualNodes { .. });
+        let mut problem = interpolation_error(error);
+        if equal {
+            problem.hints = vec!["write all data of a node in one list: [x_0, f, f', ...]".to_owned()];
+        }
+        problem
+    };
+    let table = DividedDifferences::hermite(&data).map_err(failed).at(span)?;
+    let places =
+        data.iter().enumerate().flat_map(|(i, (_, own))| std::iter::repeat_n(i, own.len())).collect();
+    let (nodes, values): (Vec<Fraction>, Vec<Vec<Datum>>) = data.into_iter().unzip();
+    Ok((table, places, Samples { nodes, values: values.concat(), form }))
+}
+
+/// Neville's or Aitken's tableau at the third argument, or as polynomials.
+fn pyramid(args: &Arguments, scheme: Scheme) -> Result<Value> {
+    let samples = Samples::read(args)?;
+    let at = match args.len() {
+        2 => symbol(&samples.variable(args)?),
+        _ => args.scalar(2)?,
+    };
+    let tableau = Tableau::new(scheme, &samples.nodes, &samples.values, &at);
+    let tableau = tableau.map_err(Samples::failed(args))?;
+    Ok(Value::Table(Arc::new(tables::tableau(&tableau, samples.form))))
+}
+
+/// p, f[x_0, …, x_n, t] and ω, and how the error is made of them.
+fn error_table(remainder: &Remainder<Fraction>, nodes: &[Fraction], variable: &Symbol) -> Table {
+    /// Of more nodes only the first and the last stand in the label.
+    const MOST_NODES: usize = 4;
+    let t = || symbol_expr(variable);
+    let of_t = |name: &str| Expr::apply(Expr::name(name), vec![t()]);
+    let n = nodes.len() - 1;
+    let mut listed: Vec<Expr> = match n < MOST_NODES {
+        true => (0..=n).map(|i| indexed("x", i)).collect(),
+        false => vec![indexed("x", 0), Kind::Ellipsis.into(), indexed("x", n)],
+    };
+    listed.push(t());
+    let quotient = difference_label(listed);
+    let omega = of_t("omega");
+    let product = nodes_expr(nodes, variable).unwrap_or_else(|| Expr::int(1));
+    let error = Expr::sum(vec![
+        Term { sign: Sign::Plus, expr: of_t("f") },
+        Term { sign: Sign::Minus, expr: of_t("p") },
+    ]);
+    let mut factors = match &quotient.kind {
+        Kind::Mul(factors) => factors.clone(),
+        _ => vec![quotient.clone()],
+    };
+    factors.push(omega.clone());
+    let right = Expr::product(factors);
+    let rows = [
+        Cell::Labelled(of_t("p"), scalar_polynomial(&remainder.interpolant.to_power(), variable)),
+        Cell::Labelled(quotient, scalar_polynomial(&remainder.quotient, variable)),
+        Cell::Formula(Expr::relation(omega, Rel::Eq, product)),
+        Cell::Formula(Expr::relation(error, Rel::Eq, right)),
+    ];
+    Table { header: Vec::new(), rows: rows.into_iter().map(|cell| vec![cell]).collect() }
+}

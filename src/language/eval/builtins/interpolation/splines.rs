@@ -1,0 +1,205 @@
+//! Interpolating cubic splines and their systems of equations.
+
+use std::sync::Arc;
+
+use super::TOPIC;
+use super::data::{Datum, Result, Samples, indexed, pair, word};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::arguments::Arguments;
+use crate::language::eval::builtins::Builtin;
+use crate::language::eval::wrong_kind;
+use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
+use crate::math::interpolate::{CubicSpline, Ends, Unknowns};
+use crate::math::poly::Fraction;
+
+pub(in crate::language::eval::builtins) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "cubic_spline",
+        signature: "cubic_spline([x_0, ..., x_n], [y_0, ..., y_n], ends=natural, slopes=[a, b], moments=[a, b])",
+        summary: "the cubic spline; ends are natural, clamped (with slopes), periodic or not_a_knot",
+        example: "cubic_spline([0, 1, 2], [0, 1, 0])",
+        topic: TOPIC,
+        call: |_, args| {
+            let given = Given::read(args, "cubic_spline")?;
+            let variable = given.samples.variable(args)?;
+            let spline = given.spline(args)?;
+            let piecewise = |function| {
+                Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: variable.clone() }))
+            };
+            let mut list: Vec<Value> = spline.to_piecewise().into_iter().map(piecewise).collect();
+            Ok(if given.samples.form.scalar { list.swap_remove(0) } else { Value::List(list) })
+        },
+    },
+    Builtin {
+        name: "spline_system",
+        signature: "spline_system([x_0, ..., x_n], [y_0, ..., y_n], ends=natural, method=moments)",
+        summary: "the tridiagonal system of a cubic spline for its moments M_i or slopes m_i, solved",
+        example: "spline_system([0, 1, 3, 4], [0, 1, -1, 2])",
+        topic: TOPIC,
+        call: |_, args| {
+            let given = Given::read(args, "spline_system")?;
+            Ok(Value::Table(Arc::new(system(&given.spline(args)?, given.samples.form))))
+        },
+    },
+    Builtin {
+        name: "spline_moments",
+        signature: "spline_moments([x_0, ..., x_n], [y_0, ..., y_n], ends=natural)",
+        summary: "the second derivatives M_0, ..., M_n of a cubic spline at its nodes",
+        example: "spline_moments([0, 1, 2], [0, 1, 0])",
+        topic: TOPIC,
+        call: |_, args| {
+            let given = Given::read(args, "spline_moments")?;
+            Ok(given.list(given.spline(args)?.moments()))
+        },
+    },
+    Builtin {
+        name: "spline_slopes",
+        signature: "spline_slopes([x_0, ..., x_n], [y_0, ..., y_n], ends=natural)",
+        summary: "the first derivatives m_0, ..., m_n of a cubic spline at its nodes",
+        example: "spline_slopes([0, 1, 2], [0, 1, 0])",
+        topic: TOPIC,
+        call: |_, args| {
+            let given = Given::read(args, "spline_slopes")?;
+            Ok(given.list(given.spline(args)?.slopes()))
+        },
+    },
+];
+
+/// What a spline is asked for with.
+struct Given {
+    samples: Samples,
+    ends: Ends<Datum>,
+    unknowns: Unknowns,
+}
+
+impl Given {
+    fn read(args: &Arguments, name: &str) -> Result<Self> {
+        let names = &["ends", "slopes", "moments", "method", "variable"];
+        args.expect(&format!("{name}(nodes, values, ends=natural)"), 2..=3, names)?;
+        let samples = Samples::read(args)?;
+        let unknowns = match word(args, "method", usize::MAX) {
+            None | Some(("moments", ..)) => Unknowns::Moments,
+            Some(("slopes", ..)) => Unknowns::Slopes,
+            Some((_, value, span)) => {
+                let problem = wrong_kind("a method", value).at(span);
+                return Err(problem.hint("method=moments or method=slopes"));
+            }
+        };
+        let ends = ends(args, samples.form)?;
+        Ok(Given { samples, ends, unknowns })
+    }
+
+    fn spline(&self, args: &Arguments) -> Result<CubicSpline<Fraction, Datum>> {
+        let solve = match self.unknowns {
+            Unknowns::Moments => CubicSpline::by_moments,
+            Unknowns::Slopes => CubicSpline::by_slopes,
+        };
+        solve(&self.samples.nodes, &self.samples.values, self.ends.clone()).map_err(Samples::failed(args))
+    }
+
+    fn list(&self, data: &[Datum]) -> Value {
+        Value::List(data.iter().map(|datum| self.samples.form.plain(datum.clone())).collect())
+    }
+}
+
+/// The ends by their word, or by the slopes or moments that are given.
+pub(in crate::language::eval::builtins) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
+    let slopes = args.named_or("slopes", usize::MAX);
+    let moments = args.named_or("moments", usize::MAX);
+    let unwanted = |what: &str, span: Span, hint: &str| {
+        Err(Diagnostic::error(Code::Arity, format!("these ends take no {what}")).at(span).hint(hint))
+    };
+    let slopes_hint = "slopes=[a, b] are those of clamped ends";
+    let moments_hint = "moments=[a, b] stand alone: they are the second derivatives at the ends";
+    match (word(args, "ends", 2), slopes, moments) {
+        (_, Some(_), Some((_, span))) => unwanted("moments", span, moments_hint),
+        (None | Some(("clamped", ..)), Some((value, span)), None) => {
+            pair(value, form, span).map(|(first, last)| Ends::clamped(first, last))
+        }
+        (None, None, Some((value, span))) => {
+            pair(value, form, span).map(|(first, last)| Ends::second_derivatives(first, last))
+        }
+        (Some(("clamped", _, span)), None, _) => {
+            Err(Diagnostic::error(Code::Arity, "clamped ends need their slopes")
+                .at(span)
+                .hint("ends=clamped, slopes=[a, b]"))
+        }
+        (Some(_), Some((_, span)), None) => unwanted("slopes", span, slopes_hint),
+        (Some(_), None, Some((_, span))) => unwanted("moments", span, moments_hint),
+        (None | Some(("natural", ..)), None, None) => Ok(Ends::natural()),
+        (Some(("periodic", ..)), None, None) => Ok(Ends::Periodic),
+        (Some(("not_a_knot", ..)), None, None) => Ok(Ends::not_a_knot()),
+        (Some((_, value, span)), None, None) => Err(wrong_kind("a kind of ends", value)
+            .at(span)
+            .hint("natural, clamped (with slopes=[a, b]), periodic or not_a_knot")),
+    }
+}
+
+/// One row for each equation: the coefficients of the unknown before, of its own and of the one
+/// after it, the right side, and the solution. Rows of inner nodes bear the names of textbooks,
+/// μ_i, λ_i and d_i.
+fn system(spline: &CubicSpline<Fraction, Datum>, form: Form) -> Table {
+    let system = spline.system();
+    let (letter, below, above, solution) = match system.unknowns {
+        Unknowns::Moments => ("M", "mu", "lambda", spline.moments()),
+        Unknowns::Slopes => ("m", "lambda", "mu", spline.slopes()),
+    };
+    let unknown = |shift: Option<Sign>| -> Expr {
+        let i = Expr::name("i");
+        let index = match shift {
+            None => i,
+            Some(sign) => {
+                Expr::sum(vec![Term { sign: Sign::Plus, expr: i }, Term { sign, expr: Expr::int(1) }])
+            }
+        };
+        Kind::Subscript(Box::new(Expr::name(letter)), vec![index]).into()
+    };
+    let words = |words: &str| Expr::from(Kind::Text(words.to_owned()));
+    let mut table = Table {
+        header: vec![
+            Expr::name("i"),
+            unknown(Some(Sign::Minus)),
+            unknown(None),
+            unknown(Some(Sign::Plus)),
+            words("right side"),
+            words("solution"),
+        ],
+        rows: Vec::new(),
+    };
+    let matrix = &system.matrix;
+    let n = spline.pieces();
+    for (row, right) in system.right.iter().enumerate() {
+        let i = row + system.first;
+        let inner = matrix.is_cyclic() || (i > 0 && i < n);
+        let scalar = |x: &Fraction| Value::Scalar(x.clone());
+        let named = |name: &str, value: Value| match inner {
+            true => Cell::Labelled(indexed(name, i), value),
+            false => Cell::Value(value),
+        };
+        // There is nothing before the first and nothing after the last equation.
+        let neighbour = |name: &str, x: &Fraction, there: bool| match there {
+            true => named(name, scalar(x)),
+            false => Cell::Empty,
+        };
+        let right = form.plain(right.clone());
+        table.rows.push(vec![
+            Cell::Value(Value::int(i as i64)),
+            neighbour(below, &matrix.lower()[row], inner || i > 0),
+            Cell::Value(scalar(&matrix.diagonal()[row])),
+            neighbour(above, &matrix.upper()[row], inner || i < n),
+            // The right sides for slopes have no letter of their own.
+            if system.unknowns == Unknowns::Moments { named("d", right) } else { Cell::Value(right) },
+            Cell::Labelled(indexed(letter, i), form.plain(solution[i].clone())),
+        ]);
+    }
+    if system.first > 0 {
+        let same = Expr::relation(indexed(letter, 0), Rel::Eq, indexed(letter, n));
+        let mut row = vec![Cell::Value(Value::int(0))];
+        row.resize(5, Cell::Empty);
+        row.push(Cell::Formula(same));
+        table.rows.insert(0, row);
+    }
+    table
+}

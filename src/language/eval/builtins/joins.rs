@@ -1,0 +1,358 @@
+//! How curves meet, and one function for changes of representation.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use crate::formula::{Accent, Expr, Kind};
+use crate::language::derive::polar_label;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::Arguments;
+use crate::language::eval::geometry::{
+    as_rational_form, as_rational_spline, bezier, curve_error, joined, spline,
+};
+use crate::language::eval::wrong_kind;
+use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
+use crate::math::curve::{self, BezierCurve, GeometricFailure};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Symbol};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const TOPIC: &str = "Continuity and conversion";
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "joining_conditions",
+        signature: "joining_conditions(c, d, k)",
+        summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
+        example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("joining_conditions(c, d, k)", 2..=3, &["k"])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            let k = args.named_size("k", 2)?.unwrap_or(1);
+            let form = polynomial_pair(args, left, right)?;
+            let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["order", "polar value", "required", "found", "holds"]);
+            for condition in conditions {
+                let holds = holds_word(&condition.required, &condition.found);
+                table.rows.push(vec![
+                    Cell::Value(Value::int(condition.order as i64)),
+                    Cell::Formula(polar_label(&condition.label)),
+                    collected_cell(form, condition.required, f.points()),
+                    Cell::Value(form.plain(condition.found)),
+                    Cell::words(holds),
+                ]);
+            }
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "continuity",
+        signature: "continuity(c, d, at=t)",
+        summary: "up to which order two curves agree at t, and the first polar values that differ",
+        example: "continuity(bezier([0, 1, 2]), bezier([2, 3, 5], 1, 2))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("continuity(c, d, at=t)", 2..=3, &["at"])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            let form = polynomial_pair(args, left, right)?;
+            let t = match args.named_or("at", 2) {
+                Some((Value::Scalar(t), _)) => t.clone(),
+                Some((other, span)) => return Err(wrong_kind("a number or symbol", other).at(span)),
+                None if f.interval().1 == g.interval().0 => g.interval().0.clone(),
+                None => {
+                    return Err(Diagnostic::error(
+                        Code::Domain,
+                        "the curves have no common end; where do they meet?",
+                    )
+                    .at(args.span(1))
+                    .hint("name the parameter: continuity(c, d, at=1)"));
+                }
+            };
+            let report = curve::continuity_at(&f, &g, &t).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["continuity", "order", "polar value", "left", "right"]);
+            let mut row = vec![match report.order {
+                _ if report.same => Cell::words("one polynomial"),
+                order => class("C", order),
+            }];
+            if let Some((order, p, q)) = report.failure {
+                let n = f.degree().max(g.degree());
+                let mut arguments = vec![polynomial_expr(&t); n - order];
+                let hat: Expr = Kind::Accent(Accent::Hat, Box::new(Expr::int(1))).into();
+                arguments.extend(vec![hat; order]);
+                let label = if arguments.is_empty() {
+                    Expr::name("f")
+                } else {
+                    Expr::apply(Expr::name("f"), arguments)
+                };
+                row.extend([
+                    Cell::Value(Value::int(order as i64)),
+                    Cell::Formula(label),
+                    Cell::Value(form.plain(p)),
+                    Cell::Value(form.plain(q)),
+                ]);
+            } else {
+                table.header.truncate(1);
+            }
+            table.rows.push(row);
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "geometric_continuity",
+        signature: "geometric_continuity(c, d)",
+        summary: "up to which G^k (k <= 2) two curves meet, with the change of parameter beta_1, beta_2",
+        example: "geometric_continuity(bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("geometric_continuity(c, d)", 2..=2, &[])?;
+            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
+            polynomial_pair(args, left, right)?;
+            let (Some(f), Some(g)) = (numeric(&f), numeric(&g)) else {
+                return geometric_equations(
+                    &f,
+                    &g,
+                    Form { scalar: left.scalar && right.scalar, rational: false },
+                    args,
+                );
+            };
+            let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
+            let mut table = Table::with_header(["continuity", "", "", "why not more"]);
+            for (i, cell) in table.header.iter_mut().enumerate().skip(1).take(2) {
+                *cell = crate::language::value::symbol_expr(&Symbol::indexed("beta", i as i64));
+            }
+            let number = |q: Option<Rational>| q.map_or(Cell::Empty, |q| Cell::Value(Value::number(q)));
+            let why = match report.failure {
+                None => "higher orders are not examined",
+                Some(GeometricFailure::PointsDiffer) => "the points differ",
+                Some(GeometricFailure::NotRegular) => "a derivative is zero there",
+                Some(GeometricFailure::TangentsDiffer) => "the tangents differ",
+                Some(GeometricFailure::Opposite) => "the tangents are opposite: a cusp",
+                Some(GeometricFailure::CurvaturesDiffer) => "the curvatures differ",
+            };
+            table.rows.push(vec![
+                class("G", report.order),
+                number(report.beta1),
+                number(report.beta2),
+                Cell::words(why),
+            ]);
+            Ok(Value::Table(Arc::new(table)))
+        },
+    },
+    Builtin {
+        name: "homogeneous",
+        signature: "homogeneous(c)",
+        summary: "the polynomial curve of the homogeneous coordinates of a rational one, weight last",
+        example: "homogeneous(bezier([0, 1, 2], weights=[1, 2, 1]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("homogeneous(c)", 1..=1, &[])?;
+            Ok(match &*args.geometry(0)? {
+                Geometry::Bezier(curve, form) => bezier(as_rational_form(curve, *form), Form::default()),
+                Geometry::Spline(s, form) => spline(as_rational_spline(s, *form), Form::default()),
+                _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
+            })
+        },
+    },
+    Builtin {
+        name: "convert",
+        signature: "convert(c, to)",
+        summary: "a curve as: bezier, bspline, power, polar, pieces, hermite or [lagrange, t_0, ...]",
+        example: "convert(bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]), bezier)",
+        topic: TOPIC,
+        call: |machine, args| {
+            args.expect("convert(c, to)", 2..=2, &["to"])?;
+            convert(machine, args)
+        },
+    },
+];
+
+/// A point that is a combination of symbolic points, written as one; any other as it is.
+fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cell {
+    let symbols: Option<Vec<Symbol>> = of
+        .iter()
+        .map(|point| match point.as_slice() {
+            [x] => crate::language::eval::arguments::symbol_of(&Value::Scalar(x.clone())),
+            _ => None,
+        })
+        .collect();
+    match symbols.and_then(|symbols| collected(&point[0], &symbols)) {
+        Some(formula) => Cell::Formula(formula),
+        None => Cell::Value(form.plain(point)),
+    }
+}
+
+/// Whether two points are equal: open, if that depends on symbols.
+pub(super) fn holds_word(required: &[Fraction], found: &[Fraction]) -> &'static str {
+    use num_traits::Zero;
+    let differences: Vec<Fraction> = required.iter().zip(found).map(|(x, y)| x.clone() - y.clone()).collect();
+    if differences.iter().all(Zero::is_zero) {
+        "yes"
+    } else if differences.iter().any(|d| d.as_rational().is_some_and(|q| !q.is_zero())) {
+        "no"
+    } else {
+        "open"
+    }
+}
+
+/// C^k or G^k; words for a jump.
+pub(super) fn class(letter: &str, order: Option<usize>) -> Cell {
+    match order {
+        Some(k) => Cell::Formula(Expr::name(letter).power(Expr::int(k as i64))),
+        None => Cell::words("none"),
+    }
+}
+
+/// Both curves have to be polynomial.
+pub(super) fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Result<Form> {
+    for (i, form) in [left, right].into_iter().enumerate() {
+        if form.rational {
+            return Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational")
+                .at(args.span(i))
+                .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"));
+        }
+    }
+    Ok(Form { scalar: left.scalar && right.scalar, rational: false })
+}
+
+/// The curve over the numbers, if it has no symbols.
+fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
+    let points = curve.points().iter().map(|point| point.iter().map(Fraction::as_rational).collect());
+    let (a, b) = curve.interval();
+    BezierCurve::new(points.collect::<Option<_>>()?, a.as_rational()?, b.as_rational()?).ok()
+}
+
+/// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
+fn geometric_equations(
+    f: &BezierCurve<Fraction>,
+    g: &BezierCurve<Fraction>,
+    form: Form,
+    args: &Arguments,
+) -> Result<Value> {
+    if f.dimension() != g.dimension() {
+        let error =
+            crate::math::curve::CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() };
+        return Err(curve_error(error).at(args.span(1)));
+    }
+    let beta = |i: i64| Fraction::from(crate::math::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
+    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| [0, 1, 2].map(|k| curve.derivative(k).value(t));
+    let (left, right) = (jet(f, f.interval().1), jet(g, g.interval().0));
+    let first = curve::scaled(&left[1], &beta(1));
+    let square = curve::scaled(&left[2], &(beta(1) * beta(1)));
+    let required = [left[0].clone(), first, curve::sum(&square, &curve::scaled(&left[1], &beta(2)))];
+    let mut table = Table::with_header(["order", "required", "found"]);
+    for (order, (required, found)) in required.into_iter().zip(right).enumerate() {
+        table.rows.push(vec![
+            Cell::Value(Value::int(order as i64)),
+            collected_cell(form, required, f.points()),
+            collected_cell(form, found, g.points()),
+        ]);
+    }
+    Ok(Value::Table(Arc::new(table)))
+}
+
+fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Result<Value> {
+    let target = args.value(1)?;
+    let word = match target {
+        Value::Text(word) => word.as_str(),
+        Value::Builtin(word) => word,
+        Value::List(items) => match items.first() {
+            Some(Value::Text(word)) => word.as_str(),
+            Some(Value::Builtin(word)) => word,
+            _ => "",
+        },
+        _ => "",
+    };
+    // A Bézier curve also from a spline that is one polynomial.
+    let single = || -> Result<(BezierCurve<Fraction>, Form)> {
+        let piecewise = matches!(args.value(0)?, Value::Piecewise(_))
+            || matches!(args.value(0)?, Value::List(items) if matches!(items.first(), Some(Value::Piecewise(_))));
+        if piecewise
+            || matches!(args.value(0)?, Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)))
+        {
+            let (s, form) = &args.spline(0)?;
+            let (a, b) = s.domain();
+            let pieces = s.bezier_pieces();
+            let whole = pieces[0].part(a, b).map_err(curve_error)?;
+            for (i, piece) in pieces.iter().enumerate() {
+                let (from, to) = piece.interval();
+                if &whole.part(from, to).map_err(curve_error)? != piece {
+                    return Err(Diagnostic::error(
+                        Code::NotReducible,
+                        format!("piece {i} is another polynomial than piece 0"),
+                    )
+                    .at(args.span(0))
+                    .hint("pieces(s) are the Bézier curves of the spline, one for each interval"));
+                }
+            }
+            return Ok((whole, *form));
+        }
+        args.bezier(0)
+    };
+    match word {
+        "bezier" => single().map(|(curve, form)| bezier(curve, form)),
+        "bspline" => {
+            if let Value::List(items) = args.value(0)?
+                && items.iter().all(|item| matches!(item, Value::Geometry(_)))
+                && !items.is_empty()
+            {
+                let curves =
+                    items.iter().map(|item| args.with_first(item.clone()).bezier(0).at(args.span(0)));
+                let curves = curves.collect::<Result<Vec<_>>>()?;
+                let form = curves[0].1;
+                let pieces: Vec<_> = curves.into_iter().map(|(curve, _)| curve).collect();
+                return joined(&pieces).map(|s| spline(s, form)).at(args.span(0));
+            }
+            args.spline(0).map(|(s, form)| spline(s, form))
+        }
+        "polar" => {
+            let (curve, form) = single()?;
+            let args = args.with_first(bezier(curve, form)).only(1);
+            super::on_geometry::polar(&args)
+        }
+        "power" => {
+            let (curve, form) = single()?;
+            let args = args.with_first(bezier(curve, form)).only(1);
+            super::on_geometry::coefficients(&args)
+        }
+        "pieces" => {
+            let (s, form) = args.spline(0)?;
+            Ok(Value::List(s.bezier_pieces().into_iter().map(|piece| bezier(piece, form)).collect()))
+        }
+        "lagrange" | "newton" | "hermite" | "taylor" | "bernstein" => {
+            let (curve, form) = single()?;
+            polynomial_pair(args, form, form)?;
+            let n = Value::int(curve.degree() as i64);
+            let power = Value::Text("power".to_owned());
+            let target = match (word, target) {
+                ("hermite", Value::Text(_) | Value::Builtin(_)) => {
+                    let (a, b) = curve.interval();
+                    Value::List(vec![target.clone(), Value::Scalar(a.clone()), Value::Scalar(b.clone())])
+                }
+                _ => target.clone(),
+            };
+            let change = super::builtin("change_of_basis").ok_or_else(internal)?;
+            let mut call = Arguments::default();
+            for value in [n, power, target] {
+                call.push(value, args.span(1));
+            }
+            let Value::Matrix(matrix) = (change.call)(machine, &call)? else { return Err(internal()) };
+            let mut rows = Vec::with_capacity(curve.dimension());
+            for column in curve.power() {
+                let column = nalgebra::DMatrix::from_vec(column.len(), 1, column);
+                let product = crate::math::linalg::multiply(&matrix, &column)
+                    .map_err(crate::language::eval::arithmetic::linalg)?;
+                rows.push(Value::List(product.iter().cloned().map(Value::Scalar).collect()));
+            }
+            Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })
+        }
+        _ => Err(wrong_kind("a representation", target).at(args.span(1)).hint(
+            "bezier, bspline, power, polar, pieces, hermite, [lagrange, t_0, ...] or [newton, t_0, ...]",
+        )),
+    }
+}
+
+fn internal() -> Diagnostic {
+    Diagnostic::error(Code::Internal, "a function of the program is missing")
+}

@@ -1,0 +1,494 @@
+//! Polar forms: making, elevating, combining, writing out.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::{self, Arguments, Univariate};
+use crate::language::eval::{Evaluated, claim, wrong_kind};
+use crate::language::value::{Polar, PolarKind, Value};
+use crate::math::blossom::laws::Arrangement;
+use crate::math::blossom::{
+    PolarForm, TensorPolarForm, TotalDegreePolarForm, Written, expand_tensor, expand_total,
+    expand_univariate, symmetrize,
+};
+use crate::math::number::Int;
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
+use crate::math::ring::{Field, Ring};
+use num_traits::{One, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const TOPIC: &str = "Polar forms";
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "polar",
+        signature: "polar(F, degree=n, variable=t)",
+        summary: "the polar form of a polynomial, of its own degree or a larger one",
+        example: "polar(t^2 + 2t, degree=3)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("polar(F, degree=n, variable=t)", 1..=1, &["degree", "variable"])?;
+            let given = args.univariate(0, usize::MAX)?;
+            let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+            let degree = args.named_size("degree", usize::MAX)?.unwrap_or(own);
+            let form = PolarForm::with_degree(&given.coefficients, degree)
+                .map_err(|error| arguments::polar(error).hint(format!("use degree={own} or more")))?;
+            Ok(univariate(form, given.variable))
+        },
+    },
+    Builtin {
+        name: "polar_tensor",
+        signature: "polar_tensor(F, u, v, m, n)",
+        summary: "the tensor-product polar form of a polynomial of degrees m in u and n in v",
+        example: "polar_tensor(u v, u, v, 2, 2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("polar_tensor(F, u, v, m, n)", 3..=5, &["m", "n"])?;
+            let (formula, u, v) = (args.scalar(0)?, args.symbol(1)?, args.symbol(2)?);
+            let rows = arguments::coefficients_in(&formula, &u).at(args.span(0))?;
+            let mut grid = Vec::with_capacity(rows.len());
+            for row in &rows {
+                grid.push(arguments::coefficients_in(row, &v).at(args.span(0))?);
+            }
+            let own = (rows.len() - 1, grid.iter().map(Vec::len).max().unwrap_or(1) - 1);
+            let m = args.named_size("m", 3)?.unwrap_or(own.0);
+            let n = args.named_size("n", 4)?.unwrap_or(own.1);
+            for (polynomial, asked, i) in [(own.0, m, 3), (own.1, n, 4)] {
+                if asked < polynomial {
+                    let error = crate::math::blossom::PolarError::DegreeTooSmall { polynomial, asked };
+                    return Err(arguments::polar(error).at(args.span(i)));
+                }
+            }
+            crate::budget::charge_terms((m as u64 + 1).saturating_mul(n as u64 + 1));
+            grid.resize(m + 1, Vec::new());
+            grid.iter_mut().for_each(|row| row.resize(n + 1, Fraction::zero()));
+            let form = TensorPolarForm::new(grid).map_err(arguments::polar)?;
+            Ok(wrap(PolarKind::Tensor(form), vec![u, v]))
+        },
+    },
+    Builtin {
+        name: "polar_total",
+        signature: "polar_total(F, [u, v], degree=d)",
+        summary: "the polar form of total degree d, whose arguments are points",
+        example: "polar_total(u v, [u, v], degree=2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("polar_total(F, [u, v], degree=d)", 2..=3, &["degree"])?;
+            let formula = args.scalar(0)?;
+            let variables = symbols(args, 1)?;
+            let terms = terms_in(&formula, &variables).at(args.span(0))?;
+            let own = terms.iter().map(|(e, _)| e.iter().sum::<u32>()).max().unwrap_or(0) as usize;
+            let degree = args.named_size("degree", 2)?.unwrap_or(own);
+            let form = TotalDegreePolarForm::new(variables.len(), degree, terms).map_err(arguments::polar)?;
+            Ok(wrap(PolarKind::Total(form), variables))
+        },
+    },
+    Builtin {
+        name: "diagonal",
+        signature: "diagonal(f)",
+        summary: "the polynomial F(t) = f(t, ..., t)",
+        example: "diagonal(polar(t^2 + 1))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("diagonal(f)", 1..=1, &[])?;
+            let f = args.polar(0)?;
+            Ok(Value::Scalar(f.diagonal()))
+        },
+    },
+    Builtin {
+        name: "partial",
+        signature: "partial(f, u1, u2, ...)",
+        summary: "puts in some arguments and leaves the others free",
+        example: "partial(polar(t^3), 0, hat(1))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("partial(f, u1, u2, ...)", 1..=usize::MAX, &[])?;
+            let f = args.polar(0)?;
+            match &f.kind {
+                PolarKind::Univariate(form) => {
+                    let mut list = Vec::new();
+                    for i in 1..args.len() {
+                        list.push(match args.value(i)? {
+                            Value::Scalar(u) => crate::math::blossom::Argument::Point(u.clone()),
+                            Value::Vector(v) => crate::math::blossom::Argument::Vector(v.clone()),
+                            other => {
+                                return Err(
+                                    wrong_kind("a number, symbol or vector argument", other).at(args.span(i))
+                                );
+                            }
+                        });
+                    }
+                    let form = form.partial(&list).map_err(arguments::polar)?;
+                    Ok(univariate(form, f.variables[0].clone()))
+                }
+                PolarKind::Total(form) => {
+                    let mut list = Vec::new();
+                    for i in 1..args.len() {
+                        let value = args.value(i)?;
+                        list.push(
+                            arguments::point_argument(value).ok_or_else(|| {
+                                wrong_kind("a point such as (u1, v1)", value).at(args.span(i))
+                            })?,
+                        );
+                    }
+                    let form = form.partial(&list).map_err(arguments::polar)?;
+                    Ok(wrap(PolarKind::Total(form), f.variables.clone()))
+                }
+                PolarKind::Tensor(_) => Err(Diagnostic::error(
+                    Code::Unsupported,
+                    "partial values of tensor-product forms are not offered here",
+                )
+                .at(args.span(0))
+                .hint("give all arguments: f(u1, u2; v1, v2)")),
+            }
+        },
+    },
+    Builtin {
+        name: "elevate",
+        signature: "elevate(f, k)",
+        summary: "the same polynomial with k more arguments (1 if not given)",
+        example: "elevate(polar(t^2), 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("elevate(f, k)", 1..=2, &[])?;
+            let f = args.polar(0)?;
+            let by = args.named_size("k", 1)?.unwrap_or(1);
+            let kind = match &f.kind {
+                PolarKind::Univariate(form) => PolarKind::Univariate(form.elevate(by)),
+                PolarKind::Tensor(form) => PolarKind::Tensor(form.elevate(by, by).map_err(arguments::polar)?),
+                PolarKind::Total(form) => PolarKind::Total(form.elevate(by)),
+            };
+            Ok(wrap(kind, f.variables.clone()))
+        },
+    },
+    Builtin {
+        name: "reduce",
+        signature: "reduce(f, k)",
+        summary: "the same polynomial with k fewer arguments, where that is exact",
+        example: "reduce(polar(t^2, degree=3), 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("reduce(f, k)", 1..=2, &[])?;
+            let f = args.polar(0)?;
+            let by = args.named_size("k", 1)?.unwrap_or(1);
+            let kind = match &f.kind {
+                PolarKind::Univariate(form) => form.reduce(by).map(PolarKind::Univariate),
+                PolarKind::Tensor(form) => form.reduce(by, by).map(PolarKind::Tensor),
+                PolarKind::Total(form) => form.reduce(by).map(PolarKind::Total),
+            };
+            Ok(wrap(kind.map_err(arguments::polar).at(args.span(0))?, f.variables.clone()))
+        },
+    },
+    Builtin {
+        name: "bezier_points",
+        signature: "bezier_points(f, a, b)",
+        summary: "the Bézier points f(a, ..., a, b, ..., b) over [a, b] (0 and 1 if not given)",
+        example: "bezier_points(polar(t^2), 0, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("bezier_points(f, a, b)", 1..=3, &[])?;
+            let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
+            let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            if let Value::List(coordinates) = args.value(0)? {
+                let mut columns = Vec::with_capacity(coordinates.len());
+                for item in coordinates {
+                    let (form, _) = univariate_form(&args.with_first(item.clone()), 0)?;
+                    columns.push(form.bezier_points(&a, &b));
+                }
+                return Ok(Value::List(points_of(&columns)));
+            }
+            let form = univariate_form(args, 0)?;
+            Ok(Value::List(form.0.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
+        },
+    },
+    Builtin {
+        name: "from_bezier",
+        signature: "from_bezier([b_0, ..., b_n], a, b)",
+        summary: "the polar form with given Bézier points over [a, b] (0 and 1 if not given)",
+        example: "from_bezier([0, 0, 1])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("from_bezier([b_0, ..., b_n], a, b)", 1..=3, &[])?;
+            let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
+            let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            if let Some(columns) = coordinates_of(args.value(0)?) {
+                let forms = columns.iter().map(|column| {
+                    PolarForm::from_bezier_points_over(column, &a, &b)
+                        .map(|form| univariate(form, Symbol::new("t")))
+                        .map_err(arguments::polar)
+                });
+                return forms.collect::<Result<_>>().map(Value::List);
+            }
+            let points = args.scalars(0)?;
+            let form = PolarForm::from_bezier_points_over(&points, &a, &b).map_err(arguments::polar)?;
+            Ok(univariate(form, Symbol::new("t")))
+        },
+    },
+    Builtin {
+        name: "polar_sum",
+        signature: "polar_sum(F, G)",
+        summary: "the polar form of F + G, of the larger degree",
+        example: "polar_sum(t^2 + 2t, t^3 + 1)",
+        topic: TOPIC,
+        call: |_, args| combine(args, "polar_sum(F, G)", |f, g| f.sum(g)),
+    },
+    Builtin {
+        name: "polar_product",
+        signature: "polar_product(F, G)",
+        summary: "the polar form of F G: multiply with distinct arguments and symmetrise",
+        example: "polar_product(t^2 + 2t, t^3 + 1)",
+        topic: TOPIC,
+        call: |_, args| combine(args, "polar_product(F, G)", |f, g| f.product(g)),
+    },
+    Builtin {
+        name: "polar_compose",
+        signature: "polar_compose(F, G)",
+        summary: "the polar form of F(G(t))",
+        example: "polar_compose(t^2 + 2t, t^3 + 1)",
+        topic: TOPIC,
+        call: |_, args| combine(args, "polar_compose(F, G)", |f, g| f.compose(g)),
+    },
+    Builtin {
+        name: "symmetrize",
+        signature: "symmetrize(expression, [t_1, ..., t_n])",
+        summary: "the mean of an expression over all permutations of the given arguments",
+        example: "symmetrize(t1 t2 + t1, [t1, t2])",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("symmetrize(expression, [t_1, ..., t_n])", 2..=2, &[])?;
+            let expression = args.scalar(0)?;
+            let names = symbols(args, 1)?;
+            if expression.denominator().variables().iter().any(|s| names.contains(s)) {
+                return Err(Diagnostic::error(Code::NotPolynomial, "an argument stands in the denominator")
+                    .at(args.span(0)));
+            }
+            let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
+            let mean = symmetrize(expression.numerator(), &arrangement);
+            Fraction::new(mean, expression.denominator().clone())
+                .map(Value::Scalar)
+                .map_err(|_| crate::language::eval::arithmetic::division_by_zero())
+        },
+    },
+    Builtin {
+        name: "sigma",
+        signature: "sigma(i, n, t_1, ..., t_n)",
+        summary: "the mean of all products of i of n arguments; also written sigma_{i,n}(...)",
+        example: "sigma(2, 3, t1, t2, t3)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("sigma(i, n, t_1, ..., t_n)", 2..=usize::MAX, &[])?;
+            let (i, n) = (args.size(0)?, args.size(1)?);
+            let list = trailing_scalars(args, 2)?;
+            if list.len() != n {
+                return Err(Diagnostic::error(
+                    Code::Arity,
+                    format!("sigma_{{{i},{n}}} takes {n} arguments, not {}", list.len()),
+                ));
+            }
+            let count = crate::math::number::binomial(n, i);
+            if count.is_zero() {
+                return Ok(Value::int(0));
+            }
+            let share = crate::math::number::Rational::new(Int::ONE, count);
+            Ok(Value::Scalar(elementary(&list, i).scaled(&share)))
+        },
+    },
+    Builtin {
+        name: "esym",
+        signature: "esym(i, t_1, ..., t_n)",
+        summary: "the elementary symmetric function e_i: the sum of all products of i arguments",
+        example: "esym(2, t1, t2, t3)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("esym(i, t_1, ..., t_n)", 1..=usize::MAX, &[])?;
+            let i = args.size(0)?;
+            Ok(Value::Scalar(elementary(&trailing_scalars(args, 1)?, i)))
+        },
+    },
+    Builtin {
+        name: "laws",
+        signature: "laws(expression, [t_1, ..., t_n], F)",
+        summary: "whether an expression is the polar form of F, and if not, which law fails and why",
+        example: "laws(t1^2, [t1, t2], t^2)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("laws(expression, [t_1, ..., t_n], F)", 3..=3, &[])?;
+            let expression = args.scalar(0)?;
+            let names = symbols(args, 1)?;
+            let given = args.univariate(2, usize::MAX)?;
+            let form = PolarForm::with_degree(&given.coefficients, names.len()).map_err(arguments::polar)?;
+            let polar = Polar { kind: PolarKind::Univariate(form), variables: vec![given.variable] };
+            let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
+            let lines = claim::laws_report(&polar, &expression, &arrangement);
+            Ok(match lines.as_slice() {
+                [] => Value::Text("symmetric, multi-affine, right diagonal: it is the polar form".into()),
+                many => Value::List(many.iter().cloned().map(Value::Text).collect()),
+            })
+        },
+    },
+];
+
+fn wrap(kind: PolarKind, variables: Vec<Symbol>) -> Value {
+    Value::Polar(Arc::new(Polar { kind, variables }))
+}
+
+fn univariate(form: PolarForm<Fraction>, variable: Symbol) -> Value {
+    let variable = unused(&form, variable);
+    wrap(PolarKind::Univariate(form), vec![variable])
+}
+
+/// The variable, or another letter if a coefficient contains one of the arguments t1, t2, … that
+/// would be named after it.
+fn unused(form: &PolarForm<Fraction>, variable: Symbol) -> Symbol {
+    let symbols: Vec<Symbol> = form.coefficients().iter().flat_map(Fraction::variables).collect();
+    if symbols.is_empty() {
+        return variable;
+    }
+    let taken = |letter: &Symbol| {
+        (1..=form.degree()).any(|i| symbols.contains(&letter.numbered(i as i64)))
+            || (*letter != variable && symbols.contains(letter))
+    };
+    let letters = ["u", "s", "x", "v", "w", "y", "z"].map(Symbol::new);
+    std::iter::once(variable.clone()).chain(letters).find(|letter| !taken(letter)).unwrap_or(variable)
+}
+
+/// A polar form, or a polynomial standing for its polar form.
+fn univariate_form(args: &Arguments, i: usize) -> Result<(PolarForm<Fraction>, Symbol)> {
+    let Univariate { variable, coefficients } = args.univariate(i, usize::MAX)?;
+    Ok((PolarForm::new(coefficients), variable))
+}
+
+fn combine(
+    args: &Arguments,
+    signature: &str,
+    operation: impl Fn(&PolarForm<Fraction>, &PolarForm<Fraction>) -> PolarForm<Fraction>,
+) -> Evaluated {
+    args.expect(signature, 2..=2, &[])?;
+    let (f, variable) = univariate_form(args, 0)?;
+    let (g, other) = univariate_form(args, 1)?;
+    let formula = |i: usize| args.value(i).is_ok_and(|value| matches!(value, Value::Scalar(_)));
+    if variable != other && f.degree() > 0 && g.degree() > 0 && formula(0) && formula(1) {
+        return Err(Diagnostic::error(
+            Code::AmbiguousVariable,
+            format!("one polynomial is in {variable}, the other in {other}"),
+        )
+        .at(args.span(1))
+        .hint("write both in the same variable"));
+    }
+    Ok(univariate(operation(&f, &g), variable))
+}
+
+/// Points with coordinates, as one list for each coordinate; `None` if the value is not a list of
+/// points of one dimension.
+fn coordinates_of(value: &Value) -> Option<Vec<Vec<Fraction>>> {
+    let Value::List(points) = value else { return None };
+    let mut columns: Vec<Vec<Fraction>> = Vec::new();
+    for point in points {
+        let Value::List(coordinates) = point else { return None };
+        if columns.is_empty() {
+            columns.resize(coordinates.len(), Vec::new());
+        }
+        if columns.len() != coordinates.len() {
+            return None;
+        }
+        for (column, x) in columns.iter_mut().zip(coordinates) {
+            column.push(x.as_scalar()?.clone());
+        }
+    }
+    (!columns.is_empty()).then_some(columns)
+}
+
+/// The points whose coordinates stand in the given lists.
+fn points_of(columns: &[Vec<Fraction>]) -> Vec<Value> {
+    let count = columns.iter().map(Vec::len).max().unwrap_or(0);
+    (0..count)
+        .map(|i| {
+            let coordinate =
+                |column: &Vec<Fraction>| Value::Scalar(column.get(i).cloned().unwrap_or_else(Fraction::zero));
+            Value::List(columns.iter().map(coordinate).collect())
+        })
+        .collect()
+}
+
+fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {
+    let value = args.value(i)?;
+    let list = match value {
+        Value::List(items) => items.iter().map(arguments::symbol_of).collect::<Option<Vec<Symbol>>>(),
+        _ => None,
+    };
+    let list =
+        list.ok_or_else(|| wrong_kind("a list of variables such as [u, v]", value).at(args.span(i)))?;
+    match list.iter().enumerate().find(|(k, symbol)| list[..*k].contains(symbol)) {
+        Some((_, symbol)) => {
+            Err(Diagnostic::error(Code::Coincident, format!("{symbol} is listed twice")).at(args.span(i)))
+        }
+        None => Ok(list),
+    }
+}
+
+/// Scalars from place `from` on, or those of a single list there.
+fn trailing_scalars(args: &Arguments, from: usize) -> Result<Vec<Fraction>> {
+    if args.len() == from + 1 && matches!(args.value(from)?, Value::List(_)) {
+        return args.scalars(from);
+    }
+    (from..args.len()).map(|i| args.scalar(i)).collect()
+}
+
+/// e_i of any scalars, by the recurrence over the arguments. Cost: O(i n) products.
+fn elementary(list: &[Fraction], i: usize) -> Fraction {
+    if i > list.len() {
+        return Fraction::zero();
+    }
+    let mut e = vec![Fraction::zero(); i + 1];
+    e[0] = Fraction::one();
+    for u in list {
+        for k in (1..=i).rev() {
+            e[k] = e[k].plus(&e[k - 1].times(u));
+        }
+        crate::budget::charge_terms(e.iter().map(Ring::size).sum());
+    }
+    e.swap_remove(i)
+}
+
+/// The terms of a formula that is a polynomial in the given variables.
+fn terms_in(formula: &Fraction, variables: &[Symbol]) -> Result<Vec<(Vec<u32>, Fraction)>> {
+    if formula.denominator().variables().iter().any(|symbol| variables.contains(symbol)) {
+        return Err(Diagnostic::error(Code::NotPolynomial, "a variable stands in the denominator")
+            .hint("only polynomials have a polar form"));
+    }
+    let inverse = Fraction::from(formula.denominator().clone())
+        .inverse()
+        .ok_or_else(crate::language::eval::arithmetic::division_by_zero)?;
+    Ok(formula
+        .numerator()
+        .terms(MonomialOrder::Lex)
+        .into_iter()
+        .map(|(powers, c)| {
+            let exponent = |s: &Symbol| powers.iter().find(|(p, _)| p == s).map_or(0, |(_, e)| *e);
+            let exponents = variables.iter().map(exponent).collect();
+            let others = powers.iter().filter(|(s, _)| !variables.contains(s)).cloned().collect();
+            (exponents, Fraction::from(MultiPoly::from_terms([(others, c)])).times(&inverse))
+        })
+        .collect())
+}
+
+/// The form written out in the arguments of the arrangement; `None` if a coefficient is a
+/// proper quotient.
+pub(in crate::language::eval) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
+    let written = |c: &Fraction| c.as_written().is_some();
+    match &polar.kind {
+        PolarKind::Univariate(form) => {
+            form.coefficients().iter().all(written).then(|| expand_univariate(form, arrangement))
+        }
+        PolarKind::Tensor(form) => form
+            .coefficients()
+            .iter()
+            .all(|row| row.iter().all(written))
+            .then(|| expand_tensor(form, arrangement)),
+        PolarKind::Total(form) => {
+            form.terms().all(|(_, c)| written(c)).then(|| expand_total(form, arrangement))
+        }
+    }
+}

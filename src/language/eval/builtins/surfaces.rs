@@ -1,0 +1,203 @@
+//! Surfaces: tensor-product and triangular patches, spline surfaces.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::Arguments;
+use crate::language::eval::geometry::{bezier, curve_error, spline_error};
+use crate::language::eval::wrong_kind;
+use crate::language::value::{Form, Geometry, Value};
+use crate::math::curve::{Corner, Side, TensorPatch, TrianglePatch};
+use crate::math::spline::{BSpline, KnotVector, SplineSurface};
+
+const TOPIC: &str = "Surfaces";
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "patch",
+        signature: "patch([[b_00, b_01, ...], ...], [a, b], [c, d], weights=[[...], ...])",
+        summary: "the tensor-product Bézier patch of a net, rows in u, over [a, b] x [c, d]",
+        example: "patch([[0, 1], [2, 5]])(1/2, 1/2)",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "patch([[b_00, b_01, ...], ...], [a, b], [c, d], weights=[[...], ...])";
+            args.expect(signature, 1..=3, &["weights", "homogeneous"])?;
+            let (net, form) = args.net(0)?;
+            let (u, v) = (args.interval(1)?, args.interval(2)?);
+            let patch = TensorPatch::new(net, u, v).map_err(curve_error).at(args.span(0))?;
+            Ok(tensor(patch, form))
+        },
+    },
+    Builtin {
+        name: "triangle_patch",
+        signature: "triangle_patch([b_n00, ..., b_00n], [p, q, r], weights=[...])",
+        summary: "the triangular patch with points f(p^i q^j r^k): i, then j descending",
+        example: "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002])",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "triangle_patch([b_n00, ..., b_00n], [p, q, r], weights=[...])";
+            args.expect(signature, 1..=2, &["weights", "homogeneous"])?;
+            let (points, form) = args.control_points(0)?;
+            let patch = TrianglePatch::new(points, args.triangle(1)?).map_err(curve_error).at(args.span(0))?;
+            Ok(triangular(patch, form))
+        },
+    },
+    Builtin {
+        name: "spline_surface",
+        signature: "spline_surface(m, n, [u_0, ...], [v_0, ...], [[d_00, d_01, ...], ...], weights=[[...], ...])",
+        summary: "the B-spline surface of degrees m and n with these knots and net",
+        example: "spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[0, 1], [2, 3], [0, 1]])(1/2, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            let signature = "spline_surface(m, n, [u_0, ...], [v_0, ...], [[d_00, d_01, ...], ...])";
+            args.expect(signature, 5..=5, &["weights", "homogeneous"])?;
+            let knots = |degree: usize, list: usize| {
+                KnotVector::new(args.size(degree)?, args.scalars(list)?)
+                    .map_err(spline_error)
+                    .at(args.span(list))
+            };
+            let (u, v) = (knots(0, 2)?, knots(1, 3)?);
+            let (net, form) = args.net(4)?;
+            let s = SplineSurface::new(u, v, net).map_err(spline_error).at(args.span(4))?;
+            Ok(surface(s, form))
+        },
+    },
+    Builtin {
+        name: "boundary_curves",
+        signature: "boundary_curves(s)",
+        summary: "the boundary of a surface: u = a, u = b, v = c, v = d; or opposite the three corners",
+        example: "boundary_curves(patch([[0, 1], [2, 5]]))",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("boundary_curves(s)", 1..=1, &[])?;
+            let curves = match &*args.geometry(0)? {
+                Geometry::Patch(patch, form) => [Side::UStart, Side::UEnd, Side::VStart, Side::VEnd]
+                    .map(|side| bezier(patch.boundary_curve(side), *form))
+                    .to_vec(),
+                Geometry::Triangle(patch, form) => {
+                    let mut curves = Vec::with_capacity(3);
+                    for corner in [Corner::A, Corner::B, Corner::C] {
+                        let points = patch.boundary(corner);
+                        let zero = num_traits::Zero::zero();
+                        let curve =
+                            crate::math::curve::BezierCurve::new(points, zero, num_traits::One::one());
+                        curves.push(bezier(curve.map_err(curve_error)?, *form));
+                    }
+                    curves
+                }
+                Geometry::Surface(s, form) => edges(s, *form)?,
+                other => {
+                    return Err(Diagnostic::error(
+                        Code::Type,
+                        format!("expected a surface, not {}", other.kind()),
+                    )
+                    .at(args.span(0)));
+                }
+            };
+            Ok(Value::List(curves))
+        },
+    },
+    Builtin {
+        name: "normal",
+        signature: "normal(s)",
+        summary: "the cross product of the partial derivatives of a polynomial patch, as a patch",
+        example: "normal(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]))(0, 0)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("normal(s)", 1..=1, &[])?;
+            match &*args.geometry(0)? {
+                geometry if geometry.form().rational => {
+                    Err(Diagnostic::error(Code::NotPolynomial, "this surface is rational")
+                        .at(args.span(0))
+                        .hint("normal_at(s, u, v) is the normal at one point"))
+                }
+                Geometry::Patch(patch, _) => {
+                    patch.normal().map(|n| tensor(n, Form::default())).map_err(curve_error).at(args.span(0))
+                }
+                Geometry::Triangle(patch, _) => patch
+                    .normal()
+                    .map(|n| triangular(n, Form::default()))
+                    .map_err(curve_error)
+                    .at(args.span(0)),
+                _ => Err(wrong_kind("a patch", args.value(0)?)
+                    .at(args.span(0))
+                    .hint("pieces(s) are its patches")),
+            }
+        },
+    },
+    Builtin {
+        name: "normal_at",
+        signature: "normal_at(s, u, v)",
+        summary: "the cross product of the partial derivatives of a patch at one point",
+        example: "normal_at(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
+        topic: TOPIC,
+        call: |_, args| {
+            args.expect("normal_at(s, u, v)", 3..=3, &[])?;
+            let (u, v) = (args.scalar(1)?, args.scalar(2)?);
+            let point = match &*args.geometry(0)? {
+                Geometry::Patch(patch, form) if form.rational => {
+                    let patch = crate::math::curve::RationalPatch::from_homogeneous(patch.clone());
+                    patch.and_then(|patch| patch.normal_at(&u, &v))
+                }
+                Geometry::Patch(patch, _) => patch.normal().map(|n| n.value(&u, &v)),
+                Geometry::Triangle(patch, form) if form.rational => {
+                    let patch = crate::math::curve::RationalTriangle::from_homogeneous(patch.clone());
+                    patch.and_then(|patch| patch.normal_at(&[u, v]))
+                }
+                Geometry::Triangle(patch, _) => patch.normal().and_then(|n| n.value(&[u, v])),
+                _ => return Err(wrong_kind("a patch", args.value(0)?).at(args.span(0))),
+            };
+            Ok(Form::default().plain(point.map_err(curve_error).at(args.span(0))?))
+        },
+    },
+];
+
+pub(super) fn tensor(patch: TensorPatch<crate::math::poly::Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Patch(patch, form)))
+}
+
+pub(super) fn triangular(patch: TrianglePatch<crate::math::poly::Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Triangle(patch, form)))
+}
+
+pub(super) fn surface(s: SplineSurface<crate::math::poly::Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Surface(s, form)))
+}
+
+/// The four boundary splines, where the knots are clamped.
+fn edges(s: &SplineSurface<crate::math::poly::Fraction>, form: Form) -> Result<Vec<Value>, Diagnostic> {
+    let clamped = |knots: &KnotVector<crate::math::poly::Fraction>| {
+        let list = knots.knots();
+        list[0] == list[knots.degree()] && list[knots.count()] == list[list.len() - 1]
+    };
+    let (u, v) = s.knots();
+    if !clamped(u) || !clamped(v) {
+        return Err(Diagnostic::error(Code::Unsupported, "the boundary of a surface with unclamped knots")
+            .hint("repeat the end knots degree + 1 times, or take the patches: pieces(s)"));
+    }
+    let (rows, columns) = (s.net(), s.transposed());
+    let curve = |knots: &KnotVector<crate::math::poly::Fraction>,
+                 points: &[Vec<crate::math::poly::Fraction>]| {
+        BSpline::new(knots.clone(), points.to_vec())
+            .map(|s| crate::language::eval::geometry::spline(s, form))
+            .map_err(spline_error)
+    };
+    let last = |net: &[Vec<Vec<crate::math::poly::Fraction>>]| net[net.len() - 1].clone();
+    Ok(vec![
+        curve(v, &rows[0])?,
+        curve(v, &last(rows))?,
+        curve(u, &columns.net()[0])?,
+        curve(u, &last(columns.net()))?,
+    ])
+}
+
+/// A patch as the first argument.
+pub(super) fn polynomial_only(form: Form, args: &Arguments) -> Result<(), Diagnostic> {
+    match form.rational {
+        false => Ok(()),
+        true => Err(Diagnostic::error(Code::NotPolynomial, "this surface is rational")
+            .at(args.span(0))
+            .hint("derivatives_at(s, u, v, k) are its derivatives at a point")),
+    }
+}

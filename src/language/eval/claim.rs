@@ -1,0 +1,445 @@
+//! Claims: is `a = b` so for all values of its symbols, and if not, why?
+
+use super::arithmetic;
+use super::same_geometry::{self, Comparison};
+use super::{Machine, builtins, family};
+use crate::formula::{Expr, Kind, Link, Rel};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Function, Judgement, Polar, PolarKind, Value, Verdict, Witness};
+use crate::math::blossom::laws::{self, Arrangement};
+use crate::math::number::{Rational, integer};
+use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::Ring;
+use num_traits::Zero;
+
+impl Machine {
+    /// Judges each relation of a chain; a chain with integer names without values by its instances.
+    pub(super) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
+        match self.judge_plainly(first, links) {
+            Err(error) if family::may_be_family(&error) => self.judge_family(first, links).ok_or(error),
+            result => result,
+        }
+    }
+
+    /// Judges each relation of a chain as it stands.
+    pub(super) fn judge_plainly(
+        &mut self,
+        first: &Expr,
+        links: &[Link],
+    ) -> Result<Vec<Judgement>, Diagnostic> {
+        let mut judgements = Vec::with_capacity(links.len());
+        let (mut left_expr, mut left) = (first, self.eval(first)?);
+        for link in links {
+            let right = self.eval(&link.expr)?;
+            let mut judgement = judge(link.rel, &left, &right).map_err(|error| error.at(link.span))?;
+            if judgement.verdict == Verdict::Refuted {
+                let reasons = self.explain(left_expr, &left, &link.expr, &right)?;
+                judgement.reasons.splice(0..0, reasons);
+            }
+            judgements.push(judgement);
+            (left_expr, left) = (&link.expr, right);
+        }
+        Ok(judgements)
+    }
+
+    /// Reasons for a wrong claim about a polar form: which law fails, which coefficient is off.
+    fn explain(
+        &mut self,
+        left_expr: &Expr,
+        left: &Value,
+        right_expr: &Expr,
+        right: &Value,
+    ) -> Result<Vec<String>, Diagnostic> {
+        let calls = [self.polar_at_symbols(left_expr)?, self.polar_at_symbols(right_expr)?];
+        if calls.iter().all(Option::is_some) {
+            // Two values of polar forms: neither is a proposed polar form.
+            return Ok(Vec::new());
+        }
+        for (call, claim) in [(left_expr, right), (right_expr, left)] {
+            if let Some((polar, arrangement)) = self.polar_at_symbols(call)?
+                && let Value::Scalar(claim) = claim
+            {
+                return Ok(laws_report(&polar, claim, &arrangement));
+            }
+        }
+        Ok(Vec::new())
+    }
+
+    /// A polar form applied to distinct symbols: the form and its arguments.
+    fn polar_at_symbols(
+        &mut self,
+        call: &Expr,
+    ) -> Result<Option<(std::sync::Arc<Polar>, Arrangement)>, Diagnostic> {
+        let Kind::Apply(callee, groups) = &call.kind else { return Ok(None) };
+        let Ok(Value::Polar(polar)) = self.eval(callee) else { return Ok(None) };
+        let mut lists: Vec<Vec<Vec<Symbol>>> = Vec::new();
+        for group in groups {
+            let mut list = Vec::new();
+            for value in self.expand_items(group)? {
+                let Some(symbols) = symbols_of(&value) else { return Ok(None) };
+                list.push(symbols);
+            }
+            lists.push(list);
+        }
+        if let (PolarKind::Tensor(form), [all]) = (&polar.kind, lists.as_slice()) {
+            let (m, n) = form.degrees();
+            if all.len() == m + n {
+                lists = vec![all[..m].to_vec(), all[m..].to_vec()];
+            }
+        }
+        let mut flat: Vec<&Symbol> = lists.iter().flatten().flatten().collect();
+        let count = flat.len();
+        flat.sort();
+        flat.dedup();
+        let fits = lists.iter().map(Vec::len).eq(polar.arity());
+        Ok((fits && flat.len() == count).then(|| (polar, Arrangement::new(lists))))
+    }
+}
+
+/// The symbols of an argument: one for a number, several for a point.
+fn symbols_of(value: &Value) -> Option<Vec<Symbol>> {
+    match value {
+        Value::List(items) => items.iter().map(super::arguments::symbol_of).collect(),
+        other => super::arguments::symbol_of(other).map(|symbol| vec![symbol]),
+    }
+}
+
+/// What the laws of polar forms say about a claimed expression.
+pub(super) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
+    let Some(claim) = claim.as_polynomial() else {
+        return vec!["the claimed expression is not a polynomial in the arguments".to_owned()];
+    };
+    let Some(right) = super::builtins::expand_polar(polar, arrangement) else { return Vec::new() };
+    laws::check(claim, &right, arrangement).describe()
+}
+
+/// Judges one relation between two values.
+pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
+    let mut judgement = Judgement {
+        rel,
+        left: left.clone(),
+        right: right.clone(),
+        verdict: Verdict::Undecided,
+        difference: None,
+        witness: None,
+        reasons: Vec::new(),
+    };
+    match rel {
+        Rel::Eq | Rel::Equiv | Rel::Define => equality(&mut judgement)?,
+        Rel::Ne => {
+            equality(&mut judgement)?;
+            judgement.verdict = match judgement.verdict {
+                Verdict::Proved => Verdict::Refuted,
+                Verdict::Refuted if numbers(left, right).is_some() => Verdict::Proved,
+                _ => Verdict::Undecided,
+            };
+        }
+        Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge => order(&mut judgement),
+        Rel::In => {
+            if let Value::List(items) = right {
+                let member = items.iter().any(|item| item == left);
+                let constant = left.as_rational().is_some();
+                judgement.verdict = match (member, constant) {
+                    (true, _) => Verdict::Proved,
+                    (false, true) => Verdict::Refuted,
+                    _ => Verdict::Undecided,
+                };
+            }
+        }
+        _ => {
+            return Err(Diagnostic::error(Code::Unsupported, "this relation cannot be checked")
+                .hint("equations and inequalities between numbers can be"));
+        }
+    }
+    if judgement.verdict == Verdict::Undecided && judgement.reasons.is_empty() {
+        judgement.reasons.push("it depends on the values of the symbols".to_owned());
+    }
+    Ok(judgement)
+}
+
+/// Whether a condition holds; `None` if that depends on symbols.
+pub(super) fn decided(claim: &crate::language::value::Claim) -> Option<bool> {
+    let constant = |j: &Judgement| j.left.as_rational().is_some() && j.right.as_rational().is_some();
+    match claim.verdict() {
+        Verdict::Proved => Some(true),
+        Verdict::Refuted if claim.judgements.iter().all(constant) => Some(false),
+        _ => None,
+    }
+}
+
+fn numbers(left: &Value, right: &Value) -> Option<(Rational, Rational)> {
+    Some((left.as_rational()?, right.as_rational()?))
+}
+
+fn order(judgement: &mut Judgement) {
+    let rel = judgement.rel;
+    let holds = |a: &Rational, b: &Rational| match rel {
+        Rel::Lt => a < b,
+        Rel::Le => a <= b,
+        Rel::Gt => a > b,
+        _ => a >= b,
+    };
+    let (Some(a), Some(b)) = (judgement.left.as_scalar(), judgement.right.as_scalar()) else { return };
+    let difference = a.minus(b);
+    if let Some(d) = difference.as_rational() {
+        let true_everywhere = holds(&d, &Rational::zero());
+        judgement.verdict = if true_everywhere { Verdict::Proved } else { Verdict::Refuted };
+        return;
+    }
+    // One counterexample is enough to refute; none proves nothing.
+    if let Some(witness) = find_witness(a, b, |x, y| !holds(x, y)) {
+        judgement.witness = Some(witness);
+        judgement
+            .reasons
+            .push("it fails for some values; give the range if it is meant for a part".to_owned());
+    }
+}
+
+fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
+    let (left, right) = (judgement.left.clone(), judgement.right.clone());
+    match (&left, &right) {
+        (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => {
+            equal_scalars(judgement, a, b);
+        }
+        // A row times a column is a number.
+        (Value::Matrix(a), Value::Scalar(b)) if a.shape() == (1, 1) => {
+            equal_scalars(judgement, &a[(0, 0)], b)
+        }
+        (Value::Scalar(a), Value::Matrix(b)) if b.shape() == (1, 1) => {
+            equal_scalars(judgement, a, &b[(0, 0)])
+        }
+        (Value::List(a), Value::List(b)) => {
+            if a.len() != b.len() {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons.push(format!("one list has {} items, the other {}", a.len(), b.len()));
+                return Ok(());
+            }
+            each(
+                judgement,
+                a.iter()
+                    .zip(b)
+                    .enumerate()
+                    .map(|(i, (x, y))| (format!("item {i} (counted from 0)"), x.clone(), y.clone())),
+            )?;
+        }
+        (Value::Matrix(a), Value::Matrix(b)) => {
+            if a.shape() != b.shape() {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons.push(format!(
+                    "one matrix is {}x{}, the other {}x{}",
+                    a.nrows(),
+                    a.ncols(),
+                    b.nrows(),
+                    b.ncols()
+                ));
+                return Ok(());
+            }
+            let entries = (0..a.nrows()).flat_map(|i| (0..a.ncols()).map(move |j| (i, j)));
+            each(
+                judgement,
+                entries.map(|(i, j)| {
+                    let place = format!("entry ({}, {})", i + 1, j + 1);
+                    (place, Value::Scalar(a[(i, j)].clone()), Value::Scalar(b[(i, j)].clone()))
+                }),
+            )?;
+        }
+        (Value::Polar(a), Value::Polar(b)) => {
+            if a == b {
+                judgement.verdict = Verdict::Proved;
+            } else {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons.push(polar_difference(a, b));
+            }
+        }
+        (Value::Function(f), Value::Function(g)) => equal_functions(judgement, f, g)?,
+        (Value::Polar(f), Value::Function(g)) | (Value::Function(g), Value::Polar(f)) => {
+            polar_against_function(judgement, f, g)?;
+        }
+        (Value::Geometry(a), Value::Geometry(b)) => match same_geometry::compare(a, b) {
+            Comparison::Same => judgement.verdict = Verdict::Proved,
+            Comparison::Different(reason) => {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons.push(reason);
+            }
+            Comparison::Unknown(reason) => judgement.reasons.push(reason.to_owned()),
+        },
+        (Value::Piecewise(a), Value::Piecewise(b)) => {
+            let same = a.function.merged() == b.function.merged();
+            judgement.verdict = if same { Verdict::Proved } else { Verdict::Refuted };
+        }
+        (Value::Text(a), Value::Text(b)) => {
+            judgement.verdict = if a == b { Verdict::Proved } else { Verdict::Refuted };
+        }
+        (a, b) => {
+            judgement.reasons.push(format!("{} and {} cannot be compared", a.kind(), b.kind()));
+        }
+    }
+    Ok(())
+}
+
+fn equal_scalars(judgement: &mut Judgement, a: &Fraction, b: &Fraction) {
+    let difference = a.minus(b);
+    if difference.is_zero() {
+        judgement.verdict = Verdict::Proved;
+        return;
+    }
+    judgement.verdict = Verdict::Refuted;
+    judgement.witness = find_witness(a, b, |x, y| x != y);
+    judgement.difference = Some(Value::Scalar(difference));
+}
+
+/// Judges a family of equations; the first that fails speaks for all.
+fn each(
+    judgement: &mut Judgement,
+    parts: impl Iterator<Item = (String, Value, Value)>,
+) -> Result<(), Diagnostic> {
+    judgement.verdict = Verdict::Proved;
+    for (place, x, y) in parts {
+        let part = judge(Rel::Eq, &x, &y)?;
+        match part.verdict {
+            Verdict::Proved => {}
+            Verdict::Refuted => {
+                judgement.verdict = Verdict::Refuted;
+                judgement.reasons = std::iter::once(format!("{place} differs")).chain(part.reasons).collect();
+                judgement.difference = part.difference;
+                judgement.witness = part.witness;
+                return Ok(());
+            }
+            Verdict::Sampled | Verdict::Undecided => {
+                judgement.verdict = part.verdict;
+                judgement.reasons = part.reasons;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn equal_functions(judgement: &mut Judgement, f: &Function, g: &Function) -> Result<(), Diagnostic> {
+    if f == g {
+        judgement.verdict = Verdict::Proved;
+        return Ok(());
+    }
+    let (Some((names, a)), Some((others, b))) = (f.as_formula_of_many(), g.as_formula_of_many()) else {
+        judgement.reasons.push("functions given by cases are not compared".to_owned());
+        return Ok(());
+    };
+    if names.len() != others.len() {
+        judgement.verdict = Verdict::Refuted;
+        judgement.reasons.push(format!(
+            "one function takes {} arguments, the other {}",
+            names.len(),
+            others.len()
+        ));
+        return Ok(());
+    }
+    let renaming: Vec<(Symbol, Fraction)> = others
+        .iter()
+        .zip(&names)
+        .map(|(other, name)| {
+            ((*other).clone(), Fraction::from(crate::math::poly::MultiPoly::symbol((*name).clone())))
+        })
+        .collect();
+    let b = b.substitute(&renaming).map_err(|_| arithmetic::division_by_zero())?;
+    equal_scalars(judgement, a, &b);
+    Ok(())
+}
+
+fn polar_against_function(
+    judgement: &mut Judgement,
+    polar: &Polar,
+    function: &Function,
+) -> Result<(), Diagnostic> {
+    let Some((names, formula)) = function.as_formula_of_many() else {
+        judgement.reasons.push("functions given by cases are not compared".to_owned());
+        return Ok(());
+    };
+    let groups = polar.arity();
+    if names.len() != groups.iter().sum::<usize>() || matches!(polar.kind, PolarKind::Total(_)) {
+        judgement.verdict = Verdict::Refuted;
+        judgement.reasons.push(format!(
+            "the polar form takes {} arguments, the function {}",
+            groups.iter().sum::<usize>(),
+            names.len()
+        ));
+        return Ok(());
+    }
+    let mut names = names.into_iter().map(|name| vec![name.clone()]);
+    let lists = groups.iter().map(|&count| names.by_ref().take(count).collect()).collect();
+    let arrangement = Arrangement::new(lists);
+    if let Some(expanded) = builtins::expand_polar(polar, &arrangement) {
+        equal_scalars(judgement, &Fraction::from(expanded), formula);
+        if judgement.verdict == Verdict::Refuted {
+            judgement.reasons = laws_report(polar, formula, &arrangement);
+        }
+    }
+    Ok(())
+}
+
+fn polar_difference(a: &Polar, b: &Polar) -> String {
+    match (&a.kind, &b.kind) {
+        (PolarKind::Univariate(f), PolarKind::Univariate(g)) if f.degree() != g.degree() => {
+            format!("the degrees are {} and {}", f.degree(), g.degree())
+        }
+        (PolarKind::Univariate(f), PolarKind::Univariate(g)) => {
+            let place = f.coefficients().iter().zip(g.coefficients()).position(|(x, y)| x != y);
+            match place {
+                Some(i) => format!(
+                    "the coefficients of power {i} are {} and {}",
+                    f.coefficients()[i],
+                    g.coefficients()[i]
+                ),
+                None => "they differ".to_owned(),
+            }
+        }
+        _ => "they are polar forms of different polynomials or kinds".to_owned(),
+    }
+}
+
+/// Small values to try, simple ones first.
+const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
+
+/// Beyond this degree only the simplest values are tried.
+const HIGHEST_DEGREE: u32 = 2000;
+
+/// Values of the symbols at which `wanted(left, right)` holds, checked by substitution.
+pub(crate) fn find_witness(
+    a: &Fraction,
+    b: &Fraction,
+    wanted: impl Fn(&Rational, &Rational) -> bool,
+) -> Option<Witness> {
+    let mut symbols = a.variables();
+    symbols.extend(b.variables());
+    symbols.sort();
+    symbols.dedup();
+    // Powers of large degree are tried at 0, 1 and −1 only, where they stay small.
+    let degree = |f: &Fraction| f.numerator().total_degree().max(f.denominator().total_degree());
+    let high = degree(a).max(degree(b)).is_some_and(|d| d > HIGHEST_DEGREE);
+    let trials: &[i64] = if high { &[0, 1, -1] } else { &TRIALS };
+    for round in 0..trials.len() * 8 {
+        crate::budget::steps(16);
+        // Round 0 is all zeros; later rounds walk through the trial values at different speeds.
+        let assignment: Vec<(Symbol, Rational)> = symbols
+            .iter()
+            .enumerate()
+            .map(|(i, symbol)| {
+                let value = match trials.get(round) {
+                    Some(&value) => value,
+                    None if high => trials[(round * (i + 1) + i * i) % trials.len()],
+                    None => trials[(round * (i + 1) + i * i) % trials.len()] + (round / trials.len()) as i64,
+                };
+                (symbol.clone(), integer(value))
+            })
+            .collect();
+        let at = |f: &Fraction| {
+            f.evaluate(&|symbol: &Symbol| {
+                assignment.iter().find(|(name, _)| name == symbol).map(|(_, value)| value.clone())
+            })
+        };
+        if let (Some(left), Some(right)) = (at(a), at(b))
+            && wanted(&left, &right)
+        {
+            return Some(Witness { assignment, left, right });
+        }
+    }
+    None
+}

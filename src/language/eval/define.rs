@@ -1,0 +1,244 @@
+//! Definitions: names, functions, and functions by cases.
+
+use std::sync::Arc;
+
+use super::names::name_of;
+use super::{Machine, builtins};
+use crate::formula::{Expr, Kind, Link};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
+use crate::math::poly::Symbol;
+
+/// The left side of a definition, taken apart.
+enum Target {
+    Name(Symbol),
+    Function { name: Symbol, shape: Shape, parameters: Vec<Expr> },
+}
+
+impl Machine {
+    /// Whether `left = right` introduces `left`: an unbound name, alone or applied to distinct
+    /// names, that does not occur on the right.
+    pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
+        let head = match &left.kind {
+            Kind::Apply(callee, groups) => {
+                let items: Vec<&Expr> = groups.iter().flatten().collect();
+                let names: Option<Vec<Symbol>> = items.iter().map(|item| name_of(item, self)).collect();
+                let Some(names) = names else { return false };
+                let distinct = names.iter().enumerate().all(|(i, name)| !names[..i].contains(name));
+                // B_1^3(t) = 3t(1-t)^2 is a claim; B_i^n(t) = ... defines the family.
+                if self.is_standard(callee) {
+                    return false;
+                }
+                if !distinct || names.is_empty() || names.iter().any(|name| self.lookup(name).is_some()) {
+                    return false;
+                }
+                callee.as_ref()
+            }
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Accent(..) => left,
+            _ => return false,
+        };
+        // B_i^n(t): the base and the indices count.
+        let (head, indices): (&Expr, Vec<&Expr>) = match &head.kind {
+            Kind::Pow(inner, upper) => match &inner.kind {
+                Kind::Subscript(base, lower) => (base, lower.iter().chain([upper.as_ref()]).collect()),
+                _ => return false,
+            },
+            _ => (head, Vec::new()),
+        };
+        let bare = |index: &Expr| matches!(index.kind, Kind::Name(_) | Kind::Number(_));
+        if !indices.into_iter().all(bare) {
+            return false;
+        }
+        let Some(name) = name_of(head, self) else { return false };
+        let known = self.lookup(&name).is_some()
+            || (name.is_plain() && builtins::builtin(name.base()).is_some())
+            || self.lookup(&Symbol::new(name.base())).is_some();
+        // A function may have its control points called like itself: b_i^0(t) = b_i.
+        let refers = match left.kind {
+            Kind::Apply(..) => calls(right, &name, self),
+            _ => mentions(right, &name, self),
+        };
+        !known && !refers
+    }
+
+    /// Carries out `left := right (= further …)`.
+    pub(super) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
+        let body = &links[0].expr;
+        let (name, value) = match self.target(left)? {
+            Target::Name(name) => {
+                self.not_reserved(&name, left)?;
+                self.not_a_sequence(left, body)?;
+                let value = match self.eval(body)? {
+                    Value::Function(function) => Value::Function(Arc::new(Function {
+                        name: Some(name.clone()),
+                        ..(*function).clone()
+                    })),
+                    value => value,
+                };
+                (name, value)
+            }
+            Target::Function { name, shape, parameters } => {
+                self.not_reserved(&name, left)?;
+                let value = self.define_function(&name, shape, &parameters, body)?;
+                (name, value)
+            }
+        };
+        if links.len() > 1 {
+            let judgements = self.judge_chain(body, &links[1..])?;
+            if let Some(at) = judgements.iter().position(|judgement| judgement.verdict != Verdict::Proved) {
+                self.note(
+                    Diagnostic::warning(
+                        Code::Undecided,
+                        format!("this further equation is {}", judgements[at].verdict.word()),
+                    )
+                    .at(links[at + 1].span),
+                );
+            }
+        }
+        Ok((name, value))
+    }
+
+    fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
+        if name.is_plain() && builtins::builtin(name.base()).is_some() {
+            return Err(Diagnostic::error(
+                Code::ReservedName,
+                format!("'{}' is a function of the program", name.base()),
+            )
+            .at(left.span)
+            .reason("cannot be defined anew")
+            .hint("choose another name"));
+        }
+        Ok(())
+    }
+
+    /// `a_i := i^2` would define one symbol named a_i, which nobody means.
+    fn not_a_sequence(&mut self, left: &Expr, body: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Subscript(base, indices) = &left.kind else { return Ok(()) };
+        for index in indices {
+            let Kind::Name(_) = &index.kind else { continue };
+            let Some(name) = name_of(index, self) else { continue };
+            if self.lookup(&name).is_none() && mentions(body, &name, self) {
+                let base = name_of(base, self).map_or("a".to_owned(), |base| base.to_string());
+                return Err(Diagnostic::error(
+                    Code::BadDefinition,
+                    format!("this would define the one symbol named with the letter {name}"),
+                )
+                .at(left.span)
+                .reason("an index, not an argument")
+                .hint(format!("define a function of {name}: {base}({name}) := ...")));
+            }
+        }
+        Ok(())
+    }
+
+    fn target(&mut self, left: &Expr) -> Result<Target, Diagnostic> {
+        let bad = || {
+            Diagnostic::error(Code::BadDefinition, "only a name or a name with arguments can be defined")
+                .at(left.span)
+                .reason("cannot be defined")
+                .hint("write F := ... or F(t) := ...")
+        };
+        let Kind::Apply(callee, groups) = &left.kind else {
+            return name_of(left, self).map(Target::Name).ok_or_else(bad);
+        };
+        let inner: Vec<Expr> = groups.iter().flatten().cloned().collect();
+        let (base, lower, upper): (&Expr, &[Expr], Option<&Expr>) = match &callee.kind {
+            Kind::Subscript(base, lower) => (base, lower, None),
+            Kind::Pow(inner, upper) => match &inner.kind {
+                Kind::Subscript(base, lower) => (base, lower, Some(upper)),
+                _ => (inner, &[], Some(upper)),
+            },
+            _ => (callee, &[], None),
+        };
+        // Indices that are all numbers belong to the name (f_1), unless an upper index shows a family.
+        let numeric = lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        if upper.is_none() && numeric {
+            let name = name_of(callee, self).ok_or_else(bad)?;
+            return Ok(Target::Function { name, shape: Shape::plain(inner.len()), parameters: inner });
+        }
+        let name = name_of(base, self).ok_or_else(bad)?;
+        let shape = Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
+        let parameters = lower.iter().chain(upper).cloned().chain(inner).collect();
+        Ok(Target::Function { name, shape, parameters })
+    }
+
+    fn define_function(
+        &mut self,
+        name: &Symbol,
+        shape: Shape,
+        parameters: &[Expr],
+        body: &Expr,
+    ) -> Result<Value, Diagnostic> {
+        let mut list: Vec<Parameter> = Vec::with_capacity(parameters.len());
+        for parameter in parameters {
+            let parsed = match &parameter.kind {
+                Kind::Number(q) => Parameter::Exactly(q.clone()),
+                _ => {
+                    let symbol = name_of(parameter, self).ok_or_else(|| {
+                        Diagnostic::error(Code::BadDefinition, "a parameter is a name or a number")
+                            .at(parameter.span)
+                            .reason("not a name")
+                    })?;
+                    Parameter::Name(symbol)
+                }
+            };
+            if matches!(parsed, Parameter::Name(_)) && list.contains(&parsed) {
+                return Err(Diagnostic::error(Code::BadDefinition, "two parameters have the same name")
+                    .at(parameter.span)
+                    .reason("already used"));
+            }
+            list.push(parsed);
+        }
+        // While its body is looked at, the function is known but has no cases.
+        let placeholder =
+            Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses: Vec::new() }));
+        let mut clause =
+            self.with_locals([(name.clone(), placeholder)], |machine| machine.clause(list, body))?;
+        // The scope must not keep the placeholder: calls bind the function itself.
+        Arc::make_mut(&mut clause.scope).remove(name);
+        let mut clauses = match self.lookup(name) {
+            Some(Value::Function(known)) if known.shape == shape => known.clauses.clone(),
+            _ => Vec::new(),
+        };
+        let pattern = |clause: &Clause| -> Vec<Option<crate::math::number::Rational>> {
+            clause
+                .parameters
+                .iter()
+                .map(|parameter| match parameter {
+                    Parameter::Name(_) => None,
+                    Parameter::Exactly(q) => Some(q.clone()),
+                })
+                .collect()
+        };
+        clauses.retain(|known| pattern(known) != pattern(&clause));
+        if !clauses.is_empty() {
+            self.note(
+                Diagnostic::note(Code::MoreCases, format!("this is a further case of {name}")).at(body.span),
+            );
+        }
+        clauses.push(clause);
+        Ok(Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses })))
+    }
+}
+
+/// Whether the name occurs in the expression.
+fn mentions(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+    if name_of(expr, machine).as_ref() == Some(name) {
+        return true;
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().any(|child| mentions(child, name, machine))
+}
+
+/// Whether the name, with any indices, is called in the expression.
+fn calls(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+    if let Kind::Apply(callee, _) = &expr.kind
+        && mentions(callee, name, machine)
+    {
+        return true;
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().any(|child| calls(child, name, machine))
+}

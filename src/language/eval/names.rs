@@ -1,0 +1,274 @@
+//! What a written name refers to.
+
+use super::{Evaluated, Machine, builtins};
+use crate::formula::{Accent, Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::value::Value;
+use crate::math::poly::{Index, Symbol};
+
+/// Names of Greek letters, which are symbols like single letters.
+const GREEK: &[&str] = &[
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "vartheta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Delta",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Pi",
+    "Sigma",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+];
+
+/// Words that mean themselves: bases (`bernstein` is also a function), ends of splines, ways to
+/// parameters, norms, forms of curves and surfaces. Before a bracket those of a function are that function.
+const WORDS: &[&str] = &[
+    "power",
+    "taylor",
+    "lagrange",
+    "newton",
+    "hermite",
+    "natural",
+    "clamped",
+    "periodic",
+    "not_a_knot",
+    "moments",
+    "slopes",
+    "uniform",
+    "chord",
+    "centripetal",
+    "foley",
+    "unit",
+    "one",
+    "infinity",
+    "tensor",
+    "triangle",
+    "standard",
+    "rational",
+    "quintic",
+    "quartic",
+    "quarters",
+    "thirds",
+    "bilinear",
+];
+
+/// Other names for functions.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("de_casteljau", "casteljau"),
+    ("de_boor", "deboor"),
+    ("cox_de_boor", "bspline_basis"),
+    ("blossom", "polar"),
+    ("evaluate", "extended"),
+    ("split", "subdivide"),
+    ("curve", "bezier"),
+    ("rational_bezier", "bezier"),
+    ("nurbs", "bspline"),
+    ("spline", "bspline"),
+    ("hull", "convex_hull"),
+    ("boehm", "insert_knots"),
+    ("insert", "insert_knots"),
+    ("insert_knot", "insert_knots"),
+    ("knot_insertion", "insert_knots"),
+    ("oslo", "refine"),
+    ("basis", "bspline_basis"),
+    ("marsden", "spline_of"),
+    ("periodic_bspline", "periodic_spline"),
+    ("surface", "patch"),
+    ("tensor_patch", "patch"),
+    ("triangle_surface", "triangle_patch"),
+    ("bspline_surface", "spline_surface"),
+    ("interpolate", "lagrange"),
+    ("natural_spline", "cubic_spline"),
+    ("surface_of_revolution", "revolve"),
+    ("revolution", "revolve"),
+    ("degree_elevation", "elevate"),
+    ("degree_reduction", "reduce"),
+    ("continuity_conditions", "joining_conditions"),
+    ("delta", "differences"),
+];
+
+/// Functions somebody may expect that have no exact rational values.
+const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
+
+/// Whether an undefined name may stand for itself.
+pub(super) fn stands_for_itself(name: &str) -> bool {
+    name.chars().count() == 1 || GREEK.contains(&name)
+}
+
+/// The symbol a name denotes, its indices evaluated as far as they have values:
+/// `t_i` is `t_2` when i is 2. `None` if the expression is not a name.
+pub fn name_of(expr: &Expr, machine: &mut Machine) -> Option<Symbol> {
+    match &expr.kind {
+        Kind::Name(name) => Some(Symbol::new(name)),
+        Kind::Subscript(base, indices) => {
+            let base = name_of(base, machine)?;
+            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
+            Some(base.with_indices(indices?))
+        }
+        Kind::Upper(base, indices) => {
+            let base = name_of(base, machine)?;
+            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
+            Some(base.with_upper(indices?))
+        }
+        Kind::Accent(Accent::Bold, body) | Kind::Group(body) if !matches!(body.kind, Kind::Group(_)) => {
+            name_of(body, machine)
+        }
+        Kind::Accent(accent, body) => Some(name_of(body, machine)?.with_accent(accent.name())),
+        _ => None,
+    }
+}
+
+/// An index as part of a name: an integer if it has such a value, else its own name.
+fn index_of(expr: &Expr, machine: &mut Machine) -> Option<Index> {
+    if let Kind::Name(name) = &expr.kind
+        && name.starts_with(|c: char| c.is_ascii_digit())
+    {
+        return Some(Index::Word(name.clone()));
+    }
+    // An index such as π(1) is not a product: without a value for π it says nothing.
+    if let Kind::Apply(callee, _) = &expr.kind
+        && name_of(callee, machine).is_some_and(|name| machine.lookup(&name).is_none())
+    {
+        return None;
+    }
+    match machine.eval(expr).ok()? {
+        Value::Scalar(value) => match Value::Scalar(value.clone()).as_int() {
+            Some(i) => Some(Index::Number(i)),
+            None => Some(Index::Word(value.to_string())),
+        },
+        Value::Function(_) | Value::Builtin(_) => match &expr.kind {
+            Kind::Name(name) => Some(Index::Word(name.clone())),
+            _ => None,
+        },
+        Value::Text(text) => Some(Index::Word(text)),
+        _ => None,
+    }
+}
+
+impl Machine {
+    /// The value of a name, or the symbol that stands for it.
+    pub(super) fn eval_name(&mut self, expr: &Expr) -> Evaluated {
+        let Some(symbol) = name_of(expr, self) else {
+            return Err(Diagnostic::error(Code::Type, "only names can have indices")
+                .at(expr.span)
+                .reason("not a name"));
+        };
+        if let Some(value) = self.lookup(&symbol) {
+            return Ok(value.clone());
+        }
+        if let Some(value) = self.indexed_value(expr)? {
+            return Ok(value);
+        }
+        if stands_for_itself(symbol.base()) || !symbol.accent().is_empty() {
+            return Ok(Value::symbol(symbol));
+        }
+        if !symbol.is_plain() {
+            return Err(self.unknown_name(symbol.base(), expr));
+        }
+        if WORDS.contains(&symbol.base()) {
+            return Ok(Value::Text(symbol.base().to_owned()));
+        }
+        match builtins::builtin(symbol.base()) {
+            Some(builtin) => Ok(Value::Builtin(builtin.name)),
+            None => Err(self.unknown_name(symbol.base(), expr)),
+        }
+    }
+
+    /// `b_2` or `M_{1,2}` for a defined list or matrix, `F^{(2)}` for a function.
+    fn indexed_value(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
+        let (base, indices, upper) = match &expr.kind {
+            Kind::Subscript(base, indices) => (base, indices, false),
+            Kind::Upper(base, indices) => (base, indices, true),
+            _ => return Ok(None),
+        };
+        let Some(value) = name_of(base, self).and_then(|name| self.lookup(&name).cloned()) else {
+            return Ok(None);
+        };
+        if upper {
+            return match (&value, indices.as_slice()) {
+                (Value::Function(_), [order]) => {
+                    let order = self.eval_int(order)?;
+                    let order = usize::try_from(order).map_err(|_| {
+                        Diagnostic::error(Code::BadExponent, "a negative order of differentiation")
+                            .at(expr.span)
+                    })?;
+                    super::calculus::derivative_of_function(&value, order)
+                        .map(Some)
+                        .map_err(|error| error.at(expr.span))
+                }
+                _ => Ok(None),
+            };
+        }
+        let numbers: Option<Vec<usize>> = indices
+            .iter()
+            .map(|index| self.eval_int(index).ok().and_then(|i| usize::try_from(i).ok()))
+            .collect();
+        let out_of_range =
+            |count: String| Diagnostic::error(Code::Domain, "index out of range").reason(count).at(expr.span);
+        match (&value, numbers.as_deref()) {
+            // Lists count from 0, as control points do; matrices from 1, as in books.
+            (Value::List(items), Some([i])) => {
+                items.get(*i).cloned().map(Some).ok_or_else(|| {
+                    out_of_range(format!("the list has {} items, counted from 0", items.len()))
+                })
+            }
+            (Value::Matrix(matrix), Some([i, j])) => {
+                let entry = i.checked_sub(1).zip(j.checked_sub(1)).and_then(|place| matrix.get(place));
+                entry.cloned().map(|x| Some(Value::Scalar(x))).ok_or_else(|| {
+                    out_of_range(format!("the matrix is {} x {}", matrix.nrows(), matrix.ncols()))
+                })
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The error for a word without meaning, with the nearest known one.
+    pub(super) fn unknown_name(&self, name: &str, expr: &Expr) -> Diagnostic {
+        let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
+            .at(expr.span)
+            .reason("unknown name");
+        let known =
+            self.scope.keys().map(Symbol::base).chain(builtins::BUILTINS.iter().map(|builtin| builtin.name));
+        let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known);
+        match synonym.or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus")) {
+            Some(best) => error.hint(format!("did you mean '{best}'?")),
+            None if name == "minus" || name == "plus" => {
+                error.hint("an exponent of several characters needs braces: t^{-1}")
+            }
+            None if TRANSCENDENTAL.contains(&name) => error
+                .hint("only polynomials and rational functions with rational coefficients are exact here"),
+            None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 3 => {
+                let spaced: Vec<String> = name.chars().map(String::from).collect();
+                error.hint(format!("for a product of symbols write '{}'", spaced.join(" ")))
+            }
+            None => error.hint(format!("define it first: {name} := ...")),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Products, quotients and powers of written factors.
+//!
+//! What is multiplied and what is applied depends on the values: (F + G)(t) is a value of
+//! F + G when F and G are functions, and a product when they are numbers.
+
+use std::iter::Peekable;
+use std::slice::Iter;
+
+use super::{Evaluated, Machine, arithmetic};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Quotient};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+impl Machine {
+    /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
+    /// that follows it: (F + G)(t), F^2(t).
+    pub(super) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
+        let mut product: Option<Value> = None;
+        let mut rest = factors.iter().peekable();
+        while let Some(factor) = rest.next() {
+            let value = self.eval_factor(factor, &mut rest)?;
+            product = Some(match product {
+                None => value,
+                Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
+            });
+        }
+        product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
+    }
+
+    /// The value of a factor, together with the one after it where the two belong together.
+    fn eval_factor(&mut self, factor: &Expr, rest: &mut Peekable<Iter<'_, Expr>>) -> Evaluated {
+        if let Some(order) = self.difference_order(factor)?
+            && let Some(next) = rest.peek()
+            && let Some(value) = self.forward_difference(order, next)?
+        {
+            rest.next();
+            return Ok(value);
+        }
+        let value = match &factor.kind {
+            // In a product, square brackets around one formula are parentheses: 3 [a - b].
+            Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+            _ => self.eval(factor)?,
+        };
+        if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
+            && let Some(next) = rest.peek()
+            && let Some(result) = self.apply_to_group(&value, factor, next)?
+        {
+            rest.next();
+            return Ok(result);
+        }
+        Ok(value)
+    }
+
+    /// k for an undefined Δ or Δ^k.
+    fn difference_order(&mut self, factor: &Expr) -> Result<Option<i64>, Diagnostic> {
+        let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "Delta");
+        if matches!(&factor.kind, Kind::Name(name) if name == "nabla") {
+            return Err(Diagnostic::error(Code::Unsupported, "backward differences are not evaluated")
+                .at(factor.span)
+                .hint("write b_i - b_{i-1}, or use the forward difference \\Delta b_{i-1}"));
+        }
+        let order = match &factor.kind {
+            Kind::Pow(base, exponent) if delta(base) => exponent,
+            _ if delta(factor) => return Ok(self.lookup(&Symbol::new("Delta")).is_none().then_some(1)),
+            _ => return Ok(None),
+        };
+        if self.lookup(&Symbol::new("Delta")).is_some() {
+            return Ok(None);
+        }
+        self.eval_int(order).map(Some)
+    }
+
+    /// The forward difference Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j}, in the first index.
+    fn forward_difference(&mut self, order: i64, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
+        if let Kind::Apply(..) = &operand.kind {
+            return Err(Diagnostic::error(Code::Unsupported, "differences are taken of indexed names only")
+                .at(operand.span)
+                .hint("write it out: F(1) - F(0)"));
+        }
+        let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
+        let (Ok(k), [first, others @ ..]) = (usize::try_from(order), indices.as_slice()) else {
+            return Ok(None);
+        };
+        crate::budget::charge_terms(k as u64);
+        let mut sum: Option<Value> = None;
+        for (j, count) in crate::math::number::binomial_row(k).into_iter().enumerate() {
+            let plus = |expr: Expr| crate::formula::Term { sign: crate::formula::Sign::Plus, expr };
+            let shifted = match j {
+                0 => first.clone(),
+                _ => Expr::new(Kind::Add(vec![plus(first.clone()), plus(Expr::int(j as i64))]), first.span),
+            };
+            let mut list = vec![shifted];
+            list.extend_from_slice(others);
+            let value = self.eval(&Expr::new(Kind::Subscript(base.clone(), list), operand.span))?;
+            let count = if (k - j).is_multiple_of(2) { count } else { -count };
+            let weight = Value::number(crate::math::number::Rational::from_integer(count));
+            let term = arithmetic::multiply(weight, value).at(operand.span)?;
+            sum = Some(match sum {
+                None => term,
+                Some(sum) => arithmetic::add(sum, term).at(operand.span)?,
+            });
+        }
+        Ok(sum)
+    }
+
+    /// The value of a function at what stands in the parenthesis `next`, which may have a power:
+    /// (F + G)(t)^2. `None` if it is a product after all.
+    fn apply_to_group(
+        &mut self,
+        function: &Value,
+        callee: &Expr,
+        next: &Expr,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let (bracket, exponent) = match &next.kind {
+            Kind::Pow(base, exponent) => (base.as_ref(), Some(exponent)),
+            _ => (next, None),
+        };
+        let group = match &bracket.kind {
+            Kind::Group(inner) => vec![inner.as_ref().clone()],
+            Kind::Tuple(items) => items.clone(),
+            _ => return Ok(None),
+        };
+        let span = callee.span.to(bracket.span);
+        let value = match function {
+            Value::Polar(polar) => self.call_polar(polar, &[group], callee, span)?,
+            Value::Function(function) => {
+                let values = self.arguments(&[group])?;
+                if values.iter().any(|(value, _)| matches!(value, Value::Function(_) | Value::Polar(_))) {
+                    return Ok(None);
+                }
+                self.call(function, values, span)?
+            }
+            _ => return Ok(None),
+        };
+        match exponent {
+            None => Ok(Some(value)),
+            Some(exponent) => {
+                let exponent_value = self.eval(exponent)?;
+                arithmetic::power(value, &exponent_value).map(Some).at(exponent.span)
+            }
+        }
+    }
+
+    pub(super) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
+        if let Kind::Name(mark) = &exponent.kind
+            && (mark == "T" || mark == "top")
+            && self.lookup(&Symbol::new(mark)).is_none()
+        {
+            let value = self.eval(base)?;
+            if !matches!(value, Value::Scalar(_)) {
+                return arithmetic::transpose(value).at(span);
+            }
+        }
+        // c(t + 1)^2 with a scalar c is c · (t + 1)^2.
+        if let Kind::Apply(callee, groups) = &base.kind
+            && self.is_product(base)?
+        {
+            let factor = self.eval(callee)?;
+            let inner = self.eval(&groups[0][0])?;
+            let exponent_value = self.eval(exponent)?;
+            let power = arithmetic::power(inner, &exponent_value).at(span)?;
+            return arithmetic::multiply(factor, power).at(span);
+        }
+        let value = self.eval(base)?;
+        let exponent_value = self.eval(exponent)?;
+        arithmetic::power(value, &exponent_value).map_err(|error| {
+            let place = if error.code == Code::DivisionByZero { base.span } else { exponent.span };
+            error.at(place)
+        })
+    }
+
+    pub(super) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
+        if style == Quotient::Slash && self.is_product(right)? {
+            return Err(Diagnostic::error(Code::AmbiguousProduct, "how far does the denominator go?")
+                .at(right.span)
+                .reason("a product after '/'")
+                .hint("write a/(b (c)) or (a/b) (c)"));
+        }
+        let numerator = self.eval(left)?;
+        let denominator = self.eval(right)?;
+        arithmetic::divide(numerator, denominator).at(right.span)
+    }
+}

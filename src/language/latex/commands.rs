@@ -1,0 +1,628 @@
+//! The commands and environments the reader knows, as data.
+//!
+//! One table drives the reader, the hints for misspelled commands and the page
+//! docs/latex.md, so that none of them can say what the others do not.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use super::token::{Env, Fence};
+use crate::formula::{Accent, BigOp, Delimiter, Rel};
+use crate::language::diagnostic::nearest;
+
+/// What the reader does with a command.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Role {
+    Symbol(&'static str),
+    Prime,
+    Function,
+    Big(BigOp),
+    Integral,
+    Relation(Rel),
+    Dot,
+    Star,
+    Cross,
+    Circ,
+    Binary(&'static str),
+    Ellipsis,
+    Accent(Accent),
+    /// `\bf` and the like: holds to the end of the group; without accent an upright font.
+    Switch(Option<Accent>),
+    Fraction,
+    Binomial,
+    Root,
+    /// `\underbrace`, `\overbrace`
+    Brace,
+    /// `\stackrel`, `\overset`: a relation with a remark above
+    Stacked,
+    /// `\xrightarrow{remark}`
+    LongArrow,
+    /// `\over`, `\choose` between the two parts of a group
+    Infix(Infix),
+    ForAll,
+    /// `\substack`: several lines
+    Lines,
+    /// `\cases{…}`, `\pmatrix{…}`
+    Plain(Env),
+    Open(Fence),
+    Close(Fence),
+    Bar,
+    DoubleBar,
+    Mid,
+    /// `\big` and the like: the next bracket is an ordinary one
+    Sized,
+    Left,
+    Right,
+    Middle,
+    Text,
+    /// `\mathrm`, `\operatorname`: a word is a name, anything else is read as it stands
+    Upright,
+    /// The command goes, its argument stays.
+    Transparent,
+    /// The command goes, with this many arguments.
+    Dropped(u8),
+    /// The command goes with one argument, the second stays.
+    DroppedFirst,
+    Space,
+    Gap,
+    RowBreak,
+    Begin,
+    End,
+    Not,
+    Unsupported(&'static str),
+}
+
+/// Infix commands of plain TeX.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Infix {
+    Over,
+    Choose,
+}
+
+impl Role {
+    /// Number of arguments in braces that belong to the command.
+    pub fn arguments(self) -> u32 {
+        match self {
+            Role::Accent(_) | Role::Root | Role::Brace | Role::Lines | Role::Plain(_) | Role::LongArrow => 1,
+            Role::Fraction | Role::Binomial | Role::Stacked => 2,
+            _ => 0,
+        }
+    }
+}
+
+/// A command of LaTeX that the reader knows.
+///
+/// ```
+/// let frac = polarform::latex::commands().iter().find(|c| c.name() == "frac").unwrap();
+/// assert_eq!(frac.group(), "fractions and roots");
+/// assert!(frac.is_supported());
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Command {
+    name: &'static str,
+    meaning: &'static str,
+    role: Role,
+}
+
+impl Command {
+    /// The name, without backslash.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What it means, in a few words.
+    pub fn meaning(&self) -> &'static str {
+        self.meaning
+    }
+
+    /// Whether formulas with it can be read; otherwise [`Command::meaning`] says what it would be.
+    pub fn is_supported(&self) -> bool {
+        !matches!(self.role, Role::Unsupported(_))
+    }
+
+    /// The heading it belongs under in a list of commands.
+    pub fn group(&self) -> &'static str {
+        match self.role {
+            Role::Symbol(_) | Role::Prime => "letters and symbols",
+            Role::Function => "functions",
+            Role::Big(_) | Role::Integral | Role::ForAll => "sums, limits and integrals",
+            Role::Relation(_) | Role::Stacked | Role::LongArrow | Role::Not => "relations",
+            Role::Dot | Role::Star | Role::Cross | Role::Circ | Role::Binary(_) | Role::Ellipsis => {
+                "operations and dots"
+            }
+            Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text => "accents, fonts and words",
+            Role::Fraction | Role::Binomial | Role::Root | Role::Infix(_) => "fractions and roots",
+            Role::Brace | Role::Lines | Role::Plain(_) => "braces, lines and matrices",
+            Role::Open(_)
+            | Role::Close(_)
+            | Role::Bar
+            | Role::DoubleBar
+            | Role::Mid
+            | Role::Sized
+            | Role::Left
+            | Role::Right
+            | Role::Middle => "brackets",
+            Role::Transparent
+            | Role::Dropped(_)
+            | Role::DroppedFirst
+            | Role::Space
+            | Role::Gap
+            | Role::RowBreak
+            | Role::Begin
+            | Role::End => "layout",
+            Role::Unsupported(_) => "not supported",
+        }
+    }
+
+    pub(super) fn role(&self) -> Role {
+        self.role
+    }
+}
+
+/// All commands the reader knows, in the order of the documentation.
+pub fn commands() -> &'static [Command] {
+    COMMANDS
+}
+
+/// The environments the reader knows (each also with a star), with their meaning.
+pub fn environments() -> impl Iterator<Item = (&'static str, &'static str)> {
+    ENVIRONMENTS.iter().map(|&(name, meaning, _)| (name, meaning))
+}
+
+pub(super) fn lookup(name: &str) -> Option<&'static Command> {
+    static INDEX: LazyLock<HashMap<&str, &Command>> =
+        LazyLock::new(|| COMMANDS.iter().map(|command| (command.name, command)).collect());
+    INDEX.get(name).copied()
+}
+
+pub(super) fn environment(name: &str) -> Option<Env> {
+    let plain = name.strip_suffix('*').unwrap_or(name);
+    ENVIRONMENTS.iter().find(|&&(known, ..)| known == plain).map(|&(_, _, env)| env)
+}
+
+/// The known command most like `name`, if any is near.
+fn nearest_command(name: &str) -> Option<&'static str> {
+    nearest(name, COMMANDS.iter().filter(|command| command.is_supported()).map(|command| command.name))
+}
+
+pub(super) fn nearest_environment(name: &str) -> Option<&'static str> {
+    nearest(name, ENVIRONMENTS.iter().map(|&(known, ..)| known))
+}
+
+/// What an unknown command may have been meant to be.
+pub(super) fn hint(name: &str) -> String {
+    match (nearest_command(name), glued(name)) {
+        (None, Some((head, tail))) => format!("did you mean \\{head} {tail}?"),
+        (Some(near), Some((head, tail))) if near == head => format!("did you mean \\{head} {tail}?"),
+        (Some(near), _) => format!("did you mean \\{near}?"),
+        (None, None) => "the commands that can be read are listed in docs/latex.md".to_owned(),
+    }
+}
+
+/// The longest known command that `name` begins with, and the rest: `cdotb` is `cdot`, `b`.
+fn glued(name: &str) -> Option<(&str, &str)> {
+    (2..name.len())
+        .rev()
+        .take(16)
+        .filter_map(|at| name.split_at_checked(at))
+        .find(|(head, _)| lookup(head).is_some_and(Command::is_supported))
+}
+
+/// Words that stand bare in formulas, without `\text`, and are not products of letters.
+pub(super) const BARE_WORDS: &[&str] =
+    &["angle", "arg", "constant", "cos", "det", "exp", "max", "min", "sin", "span", "tan"];
+
+/// Words that join formulas; never names of functions.
+pub(super) const CONNECTIVES: &[&str] = &[
+    "and",
+    "by",
+    "else",
+    "for",
+    "if",
+    "iff",
+    "is",
+    "let",
+    "or",
+    "otherwise",
+    "then",
+    "when",
+    "where",
+    "with",
+];
+
+const ENVIRONMENTS: &[(&str, &str, Env)] = &[
+    ("matrix", "matrix without brackets", Env::Matrix(Delimiter::None)),
+    ("smallmatrix", "matrix without brackets", Env::Matrix(Delimiter::None)),
+    ("pmatrix", "matrix in ( )", Env::Matrix(Delimiter::Paren)),
+    ("bmatrix", "matrix in [ ]", Env::Matrix(Delimiter::Bracket)),
+    ("vmatrix", "matrix in | |", Env::Matrix(Delimiter::Bar)),
+    ("array", "matrix; aligned rows if its cells hold relations", Env::Array),
+    ("subarray", "lines below a sum", Env::Array),
+    ("cases", "values with conditions, or a system of equations", Env::Cases),
+    ("dcases", "the same, set larger", Env::Cases),
+    ("rcases", "the same, with the brace on the right", Env::Cases),
+    ("align", "rows of formulas", Env::Rows),
+    ("aligned", "rows of formulas", Env::Rows),
+    ("alignat", "rows of formulas", Env::Rows),
+    ("alignedat", "rows of formulas", Env::Rows),
+    ("displaymath", "one formula", Env::Rows),
+    ("eqnarray", "rows of formulas", Env::Rows),
+    ("equation", "one formula", Env::Rows),
+    ("flalign", "rows of formulas", Env::Rows),
+    ("gather", "rows of formulas", Env::Rows),
+    ("gathered", "rows of formulas", Env::Rows),
+    ("math", "one formula", Env::Rows),
+    ("multline", "a formula over several rows", Env::Rows),
+    ("multlined", "a formula over several rows", Env::Rows),
+    ("split", "rows of formulas", Env::Rows),
+];
+
+/// Entries in one line each: name, meaning, role.
+macro_rules! table {
+    ($($name:literal $meaning:literal $role:expr;)*) => {
+        &[$(Command { name: $name, meaning: $meaning, role: $role }),*]
+    };
+}
+
+#[rustfmt::skip]
+const COMMANDS: &[Command] = table! {
+    "alpha" "α" Role::Symbol("alpha");
+    "beta" "β" Role::Symbol("beta");
+    "gamma" "γ" Role::Symbol("gamma");
+    "delta" "δ" Role::Symbol("delta");
+    "epsilon" "ϵ" Role::Symbol("epsilon");
+    "varepsilon" "ε" Role::Symbol("varepsilon");
+    "zeta" "ζ" Role::Symbol("zeta");
+    "eta" "η" Role::Symbol("eta");
+    "theta" "θ" Role::Symbol("theta");
+    "vartheta" "ϑ" Role::Symbol("vartheta");
+    "iota" "ι" Role::Symbol("iota");
+    "kappa" "κ" Role::Symbol("kappa");
+    "lambda" "λ" Role::Symbol("lambda");
+    "mu" "μ" Role::Symbol("mu");
+    "nu" "ν" Role::Symbol("nu");
+    "xi" "ξ" Role::Symbol("xi");
+    "pi" "π" Role::Symbol("pi");
+    "varpi" "ϖ" Role::Symbol("varpi");
+    "rho" "ρ" Role::Symbol("rho");
+    "varrho" "ϱ" Role::Symbol("varrho");
+    "sigma" "σ" Role::Symbol("sigma");
+    "varsigma" "ς" Role::Symbol("varsigma");
+    "tau" "τ" Role::Symbol("tau");
+    "upsilon" "υ" Role::Symbol("upsilon");
+    "phi" "ϕ" Role::Symbol("phi");
+    "varphi" "φ" Role::Symbol("varphi");
+    "chi" "χ" Role::Symbol("chi");
+    "psi" "ψ" Role::Symbol("psi");
+    "omega" "ω" Role::Symbol("omega");
+    "Gamma" "Γ" Role::Symbol("Gamma");
+    "Delta" "Δ; also the forward difference" Role::Symbol("Delta");
+    "Theta" "Θ" Role::Symbol("Theta");
+    "Lambda" "Λ" Role::Symbol("Lambda");
+    "Xi" "Ξ" Role::Symbol("Xi");
+    "Pi" "Π" Role::Symbol("Pi");
+    "Sigma" "Σ" Role::Symbol("Sigma");
+    "Upsilon" "Υ" Role::Symbol("Upsilon");
+    "Phi" "Φ" Role::Symbol("Phi");
+    "Psi" "Ψ" Role::Symbol("Psi");
+    "Omega" "Ω" Role::Symbol("Omega");
+    "ell" "ℓ" Role::Symbol("ell");
+    "hbar" "ħ" Role::Symbol("hbar");
+    "imath" "dotless i" Role::Symbol("imath");
+    "jmath" "dotless j" Role::Symbol("jmath");
+    "infty" "∞" Role::Symbol("infty");
+    "nabla" "∇ (differences with it are read, not evaluated)" Role::Symbol("nabla");
+    "partial" "∂" Role::Symbol("partial");
+    "part" "∂" Role::Symbol("partial");
+    "emptyset" "∅" Role::Symbol("emptyset");
+    "varnothing" "∅" Role::Symbol("emptyset");
+    "top" "⊤; as an exponent the transpose" Role::Symbol("top");
+    "intercal" "as an exponent the transpose" Role::Symbol("top");
+    "bot" "⊥" Role::Symbol("bot");
+    "dagger" "†" Role::Symbol("dagger");
+    "star" "⋆" Role::Symbol("star");
+    "angle" "∠" Role::Symbol("angle");
+    "triangle" "△" Role::Symbol("Delta");
+    "prime" "′" Role::Prime;
+
+    "sin" "sine" Role::Function;
+    "cos" "cosine" Role::Function;
+    "tan" "tangent" Role::Function;
+    "cot" "cotangent" Role::Function;
+    "sec" "secant" Role::Function;
+    "csc" "cosecant" Role::Function;
+    "arcsin" "inverse sine" Role::Function;
+    "arccos" "inverse cosine" Role::Function;
+    "arctan" "inverse tangent" Role::Function;
+    "sinh" "hyperbolic sine" Role::Function;
+    "cosh" "hyperbolic cosine" Role::Function;
+    "tanh" "hyperbolic tangent" Role::Function;
+    "exp" "exponential function" Role::Function;
+    "log" "logarithm" Role::Function;
+    "ln" "natural logarithm" Role::Function;
+    "lg" "logarithm" Role::Function;
+    "det" "determinant" Role::Function;
+    "dim" "dimension" Role::Function;
+    "deg" "degree" Role::Function;
+    "gcd" "greatest common divisor" Role::Function;
+    "ker" "kernel" Role::Function;
+    "arg" "argument" Role::Function;
+    "inf" "infimum" Role::Function;
+    "sup" "supremum" Role::Function;
+    "Pr" "probability" Role::Function;
+
+    "sum" "sum; takes the product that follows" Role::Big(BigOp::Sum);
+    "prod" "product" Role::Big(BigOp::Product);
+    "max" "maximum" Role::Big(BigOp::Max);
+    "min" "minimum" Role::Big(BigOp::Min);
+    "bigcup" "union" Role::Big(BigOp::Union);
+    "bigcap" "intersection" Role::Big(BigOp::Intersection);
+    "lim" "limit" Role::Big(BigOp::Limit);
+    "int" "integral, up to the differential" Role::Integral;
+    "forall" "for all" Role::ForAll;
+
+    "ne" "≠" Role::Relation(Rel::Ne);
+    "neq" "≠" Role::Relation(Rel::Ne);
+    "not" "negates the = that follows" Role::Not;
+    "lt" "<" Role::Relation(Rel::Lt);
+    "gt" ">" Role::Relation(Rel::Gt);
+    "le" "≤" Role::Relation(Rel::Le);
+    "leq" "≤" Role::Relation(Rel::Le);
+    "leqslant" "≤" Role::Relation(Rel::Le);
+    "leqq" "≤" Role::Relation(Rel::Le);
+    "ge" "≥" Role::Relation(Rel::Ge);
+    "geq" "≥" Role::Relation(Rel::Ge);
+    "geqslant" "≥" Role::Relation(Rel::Ge);
+    "geqq" "≥" Role::Relation(Rel::Ge);
+    "equiv" "≡" Role::Relation(Rel::Equiv);
+    "approx" "≈" Role::Relation(Rel::Approx);
+    "simeq" "≈" Role::Relation(Rel::Approx);
+    "in" "∈" Role::Relation(Rel::In);
+    "subset" "⊂" Role::Relation(Rel::Subset);
+    "subseteq" "⊆" Role::Relation(Rel::Subset);
+    "triangleq" "is defined as" Role::Relation(Rel::Define);
+    "coloneqq" "is defined as" Role::Relation(Rel::Define);
+    "coloneq" "is defined as" Role::Relation(Rel::Define);
+    "doteq" "is defined as" Role::Relation(Rel::Define);
+    "to" "→" Role::Relation(Rel::To);
+    "rightarrow" "→" Role::Relation(Rel::To);
+    "longrightarrow" "→" Role::Relation(Rel::To);
+    "xrightarrow" "→ with a remark" Role::LongArrow;
+    "mapsto" "↦" Role::Relation(Rel::MapsTo);
+    "longmapsto" "↦" Role::Relation(Rel::MapsTo);
+    "Rightarrow" "⇒" Role::Relation(Rel::Implies);
+    "Longrightarrow" "⇒" Role::Relation(Rel::Implies);
+    "implies" "⇒" Role::Relation(Rel::Implies);
+    "Leftrightarrow" "⇔" Role::Relation(Rel::Iff);
+    "Longleftrightarrow" "⇔" Role::Relation(Rel::Iff);
+    "iff" "⇔" Role::Relation(Rel::Iff);
+    "colon" "the : of a map" Role::Relation(Rel::Colon);
+    "stackrel" "a relation with a remark, such as def, above it" Role::Stacked;
+    "overset" "a relation with a remark above it" Role::Stacked;
+
+    "cdot" "product; alone, an empty place for an argument" Role::Dot;
+    "ast" "product; as an exponent a star" Role::Star;
+    "times" "product of vectors, sets or numbers" Role::Cross;
+    "circ" "composition; as an exponent degrees" Role::Circ;
+    "cup" "∪" Role::Binary("cup");
+    "cap" "∩" Role::Binary("cap");
+    "setminus" "∖" Role::Binary("setminus");
+    "otimes" "⊗" Role::Binary("otimes");
+    "oplus" "⊕" Role::Binary("oplus");
+    "ldots" "…" Role::Ellipsis;
+    "dots" "…" Role::Ellipsis;
+    "cdots" "⋯" Role::Ellipsis;
+    "dotsc" "…" Role::Ellipsis;
+    "dotsb" "⋯" Role::Ellipsis;
+    "dotsm" "⋯" Role::Ellipsis;
+    "vdots" "⋮" Role::Ellipsis;
+    "ddots" "⋱" Role::Ellipsis;
+
+    "hat" "vector argument" Role::Accent(Accent::Hat);
+    "widehat" "vector argument" Role::Accent(Accent::Hat);
+    "bar" "bar" Role::Accent(Accent::Bar);
+    "overline" "bar" Role::Accent(Accent::Bar);
+    "vec" "arrow" Role::Accent(Accent::Vec);
+    "overrightarrow" "arrow" Role::Accent(Accent::Vec);
+    "tilde" "tilde" Role::Accent(Accent::Tilde);
+    "widetilde" "tilde" Role::Accent(Accent::Tilde);
+    "dot" "derivative" Role::Accent(Accent::Dot);
+    "ddot" "second derivative" Role::Accent(Accent::Ddot);
+    "pmb" "bold" Role::Accent(Accent::Bold);
+    "mathbf" "bold" Role::Accent(Accent::Bold);
+    "bm" "bold" Role::Accent(Accent::Bold);
+    "boldsymbol" "bold" Role::Accent(Accent::Bold);
+    "mathcal" "script letter" Role::Accent(Accent::Script);
+    "mathscr" "script letter" Role::Accent(Accent::Script);
+    "mathbb" "blackboard letter" Role::Accent(Accent::Blackboard);
+    "mathds" "blackboard letter" Role::Accent(Accent::Blackboard);
+    "bf" "bold to the end of the group" Role::Switch(Some(Accent::Bold));
+    "cal" "script letters to the end of the group" Role::Switch(Some(Accent::Script));
+    "rm" "upright to the end of the group" Role::Switch(None);
+    "it" "italic to the end of the group" Role::Switch(None);
+    "mathrm" "an upright name; d is a differential, ^T the transpose" Role::Upright;
+    "mathsf" "a name" Role::Upright;
+    "mathtt" "a name" Role::Upright;
+    "mathit" "a name" Role::Upright;
+    "operatorname" "a name of several letters" Role::Upright;
+    "text" "words" Role::Text;
+    "textrm" "words" Role::Text;
+    "textit" "words" Role::Text;
+    "textbf" "words" Role::Text;
+    "textnormal" "words" Role::Text;
+    "mbox" "words" Role::Text;
+    "hbox" "words" Role::Text;
+
+    "frac" "fraction; d over dt is a derivative" Role::Fraction;
+    "dfrac" "fraction" Role::Fraction;
+    "tfrac" "fraction" Role::Fraction;
+    "cfrac" "fraction" Role::Fraction;
+    "over" "fraction of the two parts of a group" Role::Infix(Infix::Over);
+    "binom" "binomial coefficient" Role::Binomial;
+    "dbinom" "binomial coefficient" Role::Binomial;
+    "tbinom" "binomial coefficient" Role::Binomial;
+    "choose" "binomial coefficient of the two parts of a group" Role::Infix(Infix::Choose);
+    "sqrt" "root (read, not evaluated)" Role::Root;
+
+    "underbrace" "items with a count or remark below" Role::Brace;
+    "overbrace" "items with a count or remark above" Role::Brace;
+    "substack" "several lines below a sum" Role::Lines;
+    "cases" "values with conditions" Role::Plain(Env::Cases);
+    "matrix" "matrix without brackets" Role::Plain(Env::Matrix(Delimiter::None));
+    "pmatrix" "matrix in ( )" Role::Plain(Env::Matrix(Delimiter::Paren));
+
+    "left" "opening bracket" Role::Left;
+    "right" "closing bracket; |_{t=0} evaluates" Role::Right;
+    "middle" "the bar of a set" Role::Middle;
+    "mid" "the bar of a set" Role::Mid;
+    "{" "opening brace" Role::Open(Fence::Curly);
+    "}" "closing brace" Role::Close(Fence::Curly);
+    "lbrace" "opening brace" Role::Open(Fence::Curly);
+    "rbrace" "closing brace" Role::Close(Fence::Curly);
+    "lbrack" "[" Role::Open(Fence::Square);
+    "rbrack" "]" Role::Close(Fence::Square);
+    "lparen" "(" Role::Open(Fence::Paren);
+    "rparen" ")" Role::Close(Fence::Paren);
+    "lfloor" "rounding down" Role::Open(Fence::Floor);
+    "rfloor" "rounding down" Role::Close(Fence::Floor);
+    "lceil" "rounding up" Role::Open(Fence::Ceil);
+    "rceil" "rounding up" Role::Close(Fence::Ceil);
+    "langle" "left angle bracket of an inner product (read, not evaluated)" Role::Open(Fence::Angle);
+    "rangle" "inner product" Role::Close(Fence::Angle);
+    "|" "norm" Role::DoubleBar;
+    "vert" "absolute value" Role::Bar;
+    "Vert" "norm" Role::DoubleBar;
+    "lvert" "absolute value" Role::Open(Fence::Bar);
+    "rvert" "absolute value" Role::Close(Fence::Bar);
+    "lVert" "norm" Role::Open(Fence::Norm);
+    "rVert" "norm" Role::Close(Fence::Norm);
+    "big" "larger bracket" Role::Sized;
+    "Big" "larger bracket" Role::Sized;
+    "bigg" "larger bracket" Role::Sized;
+    "Bigg" "larger bracket" Role::Sized;
+    "bigl" "larger bracket" Role::Sized;
+    "Bigl" "larger bracket" Role::Sized;
+    "biggl" "larger bracket" Role::Sized;
+    "Biggl" "larger bracket" Role::Sized;
+    "bigr" "larger bracket" Role::Sized;
+    "Bigr" "larger bracket" Role::Sized;
+    "biggr" "larger bracket" Role::Sized;
+    "Biggr" "larger bracket" Role::Sized;
+    "bigm" "larger bar" Role::Sized;
+    "Bigm" "larger bar" Role::Sized;
+    "biggm" "larger bar" Role::Sized;
+    "Biggm" "larger bar" Role::Sized;
+
+    "begin" "begins an environment" Role::Begin;
+    "end" "ends an environment" Role::End;
+    "\\" "new row" Role::RowBreak;
+    "cr" "new row" Role::RowBreak;
+    "newline" "new row" Role::RowBreak;
+    "quad" "wide space; separates formulas" Role::Gap;
+    "qquad" "wide space; separates formulas" Role::Gap;
+    "hfill" "wide space; separates formulas" Role::Gap;
+    "hspace" "space" Role::Dropped(1);
+    "vspace" "space" Role::Dropped(1);
+    " " "space; two of them separate formulas" Role::Space;
+    "," "space" Role::Transparent;
+    ";" "space" Role::Transparent;
+    ":" "space" Role::Transparent;
+    "!" "space" Role::Transparent;
+    ">" "space" Role::Transparent;
+    "/" "no space" Role::Transparent;
+    "thinspace" "space" Role::Transparent;
+    "medspace" "space" Role::Transparent;
+    "thickspace" "space" Role::Transparent;
+    "enspace" "space" Role::Transparent;
+    "enskip" "space" Role::Transparent;
+    "negthinspace" "space" Role::Transparent;
+    "displaystyle" "size" Role::Transparent;
+    "textstyle" "size" Role::Transparent;
+    "scriptstyle" "size" Role::Transparent;
+    "scriptscriptstyle" "size" Role::Transparent;
+    "limits" "place of bounds" Role::Transparent;
+    "nolimits" "place of bounds" Role::Transparent;
+    "nonumber" "no number" Role::Transparent;
+    "notag" "no number" Role::Transparent;
+    "hline" "line in a table" Role::Transparent;
+    "centering" "layout" Role::Transparent;
+    "allowbreak" "layout" Role::Transparent;
+    "relax" "nothing" Role::Transparent;
+    "strut" "height" Role::Transparent;
+    "mathstrut" "height" Role::Transparent;
+    "boxed" "frame; the content is read" Role::Transparent;
+    "mathop" "class; the content is read" Role::Transparent;
+    "mathbin" "class; the content is read" Role::Transparent;
+    "mathrel" "class; the content is read" Role::Transparent;
+    "mathord" "class; the content is read" Role::Transparent;
+    "mathopen" "class; the content is read" Role::Transparent;
+    "mathclose" "class; the content is read" Role::Transparent;
+    "mathnormal" "font; the content is read" Role::Transparent;
+    "ensuremath" "the content is read" Role::Transparent;
+    "label" "label" Role::Dropped(1);
+    "tag" "number of the formula" Role::Dropped(1);
+    "phantom" "space" Role::Dropped(1);
+    "hphantom" "space" Role::Dropped(1);
+    "vphantom" "space" Role::Dropped(1);
+    "color" "colour" Role::Dropped(1);
+    "textcolor" "colour; the second argument is read" Role::DroppedFirst;
+
+    "pm" "plus or minus" Role::Unsupported("two formulas in one cannot be checked; write both");
+    "mp" "minus or plus" Role::Unsupported("two formulas in one cannot be checked; write both");
+    "notin" "not an element" Role::Unsupported("there is no such relation in the formula tree");
+    "ll" "much less" Role::Unsupported("it has no exact meaning");
+    "gg" "much greater" Role::Unsupported("it has no exact meaning");
+    "sim" "is similar to" Role::Unsupported("it has no exact meaning");
+    "propto" "is proportional to" Role::Unsupported("it has no exact meaning");
+    "cong" "is congruent to" Role::Unsupported("it has no exact meaning here");
+    "perp" "is perpendicular to" Role::Unsupported("there is no such relation in the formula tree");
+    "parallel" "is parallel to" Role::Unsupported("there is no such relation in the formula tree");
+    "supset" "contains" Role::Unsupported("write it the other way round with \\subset");
+    "supseteq" "contains" Role::Unsupported("write it the other way round with \\subseteq");
+    "ni" "contains" Role::Unsupported("write it the other way round with \\in");
+    "leftarrow" "←" Role::Unsupported("write it the other way round with \\to");
+    "exists" "there is" Role::Unsupported("only \\forall is read");
+    "land" "and" Role::Unsupported("separate the formulas by a comma");
+    "wedge" "and; outer product" Role::Unsupported("separate the formulas by a comma");
+    "lor" "or" Role::Unsupported("alternatives cannot be read");
+    "vee" "or" Role::Unsupported("alternatives cannot be read");
+    "iint" "double integral" Role::Unsupported("write two \\int, each with its bounds");
+    "iiint" "triple integral" Role::Unsupported("write one \\int for each variable");
+    "oint" "integral along a closed curve" Role::Unsupported("only \\int is read");
+    "underset" "something below" Role::Unsupported("write bounds with _");
+    "mathfrak" "Fraktur letter" Role::Unsupported("the formula tree has no such letters");
+    "Re" "real part" Role::Unsupported("there are no complex numbers here");
+    "Im" "imaginary part" Role::Unsupported("there are no complex numbers here");
+    "bmod" "remainder" Role::Unsupported("remainders are not read");
+    "pmod" "congruence" Role::Unsupported("remainders are not read");
+    "mod" "remainder" Role::Unsupported("remainders are not read");
+    "ref" "reference" Role::Unsupported("a reference is not a formula");
+    "eqref" "reference" Role::Unsupported("a reference is not a formula");
+    "includegraphics" "picture" Role::Unsupported("a picture is not a formula");
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_explained() {
+        for (i, command) in COMMANDS.iter().enumerate() {
+            assert!(!command.meaning.is_empty(), "\\{} has no meaning", command.name);
+            assert!(COMMANDS[..i].iter().all(|other| other.name != command.name), "\\{} twice", command.name);
+        }
+        for (i, (name, ..)) in ENVIRONMENTS.iter().enumerate() {
+            assert!(ENVIRONMENTS[..i].iter().all(|(other, ..)| other != name), "{name} twice");
+        }
+    }
+
+    #[test]
+    fn nearest_names() {
+        assert_eq!(nearest_command("farc"), Some("frac"));
+        assert_eq!(nearest_command("biom"), Some("binom"));
+        assert_eq!(nearest_command("aplha"), Some("alpha"));
+        assert_eq!(nearest_command("underbarce"), Some("underbrace"));
+        assert_eq!(nearest_command("xyzzy"), None);
+        assert_eq!(nearest_environment("algned"), Some("aligned"));
+    }
+}

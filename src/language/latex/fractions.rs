@@ -1,0 +1,128 @@
+//! Fractions, and fractions of differentials, which are derivatives.
+
+use super::reader::{Reader, Result, Window};
+use super::token::Tok;
+use crate::formula::{Expr, Kind, Quotient};
+
+/// What the two parts of d^k F / dt^k say.
+struct Differentials {
+    partial: bool,
+    /// What is differentiated, if it stands in the fraction.
+    body: Window,
+    /// Variables and orders.
+    variables: Vec<(Window, Option<Window>)>,
+}
+
+impl Reader<'_> {
+    /// `\frac{a}{b}`, or a derivative.
+    pub fn fraction(&mut self) -> Result<Expr> {
+        let start = self.start();
+        if let Some((differentials, end)) = self.differentials() {
+            return self.derivative(differentials, end, start);
+        }
+        self.bump();
+        let above = Box::new(self.argument()?);
+        let below = Box::new(self.argument()?);
+        Ok(self.node(Kind::Div(above, below, Quotient::Fraction), start))
+    }
+
+    fn derivative(&mut self, differentials: Differentials, end: usize, start: usize) -> Result<Expr> {
+        let mut variables = Vec::with_capacity(differentials.variables.len());
+        for (variable, order) in differentials.variables {
+            let variable = self.expr_in(variable)?;
+            let order = order.map(|order| self.within(order, Self::argument)).transpose()?;
+            variables.push((variable, order));
+        }
+        let inside = !self.is_blank(differentials.body.clone());
+        let body = if inside { Some(self.expr_in(differentials.body)?) } else { None };
+        self.pos = end;
+        let follows = match self.peek() {
+            Some(kind) => {
+                self.begins_operand(kind) && !(self.row && self.is_condition()) && !self.ends_here(kind)
+            }
+            None => false,
+        };
+        let (body, point) = match body {
+            None if follows => {
+                let (body, point) = before_bar(self.deeper(Self::product)?);
+                (Some(body), point)
+            }
+            body => (body, None),
+        };
+        let kind = Kind::Derivative { partial: differentials.partial, variables, body: body.map(Box::new) };
+        let derivative = self.node(kind, start);
+        Ok(match point {
+            Some(lower) => self.node(Kind::At { body: Box::new(derivative), lower, upper: None }, start),
+            None => derivative,
+        })
+    }
+
+    /// Whether a bar here closes or evaluates something rather than opening.
+    fn ends_here(&self, kind: Tok) -> bool {
+        matches!(kind, Tok::Bar | Tok::DoubleBar)
+            && (self.closes_bar(kind) || self.in_set || self.is_evaluation())
+    }
+
+    /// The parts of the fraction at the current token, if it is one of differentials, and its end.
+    fn differentials(&self) -> Option<(Differentials, usize)> {
+        let (above, Tok::OpenBrace) = self.look(self.pos + 1)? else { return None };
+        let (below, Tok::OpenBrace) = self.look(self.after(above))? else { return None };
+        let (above_end, below_end) = (self.partner(above)?, self.partner(below)?);
+        let (partial, next) = self.differential_at(above + 1)?;
+        let (_, body) = self.order_at(next, above_end)?;
+        if matches!(self.look(body).filter(|&(at, _)| at < above_end), Some((_, kind)) if !self.begins_operand(kind))
+        {
+            return None;
+        }
+        let mut variables = Vec::new();
+        let mut at = below + 1;
+        while !self.is_blank(at..below_end) {
+            let (also_partial, next) = self.differential_at(at)?;
+            let variable = self.variable_at(next)?;
+            let (order, end) = self.order_at(variable.end, below_end)?;
+            if also_partial != partial || end > below_end {
+                return None;
+            }
+            variables.push((variable, order));
+            at = end;
+        }
+        if variables.is_empty() {
+            return None;
+        }
+        Some((Differentials { partial, body: body..above_end, variables }, below_end + 1))
+    }
+
+    /// The superscript at `at`, if there is one before `end`, and the index after it.
+    fn order_at(&self, at: usize, end: usize) -> Option<(Option<Window>, usize)> {
+        match self.look(at) {
+            Some((sup, Tok::Sup)) if sup < end => {
+                let (argument, kind) = self.look(sup + 1)?;
+                if argument >= end || !(kind == Tok::OpenBrace || self.begins_operand(kind)) {
+                    return None;
+                }
+                let after = self.after(argument);
+                Some((Some(argument..after), after))
+            }
+            _ => Some((None, at)),
+        }
+    }
+}
+
+/// A bar at the end of what is differentiated belongs to the derivative: first d/dt, then t = 0.
+fn before_bar(body: Expr) -> (Expr, Option<Vec<Expr>>) {
+    let Expr { kind, span } = body;
+    match kind {
+        Kind::At { body, lower, upper: None } => (*body, Some(lower)),
+        Kind::Mul(mut factors) => {
+            let Some(last) = factors.pop() else { return (Expr::new(Kind::Mul(factors), span), None) };
+            let (last, point) = before_bar(last);
+            factors.push(last);
+            (Expr::new(Kind::Mul(factors), span), point)
+        }
+        Kind::Big { op, lower, upper, body } => {
+            let (body, point) = before_bar(*body);
+            (Expr::new(Kind::Big { op, lower, upper, body: Box::new(body) }, span), point)
+        }
+        kind => (Expr::new(kind, span), None),
+    }
+}

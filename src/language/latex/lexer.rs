@@ -1,0 +1,582 @@
+//! Text to tokens.
+//!
+//! The lexer never fails: what it cannot read becomes a [`Tok::Bad`] that carries
+//! its problem, so that one strange character spoils only the formula it stands in.
+//! Spaces, comments, sizes and labels are gone after this stage.
+
+use super::characters::{Character, character, is_word};
+use super::commands::{self, BARE_WORDS, CONNECTIVES, Role};
+use super::token::{Env, Fence, Tok, Token};
+use crate::formula::Rel;
+use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// A numeral with more digits is refused.
+const MAX_DIGITS: usize = 20_000;
+/// Words, labels and column specifications may be this long.
+const MAX_RAW: usize = 2_000;
+/// Once an argument was found without end, later ones must be shorter (keeps the lexer linear).
+const MAX_RAW_AFTER_FAILURE: usize = 100;
+
+/// The tokens of `text[range]` and the problems of the bad ones among them.
+pub(super) fn lex(text: &str, range: Span) -> (Vec<Token>, Vec<Diagnostic>) {
+    let mut lexer = Lexer {
+        text,
+        at: range.start,
+        end: range.end,
+        tokens: Vec::new(),
+        problems: Vec::new(),
+        max_raw: MAX_RAW,
+    };
+    while lexer.at < lexer.end {
+        lexer.token();
+    }
+    (lexer.tokens, lexer.problems)
+}
+
+struct Lexer<'t> {
+    text: &'t str,
+    at: usize,
+    end: usize,
+    tokens: Vec<Token>,
+    problems: Vec<Diagnostic>,
+    max_raw: usize,
+}
+
+impl Lexer<'_> {
+    fn rest(&self) -> &str {
+        &self.text[self.at..self.end]
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    fn starts_with(&self, what: &str) -> bool {
+        self.rest().starts_with(what)
+    }
+
+    /// Length of the longest prefix whose bytes all satisfy `test`.
+    fn run(&self, test: impl Fn(u8) -> bool) -> usize {
+        self.rest().bytes().take_while(|&byte| test(byte)).count()
+    }
+
+    fn skip_spaces(&mut self) {
+        self.at += self.run(|byte| byte.is_ascii_whitespace());
+    }
+
+    /// Adds a token for the next `length` bytes.
+    fn push(&mut self, kind: Tok, length: usize) {
+        self.push_from(self.at, kind, self.at + length);
+    }
+
+    fn push_from(&mut self, start: usize, kind: Tok, end: usize) {
+        self.tokens.push(Token::new(kind, start, end));
+        self.at = end;
+    }
+
+    fn bad(&mut self, start: usize, end: usize, problem: Diagnostic) {
+        let number = self.problems.len() as u32;
+        self.problems.push(problem.at(Span::new(start, end)));
+        self.push_from(start, Tok::Bad(number), end);
+    }
+
+    fn last(&self) -> Option<Tok> {
+        self.tokens.last().map(|token| token.kind)
+    }
+
+    fn token(&mut self) {
+        let Some(c) = self.peek() else {
+            self.at = self.end;
+            return;
+        };
+        match c {
+            _ if c.is_whitespace() => self.at += c.len_utf8(),
+            '%' => self.at += self.run(|byte| byte != b'\n'),
+            '\\' => self.command(),
+            '0'..='9' => self.number(),
+            '.' => self.dots(),
+            'a'..='z' | 'A'..='Z' => self.letters(),
+            '\'' => {
+                let count = self.run(|byte| byte == b'\'');
+                self.push(Tok::Prime(count as u32), count);
+            }
+            '|' if self.starts_with("||") => self.push(Tok::DoubleBar, 2),
+            ':' if self.colon_equals() > 0 => self.push(Tok::Rel(Rel::Define), self.colon_equals()),
+            '<' if self.starts_with("<=") => self.push(Tok::Rel(Rel::Le), 2),
+            '>' if self.starts_with(">=") => self.push(Tok::Rel(Rel::Ge), 2),
+            '-' if self.starts_with("->") => self.push(Tok::Rel(Rel::To), 2),
+            '{' if self.starts_with("{,}") && self.last() == Some(Tok::Number) => self.at += 3,
+            _ => match ascii(c) {
+                Some(kind) => self.push(kind, 1),
+                None => self.other(c),
+            },
+        }
+    }
+
+    /// Length of `:=` here, also with spaces between; 0 if there is none.
+    fn colon_equals(&self) -> usize {
+        let rest = &self.rest()[1..];
+        let trimmed = rest.trim_start_matches([' ', '\t']);
+        if trimmed.starts_with('=') { self.rest().len() - trimmed.len() + 1 } else { 0 }
+    }
+
+    fn number(&mut self) {
+        let start = self.at;
+        let is_digit = |byte: u8| byte.is_ascii_digit();
+        let mut length = self.run(is_digit);
+        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+        let mut parts = 1;
+        // `1.` before a space is the end of a sentence, `1..n` a range
+        while let Some(tail) = self.rest()[length..].strip_prefix('.') {
+            let fraction = digits(tail);
+            if fraction == 0 {
+                break;
+            }
+            length += 1 + fraction;
+            parts += 1;
+        }
+        let end = start + length;
+        if parts > 2 {
+            let problem = Diagnostic::error(Code::BadNumber, "a number with two decimal points")
+                .hint("write a product with \\cdot and a list with commas");
+            self.bad(start, end, problem);
+        } else if length > MAX_DIGITS {
+            let problem = Diagnostic::error(
+                Code::TooManyDigits,
+                format!("a number of {length} digits; at most {MAX_DIGITS} can be read"),
+            );
+            self.bad(start, end, problem);
+        } else {
+            self.push(Tok::Number, length);
+        }
+    }
+
+    fn dots(&mut self) {
+        let start = self.at;
+        let count = self.run(|byte| byte == b'.');
+        if count == 1 && self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) {
+            let length = 1 + self.rest()[1..].bytes().take_while(u8::is_ascii_digit).count();
+            if length > MAX_DIGITS {
+                let problem = Diagnostic::error(Code::TooManyDigits, format!("a number of {length} digits"));
+                return self.bad(start, start + length, problem);
+            }
+            return self.push(Tok::Number, length);
+        }
+        match count {
+            1 => {
+                // recognisers of scanned text write `. . .`
+                let mut dots = self.rest().char_indices().filter(|(_, c)| !matches!(c, ' ' | '\t'));
+                let third = match (dots.next(), dots.next(), dots.next()) {
+                    (Some((_, '.')), Some((_, '.')), Some((at, '.'))) => Some(at),
+                    _ => None,
+                };
+                match third {
+                    Some(at) => self.push(Tok::Ellipsis, at + 1),
+                    None => self.push(Tok::Period, 1),
+                }
+            }
+            2 => self.push(Tok::Range, 2),
+            _ => self.push(Tok::Ellipsis, count),
+        }
+    }
+
+    fn letters(&mut self) {
+        let length = self.run(|byte| byte.is_ascii_alphabetic());
+        let word = &self.rest()[..length];
+        let (start, end) = (self.at, self.at + length);
+        let content = (start as u32, end as u32);
+        if BARE_WORDS.contains(&word) {
+            return self.push(Tok::Word(content.0, content.1), length);
+        }
+        if CONNECTIVES.contains(&word) && (length > 2 || self.stands_alone(length)) {
+            return self.push(Tok::Text(content.0, content.1), length);
+        }
+        for (offset, letter) in word.to_owned().char_indices() {
+            self.push_from(start + offset, Tok::Letter(letter), start + offset + 1);
+        }
+    }
+
+    /// Whether a short word here (`if`, `or`, `by`) is set off from the formula, so that it is
+    /// not a product of letters.
+    fn stands_alone(&self, length: usize) -> bool {
+        let tail = &self.rest()[length..];
+        let spaced = self.text[..self.at].ends_with([' ', '\t']) && tail.starts_with([' ', '\t']);
+        let begins = matches!(
+            self.last(),
+            None | Some(Tok::Comma | Tok::Gap | Tok::Align | Tok::RowBreak | Tok::Skip | Tok::Begin(_))
+        );
+        let after = tail.trim_start_matches([' ', '\t', '\\', '~']);
+        (spaced || begins) && !after.starts_with(['(', '^', '_', '=', '+', '-', '<', '>', ',', '}', '\''])
+    }
+
+    fn other(&mut self, c: char) {
+        let length = c.len_utf8();
+        match character(c) {
+            Some(Character::Token(kind)) => self.push(kind, length),
+            Some(Character::Prime(count)) => self.push(Tok::Prime(count), length),
+            Some(Character::Raised(upper)) => {
+                let run: usize = self
+                    .rest()
+                    .chars()
+                    .take_while(|&next| character(next) == Some(Character::Raised(upper)))
+                    .map(char::len_utf8)
+                    .sum();
+                self.push(Tok::Raised(upper), run);
+            }
+            None if is_word(c) => {
+                let run: usize = self.rest().chars().take_while(|&c| is_word(c)).map(char::len_utf8).sum();
+                self.push(Tok::Text(self.at as u32, (self.at + run) as u32), run);
+            }
+            None => {
+                let problem = match c {
+                    '$' => Diagnostic::error(Code::UnexpectedCharacter, "a '$' inside a formula")
+                        .reason("the formula should have ended here")
+                        .hint("read each formula by itself"),
+                    _ => Diagnostic::error(
+                        Code::UnexpectedCharacter,
+                        format!("'{}' has no meaning in a formula", c.escape_debug()),
+                    ),
+                };
+                self.bad(self.at, self.at + length, problem);
+            }
+        }
+    }
+
+    fn command(&mut self) {
+        let start = self.at;
+        let tail = &self.rest()[1..];
+        let letters = tail.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let length = if letters > 0 { letters } else { tail.chars().next().map_or(0, char::len_utf8) };
+        let name = tail[..length].to_owned();
+        let end = start + 1 + length;
+        // a line break after a backslash is a space to TeX
+        let name = if name.len() == 1 && name.trim().is_empty() { " ".to_owned() } else { name };
+        let Some(command) = commands::lookup(&name) else { return self.unknown(start, end, &name) };
+        self.at = end;
+        if self.peek() == Some('*') && matches!(name.as_str(), "operatorname" | "tag" | "hspace" | "vspace") {
+            self.at += 1;
+        }
+        self.known(start, self.at, command.role(), &name);
+    }
+
+    fn unknown(&mut self, start: usize, end: usize, name: &str) {
+        let problem = match name {
+            "" => Diagnostic::error(Code::UnexpectedEnd, "a lone backslash at the end"),
+            "(" | ")" | "[" | "]" => {
+                Diagnostic::error(Code::UnexpectedCharacter, format!("a '\\{name}' inside a formula"))
+                    .reason("it delimits a whole formula")
+                    .hint("read each formula by itself")
+            }
+            _ => {
+                // the reader adds a hint if it comes to report this
+                Diagnostic::error(Code::UnknownCommand, format!("unknown command \\{name}"))
+            }
+        };
+        self.bad(start, end, problem);
+    }
+
+    fn known(&mut self, start: usize, end: usize, role: Role, name: &str) {
+        match role {
+            Role::Symbol(symbol) => self.push_from(start, Tok::Symbol(symbol), end),
+            Role::Prime => self.push_from(start, Tok::Prime(1), end),
+            Role::Relation(rel) => self.push_from(start, Tok::Rel(rel), end),
+            Role::Dot => self.push_from(start, Tok::Dot, end),
+            Role::Star => self.push_from(start, Tok::Star, end),
+            Role::Cross => self.push_from(start, Tok::Cross, end),
+            Role::Circ => self.push_from(start, Tok::Circ, end),
+            Role::Binary(symbol) => self.push_from(start, Tok::Binary(symbol), end),
+            Role::Ellipsis => self.push_from(start, Tok::Ellipsis, end),
+            Role::Open(fence) => self.push_from(start, Tok::Open(fence), end),
+            Role::Close(fence) => self.push_from(start, Tok::Close(fence), end),
+            Role::Bar => self.push_from(start, Tok::Bar, end),
+            Role::DoubleBar => self.push_from(start, Tok::DoubleBar, end),
+            Role::Mid => self.push_from(start, Tok::Mid, end),
+            Role::Gap => self.push_from(start, Tok::Gap, end),
+            Role::Space => self.control_spaces(start),
+            Role::Transparent => {}
+            Role::Sized => {
+                self.skip_spaces();
+                if self.starts_with(".") {
+                    self.at += 1; // an invisible bracket
+                }
+            }
+            Role::Dropped(count) => {
+                for _ in 0..count {
+                    if self.raw_argument(start, name).is_none() {
+                        return;
+                    }
+                }
+                if matches!(name, "hspace" | "tag") {
+                    self.push_from(start, Tok::Gap, self.at);
+                }
+            }
+            Role::DroppedFirst => {
+                self.raw_argument(start, name);
+            }
+            Role::RowBreak => {
+                self.row_break_argument();
+                self.push_from(start, Tok::RowBreak, self.at);
+            }
+            Role::Left | Role::Right | Role::Middle => self.delimiter(start, role, name),
+            Role::Text => {
+                if let Some(content) = self.raw_argument(start, name) {
+                    self.push_from(start, Tok::Text(content.start as u32, content.end as u32), self.at);
+                }
+            }
+            Role::Upright => self.upright(start, name),
+            Role::Begin | Role::End => self.environment(start, role == Role::Begin, name),
+            Role::Not => self.not(start),
+            Role::Unsupported(reason) => {
+                let problem = Diagnostic::error(Code::UnsupportedLatex, format!("\\{name} is not supported"))
+                    .reason(reason);
+                self.bad(start, end, problem);
+            }
+            Role::Function
+            | Role::Big(_)
+            | Role::Integral
+            | Role::Accent(_)
+            | Role::Switch(_)
+            | Role::Fraction
+            | Role::Binomial
+            | Role::Root
+            | Role::Brace
+            | Role::Stacked
+            | Role::LongArrow
+            | Role::Infix(_)
+            | Role::ForAll
+            | Role::Lines
+            | Role::Plain(_) => self.push_from(start, Tok::Command(role), end),
+        }
+    }
+
+    /// One `\ ` is nothing, two or more in a row separate formulas like `\quad`.
+    fn control_spaces(&mut self, start: usize) {
+        let mut count = 1;
+        let mut end = self.at;
+        loop {
+            let tail = &self.text[end..self.end];
+            let next = tail.trim_start_matches([' ', '\t', '\n', '\r']);
+            let Some(after) = next.strip_prefix("\\ ") else { break };
+            end = self.end - after.len();
+            count += 1;
+        }
+        if count > 1 {
+            self.push_from(start, Tok::Gap, end);
+        }
+    }
+
+    /// The star or the length in brackets that may follow `\\`.
+    fn row_break_argument(&mut self) {
+        if self.starts_with("*") {
+            self.at += 1;
+        }
+        let Some(tail) = self.rest().strip_prefix('[') else { return };
+        let Some(close) = tail.bytes().take(24).position(|byte| byte == b']') else { return };
+        let length = tail[..close].trim();
+        let unit =
+            length.trim_start_matches(['-', '+', '.', ' ', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
+        if unit.len() < length.len() && matches!(unit, "pt" | "em" | "ex" | "mm" | "cm" | "in" | "mu" | "px")
+        {
+            self.at += close + 2;
+        }
+    }
+
+    /// The content of the `{…}` that follows; otherwise adds a bad token.
+    fn raw_argument(&mut self, start: usize, name: &str) -> Option<Span> {
+        self.skip_spaces();
+        if self.peek() != Some('{') {
+            let problem =
+                Diagnostic::error(Code::UnexpectedToken, format!("\\{name} needs an argument in braces"));
+            self.bad(start, self.at, problem);
+            return None;
+        }
+        let open = self.at;
+        let mut depth = 0_usize;
+        let mut escaped = false;
+        for (offset, byte) in self.rest().bytes().enumerate().take(self.max_raw) {
+            match byte {
+                _ if escaped => escaped = false,
+                b'\\' => escaped = true,
+                b'{' => depth += 1,
+                b'}' => {
+                    depth -= 1;
+                    if depth == 0 {
+                        self.at = open + offset + 1;
+                        return Some(Span::new(open + 1, open + offset));
+                    }
+                }
+                _ => {}
+            }
+        }
+        self.max_raw = MAX_RAW_AFTER_FAILURE;
+        let problem = Diagnostic::error(
+            Code::Unbalanced,
+            format!("the argument of \\{name} has no end within {MAX_RAW} bytes"),
+        );
+        self.bad(start, open + 1, problem.hint("add the missing '}'"));
+        None
+    }
+
+    /// `\mathrm{area}` and `\operatorname{area}` are one name; `\mathrm{F(t)}` is read as it stands.
+    fn upright(&mut self, start: usize, name: &str) {
+        self.skip_spaces();
+        if let Some(letter) = self.peek().filter(char::is_ascii_alphabetic) {
+            let content = (self.at as u32, (self.at + letter.len_utf8()) as u32);
+            return self.push_from(start, Tok::Word(content.0, content.1), content.1 as usize);
+        }
+        let open = self.at;
+        let hyphen = name == "operatorname";
+        let word = self.run(|byte| match byte {
+            b'{' | b' ' | b'\t' | b'\n' | b'\r' => true,
+            b'-' => hyphen,
+            _ => byte.is_ascii_alphanumeric(),
+        });
+        let content = &self.rest()[..word];
+        let is_name = content.strip_prefix('{').is_some_and(|inner| {
+            !inner.contains('{') && inner.trim_start().starts_with(|c: char| c.is_ascii_alphabetic())
+        });
+        if is_name && self.rest()[word..].starts_with('}') {
+            let kind = Tok::Word((open + 1) as u32, (open + word) as u32);
+            self.push_from(start, kind, open + word + 1);
+        } else if name == "operatorname" {
+            let problem = Diagnostic::error(Code::UnexpectedToken, "\\operatorname needs a word in braces");
+            self.bad(start, open, problem.hint("write \\operatorname{area}"));
+        }
+    }
+
+    fn delimiter(&mut self, start: usize, role: Role, name: &str) {
+        self.skip_spaces();
+        let from = self.at;
+        let Some(c) = self.peek() else {
+            let problem = Diagnostic::error(Code::UnexpectedEnd, format!("\\{name} needs a bracket"));
+            return self.bad(start, from, problem);
+        };
+        let (fence, length) = if c == '\\' {
+            let tail = &self.rest()[1..];
+            let letters = tail.bytes().take_while(u8::is_ascii_alphabetic).count();
+            let length = if letters > 0 { letters } else { tail.chars().next().map_or(0, char::len_utf8) };
+            let fence = match commands::lookup(&tail[..length]).map(|command| command.role()) {
+                Some(Role::Open(fence)) if role != Role::Right => Some(fence),
+                Some(Role::Close(fence)) if role != Role::Left => Some(fence),
+                Some(Role::Bar | Role::Mid) => Some(Fence::Bar),
+                Some(Role::DoubleBar) => Some(Fence::Norm),
+                _ => None,
+            };
+            (fence, 1 + length)
+        } else {
+            let fence = match (c, role == Role::Left) {
+                ('(', true) | (')', false) => Some(Fence::Paren),
+                ('[', true) | (']', false) => Some(Fence::Square),
+                ('<', true) | ('>', false) => Some(Fence::Angle),
+                ('|', _) => Some(Fence::Bar),
+                ('‖', _) => Some(Fence::Norm),
+                ('.', _) => Some(Fence::Dot),
+                // a square bracket may close what a parenthesis opens, also the other way round
+                _ => None,
+            };
+            (fence, c.len_utf8())
+        };
+        let end = from + length;
+        match (fence, role) {
+            (Some(fence), Role::Left) => self.push_from(start, Tok::Left(fence), end),
+            (Some(fence), Role::Right) => self.push_from(start, Tok::Right(fence), end),
+            (Some(Fence::Bar), _) => self.push_from(start, Tok::Mid, end),
+            _ => {
+                let problem = Diagnostic::error(
+                    Code::UnsupportedLatex,
+                    format!("'{}' cannot be read after \\{name}", &self.text[from..end]),
+                );
+                self.bad(start, end, problem);
+            }
+        }
+    }
+
+    fn environment(&mut self, start: usize, begins: bool, name: &str) {
+        let Some(argument) = self.raw_argument(start, name) else { return };
+        let environment = self.text[argument.range()].trim().to_owned();
+        let Some(env) = commands::environment(&environment) else {
+            let problem = Diagnostic::error(
+                Code::UnknownCommand,
+                format!("unknown environment {}", environment.escape_debug()),
+            );
+            let problem = match commands::nearest_environment(&environment) {
+                Some(near) => problem.hint(format!("did you mean {near}?")),
+                None => problem.hint("the environments that can be read are listed in docs/latex.md"),
+            };
+            return self.bad(start, self.at, problem);
+        };
+        if !begins {
+            return self.push_from(start, Tok::End(env), self.at);
+        }
+        let plain = environment.trim_end_matches('*');
+        let takes_columns = matches!(plain, "array" | "subarray" | "alignat" | "alignedat");
+        match env {
+            Env::Matrix(_) if environment.ends_with('*') => self.optional_position(&["l", "c", "r"]),
+            Env::Array | Env::Rows => self.optional_position(&["t", "c", "b"]),
+            Env::Matrix(_) | Env::Cases => {}
+        }
+        if takes_columns {
+            let before = self.at;
+            self.skip_spaces();
+            // without columns it is an error to TeX, but the cells can be read all the same
+            if self.peek() == Some('{') {
+                if self.raw_argument(start, "begin").is_none() {
+                    return;
+                }
+            } else {
+                self.at = before;
+            }
+        }
+        self.push_from(start, Tok::Begin(env), self.at);
+    }
+
+    /// One of the `positions`, in brackets.
+    fn optional_position(&mut self, positions: &[&str]) {
+        let rest = self.rest();
+        let trimmed = rest.trim_start();
+        let Some(tail) = trimmed.strip_prefix('[') else { return };
+        let Some(close) = tail.bytes().take(8).position(|byte| byte == b']') else { return };
+        if positions.contains(&tail[..close].trim()) {
+            self.at += rest.len() - trimmed.len() + close + 2;
+        }
+    }
+
+    fn not(&mut self, start: usize) {
+        self.skip_spaces();
+        if self.peek() == Some('=') {
+            return self.push_from(start, Tok::Rel(Rel::Ne), self.at + 1);
+        }
+        let end = self.at;
+        let problem = Diagnostic::error(Code::UnsupportedLatex, "\\not is read only before =");
+        self.bad(start, end, problem);
+    }
+}
+
+fn ascii(c: char) -> Option<Tok> {
+    Some(match c {
+        '_' => Tok::Sub,
+        '^' => Tok::Sup,
+        '+' => Tok::Plus,
+        '-' => Tok::Minus,
+        '*' => Tok::Star,
+        '/' => Tok::Slash,
+        '!' => Tok::Bang,
+        ',' => Tok::Comma,
+        ';' => Tok::Semicolon,
+        ':' => Tok::Rel(Rel::Colon),
+        '=' => Tok::Rel(Rel::Eq),
+        '<' => Tok::Rel(Rel::Lt),
+        '>' => Tok::Rel(Rel::Gt),
+        '|' => Tok::Bar,
+        '(' => Tok::Open(Fence::Paren),
+        ')' => Tok::Close(Fence::Paren),
+        '[' => Tok::Open(Fence::Square),
+        ']' => Tok::Close(Fence::Square),
+        '{' => Tok::OpenBrace,
+        '}' => Tok::CloseBrace,
+        '&' => Tok::Align,
+        '~' => Tok::Skip,
+        _ => return None,
+    })
+}

@@ -1,0 +1,527 @@
+//! Scripts, primes, factorials and arguments behind an atom.
+//!
+//! Whether `f(t + 1)` is a value or a product only the evaluator can know, from the
+//! declared names. The reader decides by form: a name, with its scripts, takes the
+//! bracket as arguments, anything else is a factor. `t^2(t+1)` is a product, since a
+//! number above a name without index is a power; `B_i^3(t)` takes an argument.
+
+use super::commands::Role;
+use super::reader::{Reader, Result, Window};
+use super::token::{Env, Fence, Tok};
+use crate::budget;
+use crate::formula::source::Span;
+use crate::formula::{BinomialStyle, Expr, Kind, Sign};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::math::number::parse_decimal;
+
+/// What a superscript means.
+enum Raise {
+    Nothing,
+    Power(Expr),
+    Upper(Vec<Expr>),
+    Prime(u32),
+    Transpose,
+}
+
+/// What was collected behind a base.
+#[derive(Default)]
+struct Scripts {
+    lower: Option<Vec<Expr>>,
+    upper: Option<Raise>,
+    primes: u32,
+}
+
+impl Scripts {
+    fn add(&mut self, raise: Raise) {
+        match raise {
+            Raise::Nothing => {}
+            Raise::Prime(count) => self.primes = self.primes.saturating_add(count),
+            raise => self.upper = Some(raise),
+        }
+    }
+}
+
+impl Reader<'_> {
+    /// An atom with everything that follows it.
+    pub fn postfix(&mut self) -> Result<Expr> {
+        budget::step();
+        let start = self.start();
+        let first = self.pos;
+        let atom = self.atom();
+        match self.peek() {
+            Some(
+                Tok::Sub
+                | Tok::Sup
+                | Tok::Prime(_)
+                | Tok::Raised(_)
+                | Tok::Bang
+                | Tok::Open(_)
+                | Tok::Left(_),
+            ) => self.suffixes(atom?, start, first),
+            _ => atom,
+        }
+    }
+
+    /// Scripts, factorials and arguments behind an atom.
+    fn suffixes(&mut self, atom: Expr, start: usize, first: usize) -> Result<Expr> {
+        let mut expr = atom;
+        let mut layers = 0;
+        loop {
+            let next = match self.peek() {
+                Some(Tok::Sub | Tok::Sup | Tok::Prime(_) | Tok::Raised(_)) => {
+                    self.scripts(expr, start, first)
+                }
+                Some(Tok::Bang) => {
+                    self.bump();
+                    Ok(self.node(Kind::Factorial(Box::new(expr)), start))
+                }
+                Some(Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren)) if self.takes_arguments(&expr) => {
+                    self.applied(expr, start)
+                }
+                Some(Tok::Open(Fence::Curly) | Tok::Left(Fence::Curly)) if self.is_word(&expr, first) => {
+                    self.applied_to_set(expr, start)
+                }
+                _ => return Ok(expr),
+            };
+            expr = next?;
+            layers += 1;
+            self.wrap(layers)?;
+        }
+    }
+
+    fn applied(&mut self, callee: Expr, start: usize) -> Result<Expr> {
+        let groups = self.arguments()?;
+        Ok(self.node(Kind::Apply(Box::new(callee), groups), start))
+    }
+
+    fn applied_to_set(&mut self, callee: Expr, start: usize) -> Result<Expr> {
+        let set = self.deeper(Self::atom)?;
+        Ok(self.node(Kind::Apply(Box::new(callee), vec![vec![set]]), start))
+    }
+
+    /// The arguments in the bracket that comes next.
+    pub fn arguments(&mut self) -> Result<Vec<Vec<Expr>>> {
+        let window = self.inside(self.pos)?;
+        let after = window.end + 1;
+        let groups = self.groups_in(window);
+        self.pos = after;
+        groups
+    }
+
+    fn is_word(&self, expr: &Expr, first: usize) -> bool {
+        matches!(expr.kind, Kind::Name(_)) && matches!(self.tokens[first].kind, Tok::Word(..) | Tok::Text(..))
+    }
+
+    /// Whether the bracket that comes next holds the arguments of `callee`.
+    fn takes_arguments(&self, callee: &Expr) -> bool {
+        let Some(close) = self.partner(self.pos) else { return false };
+        // `[0, 1)` and `(0, 1]` are intervals
+        if !matches!(self.tokens[close].kind, Tok::Close(Fence::Paren) | Tok::Right(Fence::Paren)) {
+            return false;
+        }
+        let window = self.pos + 1..close;
+        if self.row && self.is_condition() || self.is_table(window.clone()) {
+            return false;
+        }
+        let Kind::Group(inner) = &callee.kind else { return is_callee(callee) };
+        match &inner.kind {
+            Kind::Derivative { .. } | Kind::Compose(_) => true,
+            Kind::Mul(factors)
+                if matches!(factors.last(), Some(Expr { kind: Kind::Derivative { .. }, .. })) =>
+            {
+                true
+            }
+            Kind::Add(terms) => {
+                let parts = self.split(window, |kind| kind == Tok::Comma);
+                let single = matches!(parts.as_slice(), [part] if self.is_single_name(part.clone()));
+                parts.len() > 1 || single && terms.iter().all(|term| is_callee(&term.expr))
+            }
+            _ => false,
+        }
+    }
+
+    fn is_single_name(&self, window: Window) -> bool {
+        let window = self.trim(window);
+        window.len() == 1 && matches!(self.tokens[window.start].kind, Tok::Letter(_) | Tok::Symbol(_))
+    }
+
+    /// Whether a window holds one matrix and nothing else.
+    pub fn is_table(&self, window: Window) -> bool {
+        let window = self.trim(window);
+        window.clone().next().is_some_and(|at| {
+            matches!(self.tokens[at].kind, Tok::Begin(Env::Matrix(_) | Env::Array))
+                && self.after(at) == window.end
+        })
+    }
+
+    /// Arguments: lists with semicolons between.
+    pub fn groups_in(&mut self, window: Window) -> Result<Vec<Vec<Expr>>> {
+        if self.is_blank(window.clone()) {
+            return Ok(vec![Vec::new()]);
+        }
+        self.within(window, Self::groups)
+    }
+
+    fn groups(&mut self) -> Result<Vec<Vec<Expr>>> {
+        let mut groups = vec![self.list()?];
+        while self.eat(Tok::Semicolon).is_some() {
+            groups.push(self.items()?);
+        }
+        Ok(groups)
+    }
+
+    /// An argument of a command: a group in braces or one token.
+    pub fn argument(&mut self) -> Result<Expr> {
+        match self.peek() {
+            Some(Tok::OpenBrace) => self.braced(),
+            Some(Tok::Number) => self.digit(),
+            _ => self.deeper(Self::atom),
+        }
+    }
+
+    /// The content of the braces that come next.
+    fn braced(&mut self) -> Result<Expr> {
+        let at = self.pos;
+        let window = self.inside(at)?;
+        let after = window.end + 1;
+        if self.is_blank(window.clone()) {
+            return Err(self.blank(self.span_at(at).to(self.span_at(window.end))));
+        }
+        let expr = self.expr_in(window);
+        self.pos = after;
+        expr
+    }
+
+    fn blank(&self, span: Span) -> Box<Diagnostic> {
+        Box::new(Diagnostic::error(Code::UnexpectedEnd, "an empty argument").at(span))
+    }
+
+    /// Without braces, TeX takes one digit of a number.
+    fn digit(&mut self) -> Result<Expr> {
+        let span = self.tokens[self.pos].span();
+        if span.len() < 2 || !self.text_at(self.pos).starts_with(|c: char| c.is_ascii_digit()) {
+            return self.deeper(Self::atom);
+        }
+        self.tokens[self.pos].cut_front();
+        self.numeral(Span::new(span.start, span.start + 1))
+    }
+
+    /// The number written at `span`.
+    pub fn numeral(&self, span: Span) -> Result<Expr> {
+        match parse_decimal(&self.text[span.range()]) {
+            Ok(value) => Ok(Expr::new(Kind::Number(value), span)),
+            Err(error) => Err(Box::new(Diagnostic::error(Code::BadNumber, error.to_string()).at(span))),
+        }
+    }
+
+    /// A run of scripts and primes in any order; applied as subscript, primes, superscript.
+    pub fn scripts(&mut self, base: Expr, start: usize, first: usize) -> Result<Expr> {
+        let scripts = self.script_run()?;
+        Ok(self.attached(base, scripts, start, first))
+    }
+
+    fn script_run(&mut self) -> Result<Scripts> {
+        let mut scripts = Scripts::default();
+        while let Some(kind) = self.peek() {
+            match kind {
+                Tok::Sub | Tok::Raised(false) if scripts.lower.is_some() => {
+                    return Err(self.doubled("subscript"));
+                }
+                Tok::Sup | Tok::Raised(true) if scripts.upper.is_some() => {
+                    return Err(self.doubled("superscript"));
+                }
+                Tok::Sub => {
+                    self.bump();
+                    scripts.lower = Some(self.subscript()?);
+                }
+                Tok::Raised(false) => {
+                    self.bump();
+                    scripts.lower = Some(self.raised()?);
+                }
+                Tok::Sup => {
+                    self.bump();
+                    let raise = self.superscript()?;
+                    scripts.add(raise);
+                }
+                Tok::Raised(true) => {
+                    self.bump();
+                    let raise = self.raised_power()?;
+                    scripts.add(raise);
+                }
+                Tok::Prime(count) if scripts.upper.is_none() => {
+                    self.bump();
+                    scripts.add(Raise::Prime(count));
+                }
+                _ => break,
+            }
+        }
+        Ok(scripts)
+    }
+
+    fn attached(&self, base: Expr, scripts: Scripts, start: usize, first: usize) -> Expr {
+        let Scripts { lower, upper, primes } = scripts;
+        let square = matches!(self.tokens[first].kind, Tok::Open(Fence::Square) | Tok::Left(Fence::Square));
+        let (lower, upper) = match (lower, upper) {
+            (Some(mut lower), Some(Raise::Power(above))) if primes == 0 => {
+                if is_letter_c(&base) && lower.len() == 1 && is_index(&lower[0]) && is_index(&above) {
+                    let below = Box::new(lower.swap_remove(0));
+                    let kind = Kind::Binomial(below, Box::new(above), BinomialStyle::Subscripted);
+                    return self.node(kind, start);
+                }
+                if square && matches!(base.kind, Kind::Group(_)) {
+                    let kind = Kind::At { body: Box::new(base), lower, upper: Some(Box::new(above)) };
+                    return self.node(kind, start);
+                }
+                (Some(lower), Some(Raise::Power(above)))
+            }
+            other => other,
+        };
+        let mut expr = base;
+        if let Some(indices) = lower
+            && !indices.is_empty()
+        {
+            expr = self.node(Kind::Subscript(Box::new(expr), indices), start);
+        }
+        if primes > 0 {
+            expr = self.node(Kind::Prime(Box::new(expr), primes), start);
+        }
+        match upper {
+            None | Some(Raise::Nothing | Raise::Prime(_)) => expr,
+            Some(Raise::Power(exponent)) if is_transposed(&expr, &exponent) => {
+                self.node(Kind::Transpose(Box::new(expr)), start)
+            }
+            Some(Raise::Power(exponent)) => self.node(Kind::Pow(Box::new(expr), Box::new(exponent)), start),
+            Some(Raise::Upper(indices)) => self.node(Kind::Upper(Box::new(expr), indices), start),
+            Some(Raise::Transpose) => self.node(Kind::Transpose(Box::new(expr)), start),
+        }
+    }
+
+    fn doubled(&mut self, what: &str) -> Box<Diagnostic> {
+        let problem = Diagnostic::error(Code::UnexpectedToken, format!("a second {what}"))
+            .at(self.span_at(self.pos))
+            .hint(format!(
+                "put both into one pair of braces, or braces around the first {what} and its base"
+            ));
+        Box::new(problem)
+    }
+
+    /// What stands after `_`: indices with commas between.
+    pub fn subscript(&mut self) -> Result<Vec<Expr>> {
+        if self.peek() != Some(Tok::OpenBrace) {
+            return Ok(vec![self.argument()?]);
+        }
+        let window = self.inside(self.pos)?;
+        let indices = self.indices_in(window.clone())?;
+        self.pos = window.end + 1;
+        Ok(indices)
+    }
+
+    fn indices_in(&mut self, window: Window) -> Result<Vec<Expr>> {
+        let window = self.trim(window);
+        if window.is_empty() {
+            return Ok(Vec::new());
+        }
+        let kinds = || window.clone().map(|at| self.tokens[at].kind);
+        let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        if kinds().all(|kind| kind == Tok::Number || kind == Tok::Skip) {
+            // also spaced, as in `b _ { 0 1 }`
+            let numerals = window.clone().filter(|&at| self.tokens[at].kind == Tok::Number);
+            let joined: String = numerals.map(|at| self.text_at(at)).collect();
+            if window.len() > 1 && digits(&joined) && joined.len() < 20 {
+                let span = self.span_of(window);
+                return Ok(vec![index_of_digits(&joined, span)]);
+            }
+        }
+        let mut indices = self.list_in(window)?;
+        for index in &mut indices {
+            let text = &self.text[index.span.range()];
+            if matches!(index.kind, Kind::Number(_))
+                && text.len() > 1
+                && text.starts_with('0')
+                && digits(text)
+            {
+                index.kind = Kind::Name(text.to_owned());
+            }
+        }
+        Ok(indices)
+    }
+
+    /// What stands after `^`.
+    fn superscript(&mut self) -> Result<Raise> {
+        match self.peek() {
+            Some(Tok::OpenBrace) => {
+                let window = self.inside(self.pos)?;
+                let raise = self.raise_in(window.clone())?;
+                self.pos = window.end + 1;
+                Ok(raise)
+            }
+            Some(
+                Tok::Star
+                | Tok::Plus
+                | Tok::Minus
+                | Tok::Circ
+                | Tok::Prime(_)
+                | Tok::Symbol("top")
+                | Tok::Word(..),
+            ) => {
+                let at = self.pos;
+                self.pos += 1;
+                self.raise_in(at..at + 1)
+            }
+            _ => Ok(Raise::Power(self.argument()?)),
+        }
+    }
+
+    fn raise_in(&mut self, window: Window) -> Result<Raise> {
+        let window = self.trim(window);
+        if let Some(raise) = self.raise_of_signs(window.clone()) {
+            return Ok(raise);
+        }
+        if self.is_round_bracket(window.clone()) {
+            return Ok(Raise::Upper(self.list_in(window.start + 1..window.end - 1)?));
+        }
+        let mut list = self.list_in(window)?;
+        Ok(if list.len() == 1 { Raise::Power(list.swap_remove(0)) } else { Raise::Upper(list) })
+    }
+
+    /// Whether a window is one bracket from end to end.
+    fn is_round_bracket(&self, window: Window) -> bool {
+        matches!(self.tokens[window.start].kind, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren))
+            && self.after(window.start) == window.end
+    }
+
+    /// Superscripts that are signs rather than expressions: primes, stars, the T of a transpose.
+    fn raise_of_signs(&self, window: Window) -> Option<Raise> {
+        let kinds: Vec<Tok> = window.clone().take(3).map(|at| self.tokens[at].kind).collect();
+        let name = |name: &str| {
+            Some(Raise::Power(Expr::new(Kind::Name(name.to_owned()), self.span_of(window.clone()))))
+        };
+        match kinds.as_slice() {
+            [] => return Some(Raise::Nothing),
+            [Tok::Star] => return name("ast"),
+            [Tok::Plus] => return name("plus"),
+            [Tok::Minus] => return name("minus"),
+            [Tok::Circ] => return name("circ"),
+            [Tok::Symbol("top")] | [Tok::Command(Role::Switch(_)), Tok::Letter('T')] => {
+                return Some(Raise::Transpose);
+            }
+            [Tok::Word(start, end)] | [Tok::Text(start, end)]
+                if self.text[*start as usize..*end as usize].trim() == "T" =>
+            {
+                return Some(Raise::Transpose);
+            }
+            _ => {}
+        }
+        let mut primes = 0_u32;
+        for at in window {
+            match self.tokens[at].kind {
+                Tok::Prime(count) => primes = primes.saturating_add(count),
+                Tok::Skip => {}
+                _ => return None,
+            }
+        }
+        Some(Raise::Prime(primes))
+    }
+
+    /// Unicode scripts just taken: `₁₂`, `ⁿ⁺¹`.
+    pub fn raised(&mut self) -> Result<Vec<Expr>> {
+        let span = self.here_before();
+        let plain: String = self.text[span.range()]
+            .chars()
+            .filter_map(super::characters::raised)
+            .map(|(_, plain)| plain)
+            .collect();
+        if plain.len() > 1 && plain.starts_with('0') && plain.bytes().all(|byte| byte.is_ascii_digit()) {
+            return Ok(vec![index_of_digits(&plain, span)]);
+        }
+        let mut inner = Reader::new(&plain, Span::new(0, plain.len()), false);
+        inner.depth = self.depth;
+        let mut items = inner.list_in(0..inner.end).map_err(|problem| {
+            let mut problem = *problem;
+            problem.span = Some(span);
+            problem.labels.clear();
+            Box::new(problem)
+        })?;
+        fn place(expr: &mut Expr, span: Span) {
+            expr.span = span;
+            if let Kind::Chain(_, links) = &mut expr.kind {
+                links.iter_mut().for_each(|link| link.span = span);
+            }
+            expr.for_each_child_mut(&mut |child| place(child, span));
+        }
+        items.iter_mut().for_each(|item| place(item, span));
+        Ok(items)
+    }
+
+    fn raised_power(&mut self) -> Result<Raise> {
+        let text = &self.text[self.here_before().range()];
+        let in_brackets = text.starts_with('⁽') && text.ends_with('⁾');
+        let mut list = self.raised()?;
+        if in_brackets
+            && let [Expr { kind: Kind::Group(_), .. }] = list.as_slice()
+            && let Kind::Group(inner) = list.remove(0).kind
+        {
+            return Ok(Raise::Upper(vec![*inner]));
+        }
+        Ok(if list.len() == 1 { Raise::Power(list.remove(0)) } else { Raise::Upper(list) })
+    }
+
+    /// The token last taken.
+    fn here_before(&self) -> Span {
+        self.span_at(self.pos.saturating_sub(1))
+    }
+}
+
+/// `01` is a name, `12` a number.
+fn index_of_digits(digits: &str, span: Span) -> Expr {
+    match parse_decimal(digits) {
+        Ok(value) if !digits.starts_with('0') || digits.len() == 1 => Expr::new(Kind::Number(value), span),
+        _ => Expr::new(Kind::Name(digits.to_owned()), span),
+    }
+}
+
+/// Whether an expression may take arguments by its form.
+fn is_callee(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Name(name) => !matches!(name.as_str(), "infty" | "emptyset" | "cdot" | "ast"),
+        // (F ∘ G)'(t)
+        Kind::Prime(base, _) | Kind::Upper(base, _) if matches!(base.kind, Kind::Group(_)) => true,
+        Kind::Subscript(base, _) | Kind::Accent(_, base) | Kind::Prime(base, _) | Kind::Upper(base, _) => {
+            is_callee(base)
+        }
+        Kind::Pow(base, exponent) => {
+            let allowed = match &exponent.kind {
+                Kind::Number(_) => has_index(base),
+                Kind::Add(terms) => !matches!(terms.as_slice(), [term] if term.sign == Sign::Minus),
+                _ => true,
+            };
+            allowed && is_callee(base)
+        }
+        // dF/dt (t), but (d/dt f(t)) (1 - t) is a product
+        Kind::Derivative { body: Some(body), .. } => is_callee(body),
+        _ => false,
+    }
+}
+
+fn has_index(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Subscript(..) => true,
+        Kind::Accent(_, base) | Kind::Prime(base, _) | Kind::Upper(base, _) => has_index(base),
+        _ => false,
+    }
+}
+
+fn is_letter_c(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Name(name) if name == "C")
+}
+
+/// What may stand in a binomial coefficient `C_n^i`.
+fn is_index(expr: &Expr) -> bool {
+    matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Subscript(..))
+}
+
+/// A matrix or row of numbers has no power T.
+fn is_transposed(base: &Expr, exponent: &Expr) -> bool {
+    matches!(base.kind, Kind::Matrix(..) | Kind::List(_))
+        && matches!(&exponent.kind, Kind::Name(name) if name == "T")
+}

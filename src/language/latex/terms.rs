@@ -1,0 +1,231 @@
+//! Sums, products, quotients, compositions.
+
+use super::commands::Role;
+use super::reader::{Reader, Result};
+use super::token::{Fence, Tok};
+use crate::formula::{Enclosure, Expr, Kind, Quotient, Sign, Term};
+
+impl Reader<'_> {
+    fn sign(&mut self) -> Option<Sign> {
+        let sign = match self.peek()? {
+            Tok::Plus => Sign::Plus,
+            Tok::Minus => Sign::Minus,
+            _ => return None,
+        };
+        self.bump();
+        Some(sign)
+    }
+
+    /// Terms with signs between.
+    pub fn sum(&mut self) -> Result<Expr> {
+        let start = self.start();
+        let sign = self.sign();
+        self.skip_gaps();
+        let first = self.product();
+        match self.peek() {
+            Some(Tok::Plus | Tok::Minus) => {}
+            _ if sign.is_some() => {}
+            _ => return first,
+        }
+        self.terms(sign, first?, start)
+    }
+
+    /// The terms after the first.
+    fn terms(&mut self, sign: Option<Sign>, first: Expr, start: usize) -> Result<Expr> {
+        let mut terms = vec![Term { sign: sign.unwrap_or(Sign::Plus), expr: first }];
+        while let Some(sign) = self.sign() {
+            self.skip_gaps();
+            let expr = self.product()?;
+            terms.push(Term { sign, expr });
+        }
+        Ok(self.node(Kind::Add(terms), start))
+    }
+
+    /// Where an operand is expected, wide spaces mean nothing.
+    fn skip_gaps(&mut self) {
+        while self.eat(Tok::Gap).is_some() {}
+    }
+
+    /// Factors side by side or with `·`, `*`, `/` between, from the left.
+    pub fn product(&mut self) -> Result<Expr> {
+        // `a + -b`, `\sum -b`
+        if let Some(Tok::Plus | Tok::Minus) = self.peek() {
+            return self.signed(Self::product);
+        }
+        let start = self.start();
+        let first = self.operand();
+        match self.peek() {
+            Some(kind) if self.goes_on(kind) => self.factors(first?, start),
+            _ => first,
+        }
+    }
+
+    /// A sign and what it belongs to.
+    fn signed(&mut self, read: fn(&mut Self) -> Result<Expr>) -> Result<Expr> {
+        let start = self.start();
+        match self.sign() {
+            None => read(self),
+            Some(sign) => {
+                let expr = self.deeper(read)?;
+                Ok(self.node(Kind::Add(vec![Term { sign, expr }]), start))
+            }
+        }
+    }
+
+    /// Whether this token may go on with a product.
+    fn goes_on(&self, kind: Tok) -> bool {
+        match kind {
+            Tok::Dot | Tok::Star | Tok::Slash => true,
+            Tok::Bar | Tok::DoubleBar if self.closes_bar(kind) => false,
+            Tok::Bar | Tok::Mid if self.is_evaluation() => true,
+            Tok::Bar if self.in_set => false,
+            _ if self.row && self.is_condition() => false,
+            _ => self.begins_operand(kind),
+        }
+    }
+
+    /// The factors after the first.
+    fn factors(&mut self, first: Expr, start: usize) -> Result<Expr> {
+        let mut factors = vec![first];
+        let mut layers = 0;
+        while let Some(kind) = self.peek().filter(|&kind| self.goes_on(kind)) {
+            let next = match kind {
+                Tok::Dot | Tok::Star => {
+                    self.bump();
+                    self.skip_gaps();
+                    self.signed_operand()
+                }
+                Tok::Slash => {
+                    layers += 1;
+                    let left = self.joined(std::mem::take(&mut factors), start);
+                    self.quotient(left, start, layers)
+                }
+                Tok::Bar | Tok::Mid if self.is_evaluation() => {
+                    layers += 1;
+                    let body = self.joined(std::mem::take(&mut factors), start);
+                    self.bump();
+                    self.wrap(layers).and_then(|()| self.evaluated(body, start))
+                }
+                _ => self.operand(),
+            };
+            factors.push(next?);
+        }
+        Ok(self.joined(factors, start))
+    }
+
+    fn quotient(&mut self, left: Expr, start: usize, layers: u32) -> Result<Expr> {
+        self.wrap(layers)?;
+        self.bump();
+        self.skip_gaps();
+        let right = self.signed_operand()?;
+        Ok(self.node(Kind::Div(Box::new(left), Box::new(right), Quotient::Slash), start))
+    }
+
+    /// An operand that may carry a sign, as in `a · -b`.
+    fn signed_operand(&mut self) -> Result<Expr> {
+        match self.peek() {
+            Some(Tok::Plus | Tok::Minus) => self.signed(Self::signed_operand),
+            _ => self.operand(),
+        }
+    }
+
+    /// One factor itself, or the product of several.
+    fn joined(&self, mut factors: Vec<Expr>, start: usize) -> Expr {
+        if factors.len() == 1 {
+            return factors.remove(0);
+        }
+        self.node(Kind::Mul(factors), start)
+    }
+
+    /// Whether a bar here ends the innermost open bars. `||` may also be two single bars.
+    pub fn closes_bar(&self, kind: Tok) -> bool {
+        match self.bars.last() {
+            Some(Enclosure::Abs) => {
+                kind == Tok::Bar || kind == Tok::DoubleBar && self.text_at(self.pos) == "||"
+            }
+            Some(Enclosure::Norm) => kind == Tok::DoubleBar,
+            _ => false,
+        }
+    }
+
+    /// Whether the bar here is one of `|_{t=0}`.
+    pub fn is_evaluation(&self) -> bool {
+        matches!(self.look(self.pos + 1), Some((_, Tok::Sub | Tok::Sup | Tok::Raised(_))))
+    }
+
+    /// Factors with `∘`, `×` or a named operator between.
+    pub fn operand(&mut self) -> Result<Expr> {
+        let start = self.start();
+        let first = self.postfix();
+        match self.peek() {
+            Some(Tok::Circ | Tok::Cross | Tok::Binary(_)) => self.composed(first?, start),
+            _ => first,
+        }
+    }
+
+    fn composed(&mut self, first: Expr, start: usize) -> Result<Expr> {
+        let mut left = first;
+        let mut layers = 0;
+        while let Some(operator @ (Tok::Circ | Tok::Cross | Tok::Binary(_))) = self.peek() {
+            layers += 1;
+            self.wrap(layers)?;
+            let span = self.tokens[self.pos].span();
+            let mut list = vec![left];
+            while self.eat(operator).is_some() {
+                self.skip_gaps();
+                list.push(self.postfix()?);
+            }
+            let kind = match operator {
+                Tok::Circ => Kind::Compose(list),
+                Tok::Binary(name) => {
+                    Kind::Apply(Box::new(Expr::new(Kind::Name(name.to_owned()), span)), vec![list])
+                }
+                _ => Kind::Cross(list),
+            };
+            left = self.node(kind, start);
+        }
+        Ok(left)
+    }
+
+    /// Whether an operand may begin with this token.
+    pub fn begins_operand(&self, kind: Tok) -> bool {
+        match kind {
+            Tok::Number
+            | Tok::Letter(_)
+            | Tok::Symbol(_)
+            | Tok::Word(..)
+            | Tok::Ellipsis
+            | Tok::OpenBrace
+            | Tok::Open(_)
+            | Tok::Left(_)
+            | Tok::Begin(_)
+            | Tok::Bad(_) => true,
+            Tok::Bar | Tok::DoubleBar => true,
+            Tok::Text(..) => !self.row || self.is_word_atom(),
+            Tok::Command(role) => {
+                !matches!(role, Role::Infix(_) | Role::ForAll | Role::Stacked | Role::LongArrow)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether the words here are a name: one word, and a bracket follows.
+    pub fn is_word_atom(&self) -> bool {
+        let Some(Tok::Text(start, end)) = self.tokens.get(self.pos).map(|token| token.kind) else {
+            return false;
+        };
+        let word = self.text[start as usize..end as usize].trim();
+        let is_name = word.bytes().all(|byte| byte.is_ascii_alphanumeric())
+            && word.starts_with(|c: char| c.is_ascii_alphabetic())
+            && !super::commands::CONNECTIVES.contains(&word.to_ascii_lowercase().as_str());
+        is_name
+            && (!self.row
+                || matches!(
+                    self.look(self.pos + 1),
+                    Some((
+                        _,
+                        Tok::Open(Fence::Paren | Fence::Curly) | Tok::Left(Fence::Paren | Fence::Curly)
+                    ))
+                ))
+    }
+}

@@ -1,0 +1,9 @@
+//! The language: from text to formulas, from formulas to values, and back to text.
+
+pub mod derive;
+pub mod diagnostic;
+pub mod eval;
+pub mod latex;
+pub mod syntax;
+pub mod value;
+pub mod write;

@@ -1,0 +1,186 @@
+//! Unicode characters and what they stand for.
+
+use crate::formula::Accent;
+
+/// Greek letters by their LaTeX names.
+const GREEK: &[(&str, char)] = &[
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("varepsilon", 'ϵ'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("vartheta", 'ϑ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("varkappa", 'ϰ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("omicron", 'ο'),
+    ("pi", 'π'),
+    ("varpi", 'ϖ'),
+    ("rho", 'ρ'),
+    ("varrho", 'ϱ'),
+    ("sigma", 'σ'),
+    ("varsigma", 'ς'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'φ'),
+    ("varphi", 'ϕ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Xi", 'Ξ'),
+    ("Pi", 'Π'),
+    ("Sigma", 'Σ'),
+    ("Upsilon", 'Υ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
+/// The LaTeX name of a Greek letter, without backslash.
+///
+/// ```
+/// assert_eq!(polarform::syntax::greek_name('σ'), Some("sigma"));
+/// assert_eq!(polarform::syntax::greek_name('s'), None);
+/// ```
+pub fn greek_name(letter: char) -> Option<&'static str> {
+    let letter = match letter {
+        'Ͱ'..='Ͽ' => letter,
+        'µ' => 'μ',        // micro sign
+        '∆' => 'Δ',        // increment
+        '\u{2126}' => 'Ω', // ohm
+        _ => return None,
+    };
+    GREEK.iter().find(|&&(_, c)| c == letter).map(|&(name, _)| name)
+}
+
+/// The Greek letter of a LaTeX name, which is given without backslash; the inverse of [`greek_name`].
+///
+/// ```
+/// assert_eq!(polarform::syntax::greek_char("sigma"), Some('σ'));
+/// assert_eq!(polarform::syntax::greek_char("sum"), None);
+/// ```
+pub fn greek_char(name: &str) -> Option<char> {
+    GREEK.iter().find(|&&(n, _)| n == name).map(|&(_, c)| c)
+}
+
+const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
+const SUBSCRIPTS_PLAIN: &str = "0123456789+-=()aehijklmnoprstuvx";
+const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻᵀ";
+const SUPERSCRIPTS_PLAIN: &str = "0123456789+-=()abcdefghijklmnoprstuvwxyzT";
+
+fn translate(c: char, from: &str, to: &str) -> Option<char> {
+    // The blocks that hold all of them: most other characters are found out at once.
+    if !matches!(c, '²'..='¹' | 'ʰ'..='˿' | 'ᴬ'..='ᶿ' | '⁰'..='₟' | 'ⱼ' | 'ⱽ') {
+        return None;
+    }
+    from.chars().zip(to.chars()).find(|&(f, _)| f == c).map(|(_, t)| t)
+}
+
+/// The ordinary form of a lowered character: ₁ to 1.
+pub(super) fn subscript(c: char) -> Option<char> {
+    translate(c, SUBSCRIPTS, SUBSCRIPTS_PLAIN)
+}
+
+/// The ordinary form of a raised character: ² to 2.
+pub(super) fn superscript(c: char) -> Option<char> {
+    translate(c, SUPERSCRIPTS, SUPERSCRIPTS_PLAIN)
+}
+
+/// The ordinary form of a raised, lowered or full-width character, or the character itself.
+pub(super) fn ordinary(c: char) -> char {
+    if c.is_ascii() {
+        return c;
+    }
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
+        _ => subscript(c).or_else(|| superscript(c)).unwrap_or(c),
+    }
+}
+
+/// The letter of a blackboard character: ℝ to R.
+pub(super) fn blackboard(c: char) -> Option<&'static str> {
+    Some(match c {
+        'ℂ' => "C",
+        'ℕ' => "N",
+        'ℙ' => "P",
+        'ℚ' => "Q",
+        'ℝ' => "R",
+        'ℤ' => "Z",
+        _ => return None,
+    })
+}
+
+/// The accent a combining character puts on the character before it.
+pub(super) fn accent(c: char) -> Option<Accent> {
+    Some(match c {
+        '\u{302}' => Accent::Hat,
+        '\u{303}' => Accent::Tilde,
+        '\u{304}' | '\u{305}' => Accent::Bar,
+        '\u{307}' => Accent::Dot,
+        '\u{308}' => Accent::Ddot,
+        '\u{20d7}' => Accent::Vec,
+        _ => return None,
+    })
+}
+
+/// How many primes a character stands for.
+pub(super) fn primes(c: char) -> Option<u32> {
+    match c {
+        '\'' | '’' | '‘' | '′' => Some(1),
+        '″' | '”' => Some(2),
+        '‴' => Some(3),
+        _ => None,
+    }
+}
+
+/// Whether the character takes part in words; Greek and blackboard letters stand for themselves.
+pub(super) fn is_letter(c: char) -> bool {
+    if c.is_ascii() {
+        return c.is_ascii_alphabetic();
+    }
+    ordinary(c).is_alphabetic()
+        && greek_name(c).is_none()
+        && blackboard(c).is_none()
+        && subscript(c).is_none()
+        && superscript(c).is_none()
+}
+
+/// Blanks, also invisible ones that come with pasted text.
+pub(super) fn is_blank(c: char) -> bool {
+    c.is_whitespace() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2063}' | '\u{feff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_agree() {
+        assert_eq!(SUBSCRIPTS.chars().count(), SUBSCRIPTS_PLAIN.len());
+        assert_eq!(SUPERSCRIPTS.chars().count(), SUPERSCRIPTS_PLAIN.len());
+        for &(name, letter) in GREEK {
+            assert_eq!(greek_name(letter), Some(name));
+            assert_eq!(greek_char(name), Some(letter));
+        }
+        for (lowered, plain) in SUBSCRIPTS.chars().zip(SUBSCRIPTS_PLAIN.chars()) {
+            assert_eq!(subscript(lowered), Some(plain));
+        }
+        for (raised, plain) in SUPERSCRIPTS.chars().zip(SUPERSCRIPTS_PLAIN.chars()) {
+            assert_eq!(superscript(raised), Some(plain));
+        }
+        assert_eq!(ordinary('（'), '(');
+        assert_eq!(ordinary('²'), '2');
+    }
+}

@@ -1,0 +1,567 @@
+//! Atoms, brackets and what is attached to them: indices, primes, exponents in Unicode.
+
+use super::super::chars;
+use super::super::token::{Bracket, Token, TokenKind};
+use super::call::is_special;
+use super::{MAX_DEPTH, Node, Parsed, Parser};
+use crate::formula::source::Span;
+use crate::formula::{Accent, Delimiter, Enclosure, Expr, Kind};
+use crate::math::number::{Rational, parse_decimal};
+
+/// Digits of a numeral that are free of charge.
+const SHORT_NUMERAL: usize = 100;
+
+/// What stands between two separators inside brackets.
+pub(super) struct Cell {
+    /// The item, if there is one.
+    pub(super) item: Option<Node>,
+    /// The separator or bracket after it.
+    pub(super) end: Token,
+    /// The condition after `if`; `otherwise` is a condition without formula.
+    pub(super) condition: Option<Option<Box<Node>>>,
+}
+
+/// The inside of a pair of brackets.
+pub(super) struct Inside {
+    /// The cells between commas, by rows between semicolons. At least one row with one cell.
+    pub(super) rows: Vec<Vec<Cell>>,
+    /// What follows a bar.
+    pub(super) bar: Option<Box<Node>>,
+    pub(super) open: Token,
+    pub(super) close: Token,
+}
+
+impl Inside {
+    pub(super) fn span(&self) -> Span {
+        self.open.span().to(self.close.span())
+    }
+
+    fn is_empty(&self) -> bool {
+        is_empty(&self.rows)
+    }
+}
+
+/// Whether there is a single cell and nothing in it.
+fn is_empty(rows: &[Vec<Cell>]) -> bool {
+    matches!(rows, [row] if matches!(row.as_slice(), [cell] if cell.item.is_none()))
+}
+
+/// Items with the height of the tallest.
+#[derive(Default)]
+pub(super) struct Items {
+    pub(super) list: Vec<Expr>,
+    pub(super) height: u32,
+}
+
+impl Items {
+    pub(super) fn push(&mut self, node: Node) {
+        self.height = self.height.max(node.height);
+        self.list.push(node.expr);
+    }
+}
+
+impl Parser<'_> {
+    /// Whether an operand begins here, so that it makes a product with the one before.
+    pub(super) fn at_operand(&self) -> bool {
+        use TokenKind::*;
+        matches!(
+            self.peek().kind,
+            Number
+                | Name
+                | Text
+                | Dots
+                | Open(Bracket::Paren | Bracket::Square | Bracket::Floor | Bracket::Ceil)
+        )
+    }
+
+    /// An atom with everything attached to it. `after` is the operator before it.
+    pub(super) fn operand(&mut self, after: Option<Token>) -> Parsed<Node> {
+        let atom = self.atom(after)?;
+        self.postfix(atom, false)
+    }
+
+    /// What stands after `^`: like an operand, but names take no call and braces only group.
+    pub(super) fn exponent(&mut self) -> Parsed<Node> {
+        if self.peek().kind == TokenKind::Open(Bracket::Brace) {
+            return self.braced("an exponent");
+        }
+        let atom = self.atom(self.last)?;
+        self.postfix(atom, true)
+    }
+
+    fn atom(&mut self, after: Option<Token>) -> Parsed<Node> {
+        let token = self.peek();
+        match token.kind {
+            TokenKind::Number => self.numeral(),
+            TokenKind::Name => self.word(),
+            TokenKind::Text => self.words(),
+            TokenKind::Dots => {
+                self.bump();
+                self.node(Kind::Ellipsis, token.span(), 0)
+            }
+            TokenKind::Open(Bracket::Paren) => self.parentheses(),
+            TokenKind::Open(Bracket::Square) => self.square(),
+            TokenKind::Open(Bracket::Brace) => self.set(),
+            TokenKind::Open(Bracket::Floor) => self.enclosed(Enclosure::Floor),
+            TokenKind::Open(Bracket::Ceil) => self.enclosed(Enclosure::Ceil),
+            _ => Err(self.missing_operand(after)),
+        }
+    }
+
+    fn numeral(&mut self) -> Parsed<Node> {
+        let token = self.bump();
+        let value = self.number(token)?;
+        self.node(Kind::Number(value), token.span(), 0)
+    }
+
+    /// A name, or the call of a special one.
+    fn word(&mut self) -> Parsed<Node> {
+        let token = self.bump();
+        if self.at_call() && is_special(self.text_of(token)) { self.special(token) } else { self.name(token) }
+    }
+
+    fn words(&mut self) -> Parsed<Node> {
+        let token = self.bump();
+        let words = self.text_of(token).trim_matches('"').to_owned();
+        self.node(Kind::Text(words), token.span(), 0)
+    }
+
+    fn enclosed(&mut self, enclosure: Enclosure) -> Parsed<Node> {
+        let item = self.braced("a number")?;
+        self.node(Kind::Enclosed(enclosure, Box::new(item.expr)), item.extent, item.height)
+    }
+
+    /// The one item in the brackets that open here; its extent is that of the brackets.
+    fn braced(&mut self, what: &str) -> Parsed<Node> {
+        let inside = self.inside(false)?;
+        self.single(inside, what)
+    }
+
+    /// The value of a numeral, in any kind of digits.
+    fn number(&mut self, token: Token) -> Parsed<Rational> {
+        let text = self.text_of(token);
+        if text.len() > SHORT_NUMERAL {
+            let digits = text.len();
+            self.digits_left =
+                self.digits_left.checked_sub(digits).ok_or_else(|| self.too_many_digits(token))?;
+        }
+        let value = if text.is_ascii() {
+            parse_decimal(text)
+        } else {
+            parse_decimal(&text.chars().map(chars::ordinary).collect::<String>())
+        };
+        value.map_err(|_| self.bad_number(token))
+    }
+
+    /// The name a token stands for: Greek letters by their LaTeX name, ℝ as a blackboard R.
+    pub(super) fn name(&self, token: Token) -> Parsed<Node> {
+        let text = self.text_of(token);
+        let mut letters = text.chars();
+        let only = letters.next().filter(|c| !c.is_ascii() && letters.next().is_none());
+        if let Some(letter) = only.and_then(chars::blackboard) {
+            let letter = self.node(Kind::Name(letter.to_owned()), token.span(), 0)?;
+            let kind = Kind::Accent(Accent::Blackboard, Box::new(letter.expr));
+            return self.node(kind, token.span(), letter.height);
+        }
+        let name = if let Some(greek) = only.and_then(chars::greek_name) {
+            greek.to_owned()
+        } else if only == Some('∞') {
+            "infty".to_owned()
+        } else {
+            text.trim_start_matches('\\').chars().map(chars::ordinary).collect()
+        };
+        self.node(Kind::Name(name), token.span(), 0)
+    }
+
+    /// What is attached to an operand. A name in an exponent takes no call.
+    pub(super) fn postfix(&mut self, mut node: Node, exponent: bool) -> Parsed<Node> {
+        loop {
+            let attached = match self.peek().kind {
+                TokenKind::Index | TokenKind::Underscore | TokenKind::Open(Bracket::Sub) => {
+                    self.subscript(node)
+                }
+                TokenKind::Open(Bracket::Sup) => self.superscript(node),
+                TokenKind::Caret if self.upper_follows() && !is_number(&node.expr) => self.upper(node),
+                TokenKind::Prime => self.prime(node),
+                TokenKind::Accent => self.accent(node),
+                TokenKind::Bang => self.factorial(node),
+                _ if !exponent && self.at_call() && self.calls(&node.expr) => self.call(node),
+                _ => return Ok(node),
+            };
+            node = attached?;
+        }
+    }
+
+    fn prime(&mut self, node: Node) -> Parsed<Node> {
+        let mut count = 0;
+        let mut span = node.extent;
+        while self.peek().kind == TokenKind::Prime {
+            let prime = self.bump();
+            let here = self.text_of(prime).chars().filter_map(chars::primes).sum();
+            count = u32::saturating_add(count, here);
+            span = span.to(prime.span());
+        }
+        self.node(Kind::Prime(Box::new(node.expr), count), span, node.height)
+    }
+
+    /// A combining accent.
+    fn accent(&mut self, node: Node) -> Parsed<Node> {
+        let token = self.bump();
+        let accent = self.text_of(token).chars().next().and_then(chars::accent);
+        let kind = Kind::Accent(accent.unwrap_or(Accent::Hat), Box::new(node.expr));
+        self.node(kind, node.extent.to(token.span()), node.height)
+    }
+
+    fn factorial(&mut self, node: Node) -> Parsed<Node> {
+        if matches!(node.expr.kind, Kind::Factorial(_)) {
+            return Err(self.double_factorial(&node, self.peek()));
+        }
+        let span = node.extent.to(self.bump().span());
+        self.node(Kind::Factorial(Box::new(node.expr)), span, node.height)
+    }
+
+    /// Whether an opening parenthesis follows without a blank.
+    pub(super) fn at_call(&self) -> bool {
+        let token = self.peek();
+        token.kind == TokenKind::Open(Bracket::Paren) && !token.spaced
+    }
+
+    /// Whether a parenthesis directly after `callee` makes a call.
+    fn calls(&self, callee: &Expr) -> bool {
+        match &callee.kind {
+            Kind::Accent(_, inner) => !is_number(inner),
+            Kind::Group(inner) => {
+                matches!(inner.kind, Kind::Compose(_) | Kind::Lambda(..)) || self.arguments_follow()
+            }
+            kind => {
+                is_named(callee) || matches!(kind, Kind::Apply(..) | Kind::Compose(_) | Kind::Transpose(_))
+            }
+        }
+    }
+
+    /// Whether the parentheses that open here hold a comma or semicolon of their own.
+    fn arguments_follow(&self) -> bool {
+        let mut depth = 0_usize;
+        for token in &self.tokens[self.at..] {
+            match token.kind {
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) if depth <= 1 => return false,
+                TokenKind::Close(_) => depth -= 1,
+                TokenKind::Comma | TokenKind::Semicolon if depth == 1 => return true,
+                _ => {}
+            }
+            if depth > MAX_DEPTH {
+                return false;
+            }
+        }
+        false
+    }
+
+    /// Whether `^{(…)}` follows.
+    fn upper_follows(&self) -> bool {
+        let mut rest = self.tokens[self.at..].iter().filter(|token| token.kind != TokenKind::Newline);
+        let mut opens = |wanted| rest.next().is_some_and(|token| token.kind == wanted);
+        if !(opens(TokenKind::Caret)
+            && opens(TokenKind::Open(Bracket::Brace))
+            && opens(TokenKind::Open(Bracket::Paren)))
+        {
+            return false;
+        }
+        let mut depth = 1_usize;
+        while depth > 0 {
+            match rest.next().map(|token| token.kind) {
+                Some(TokenKind::Open(_)) if depth > MAX_DEPTH => return false,
+                Some(TokenKind::Open(_)) => depth += 1,
+                Some(TokenKind::Close(_)) => depth -= 1,
+                Some(_) => {}
+                None => return false,
+            }
+        }
+        rest.next().is_some_and(|token| token.kind == TokenKind::Close(Bracket::Brace))
+    }
+
+    /// `^{(…)}`, of which [`Self::upper_follows`] holds.
+    fn upper(&mut self, base: Node) -> Parsed<Node> {
+        self.bump();
+        let index = self.braced("an upper index")?;
+        self.raised(base, index)
+    }
+
+    /// A run of Unicode superscripts.
+    fn superscript(&mut self, base: Node) -> Parsed<Node> {
+        let exponent = self.braced("an exponent")?;
+        let power = self.raised(base, exponent)?;
+        match &power.expr.kind {
+            Kind::Pow(base, exponent) if self.at_call() && calls_power(base, exponent) => self.call(power),
+            _ => Ok(power),
+        }
+    }
+
+    /// An upper index if the exponent is in parentheses, otherwise a power.
+    fn raised(&self, base: Node, exponent: Node) -> Parsed<Node> {
+        let height = base.height.max(exponent.height);
+        let number = is_number(&base.expr);
+        let left = Box::new(base.expr);
+        let kind = match exponent.expr.kind {
+            Kind::Group(inner) if !number => Kind::Upper(left, vec![*inner]),
+            Kind::Tuple(items) if !number => Kind::Upper(left, items),
+            kind => Kind::Pow(left, Box::new(Expr::new(kind, exponent.expr.span))),
+        };
+        self.node(kind, base.extent.to(exponent.extent), height)
+    }
+
+    /// The index after a name or an underscore.
+    fn subscript(&mut self, base: Node) -> Parsed<Node> {
+        match &base.expr.kind {
+            Kind::Subscript(..) => return Err(self.double_index(&base, self.peek())),
+            Kind::Number(_) | Kind::Ellipsis | Kind::Text(_) => return Err(self.no_index(&base)),
+            _ => {}
+        }
+        if self.peek().kind == TokenKind::Underscore {
+            self.bump();
+        }
+        let (indices, end) = match self.peek().kind {
+            TokenKind::Open(Bracket::Brace | Bracket::Paren | Bracket::Sub) => self.indices()?,
+            _ => self.plain_index()?,
+        };
+        self.indexed(base, indices, end)
+    }
+
+    /// Indices in brackets.
+    fn indices(&mut self) -> Parsed<(Items, Span)> {
+        let inside = self.inside(false)?;
+        let span = inside.span();
+        Ok((self.items(inside, "an index")?, span))
+    }
+
+    /// An index of digits or letters, the letters perhaps with digits of their own.
+    fn plain_index(&mut self) -> Parsed<(Items, Span)> {
+        let token = self.peek();
+        let mut index = match token.kind {
+            TokenKind::Index | TokenKind::Number => self.numeral()?,
+            TokenKind::Name => {
+                self.bump();
+                self.name(token)?
+            }
+            TokenKind::BadNumber => return Err(self.bad_number(token)),
+            _ => return Err(self.missing_index()),
+        };
+        if token.kind == TokenKind::Name && self.peek().kind == TokenKind::Index {
+            let (digits, end) = self.plain_index()?;
+            index = self.indexed(index, digits, end)?;
+        }
+        let span = index.extent;
+        let mut items = Items::default();
+        items.push(index);
+        Ok((items, span))
+    }
+
+    fn indexed(&self, base: Node, mut indices: Items, end: Span) -> Parsed<Node> {
+        for index in &mut indices.list {
+            self.keep_leading_zero(index);
+        }
+        let height = base.height.max(indices.height);
+        let kind = Kind::Subscript(Box::new(base.expr), indices.list);
+        self.node(kind, base.extent.to(end), height)
+    }
+
+    /// The index 01 is a name: it differs from 1.
+    fn keep_leading_zero(&self, index: &mut Expr) {
+        let text = &self.text[index.span.range()];
+        let first = text.chars().next().map(chars::ordinary);
+        if is_number(index) && first == Some('0') && text.chars().nth(1).is_some() && !text.contains('.') {
+            index.kind = Kind::Name(text.chars().map(chars::ordinary).collect());
+        }
+    }
+
+    /// Reads a pair of brackets; `conditions` allows `if` and `otherwise` after items.
+    pub(super) fn inside(&mut self, conditions: bool) -> Parsed<Inside> {
+        let open = self.bump();
+        let TokenKind::Open(bracket) = open.kind else {
+            return Err(self.unexpected());
+        };
+        if self.open.len() >= MAX_DEPTH {
+            return Err(self.too_deep(open.span()));
+        }
+        self.open.push(open);
+        let mut rows = vec![Vec::new()];
+        let mut bar = None;
+        loop {
+            self.cell(&mut rows, conditions)?;
+            if bracket == Bracket::Brace && self.peek().kind == TokenKind::Bar && !is_empty(&rows) {
+                self.bump();
+                bar = Some(self.boxed()?);
+            }
+            let end = self.peek();
+            match end.kind {
+                TokenKind::Comma | TokenKind::Semicolon if bar.is_none() => {}
+                TokenKind::Close(closing) if closing == bracket => {}
+                _ => return Err(self.unexpected()),
+            }
+            self.bump();
+            if let Some(cell) = rows.last_mut().and_then(|row| row.last_mut()) {
+                cell.end = end;
+            }
+            match end.kind {
+                TokenKind::Comma => {}
+                TokenKind::Semicolon => rows.push(Vec::new()),
+                _ => {
+                    self.open.pop();
+                    return Ok(Inside { rows, bar, open, close: end });
+                }
+            }
+        }
+    }
+
+    /// Adds what stands before the next separator to the last row.
+    fn cell(&mut self, rows: &mut [Vec<Cell>], conditions: bool) -> Parsed<()> {
+        use TokenKind::{Bar, Close, Comma, Semicolon};
+        let end = self.peek();
+        let item = match end.kind {
+            Comma | Semicolon | Close(_) | Bar => None,
+            _ => Some(self.expr()?),
+        };
+        let condition = if conditions { self.condition()? } else { None };
+        if let Some(row) = rows.last_mut() {
+            row.push(Cell { item, end, condition });
+        }
+        Ok(())
+    }
+
+    fn boxed(&mut self) -> Parsed<Box<Node>> {
+        self.expr().map(Box::new)
+    }
+
+    /// What follows the value of a case.
+    fn condition(&mut self) -> Parsed<Option<Option<Box<Node>>>> {
+        match self.peek().kind {
+            TokenKind::If => {
+                self.bump();
+                self.boxed().map(|condition| Some(Some(condition)))
+            }
+            TokenKind::Otherwise => {
+                self.bump();
+                Ok(Some(None))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The items of a bracket without semicolons, at least one.
+    fn items(&self, inside: Inside, what: &str) -> Parsed<Items> {
+        if inside.is_empty() {
+            return Err(self.empty_brackets(&inside, what));
+        }
+        let mut items = Items::default();
+        for row in inside.rows {
+            for cell in row {
+                if cell.end.kind == TokenKind::Semicolon {
+                    return Err(self.stray_semicolon(cell.end));
+                }
+                items.push(cell.item.ok_or_else(|| self.missing_item(cell.end))?);
+            }
+        }
+        Ok(items)
+    }
+
+    /// The only item of a bracket.
+    fn single(&self, inside: Inside, what: &str) -> Parsed<Node> {
+        let extent = inside.span();
+        let comma = inside.rows.iter().flatten().map(|cell| cell.end).next();
+        let items = self.items(inside, what)?;
+        match <[Expr; 1]>::try_from(items.list) {
+            Ok([expr]) => Ok(Node { expr, extent, height: items.height }),
+            Err(_) => Err(self.only_one(comma.map_or(extent, Token::span), what)),
+        }
+    }
+
+    fn parentheses(&mut self) -> Parsed<Node> {
+        let inside = self.inside(false)?;
+        self.group_or_tuple(inside)
+    }
+
+    fn group_or_tuple(&self, inside: Inside) -> Parsed<Node> {
+        let span = inside.span();
+        let Items { mut list, height } = self.items(inside, "a formula")?;
+        let kind = match list.pop() {
+            Some(only) if list.is_empty() => Kind::Group(Box::new(only)),
+            last => {
+                list.extend(last);
+                Kind::Tuple(list)
+            }
+        };
+        self.node(kind, span, height)
+    }
+
+    fn square(&mut self) -> Parsed<Node> {
+        let inside = self.inside(false)?;
+        self.list_or_matrix(inside)
+    }
+
+    /// A list, or a matrix if there are semicolons.
+    fn list_or_matrix(&self, inside: Inside) -> Parsed<Node> {
+        let span = inside.span();
+        if inside.is_empty() {
+            return self.node(Kind::List(Vec::new()), span, 0);
+        }
+        if inside.rows.len() == 1 {
+            let Items { list, height } = self.items(inside, "an item")?;
+            return self.node(Kind::List(list), span, height);
+        }
+        let mut height = 0;
+        let mut rows: Vec<Vec<Option<Expr>>> = Vec::with_capacity(inside.rows.len());
+        for row in inside.rows {
+            let mut cells = Vec::with_capacity(row.len());
+            for cell in row {
+                height = height.max(cell.item.as_ref().map_or(0, |item| item.height));
+                cells.push(cell.item.map(|item| item.expr));
+            }
+            rows.push(cells);
+        }
+        // `[1, 2;]` is a matrix of one row.
+        rows.pop_if(|row| matches!(row.as_slice(), [None]));
+        self.node(Kind::Matrix(rows, Delimiter::Paren), span, height)
+    }
+
+    fn set(&mut self) -> Parsed<Node> {
+        let inside = self.inside(false)?;
+        self.members(inside)
+    }
+
+    fn members(&self, mut inside: Inside) -> Parsed<Node> {
+        let span = inside.span();
+        let bar = inside.bar.take();
+        let items = if inside.is_empty() { Items::default() } else { self.items(inside, "a member")? };
+        let height = items.height.max(bar.as_ref().map_or(0, |bar| bar.height));
+        self.node(Kind::Set(items.list, bar.map(|bar| Box::new(bar.expr))), span, height)
+    }
+}
+
+/// Whether a parenthesis directly after `base^exponent` makes a call of the power.
+pub(super) fn calls_power(base: &Expr, exponent: &Expr) -> bool {
+    let bare = match &exponent.kind {
+        Kind::Name(_) => true,
+        Kind::Subscript(name, _) => matches!(name.kind, Kind::Name(_)),
+        _ => false,
+    };
+    is_named(base) && (bare || has_index(base))
+}
+
+fn is_named(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        Kind::Name(_) | Kind::Subscript(..) | Kind::Prime(..) | Kind::Accent(..) | Kind::Upper(..)
+    )
+}
+
+fn has_index(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Subscript(..) => true,
+        Kind::Prime(base, _) | Kind::Accent(_, base) | Kind::Upper(base, _) => has_index(base),
+        _ => false,
+    }
+}
+
+fn is_number(expr: &Expr) -> bool {
+    matches!(expr.kind, Kind::Number(_))
+}

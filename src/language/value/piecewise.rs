@@ -1,0 +1,81 @@
+//! Piecewise polynomials as values.
+
+use super::{Value, polynomial_expr, symbol_expr};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Rel};
+use crate::math::piecewise::{Outside, Piecewise, PiecewiseError};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+
+/// A piecewise polynomial with the name of its variable.
+#[derive(Clone, Debug)]
+pub struct PiecewiseFunction {
+    /// The function.
+    pub function: Piecewise<Fraction>,
+    /// How its variable is called.
+    pub variable: Symbol,
+}
+
+impl PartialEq for PiecewiseFunction {
+    /// Equality of functions; the name of the variable does not matter.
+    fn eq(&self, other: &Self) -> bool {
+        self.function == other.function
+    }
+}
+
+impl PiecewiseFunction {
+    /// The pieces as polynomials in the variable.
+    pub fn formulas(&self) -> Vec<Fraction> {
+        let t = Fraction::from(MultiPoly::symbol(self.variable.clone()));
+        self.function.pieces().iter().map(|piece| crate::math::piecewise::horner(piece, &t)).collect()
+    }
+
+    /// The value at a parameter.
+    ///
+    /// # Errors
+    /// As [`Piecewise::value`].
+    pub fn value(&self, t: &Fraction) -> Result<Value, PiecewiseError> {
+        self.function.value(t).map(Value::Scalar)
+    }
+
+    /// The call that makes it.
+    pub fn to_expr(&self) -> Expr {
+        let list = |items: Vec<Expr>| Expr::from(Kind::List(items));
+        let breaks = self.function.breaks().iter().map(polynomial_expr).collect();
+        let pieces = self.formulas().iter().map(polynomial_expr).collect();
+        let mut arguments = vec![list(breaks), list(pieces)];
+        if self.variable != Symbol::new("t") {
+            arguments.push(Expr::relation(Expr::name("variable"), Rel::Eq, symbol_expr(&self.variable)));
+        }
+        if self.function.outside() == Outside::Zero {
+            arguments.push(Expr::relation(Expr::name("outside"), Rel::Eq, Expr::int(0)));
+        }
+        if !self.function.is_closed() {
+            arguments.push(Expr::relation(Expr::name("closed"), Rel::Eq, Expr::int(0)));
+        }
+        Expr::apply(Expr::name("piecewise"), arguments)
+    }
+
+    /// The function by cases, for reading.
+    pub fn display_expr(&self) -> Expr {
+        let t = symbol_expr(&self.variable);
+        let link = |rel, expr| Link { rel, span: Span::default(), expr };
+        let breaks = self.function.breaks();
+        let last = self.formulas().len() - 1;
+        let mut cases: Vec<(Expr, Option<Expr>)> = Vec::with_capacity(last + 2);
+        for (i, formula) in self.formulas().iter().enumerate() {
+            let (from, to) = (polynomial_expr(&breaks[i]), polynomial_expr(&breaks[i + 1]));
+            let end = if i == last && self.function.is_closed() { Rel::Le } else { Rel::Lt };
+            let range = Kind::Chain(Box::new(from), vec![link(Rel::Le, t.clone()), link(end, to)]);
+            cases.push((polynomial_expr(formula), Some(range.into())));
+        }
+        if self.function.outside() == Outside::Zero {
+            cases.push((Expr::int(0), None));
+        }
+        Kind::Cases(cases).into()
+    }
+
+    /// Whether all breakpoints are numbers, so that the variable may be a number only.
+    pub fn is_numeric(&self) -> bool {
+        self.function.breaks().iter().all(|x| x.as_rational().is_some())
+    }
+}

@@ -1,0 +1,129 @@
+//! Derivations: a line of text each, aligned LaTeX, or data.
+
+use serde_json::{Value as Json, json};
+
+use super::{Format, WriteError, latex, text, write_expr, write_words};
+use crate::formula::{Expr, Kind};
+use crate::language::value::{Derivation, Language, Line};
+
+/// A derivation in one of the formats, its reasons in its own language if it has one, else in the
+/// given one: a line `formula    [reason]` each; in LaTeX an `aligned` environment, for display
+/// math; data for JSON.
+///
+/// In LaTeX the lines are aligned at their first relation, and a left side that repeats the one
+/// before is not written again.
+///
+/// # Errors
+/// [`WriteError`] for constructs without meaning in SymPy.
+pub fn write_derivation(
+    derivation: &Derivation,
+    format: Format,
+    language: Language,
+) -> Result<String, WriteError> {
+    let language = derivation.language.unwrap_or(language);
+    match format {
+        Format::Latex => Ok(aligned(&derivation.lines, language)),
+        Format::Json => Ok(derivation_json(derivation, language).to_string()),
+        Format::Text | Format::Unicode | Format::Sympy => {
+            let lines = derivation.lines.iter().map(|line| {
+                let formula = write_expr(&line.formula, format)?;
+                let reason = write_words(line.reason.text(language), format);
+                Ok(match format {
+                    Format::Sympy => format!("{formula}  # {reason}"),
+                    _ => format!("{formula}    [{reason}]"),
+                })
+            });
+            Ok(lines.collect::<Result<Vec<String>, WriteError>>()?.join("\n"))
+        }
+    }
+}
+
+/// The left side of the first relation.
+fn left_side(formula: &Expr) -> Option<&Expr> {
+    match &formula.kind {
+        Kind::Chain(left, _) => Some(left),
+        Kind::Sequence(items) => items.first().and_then(left_side),
+        _ => None,
+    }
+}
+
+/// The LaTeX of a formula up to its first relation, and from there on: at this place the lines of
+/// a derivation are aligned. Without a relation all of it stands on the right.
+///
+/// ```
+/// use polarform::write::split_at_relation;
+/// let formula = polarform::syntax::parse("p_1 = t = s").unwrap();
+/// assert_eq!(split_at_relation(&formula), ("p_1".to_owned(), "= t = s".to_owned()));
+/// ```
+pub fn split_at_relation(formula: &Expr) -> (String, String) {
+    let whole = latex(formula);
+    let left = left_side(formula).map(latex).unwrap_or_default();
+    match whole.strip_prefix(&left) {
+        Some(rest) => (left, rest.trim_start().to_owned()),
+        None => (String::new(), whole),
+    }
+}
+
+fn aligned(lines: &[Line], language: Language) -> String {
+    let mut before = String::new();
+    let rows = lines.iter().map(|line| {
+        let (left, right) = split_at_relation(&line.formula);
+        let shown = if left == before { "" } else { &left };
+        let row = format!("{shown} &{right}");
+        before = left;
+        format!(
+            "{} && \\text{{{}}}",
+            row.trim_start(),
+            write_words(line.reason.text(language), Format::Latex)
+        )
+    });
+    let rows: Vec<String> = rows.collect();
+    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n"))
+}
+
+/// A derivation as its title and lines, each with its formula as text and LaTeX and its reason;
+/// and all of it as LaTeX.
+pub fn derivation_json(derivation: &Derivation, language: Language) -> Json {
+    let language = derivation.language.unwrap_or(language);
+    let lines = derivation.lines.iter().map(|line| {
+        json!({
+            "formula": text(&line.formula),
+            "latex": latex(&line.formula),
+            "reason": write_words(line.reason.text(language), Format::Text),
+        })
+    });
+    json!({
+        "kind": "derivation",
+        "title": write_words(derivation.title.text(language), Format::Text),
+        "language": language.code(),
+        "lines": lines.collect::<Vec<_>>(),
+        "latex": aligned(&derivation.lines, language),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Rel;
+    use crate::language::value::Words;
+
+    #[test]
+    fn repeated_left_sides_are_written_once() {
+        let words = |text: &str| Words::new(|_| text.to_owned());
+        let line = |right: &str| Line {
+            formula: Expr::relation(Expr::name("a"), Rel::Eq, Expr::name(right)),
+            reason: words("as `t_1`"),
+        };
+        let lines = vec![line("b"), line("c"), Line { formula: Expr::name("d"), reason: words("why") }];
+        let derivation = Derivation { title: words("title"), lines, language: None };
+        let write = |format| write_derivation(&derivation, format, Language::English).unwrap();
+        assert_eq!(
+            write(Format::Latex),
+            "\\begin{aligned}\na &= b && \\text{as $t_1$} \\\\\n&= c && \\text{as $t_1$} \\\\\n&d && \\text{why}\n\\end{aligned}"
+        );
+        assert_eq!(write(Format::Text), "a = b    [as t1]\na = c    [as t1]\nd    [why]");
+        assert_eq!(write(Format::Sympy).lines().next(), Some("Eq(a, b)  # as t1"));
+        let data: Json = serde_json::from_str(&write(Format::Json)).unwrap();
+        assert_eq!(data["lines"][1]["latex"], "a = c");
+    }
+}

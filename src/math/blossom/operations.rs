@@ -1,0 +1,235 @@
+//! Polar forms of sums, products and compositions, each in two ways.
+//!
+//! The first way works on the diagonals: add, multiply or compose the polynomials
+//! and polarise the result. The second symmetrises the polar forms themselves. Both
+//! stay on n + 1 coefficients: symmetrising e_i(t_S) e_j(t_{S^c}) over all S of m out
+//! of m + n arguments gives, for each monomial of degree k = i + j, the share
+//! C(k, i) C(m+n−k, m−i) / C(m+n, m).
+//!
+//! Reference: Ramshaw (1989), section 8; DeRose, Goldman, Hagen, Mann, *Functional
+//! composition algorithms via blossoming*, ACM TOG 12 (1993) 113–135.
+
+use super::polar_form::{PolarError, PolarForm};
+use crate::budget;
+use crate::math::number::{Int, Rational, binomial, binomial_row};
+use crate::math::poly::Poly;
+use crate::math::ring::Ring;
+
+impl<C: Ring> PolarForm<C> {
+    /// The polar form of F + G, of the larger degree: elevate, then add. Cost: O(n).
+    ///
+    /// ```
+    /// use polarform::blossom::PolarForm;
+    /// use polarform::number::integer;
+    /// let f = PolarForm::new([0, 2, 1].map(integer).to_vec()); // t^2 + 2t
+    /// let g = PolarForm::new([1, 0, 0, 1].map(integer).to_vec()); // t^3 + 1
+    /// assert_eq!(f.sum(&g).coefficients(), [1, 2, 1, 1].map(integer));
+    /// ```
+    pub fn sum(&self, other: &Self) -> Self {
+        let n = self.degree().max(other.degree());
+        let (left, right) = (self.elevate(n - self.degree()), other.elevate(n - other.degree()));
+        PolarForm::new(left.coefficients().iter().zip(right.coefficients()).map(|(a, b)| a.plus(b)).collect())
+    }
+
+    /// The polar form of F · G, of degree m + n, by multiplying the diagonals.
+    ///
+    /// Cost: (m + 1)(n + 1) ring operations.
+    pub fn product(&self, other: &Self) -> Self {
+        if self.degree() * other.degree() > FEW_PRODUCTS
+            && let (Some(f), Some(g)) = (polynomial(self), polynomial(other))
+        {
+            return from_polynomial(&(&f * &g), self.degree() + other.degree());
+        }
+        PolarForm::new(multiply(self.coefficients(), other.coefficients()))
+    }
+
+    /// The same by symmetrising f(t_1, …, t_m) g(t_{m+1}, …, t_{m+n}) over all choices of m
+    /// arguments for f.
+    ///
+    /// Cost: (m + 1)(n + 1) ring operations and as many binomial coefficients.
+    ///
+    /// ```
+    /// use polarform::blossom::PolarForm;
+    /// use polarform::number::integer;
+    /// let f = PolarForm::new([0, 2, 1].map(integer).to_vec());
+    /// let g = PolarForm::new([1, 0, 0, 1].map(integer).to_vec());
+    /// assert_eq!(f.product(&g), f.product_by_symmetrizing(&g));
+    /// ```
+    pub fn product_by_symmetrizing(&self, other: &Self) -> Self {
+        let (m, n) = (self.degree(), other.degree());
+        let (left, right) = (self.weights(), other.weights());
+        let ways = binomial(m + n, m);
+        let mut weights = vec![C::zero(); m + n + 1];
+        for (i, a) in left.iter().enumerate() {
+            budget::steps(n as u32);
+            for (j, b) in right.iter().enumerate() {
+                let k = i + j;
+                let share = Rational::new(binomial(k, i) * binomial(m + n - k, m - i), ways.clone());
+                weights[k] += a.times(b).scaled(&share);
+            }
+        }
+        let row = binomial_row(m + n);
+        PolarForm::new(weights.iter().zip(row).map(|(w, b)| w.scaled(&Rational::from_integer(b))).collect())
+    }
+
+    /// The polar form of F ∘ G, of degree m n, by composing the diagonals (Horner).
+    ///
+    /// Cost: O(m² n²) ring operations; with numbers as coefficients that of [`Poly::compose`].
+    pub fn compose(&self, inner: &Self) -> Self {
+        let size = self.degree() * inner.degree() + 1;
+        budget::charge_terms(size as u64);
+        if let (Some(f), Some(g)) = (polynomial(self), polynomial(inner)) {
+            return from_polynomial(&f.compose(&g), size - 1);
+        }
+        let mut result: Vec<C> = vec![C::zero()];
+        for c in self.coefficients().iter().rev() {
+            result = multiply(&result, inner.coefficients());
+            result.truncate(size);
+            result[0] += c.clone();
+        }
+        result.resize(size, C::zero());
+        PolarForm::new(result)
+    }
+
+    /// The same by putting polar forms of G with distinct arguments into f and symmetrising:
+    /// c_i times the symmetrised product of i copies of g, elevated to m n arguments.
+    pub fn compose_by_symmetrizing(&self, inner: &Self) -> Self {
+        let size = self.degree() * inner.degree();
+        budget::charge_terms(size as u64 + 1);
+        let mut power = PolarForm::new(vec![C::one()]);
+        let mut result = PolarForm::new(vec![C::zero(); size + 1]);
+        for (i, c) in self.coefficients().iter().enumerate() {
+            if i > 0 {
+                power = power.product_by_symmetrizing(inner);
+            }
+            result = result.sum(&power.elevate(size - power.degree()).map(|x| x.times(c)));
+        }
+        result
+    }
+
+    /// Whether F and G meet with C^k continuity at t: f and g with n − k arguments t agree
+    /// for all values of the other k. Returns the first order that fails, with both values
+    /// f(t, …, t, 1̂^j) and g(t, …, t, 1̂^j).
+    ///
+    /// # Errors
+    /// [`PolarError::DegreeMismatch`] unless both have the same degree.
+    pub fn first_discontinuity(
+        &self,
+        other: &Self,
+        at: &C,
+        order: usize,
+    ) -> Result<Option<(usize, C, C)>, PolarError> {
+        if self.degree() != other.degree() {
+            return Err(PolarError::DegreeMismatch { left: self.degree(), right: other.degree() });
+        }
+        let (left, right) =
+            (self.reparameterize(at, &C::one()).weights(), other.reparameterize(at, &C::one()).weights());
+        let first = left.into_iter().zip(right).enumerate().take(order + 1).find(|(_, (a, b))| a != b);
+        Ok(first.map(|(j, (a, b))| (j, a, b)))
+    }
+
+    /// The mean over the n + 1 ways to leave out one of n + 1 arguments, written out: the
+    /// elevated form derived from its definition rather than from the coefficients.
+    ///
+    /// f^(+1)(t_1, …, t_{n+1}) = 1/(n+1) Σ_i f(t_1, …, t_{i−1}, t_{i+1}, …, t_{n+1})
+    pub fn elevate_by_mean(&self) -> Self {
+        // A monomial of degree k in n + 1 arguments survives in n + 1 − k of the n + 1 terms.
+        let n = self.degree();
+        let weights = self.weights();
+        let row = binomial_row(n + 1);
+        let coefficients = (0..=n + 1)
+            .map(|k| match weights.get(k) {
+                Some(w) => {
+                    let share = Rational::new(Int::from(n + 1 - k) * &row[k], Int::from(n + 1));
+                    w.scaled(&share)
+                }
+                None => C::zero(),
+            })
+            .collect();
+        PolarForm::new(coefficients)
+    }
+}
+
+/// Up to this many products of coefficients the plain way is as good as any.
+const FEW_PRODUCTS: usize = 64;
+
+/// The diagonal as a polynomial over Q, if all coefficients are numbers.
+fn polynomial<C: Ring>(form: &PolarForm<C>) -> Option<Poly> {
+    let list: Option<Vec<Rational>> = form.coefficients().iter().map(Ring::as_rational).collect();
+    list.map(Poly::from_coefficients)
+}
+
+fn from_polynomial<C: Ring>(diagonal: &Poly, degree: usize) -> PolarForm<C> {
+    let mut list: Vec<C> = diagonal.coefficients().iter().map(C::from_rational).collect();
+    list.resize(degree + 1, C::zero());
+    PolarForm::new(list)
+}
+
+/// Product of two coefficient lists.
+fn multiply<C: Ring>(a: &[C], b: &[C]) -> Vec<C> {
+    let mut result = vec![C::zero(); a.len() + b.len() - 1];
+    for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+        budget::steps(b.len() as u32);
+        for (j, y) in b.iter().enumerate() {
+            result[i + j] += x.times(y);
+        }
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::{integer, rational};
+    use proptest::prelude::*;
+
+    fn any_form(max: usize) -> impl Strategy<Value = PolarForm<Rational>> {
+        prop::collection::vec((-9i64..10, 1i64..6), 1..max + 2)
+            .prop_map(|list| PolarForm::new(list.into_iter().map(|(p, q)| rational(p, q)).collect()))
+    }
+
+    proptest! {
+        #[test]
+        fn both_ways_agree(f in any_form(5), g in any_form(4)) {
+            assert_eq!(f.product(&g), f.product_by_symmetrizing(&g));
+            assert_eq!(f.compose(&g), f.compose_by_symmetrizing(&g));
+            assert_eq!(f.elevate(1), f.elevate_by_mean());
+            assert_eq!(f.elevate(3).reduce(3), Ok(f.clone()));
+        }
+
+        #[test]
+        fn bezier_points_and_back(f in any_form(6), a in -5i64..5, w in 1i64..6) {
+            let (a, b) = (integer(a), rational(2 * a + w, 2));
+            if a == b { return Ok(()); }
+            let points = f.bezier_points(&a, &b);
+            for (i, point) in points.iter().enumerate() {
+                let mut arguments = vec![a.clone(); f.degree() - i];
+                arguments.extend(vec![b.clone(); i]);
+                assert_eq!(f.value_at(&arguments).as_ref(), Ok(point));
+            }
+            assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b), Ok(f));
+        }
+
+        #[test]
+        fn derivative_by_unit_vectors(f in any_form(6), k in 0usize..8, t in -4i64..5) {
+            // d^k/dt^k on the coefficients is the independent way.
+            let mut list = f.coefficients().to_vec();
+            for _ in 0..k {
+                list = list.iter().enumerate().skip(1).map(|(i, c)| c * integer(i as i64)).collect();
+            }
+            let derivative = f.derivative(k);
+            let expected = list.iter().rev().fold(integer(0), |s, c| s * integer(t) + c);
+            let value = derivative.value_at(&vec![integer(t); derivative.degree()]);
+            assert_eq!(value, Ok(expected));
+        }
+    }
+
+    #[test]
+    fn continuity() {
+        let f = PolarForm::new([1, 2, 3, 4].map(integer).to_vec());
+        let g = PolarForm::new([1, 2, 3, 5].map(integer).to_vec());
+        assert_eq!(f.first_discontinuity(&g, &integer(0), 2), Ok(None));
+        assert_eq!(f.first_discontinuity(&g, &integer(0), 3), Ok(Some((3, integer(4), integer(5)))));
+        assert_eq!(f.first_discontinuity(&g, &integer(1), 0).map(|d| d.map(|d| d.0)), Ok(Some(0)));
+    }
+}

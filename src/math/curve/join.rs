@@ -1,0 +1,287 @@
+//! How smoothly two curves meet.
+//!
+//! **Parametric continuity.** F over [a, b] and G over [b, c] meet C^k at b iff
+//! f(b^{n−j}, ·) and g(b^{n−j}, ·) agree for j ≤ k: by values f(b^{n−j}, c^j) = g(b^{n−j}, c^j),
+//! or by hats f(b^{n−j}, 1̂^j) = g(b^{n−j}, 1̂^j), that is, equal derivatives. As g(b^{n−j} c^j)
+//! is a control point of G, these are equations between control points.
+//!
+//! **Geometric continuity.** G^k asks for the same after a change of parameter of one curve:
+//! G' = β_1 F' and G'' = β_1² F'' + β_2 F' with β_1 > 0.
+//!
+//! References: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); B. Barsky, T. DeRose,
+//! "Geometric continuity of parametric curves", IEEE CG&A 9 (1989).
+
+use num_traits::Signed;
+
+use super::{BezierCurve, CurveError, Point, difference, scaled};
+use crate::math::blossom::Argument;
+use crate::math::number::Rational;
+use crate::math::ring::Field;
+
+/// One condition for C^k: what a control point of the second curve has to be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoiningCondition<C> {
+    /// The order j of the condition.
+    pub order: usize,
+    /// The arguments b^{n−j}, c^j of both polar forms.
+    pub label: Vec<C>,
+    /// f(b^{n−j}, c^j), from the first curve.
+    pub required: Point<C>,
+    /// g(b^{n−j}, c^j), the j-th control point of the second curve.
+    pub found: Point<C>,
+}
+
+impl<C: Field> JoiningCondition<C> {
+    /// Whether it holds.
+    pub fn holds(&self) -> bool {
+        self.required == self.found
+    }
+}
+
+fn meeting<'a, C: Field>(
+    left: &'a BezierCurve<C>,
+    right: &'a BezierCurve<C>,
+) -> Result<(&'a C, &'a C), CurveError> {
+    if left.dimension() != right.dimension() {
+        return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
+    }
+    let (at, end) = right.interval();
+    if left.interval().1 != at {
+        return Err(CurveError::NoCommonEnd);
+    }
+    Ok((at, end))
+}
+
+/// The conditions for the two curves to meet C^k where the first interval ends, for orders
+/// 0, …, k (at most n). Cost: k de Casteljau schemes.
+///
+/// # Errors
+/// [`CurveError::Degrees`], [`CurveError::DimensionsOf`], [`CurveError::NoCommonEnd`].
+///
+/// ```
+/// use polarform::curve::{BezierCurve, joining_conditions};
+/// use polarform::number::integer as z;
+/// let f = BezierCurve::new(vec![vec![z(0)], vec![z(1)]], z(0), z(1))?;
+/// let g = BezierCurve::new(vec![vec![z(1)], vec![z(3)]], z(1), z(3))?;
+/// assert!(joining_conditions(&f, &g, 1)?.iter().all(|condition| condition.holds()));
+/// # Ok::<(), polarform::curve::CurveError>(())
+/// ```
+pub fn joining_conditions<C: Field>(
+    left: &BezierCurve<C>,
+    right: &BezierCurve<C>,
+    k: usize,
+) -> Result<Vec<JoiningCondition<C>>, CurveError> {
+    let (at, end) = meeting(left, right)?;
+    let n = left.degree();
+    if right.degree() != n {
+        return Err(CurveError::Degrees { left: n, right: right.degree() });
+    }
+    (0..=k.min(n))
+        .map(|j| {
+            let label: Vec<C> =
+                std::iter::repeat_n(at, n - j).chain(std::iter::repeat_n(end, j)).cloned().collect();
+            let arguments: Vec<Argument<C>> = label.iter().cloned().map(Argument::Point).collect();
+            let required = left.blossom(&arguments)?;
+            Ok(JoiningCondition { order: j, label, required, found: right.points()[j].clone() })
+        })
+        .collect()
+}
+
+/// Up to which order two curves meet, and the first order that fails.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Continuity<C> {
+    /// The largest k with C^k; `None` if not even the points agree; the degree if the two are
+    /// one polynomial.
+    pub order: Option<usize>,
+    /// Whether the two are the same polynomial, hence C^∞.
+    pub same: bool,
+    /// The first condition that fails: the order, and f(t^{n−j}, 1̂^j) for both.
+    pub failure: Option<(usize, Point<C>, Point<C>)>,
+}
+
+/// Up to which order two polynomial curves agree at t, by hats: f(t^{n−j}, 1̂^j) for j = 0, 1, ….
+///
+/// The curves need not have the same degree or interval: the lower degree is raised.
+///
+/// # Errors
+/// [`CurveError::DimensionsOf`].
+pub fn continuity_at<C: Field>(
+    left: &BezierCurve<C>,
+    right: &BezierCurve<C>,
+    t: &C,
+) -> Result<Continuity<C>, CurveError> {
+    if left.dimension() != right.dimension() {
+        return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
+    }
+    let n = left.degree().max(right.degree());
+    let (left, right) = (left.elevate(n - left.degree()), right.elevate(n - right.degree()));
+    let mut order = None;
+    for j in 0..=n {
+        let mut arguments = vec![Argument::Point(t.clone()); n - j];
+        arguments.extend(vec![Argument::Vector(C::one()); j]);
+        let (f, g) = (left.blossom(&arguments)?, right.blossom(&arguments)?);
+        if f != g {
+            return Ok(Continuity { order, same: false, failure: Some((j, f, g)) });
+        }
+        order = Some(j);
+    }
+    Ok(Continuity { order, same: true, failure: None })
+}
+
+/// Up to which order two curves meet geometrically, with the change of parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GeometricContinuity {
+    /// The largest k ≤ 2 with G^k; `None` if the points differ.
+    pub order: Option<usize>,
+    /// β_1 with G' = β_1 F', if there is a positive one.
+    pub beta1: Option<Rational>,
+    /// β_2 with G'' = β_1² F'' + β_2 F', if there is one.
+    pub beta2: Option<Rational>,
+    /// Why the next order fails.
+    pub failure: Option<GeometricFailure>,
+}
+
+/// Why two curves do not meet with a higher geometric continuity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GeometricFailure {
+    /// The end of the first curve is not the start of the second.
+    PointsDiffer,
+    /// A derivative vanishes: the tangent is not given by it.
+    NotRegular,
+    /// The tangents have different directions.
+    TangentsDiffer,
+    /// The tangents are opposite: a cusp.
+    Opposite,
+    /// G'' − β_1² F'' is not parallel to the tangent: the curvatures differ.
+    CurvaturesDiffer,
+}
+
+/// The s with q = s p, if there is one (p ≠ 0).
+fn ratio(p: &[Rational], q: &[Rational]) -> Option<Rational> {
+    let k = p.iter().position(|x| !num_traits::Zero::is_zero(x))?;
+    let s = &q[k] / &p[k];
+    (scaled(p, &s) == q).then_some(s)
+}
+
+/// How smoothly two curves meet geometrically, up to G^2, where the first interval ends.
+///
+/// # Errors
+/// [`CurveError::DimensionsOf`].
+pub fn geometric_continuity(
+    left: &BezierCurve<Rational>,
+    right: &BezierCurve<Rational>,
+) -> Result<GeometricContinuity, CurveError> {
+    if left.dimension() != right.dimension() {
+        return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
+    }
+    let (s, t) = (left.interval().1, right.interval().0);
+    let jet = |curve: &BezierCurve<Rational>, at: &Rational| [0, 1, 2].map(|k| curve.derivative(k).value(at));
+    let (f, g) = (jet(left, s), jet(right, t));
+    let report =
+        |order, beta1, failure| GeometricContinuity { order, beta1, beta2: None, failure: Some(failure) };
+    if f[0] != g[0] {
+        return Ok(report(None, None, GeometricFailure::PointsDiffer));
+    }
+    let zero = |v: &Point<Rational>| v.iter().all(num_traits::Zero::is_zero);
+    if zero(&f[1]) || zero(&g[1]) {
+        return Ok(report(Some(0), None, GeometricFailure::NotRegular));
+    }
+    let Some(beta1) = ratio(&f[1], &g[1]) else {
+        return Ok(report(Some(0), None, GeometricFailure::TangentsDiffer));
+    };
+    if beta1.is_negative() {
+        return Ok(report(Some(0), None, GeometricFailure::Opposite));
+    }
+    let rest = difference(&g[2], &scaled(&f[2], &(&beta1 * &beta1)));
+    Ok(match ratio(&f[1], &rest) {
+        Some(beta2) => {
+            GeometricContinuity { order: Some(2), beta1: Some(beta1), beta2: Some(beta2), failure: None }
+        }
+        None => report(Some(1), Some(beta1), GeometricFailure::CurvaturesDiffer),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::curve::bezier::tests::any_curve;
+    use crate::math::number::{integer as z, rational as q};
+    use crate::math::poly::{Fraction, MultiPoly, Symbol};
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The three ways to ask for C^k agree: control points, hats, derivatives.
+        #[test]
+        fn three_ways_agree(f in any_curve(), k in 0usize..4, extra in 1i64..4) {
+            let n = f.degree();
+            let (_, b) = f.interval();
+            let c = b + z(extra);
+            // The continuation of f, changed from control point k + 1 on: exactly C^k.
+            let mut points = f.part(b, &c).unwrap().points().to_vec();
+            if k < n {
+                points[k + 1][0] += z(1);
+            }
+            let g = BezierCurve::new(points, b.clone(), c).unwrap();
+            let conditions = joining_conditions(&f, &g, n).unwrap();
+            let by_points = conditions.iter().take_while(|c| c.holds()).count().checked_sub(1);
+            let by_hats = continuity_at(&f, &g, b).unwrap();
+            let by_derivatives =
+                (0..=n).take_while(|&j| f.derivative(j).value(b) == g.derivative(j).value(b)).count().checked_sub(1);
+            prop_assert_eq!(by_points, by_hats.order);
+            prop_assert_eq!(by_derivatives, by_hats.order);
+            prop_assert_eq!(by_points, Some(k.min(n)));
+            prop_assert_eq!(by_hats.same, k >= n);
+        }
+
+        /// A regular change of parameter keeps G^2 and its β are found.
+        #[test]
+        fn a_change_of_parameter_is_found(f in any_curve(), b1 in 1i64..5, b2 in -4i64..5) {
+            let b = f.interval().1;
+            // φ(0) = b, φ' = b1, φ'' = b2
+            let inner = crate::math::blossom::PolarForm::new(vec![b.clone(), z(b1), q(b2, 2)]);
+            let g = f.compose(&inner, z(0), z(1)).unwrap();
+            let report = geometric_continuity(&f, &g).unwrap();
+            if f.derivative(1).value(b).iter().all(num_traits::Zero::is_zero) {
+                prop_assert_eq!(report.failure, Some(GeometricFailure::NotRegular));
+            } else {
+                prop_assert_eq!(report.order, Some(2));
+                prop_assert_eq!(report.beta1, Some(z(b1)));
+                prop_assert_eq!(report.beta2, Some(z(b2)));
+            }
+        }
+    }
+
+    #[test]
+    fn the_cubic_conditions_in_symbols() {
+        let symbol = |name: &str, i: i64| Fraction::from(MultiPoly::symbol(Symbol::indexed(name, i)));
+        let net = |name: &str| (0..4).map(|i| vec![symbol(name, i)]).collect::<Vec<_>>();
+        let number = |k| Fraction::from_rational(&z(k));
+        use crate::math::ring::Ring;
+        let f = BezierCurve::new(net("b"), number(0), number(1)).unwrap();
+        let g = BezierCurve::new(net("c"), number(1), number(2)).unwrap();
+        let conditions = joining_conditions(&f, &g, 2).unwrap();
+        // c_0 = b_3, c_1 = 2 b_3 − b_2, c_2 = b_1 − 4 b_2 + 4 b_3
+        let scaled = |k, x: Fraction| x.scaled(&z(k));
+        assert_eq!(conditions[1].required, [scaled(2, symbol("b", 3)) - symbol("b", 2)]);
+        let second = symbol("b", 1) + scaled(-4, symbol("b", 2)) + scaled(4, symbol("b", 3));
+        assert_eq!(conditions[2].required, [second]);
+        assert_eq!(conditions[2].found, [symbol("c", 2)]);
+        let short = BezierCurve::new(vec![vec![number(0)]], number(1), number(2)).unwrap();
+        assert_eq!(joining_conditions(&f, &short, 1), Err(CurveError::Degrees { left: 3, right: 0 }));
+        assert_eq!(joining_conditions(&g, &f, 1), Err(CurveError::NoCommonEnd));
+    }
+
+    #[test]
+    fn geometric_failures() {
+        let line = |p: [i64; 2], r: [i64; 2]| {
+            BezierCurve::new(vec![p.map(z).to_vec(), r.map(z).to_vec()], z(0), z(1)).unwrap()
+        };
+        let start = line([0, 0], [1, 0]);
+        let failure = |next: &BezierCurve<Rational>| geometric_continuity(&start, next).unwrap().failure;
+        assert_eq!(failure(&line([2, 0], [3, 0])), Some(GeometricFailure::PointsDiffer));
+        assert_eq!(failure(&line([1, 0], [1, 0])), Some(GeometricFailure::NotRegular));
+        assert_eq!(failure(&line([1, 0], [1, 1])), Some(GeometricFailure::TangentsDiffer));
+        assert_eq!(failure(&line([1, 0], [0, 0])), Some(GeometricFailure::Opposite));
+        assert_eq!(failure(&line([1, 0], [7, 0])), None);
+    }
+}

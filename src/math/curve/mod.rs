@@ -1,0 +1,247 @@
+//! Bézier curves and surfaces, polynomial and rational, exact.
+//!
+//! A point is a list of coordinates in a field: rational numbers, or formulas in symbols. Every
+//! curve or surface is kept by its control points; by its polar form f they are f at arguments
+//! taken from the ends of its interval, and every algorithm here is a choice of arguments.
+//! A rational curve of dimension d is a polynomial one of dimension d + 1, the weight last.
+//!
+//! References: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); G. Farin, *Curves and
+//! Surfaces for CAGD*, 5th ed. (2002); H. Prautzsch, W. Boehm, M. Paluszny, *Bézier and B-Spline
+//! Techniques* (2002).
+
+pub mod affine;
+mod bezier;
+mod circle;
+mod conic;
+mod domain;
+mod edge;
+mod hull;
+mod join;
+mod patch;
+mod patch_conversion;
+mod polygon;
+mod projective;
+mod rational;
+mod rational_surface;
+mod revolve;
+mod sphere;
+mod triangle;
+
+use std::fmt;
+
+use crate::math::ring::Ring;
+
+pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
+pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
+pub use domain::{Corner, Interval, Triangle};
+pub use edge::{EdgeEquation, EdgeReport};
+pub use hull::{convex_hull, in_convex_polygon};
+pub use join::{
+    Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
+    joining_conditions,
+};
+pub(crate) use patch::transposed;
+pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
+pub use rational::RationalCurve;
+pub use rational_surface::{RationalPatch, RationalTriangle};
+pub use revolve::{revolve, revolve_along};
+pub use sphere::{sphere_octant, sphere_octant_triangle};
+pub use triangle::{TrianglePatch, indices};
+
+/// A point or a vector: its coordinates.
+pub type Point<C> = Vec<C>;
+
+/// Why a curve or surface cannot be made or changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CurveError {
+    /// There are no control points, or fewer than needed.
+    TooFewPoints {
+        /// How many are needed.
+        needed: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// A point has another number of coordinates than the first one.
+    Dimensions {
+        /// The place of the offending point, from 0.
+        index: usize,
+        /// Its number of coordinates.
+        found: usize,
+        /// That of the first point.
+        expected: usize,
+    },
+    /// The ends of the interval are equal.
+    EmptyInterval,
+    /// Number of weights and of control points differ.
+    WeightCount {
+        /// Number of weights.
+        weights: usize,
+        /// Number of control points.
+        points: usize,
+    },
+    /// A weight is zero.
+    ZeroWeight {
+        /// Its place, from 0.
+        index: usize,
+    },
+    /// The denominator of a rational curve vanishes at the parameter.
+    ZeroDenominator,
+    /// The parameter lies outside of the interval.
+    OutsideDomain,
+    /// The polar form takes another number of arguments.
+    Arguments {
+        /// How many it takes.
+        expected: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// The two operands have different degrees.
+    Degrees {
+        /// Degree of the first.
+        left: usize,
+        /// Degree of the second.
+        right: usize,
+    },
+    /// The two operands have different dimensions.
+    DimensionsOf {
+        /// Dimension of the first.
+        left: usize,
+        /// Dimension of the second.
+        right: usize,
+    },
+    /// The degree cannot be lowered by `by`: the curve has an exact degree in the way.
+    NotReducible {
+        /// The degree of the representation.
+        degree: usize,
+        /// The exact degree of the polynomial.
+        exact: usize,
+        /// How far it was to be lowered.
+        by: usize,
+    },
+    /// The rows of a net have different lengths.
+    RaggedNet {
+        /// The row, from 0.
+        row: usize,
+        /// Its length.
+        found: usize,
+        /// The length of the first row.
+        expected: usize,
+    },
+    /// The number of points is not (n+1)(n+2)/2.
+    NotTriangular {
+        /// The number of points.
+        count: usize,
+    },
+    /// The corners of a triangle or simplex are affinely dependent.
+    Degenerate,
+    /// The two curves do not meet in a common parameter.
+    NoCommonEnd,
+    /// The two patches have no common edge.
+    NoCommonEdge,
+    /// A number has no rational square root.
+    Irrational {
+        /// What the root is needed for.
+        what: &'static str,
+    },
+    /// The geometry asked for does not exist.
+    Impossible {
+        /// Why.
+        why: &'static str,
+    },
+}
+
+impl fmt::Display for CurveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CurveError::TooFewPoints { needed, given } => {
+                write!(f, "{needed} control points needed, {given} given")
+            }
+            CurveError::Dimensions { index, found, expected } => {
+                write!(f, "point {index} has {found} coordinates, the others have {expected}")
+            }
+            CurveError::EmptyInterval => f.write_str("the ends of the interval are equal"),
+            CurveError::WeightCount { weights, points } => {
+                write!(f, "{weights} weights for {points} control points")
+            }
+            CurveError::ZeroWeight { index } => write!(f, "weight {index} is zero"),
+            CurveError::ZeroDenominator => f.write_str("the sum of the weights vanishes at this parameter"),
+            CurveError::OutsideDomain => f.write_str("the parameter lies outside of the interval"),
+            CurveError::Arguments { expected, given } => {
+                write!(f, "the polar form takes {expected} arguments, not {given}")
+            }
+            CurveError::Degrees { left, right } => write!(f, "the degrees {left} and {right} differ"),
+            CurveError::DimensionsOf { left, right } => {
+                write!(f, "the dimensions {left} and {right} differ")
+            }
+            CurveError::NotReducible { degree, exact, by } => {
+                write!(f, "degree {degree} cannot be lowered by {by}: the polynomial has degree {exact}")
+            }
+            CurveError::RaggedNet { row, found, expected } => {
+                write!(f, "row {row} of the net has {found} points, the first row has {expected}")
+            }
+            CurveError::NotTriangular { count } => {
+                write!(f, "{count} points form no triangle: 1, 3, 6, 10, … points do")
+            }
+            CurveError::Degenerate => f.write_str("the corners are affinely dependent"),
+            CurveError::NoCommonEnd => {
+                f.write_str("the first interval does not end where the second one starts")
+            }
+            CurveError::NoCommonEdge => f.write_str("the two patches have no common edge"),
+            CurveError::Irrational { what } => write!(f, "{what} needs a square root that is not rational"),
+            CurveError::Impossible { why } => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for CurveError {}
+
+/// The common number of coordinates of some points.
+///
+/// # Errors
+/// [`CurveError::TooFewPoints`] if there are none, [`CurveError::Dimensions`].
+pub fn dimension<C>(points: &[Point<C>]) -> Result<usize, CurveError> {
+    let Some(first) = points.first() else {
+        return Err(CurveError::TooFewPoints { needed: 1, given: 0 });
+    };
+    match points.iter().position(|point| point.len() != first.len()) {
+        Some(index) => {
+            Err(CurveError::Dimensions { index, found: points[index].len(), expected: first.len() })
+        }
+        None => Ok(first.len()),
+    }
+}
+
+/// (1 − s) p + s q
+pub fn lerp<C: Ring>(p: &[C], q: &[C], s: &C) -> Point<C> {
+    p.iter().zip(q).map(|(x, y)| x.plus(&s.times(&y.minus(x)))).collect()
+}
+
+/// p − q
+pub fn difference<C: Ring>(p: &[C], q: &[C]) -> Point<C> {
+    p.iter().zip(q).map(|(x, y)| x.minus(y)).collect()
+}
+
+/// p + q
+pub fn sum<C: Ring>(p: &[C], q: &[C]) -> Point<C> {
+    p.iter().zip(q).map(|(x, y)| x.plus(y)).collect()
+}
+
+/// s p
+pub fn scaled<C: Ring>(p: &[C], s: &C) -> Point<C> {
+    p.iter().map(|x| s.times(x)).collect()
+}
+
+/// Σ w_i p_i; the empty sum has `dimension` zeros.
+pub fn combination<'a, C: Ring>(
+    dimension: usize,
+    terms: impl IntoIterator<Item = (&'a C, &'a Point<C>)>,
+) -> Point<C> {
+    let mut total = vec![C::zero(); dimension];
+    for (weight, point) in terms {
+        for (x, y) in total.iter_mut().zip(point) {
+            *x += weight.times(y);
+        }
+    }
+    total
+}

@@ -1,0 +1,80 @@
+//! Points with a weight: what rational curves and surfaces share.
+//!
+//! A point p with weight w ≠ 0 is the vector (w p, w); a vector with weight 0 is a point at
+//! infinity, a direction. A rational curve is the image of a polynomial one under the projection
+//! (x, w) ↦ x / w.
+
+use super::{CurveError, Point, difference, scaled};
+use crate::math::number::{Rational, binomial};
+use crate::math::ring::Field;
+
+/// The vectors (w p, w).
+///
+/// # Errors
+/// [`CurveError::WeightCount`], [`CurveError::ZeroWeight`].
+pub(super) fn lifted<C: Field>(points: &[Point<C>], weights: &[C]) -> Result<Vec<Point<C>>, CurveError> {
+    if points.len() != weights.len() {
+        return Err(CurveError::WeightCount { weights: weights.len(), points: points.len() });
+    }
+    if let Some(index) = weights.iter().position(C::is_zero) {
+        return Err(CurveError::ZeroWeight { index });
+    }
+    let lift = |(point, weight): (&Point<C>, &C)| -> Point<C> {
+        point.iter().map(|x| x.times(weight)).chain([weight.clone()]).collect()
+    };
+    Ok(points.iter().zip(weights).map(lift).collect())
+}
+
+/// x and w of a vector (x, w).
+pub(super) fn parted<C>(vector: &[C]) -> (&[C], &C) {
+    let (weight, x) = vector.split_last().expect("a homogeneous vector has a weight");
+    (x, weight)
+}
+
+/// x / w
+///
+/// # Errors
+/// [`CurveError::ZeroDenominator`] if w = 0.
+pub(super) fn projected<C: Field>(vector: &[C]) -> Result<Point<C>, CurveError> {
+    let (x, weight) = parted(vector);
+    Ok(scaled(x, &weight.inverse().ok_or(CurveError::ZeroDenominator)?))
+}
+
+/// Whether a homogeneous object has the weight that it needs.
+pub(super) fn check_weight(dimension: usize) -> Result<(), CurveError> {
+    if dimension > 0 { Ok(()) } else { Err(CurveError::DimensionsOf { left: 0, right: 1 }) }
+}
+
+/// The derivatives of x/w from those of (x, w): entry (r, s) belongs to ∂^{r+s}/∂u^r ∂v^s, and
+/// each row is at least as long as the next. From Leibniz' rule for x = w p,
+/// w p^{(r,s)} = x^{(r,s)} − Σ_{(i,j) ≠ 0} C(r,i) C(s,j) w^{(i,j)} p^{(r−i,s−j)}.
+///
+/// Reference: L. Piegl, W. Tiller, *The NURBS Book* (1997), section 4.5.
+///
+/// # Errors
+/// [`CurveError::ZeroDenominator`].
+pub(super) fn quotient_derivatives<C: Field>(
+    homogeneous: &[Vec<Point<C>>],
+) -> Result<Vec<Vec<Point<C>>>, CurveError> {
+    let inverse = parted(&homogeneous[0][0]).1.inverse().ok_or(CurveError::ZeroDenominator)?;
+    let mut result: Vec<Vec<Point<C>>> = Vec::with_capacity(homogeneous.len());
+    for (r, row) in homogeneous.iter().enumerate() {
+        result.push(Vec::with_capacity(row.len()));
+        for (s, vector) in row.iter().enumerate() {
+            let mut total = parted(vector).0.to_vec();
+            for i in 0..=r {
+                for j in 0..=s {
+                    if (i, j) == (0, 0) {
+                        continue;
+                    }
+                    crate::budget::step();
+                    let count = Rational::from_integer(binomial(r, i) * binomial(s, j));
+                    let weight = parted(&homogeneous[i][j]).1.scaled(&count);
+                    total = difference(&total, &scaled(&result[r - i][s - j], &weight));
+                }
+            }
+            result[r].push(scaled(&total, &inverse));
+        }
+    }
+    Ok(result)
+}

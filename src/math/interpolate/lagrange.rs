@@ -1,0 +1,198 @@
+//! Lagrange's form of the interpolating polynomial, in barycentric notation.
+//!
+//! **Definition.** For distinct nodes x_0, …, x_n let ω(t) = ∏ (t − x_k) and
+//! w_j = 1/∏_{k≠j} (x_j − x_k) = 1/ω'(x_j). The basis is L_j(t) = w_j ∏_{k≠j} (t − x_k), and
+//!
+//! p(t) = Σ y_j L_j(t) = ω(t) Σ w_j y_j/(t − x_j) = (Σ w_j y_j/(t − x_j)) / (Σ w_j/(t − x_j)).
+//!
+//! Reference: J.-P. Berrut, L. N. Trefethen, "Barycentric Lagrange interpolation", SIAM Review
+//! 46 (2004).
+
+use super::InterpolationError;
+use super::datum::{Datum, check, combination, distinct, divided, enough, fitting, reciprocal, times_linear};
+use crate::budget;
+use crate::math::ring::{Field, Ring};
+
+/// Values at distinct nodes with their barycentric weights.
+///
+/// ```
+/// use polarform::interpolate::LagrangeForm;
+/// use polarform::number::{integer as z, rational as q};
+/// let form = LagrangeForm::new(&[0, 1, 2].map(z), &[0, 1, 4].map(z))?;
+/// assert_eq!(form.weights(), [q(1, 2), z(-1), q(1, 2)]);
+/// assert_eq!(form.value(&z(5)), z(25));
+/// // points of the plane: a parabola through three of them
+/// let points = [vec![z(0), z(0)], vec![z(1), z(2)], vec![z(2), z(0)]];
+/// let curve = LagrangeForm::new(&[0, 1, 2].map(z), &points)?;
+/// assert_eq!(curve.value(&q(1, 2)), [q(1, 2), q(3, 2)]);
+/// # Ok::<(), polarform::interpolate::InterpolationError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LagrangeForm<C, V = C> {
+    nodes: Vec<C>,
+    weights: Vec<C>,
+    values: Vec<V>,
+}
+
+impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
+    /// The form for these nodes and values. Cost: n² products, n quotients.
+    ///
+    /// # Errors
+    /// [`InterpolationError`] when there are no nodes, two are equal, or the values do not fit.
+    pub fn new(nodes: &[C], values: &[V]) -> Result<Self, InterpolationError> {
+        check(nodes, values)?;
+        Ok(LagrangeForm { nodes: nodes.to_vec(), weights: weights_of(nodes), values: values.to_vec() })
+    }
+
+    /// Adds a node at the end: w_j is divided by x_j − x. Cost: n quotients.
+    ///
+    /// # Errors
+    /// [`InterpolationError::EqualNodes`], [`InterpolationError::Dimensions`]; nothing is changed
+    /// then.
+    pub fn insert(&mut self, node: C, value: V) -> Result<(), InterpolationError> {
+        fitting("value", [&value], &self.values[0])?;
+        if let Some(first) = self.nodes.iter().position(|x| *x == node) {
+            return Err(InterpolationError::EqualNodes { first, second: self.nodes.len() });
+        }
+        let mut product = C::one();
+        for (x, w) in self.nodes.iter().zip(&mut self.weights) {
+            budget::step();
+            let difference = x.minus(&node);
+            product *= -difference.clone();
+            *w *= reciprocal(&difference);
+        }
+        self.weights.push(reciprocal(&product));
+        self.nodes.push(node);
+        self.values.push(value);
+        Ok(())
+    }
+
+    /// x_0, …, x_n
+    pub fn nodes(&self) -> &[C] {
+        &self.nodes
+    }
+
+    /// w_0, …, w_n
+    pub fn weights(&self) -> &[C] {
+        &self.weights
+    }
+
+    /// y_0, …, y_n
+    pub fn values(&self) -> &[V] {
+        &self.values
+    }
+
+    /// L_0(t), …, L_n(t); their sum is 1. Cost: 4n products, no quotient.
+    pub fn basis_values(&self, t: &C) -> Vec<C> {
+        let mut values = self.weights.clone();
+        let mut product = C::one();
+        for (x, value) in self.nodes.iter().zip(&mut values) {
+            *value *= product.clone();
+            product *= t.minus(x);
+        }
+        product = C::one();
+        for (x, value) in self.nodes.iter().zip(&mut values).rev() {
+            *value *= product.clone();
+            product *= t.minus(x);
+        }
+        values
+    }
+
+    /// p(t) = Σ y_j L_j(t). Cost: 5n products.
+    pub fn value(&self, t: &C) -> V {
+        combination(self.basis_values(t).iter().zip(&self.values)).expect("there is at least one node")
+    }
+
+    /// p(t) by the second barycentric formula, the quotient of two sums over w_j/(t − x_j); the
+    /// value y_j itself at a node. Cost: n quotients, 2n products.
+    pub fn barycentric_value(&self, t: &C) -> V {
+        if let Some(j) = self.nodes.iter().position(|x| x == t) {
+            return self.values[j].clone();
+        }
+        let terms: Vec<C> =
+            self.nodes.iter().zip(&self.weights).map(|(x, w)| w.times(&reciprocal(&t.minus(x)))).collect();
+        let bottom = terms.iter().fold(C::zero(), |sum, term| sum.plus(term));
+        let top = combination(terms.iter().zip(&self.values)).expect("there is at least one node");
+        // The sum below is 1/ω(t), since the basis sums to 1.
+        top.multiple(&reciprocal(&bottom))
+    }
+
+    /// The power coefficients of L_0, …, L_n, each a list of n + 1, lowest first. Cost: 2n²
+    /// products.
+    pub fn basis_polynomials(&self) -> Vec<Vec<C>> {
+        let product = nodal_polynomial(&self.nodes);
+        budget::charge_terms((self.nodes.len() as u64).saturating_mul(self.nodes.len() as u64));
+        let polynomial = |(x, w): (&C, &C)| {
+            let quotient = divided(&product, x).map_or_else(Vec::new, |(quotient, _)| quotient);
+            quotient.iter().map(|c| c.times(w)).collect()
+        };
+        self.nodes.iter().zip(&self.weights).map(polynomial).collect()
+    }
+
+    /// The n + 1 power coefficients of p, lowest first; leading ones may be zero. Cost: 3n²
+    /// products.
+    pub fn to_power(&self) -> Vec<V> {
+        let basis = self.basis_polynomials();
+        let coefficient = |i: usize| {
+            combination(basis.iter().map(|p| &p[i]).zip(&self.values)).expect("there is at least one node")
+        };
+        (0..self.nodes.len()).map(coefficient).collect()
+    }
+}
+
+/// The power coefficients, lowest first, of the polynomial of degree at most n through n + 1
+/// points: values (or points of any dimension) at distinct nodes.
+///
+/// ```
+/// use polarform::interpolate::polynomial_through;
+/// use polarform::number::integer as z;
+/// assert_eq!(polynomial_through(&[-1, 0, 1].map(z), &[2, 0, 2].map(z)), Ok(vec![z(0), z(0), z(2)]));
+/// ```
+///
+/// # Errors
+/// As [`LagrangeForm::new`].
+pub fn polynomial_through<C: Field, V: Datum<C>>(
+    nodes: &[C],
+    values: &[V],
+) -> Result<Vec<V>, InterpolationError> {
+    LagrangeForm::new(nodes, values).map(|form| form.to_power())
+}
+
+/// The barycentric weights w_j = 1/∏_{k≠j} (x_j − x_k). Cost: n² products, n quotients.
+///
+/// ```
+/// use polarform::interpolate::barycentric_weights;
+/// use polarform::number::{integer as z, rational as q};
+/// // equidistant nodes: (−1)^{n−j} C(n,j) / n!
+/// let weights = barycentric_weights(&[0, 1, 2, 3].map(z))?;
+/// assert_eq!(weights, [q(-1, 6), q(1, 2), q(-1, 2), q(1, 6)]);
+/// # Ok::<(), polarform::interpolate::InterpolationError>(())
+/// ```
+///
+/// # Errors
+/// [`InterpolationError`] when there are no nodes, or two are equal.
+pub fn barycentric_weights<C: Field>(nodes: &[C]) -> Result<Vec<C>, InterpolationError> {
+    enough(nodes.len(), 1)?;
+    distinct(nodes)?;
+    Ok(weights_of(nodes))
+}
+
+fn weights_of<C: Field>(nodes: &[C]) -> Vec<C> {
+    let weight = |(j, x): (usize, &C)| {
+        let mut product = C::one();
+        for (k, other) in nodes.iter().enumerate() {
+            budget::step();
+            if k != j {
+                product *= x.minus(other);
+            }
+        }
+        reciprocal(&product)
+    };
+    nodes.iter().enumerate().map(weight).collect()
+}
+
+/// The power coefficients of ω(t) = ∏ (t − x_k), lowest first; \[1\] for no nodes. Cost: n²/2
+/// products.
+pub fn nodal_polynomial<C: Ring>(nodes: &[C]) -> Vec<C> {
+    nodes.iter().fold(vec![C::one()], |product, node| times_linear(product, node))
+}

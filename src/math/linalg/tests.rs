@@ -1,0 +1,245 @@
+use nalgebra::DMatrix;
+use num_traits::{One, Zero};
+use proptest::prelude::*;
+
+use super::surd::Surd;
+use super::*;
+use crate::budget::{Limits, Stop};
+use crate::math::number::{Int, integer, rational};
+
+macro_rules! dmatrix {
+    ($($($x:expr),+);+) => {{
+        let rows = [$(vec![$($x),+]),+];
+        DMatrix::from_row_iterator(rows.len(), rows[0].len(), rows.into_iter().flatten())
+    }};
+}
+
+fn identity<F: Field>(n: usize) -> DMatrix<F> {
+    DMatrix::identity(n, n)
+}
+
+/// Σ over permutations, by expansion along the first column.
+fn leibniz<F: Field>(a: &DMatrix<F>) -> F {
+    if a.nrows() == 0 {
+        return F::one();
+    }
+    let mut sum = F::zero();
+    for i in 0..a.nrows() {
+        // not remove_row: that of nalgebra 0.35 drops the wrong entries, here a double free
+        let size = a.nrows() - 1;
+        let minor = DMatrix::from_fn(size, size, |k, j| a[(if k < i { k } else { k + 1 }, j + 1)].clone());
+        let term = a[(i, 0)].times(&leibniz(&minor));
+        if i % 2 == 0 { sum += term } else { sum -= term }
+    }
+    sum
+}
+
+/// What Gauss' elimination says, also for rational matrices.
+fn plain<F: Field>(a: &DMatrix<F>) -> Reduced<F> {
+    Reduced::General(elimination::Echelon::new(joined_rows(a, None), a.ncols()))
+}
+
+fn check_laws<F: Field>(a: &DMatrix<F>) {
+    let (rows, columns) = a.shape();
+    let form = reduced_row_echelon(a);
+    let r = form.pivots.len();
+    assert_eq!(rank(a), r);
+    assert_eq!(rank(&a.transpose()), r);
+    assert!(form.pivots.is_sorted_by(|x, y| x < y));
+    for i in 0..rows {
+        for j in 0..columns {
+            let x = &form.matrix[(i, j)];
+            if i >= r || j < form.pivots[i] {
+                assert!(x.is_zero());
+            } else if let Ok(k) = form.pivots.binary_search(&j) {
+                assert_eq!(*x, if k == i { F::one() } else { F::zero() });
+            }
+        }
+    }
+    // The rows of the form span those of the matrix, and not more.
+    let stacked = DMatrix::from_fn(2 * rows, columns, |i, j| {
+        if i < rows { a[(i, j)].clone() } else { form.matrix[(i - rows, j)].clone() }
+    });
+    assert_eq!(rank(&stacked), r);
+    let kernel = null_space(a);
+    assert_eq!(kernel.shape(), (columns, columns - r));
+    assert_eq!(multiply(a, &kernel), Ok(DMatrix::zeros(rows, columns - r)));
+    assert_eq!(rank(&kernel), columns - r);
+
+    let other = plain(a);
+    assert_eq!(other.pivots(), form.pivots);
+    for j in 0..columns {
+        let x = other.coordinates(j);
+        for (i, x) in x.iter().enumerate() {
+            assert_eq!(*x, form.matrix[(i, j)]);
+        }
+    }
+    if rows != columns {
+        assert_eq!(determinant(a), Err(LinalgError::NotSquare { rows, columns }));
+        assert_eq!(inverse(a), Err(LinalgError::NotSquare { rows, columns }));
+        return;
+    }
+    let value = determinant(a).unwrap();
+    assert_eq!(value, leibniz(a));
+    assert_eq!(value, other.determinant());
+    match inverse(a) {
+        Ok(inverted) => {
+            assert!(!value.is_zero());
+            assert_eq!(multiply(a, &inverted), Ok(identity(rows)));
+            assert_eq!(multiply(&inverted, a), Ok(identity(rows)));
+        }
+        Err(LinalgError::Singular { size, rank, column }) => {
+            assert!(value.is_zero());
+            assert_eq!((size, rank), (rows, r));
+            assert!(!form.pivots.contains(&column));
+            assert!((0..column).all(|j| form.pivots.contains(&j)));
+        }
+        Err(other) => panic!("{other}"),
+    }
+}
+
+fn entry() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        4 => Just(Rational::zero()),
+        4 => (-3i64..=3).prop_map(integer),
+        3 => (-9i64..=9, 1i64..=9).prop_map(|(p, q)| rational(p, q)),
+        1 => (any::<i64>(), 1..=i64::MAX).prop_map(|(p, q)| rational(p, q)),
+        1 => (any::<i64>(), 1u32..4).prop_map(|(p, e)| Rational::from_integer(Int::from(p).pow(e))),
+    ]
+}
+
+fn matrix<T: nalgebra::Scalar>(
+    rows: impl Strategy<Value = usize>,
+    columns: impl Strategy<Value = usize>,
+    entry: impl Strategy<Value = T> + Clone,
+) -> impl Strategy<Value = DMatrix<T>> {
+    (rows, columns).prop_flat_map(move |(rows, columns)| {
+        proptest::collection::vec(entry.clone(), rows * columns)
+            .prop_map(move |entries| DMatrix::from_vec(rows, columns, entries))
+    })
+}
+
+fn rational_matrix() -> impl Strategy<Value = DMatrix<Rational>> {
+    matrix(0usize..5, 0usize..5, entry().boxed())
+}
+
+fn surd_matrix() -> impl Strategy<Value = DMatrix<Surd>> {
+    let some = || (-4i64..=4, 1i64..=3).prop_map(|(p, q)| rational(p, q));
+    let small = || prop_oneof![2 => Just(Rational::zero()), 1 => some()];
+    let entry = (small(), small()).prop_map(|(p, q)| Surd(p, q)).boxed();
+    matrix(0usize..5, 0usize..5, entry)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn rational_laws(a in rational_matrix()) {
+        check_laws(&a);
+    }
+
+    #[test]
+    fn surd_laws(a in surd_matrix()) {
+        check_laws(&a);
+    }
+
+    #[test]
+    fn low_rank(a in matrix(4usize..5, 2usize..3, entry().boxed()),
+                b in matrix(2usize..3, 4usize..5, entry().boxed())) {
+        let product = multiply(&a, &b).unwrap();
+        prop_assert_eq!(&product, &(&a * &b));
+        prop_assert!(rank(&product) <= 2);
+        check_laws(&product);
+    }
+
+    #[test]
+    fn solutions_solve(a in matrix(3usize..4, 3usize..4, entry().boxed()),
+                       b in matrix(3usize..4, 0usize..3, entry().boxed())) {
+        if let Ok(x) = solve(&a, &b) {
+            prop_assert_eq!(multiply(&a, &x), Ok(b));
+        } else {
+            prop_assert!(rank(&a) < 3);
+        }
+    }
+}
+
+#[test]
+fn empty_matrices() {
+    let none: DMatrix<Rational> = DMatrix::zeros(0, 0);
+    assert_eq!(determinant(&none), Ok(Rational::one()));
+    assert_eq!(inverse(&none), Ok(none.clone()));
+    assert_eq!(rank(&none), 0);
+    assert!(is_lower_triangular(&none));
+    assert_eq!(solve(&none, &DMatrix::zeros(0, 3)), Ok(DMatrix::zeros(0, 3)));
+    let wide: DMatrix<Rational> = DMatrix::zeros(0, 3);
+    assert_eq!(null_space(&wide), identity(3));
+    assert_eq!(reduced_row_echelon(&wide).matrix, wide);
+    let tall: DMatrix<Rational> = DMatrix::zeros(3, 0);
+    assert_eq!(multiply(&tall, &wide), Ok(DMatrix::zeros(3, 3)));
+    assert_eq!(multiply(&wide, &tall), Ok(none));
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    let a = dmatrix![integer(1), integer(2), integer(3); integer(4), integer(5), integer(6)];
+    assert_eq!(inverse(&a).unwrap_err().to_string(), "the matrix is 2×3, it has to be square");
+    assert_eq!(
+        multiply(&a, &a).unwrap_err().to_string(),
+        "the product A B is not defined: A is 2×3, B is 2×3"
+    );
+    let one = identity::<Rational>(2);
+    let three = DMatrix::zeros(3, 1);
+    assert_eq!(
+        solve(&one, &three).unwrap_err().to_string(),
+        "the system A X = B is not defined: A is 2×2, B is 3×1"
+    );
+    let dependent = dmatrix![integer(1), integer(2), integer(0);
+                             integer(2), integer(4), integer(1);
+                             integer(3), integer(6), integer(5)];
+    assert_eq!(
+        inverse(&dependent).unwrap_err().to_string(),
+        "the 3×3 matrix is singular, its rank is 2: column 2 is a combination of the columns before it"
+    );
+    let zero: DMatrix<Rational> = DMatrix::zeros(1, 1);
+    assert_eq!(
+        inverse(&zero).unwrap_err().to_string(),
+        "the 1×1 matrix is singular, its rank is 0: column 1 is zero"
+    );
+}
+
+/// det (1/(i+j+1)) of size n is ∏_{k<n} k!^4 … in closed form c_n^4 / c_2n with c_n = ∏_{k<n} k!.
+#[test]
+fn determinant_of_hilberts_matrix() {
+    let superfactorial = |n: usize| -> Int { (0..n).map(crate::math::number::factorial).product() };
+    for n in 0..12 {
+        let hilbert = DMatrix::from_fn(n, n, |i, j| rational(1, (i + j + 1) as i64));
+        let expected = Rational::new(superfactorial(n).pow(4), superfactorial(2 * n));
+        assert_eq!(determinant(&hilbert), Ok(expected));
+        let inverted = inverse(&hilbert).unwrap();
+        assert!(inverted.iter().all(|x| x.is_integer()));
+    }
+}
+
+#[test]
+fn huge_entries() {
+    let big = Rational::from_integer(Int::from(10).pow(2000));
+    let a = dmatrix![big.clone(), integer(1); integer(-1), big.recip()];
+    assert_eq!(determinant(&a), Ok(integer(2)));
+    assert_eq!(multiply(&a, &inverse(&a).unwrap()), Ok(identity(2)));
+}
+
+#[test]
+fn exchanges_change_the_sign() {
+    let a = dmatrix![integer(0), integer(1); integer(1), integer(0)];
+    assert_eq!(determinant(&a), Ok(integer(-1)));
+    assert_eq!(inverse(&a), Ok(a));
+}
+
+#[test]
+fn limits_stop_elimination() {
+    let a = DMatrix::from_fn(60, 60, |i, j| rational(1, (i * i + j + 1) as i64));
+    let limits = Limits { time: Some(std::time::Duration::from_millis(1)), ..Limits::default() };
+    assert!(matches!(crate::budget::run(&limits, || rank(&a)), Err(Stop::Time(_))));
+    let limits = Limits { terms: 100, ..Limits::default() };
+    assert!(matches!(crate::budget::run(&limits, || rank(&a)), Err(Stop::Terms { .. })));
+}

@@ -1,0 +1,519 @@
+//! Piecewise polynomials, exact, with breakpoints that may be symbols.
+//!
+//! Definition: breakpoints x_0 < x_1 < … < x_m and on each [x_i, x_{i+1}) one polynomial, kept
+//! by its power coefficients in t (lowest first, no leading zero). The last interval includes
+//! its end, unless the function is made half-open. Outside, the function is 0 or has no value, as [`Outside`] says.
+//!
+//! **Invariant.** m ≥ 1; two neighbouring breakpoints are never equal, and in increasing order
+//! wherever their difference is a number. Symbolic breakpoints are taken to be in the order
+//! given.
+//!
+//! Reference: C. de Boor, *A Practical Guide to Splines* (2001), chapter VII.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use num_traits::{Signed, Zero};
+
+use crate::budget;
+use crate::math::number::{Int, Rational};
+use crate::math::ring::{Field, Ring};
+
+/// What a piecewise polynomial is outside of its breakpoints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// Zero, as a B-spline basis function.
+    Zero,
+    /// Without a value, as a curve.
+    Undefined,
+}
+
+/// Why something is not a piecewise polynomial, or has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PiecewiseError {
+    /// The numbers of breakpoints and pieces do not fit together: m pieces need m + 1 of them.
+    Counts {
+        /// Number of breakpoints.
+        breaks: usize,
+        /// Number of pieces.
+        pieces: usize,
+    },
+    /// A breakpoint is not larger than the one before it.
+    Order {
+        /// The place of the offending breakpoint, from 0.
+        index: usize,
+    },
+    /// The parameter lies outside of the breakpoints.
+    OutsideDomain,
+    /// On which piece the parameter lies depends on symbols.
+    Unordered,
+}
+
+impl fmt::Display for PiecewiseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            PiecewiseError::Counts { breaks, pieces } => {
+                write!(f, "{pieces} pieces need {} breakpoints, not {breaks}", pieces + 1)
+            }
+            PiecewiseError::Order { index } => {
+                write!(f, "breakpoint {index} is not larger than the one before it")
+            }
+            PiecewiseError::OutsideDomain => f.write_str("the parameter lies outside of the breakpoints"),
+            PiecewiseError::Unordered => f.write_str("on which piece the parameter lies depends on symbols"),
+        }
+    }
+}
+
+impl std::error::Error for PiecewiseError {}
+
+/// How two parameters are ordered, if their difference is a number.
+///
+/// ```
+/// use polarform::{number::rational, piecewise::compare};
+/// assert_eq!(compare(&rational(1, 3), &rational(1, 2)), Some(std::cmp::Ordering::Less));
+/// ```
+pub fn compare<C: Ring>(x: &C, y: &C) -> Option<Ordering> {
+    let difference = x.minus(y).as_rational()?;
+    Some(if difference.is_zero() {
+        Ordering::Equal
+    } else if difference.is_negative() {
+        Ordering::Less
+    } else {
+        Ordering::Greater
+    })
+}
+
+/// A piecewise polynomial.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piecewise<C> {
+    breaks: Vec<C>,
+    pieces: Vec<Vec<C>>,
+    outside: Outside,
+    half_open: bool,
+}
+
+impl<C: Ring> Piecewise<C> {
+    /// The function with these breakpoints and, between them, the polynomials with these power
+    /// coefficients.
+    ///
+    /// # Errors
+    /// [`PiecewiseError::Counts`], [`PiecewiseError::Order`].
+    ///
+    /// ```
+    /// use polarform::number::integer as z;
+    /// use polarform::piecewise::{Outside, Piecewise};
+    /// // the hat function: t on [0, 1), 2 − t on [1, 2]
+    /// let pieces = vec![vec![z(0), z(1)], vec![z(2), z(-1)]];
+    /// let hat = Piecewise::new(vec![z(0), z(1), z(2)], pieces, Outside::Zero)?;
+    /// assert_eq!(hat.value(&z(1)), Ok(z(1)));
+    /// assert_eq!(hat.value(&z(5)), Ok(z(0)));
+    /// assert_eq!(hat.smoothness(1), Some(0));
+    /// # Ok::<(), polarform::piecewise::PiecewiseError>(())
+    /// ```
+    pub fn new(breaks: Vec<C>, pieces: Vec<Vec<C>>, outside: Outside) -> Result<Self, PiecewiseError> {
+        if pieces.is_empty() || breaks.len() != pieces.len() + 1 {
+            return Err(PiecewiseError::Counts { breaks: breaks.len(), pieces: pieces.len() });
+        }
+        for (i, pair) in breaks.windows(2).enumerate() {
+            if matches!(compare(&pair[0], &pair[1]), Some(Ordering::Equal | Ordering::Greater)) {
+                return Err(PiecewiseError::Order { index: i + 1 });
+            }
+        }
+        let pieces = pieces.into_iter().map(trimmed).collect();
+        Ok(Piecewise { breaks, pieces, outside, half_open: false })
+    }
+
+    /// The same function without its value at x_m: there it is what it is outside. A basis
+    /// function that jumps at its last knot is such. Where it is 0 at x_m nothing changes.
+    #[must_use]
+    pub fn half_open(mut self) -> Self {
+        let end = &self.breaks[self.breaks.len() - 1];
+        self.half_open = !horner(&self.pieces[self.pieces.len() - 1], end).is_zero();
+        self
+    }
+
+    /// Whether x_m belongs to the last interval.
+    pub fn is_closed(&self) -> bool {
+        !self.half_open
+    }
+
+    /// x_0, …, x_m
+    pub fn breaks(&self) -> &[C] {
+        &self.breaks
+    }
+
+    /// The power coefficients of each piece, lowest first, without leading zeros.
+    pub fn pieces(&self) -> &[Vec<C>] {
+        &self.pieces
+    }
+
+    /// What the function is outside.
+    pub fn outside(&self) -> Outside {
+        self.outside
+    }
+
+    /// The largest degree of a piece; 0 for the zero function.
+    pub fn degree(&self) -> usize {
+        self.pieces.iter().map(|piece| piece.len().saturating_sub(1)).max().unwrap_or(0)
+    }
+
+    /// Which piece a parameter lies on: i with x_i ≤ t < x_{i+1}, the last one at its end.
+    ///
+    /// # Errors
+    /// [`PiecewiseError::OutsideDomain`], [`PiecewiseError::Unordered`].
+    pub fn locate(&self, t: &C) -> Result<usize, PiecewiseError> {
+        interval_of(&self.breaks, t)
+    }
+
+    /// The value at t. Cost: one product for each degree.
+    ///
+    /// # Errors
+    /// As [`Piecewise::locate`]; outside is no error if the function is 0 there.
+    pub fn value(&self, t: &C) -> Result<C, PiecewiseError> {
+        match self.locate(t) {
+            Ok(_) if self.half_open && t == &self.breaks[self.breaks.len() - 1] => match self.outside {
+                Outside::Zero => Ok(C::zero()),
+                Outside::Undefined => Err(PiecewiseError::OutsideDomain),
+            },
+            Ok(i) => Ok(horner(&self.pieces[i], t)),
+            Err(PiecewiseError::OutsideDomain) if self.outside == Outside::Zero => Ok(C::zero()),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The k-th derivative on each piece.
+    pub fn derivative(&self, k: usize) -> Self {
+        let pieces = self.pieces.iter().map(|piece| {
+            let mut piece = piece.clone();
+            for _ in 0..k.min(piece.len()) {
+                piece = derivative(&piece);
+            }
+            piece
+        });
+        Piecewise { pieces: pieces.collect(), ..self.clone() }.settled()
+    }
+
+    /// The continuous antiderivative that is 0 at x_0. It has no value outside.
+    pub fn antiderivative(&self) -> Self {
+        let mut start = C::zero();
+        let mut pieces = Vec::with_capacity(self.pieces.len());
+        for (piece, ends) in self.pieces.iter().zip(self.breaks.windows(2)) {
+            let mut primitive = antiderivative(piece);
+            let shift = start.minus(&horner(&primitive, &ends[0]));
+            add_constant(&mut primitive, shift);
+            start = horner(&primitive, &ends[1]);
+            pieces.push(primitive);
+        }
+        Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined, half_open: false }
+    }
+
+    /// The integral over all pieces.
+    pub fn integral(&self) -> C {
+        let primitive = self.antiderivative();
+        let last = primitive.breaks.last().expect("there are at least two breakpoints");
+        horner(&primitive.pieces[primitive.pieces.len() - 1], last)
+    }
+
+    /// The largest k ≤ degree such that the pieces meet with equal derivatives of order 0, …, k
+    /// at the inner breakpoint x_i; `None` if not even the values agree.
+    ///
+    /// # Panics
+    /// If i is not in 1..m.
+    pub fn smoothness(&self, i: usize) -> Option<usize> {
+        assert!(i >= 1 && i < self.pieces.len(), "an inner breakpoint");
+        let difference = subtracted(&self.pieces[i], &self.pieces[i - 1]);
+        let mut rest = trimmed(difference);
+        let mut order = None;
+        for k in 0..=self.degree() {
+            if !horner(&rest, &self.breaks[i]).is_zero() {
+                break;
+            }
+            order = Some(k);
+            rest = derivative(&rest);
+        }
+        order
+    }
+
+    /// The same function with neighbouring equal pieces joined.
+    pub fn merged(&self) -> Self {
+        let mut breaks = vec![self.breaks[0].clone()];
+        let mut pieces: Vec<Vec<C>> = Vec::new();
+        for (piece, end) in self.pieces.iter().zip(&self.breaks[1..]) {
+            if pieces.last() == Some(piece) {
+                breaks.pop();
+            } else {
+                pieces.push(piece.clone());
+            }
+            breaks.push(end.clone());
+        }
+        Piecewise { breaks, pieces, outside: self.outside, half_open: self.half_open }
+    }
+
+    /// The function with every piece changed by a map of polynomials.
+    pub fn map(&self, mut change: impl FnMut(&[C]) -> Vec<C>) -> Self {
+        let pieces = self.pieces.iter().map(|piece| trimmed(change(piece))).collect();
+        Piecewise { pieces, ..self.clone() }.settled()
+    }
+
+    /// Half-open stays what it was, where it makes a difference.
+    fn settled(self) -> Self {
+        if self.half_open { self.half_open() } else { self }
+    }
+
+    /// The sum of two functions, over the breakpoints of both; `None` if the order of these depends
+    /// on symbols. A function that has no value outside of its breakpoints gives none to the sum.
+    pub fn sum(&self, other: &Self) -> Option<Self> {
+        let breaks = if self.breaks == other.breaks {
+            self.breaks.clone()
+        } else {
+            let mut all: Vec<C> = self.breaks.iter().chain(&other.breaks).cloned().collect();
+            let known = all.iter().all(|x| compare(x, &all[0]).is_some());
+            if !known {
+                return None;
+            }
+            all.sort_by(|x, y| compare(x, y).unwrap_or(Ordering::Equal));
+            all.dedup();
+            all
+        };
+        // Where one of them has no value the sum has none.
+        let inside = |f: &Self, a: &C| {
+            f.outside == Outside::Zero || f.locate(a).is_ok_and(|_| a != &f.breaks[f.breaks.len() - 1])
+        };
+        let kept: Vec<usize> = (0..breaks.len() - 1)
+            .filter(|&i| inside(self, &breaks[i]) && inside(other, &breaks[i]))
+            .collect();
+        let (&first, &last) = (kept.first()?, kept.last()?);
+        let breaks = breaks[first..=last + 1].to_vec();
+        let piece = |f: &Self, a: &C| -> Vec<C> {
+            match f.locate(a) {
+                Ok(i) if a != &f.breaks[f.breaks.len() - 1] => f.pieces[i].clone(),
+                _ => Vec::new(),
+            }
+        };
+        let pieces = breaks[..breaks.len() - 1]
+            .iter()
+            .map(|a| trimmed(added(&piece(self, a), &piece(other, a))))
+            .collect();
+        let outside = match (self.outside, other.outside) {
+            (Outside::Zero, Outside::Zero) => Outside::Zero,
+            _ => Outside::Undefined,
+        };
+        let end = &breaks[breaks.len() - 1];
+        let open = |f: &Self| f.half_open && &f.breaks[f.breaks.len() - 1] == end;
+        let closed = |f: &Self| !f.half_open && &f.breaks[f.breaks.len() - 1] == end;
+        let half_open = (open(self) || open(other)) && !closed(self) && !closed(other);
+        let sum = Piecewise { breaks, pieces, outside, half_open: false };
+        Some(if half_open { sum.half_open() } else { sum })
+    }
+}
+
+/// i with `breaks[i]` ≤ t < `breaks[i+1]`, these two different; the end of the last such
+/// interval belongs to it. Cost: at most one comparison for each breakpoint.
+///
+/// # Errors
+/// [`PiecewiseError::OutsideDomain`], and [`PiecewiseError::Unordered`] if the place depends on
+/// symbols. A breakpoint equal to t is found also among symbols.
+pub fn interval_of<C: Ring>(breaks: &[C], t: &C) -> Result<usize, PiecewiseError> {
+    let last = breaks.len() - 1;
+    // A parameter that equals a breakpoint needs no order.
+    if let Some(at) = breaks.iter().rposition(|x| x == t) {
+        if at < last {
+            return Ok(at);
+        }
+        return breaks.iter().rposition(|x| x != t).ok_or(PiecewiseError::OutsideDomain);
+    }
+    match (compare(&breaks[0], t), compare(&breaks[last], t)) {
+        (Some(Ordering::Greater), _) | (_, Some(Ordering::Less)) => {
+            return Err(PiecewiseError::OutsideDomain);
+        }
+        _ => {}
+    }
+    let mut from = None;
+    for (i, x) in breaks.iter().enumerate() {
+        budget::step();
+        match compare(x, t) {
+            Some(Ordering::Greater) => {
+                // Between the last one known to be smaller and this one there are only symbols.
+                return match from {
+                    Some(j) if j + 1 == i => Ok(j),
+                    _ => Err(PiecewiseError::Unordered),
+                };
+            }
+            Some(_) => from = Some(i),
+            None => {}
+        }
+    }
+    Err(PiecewiseError::Unordered)
+}
+
+/// p without leading zeros.
+pub fn trimmed<C: Ring>(mut p: Vec<C>) -> Vec<C> {
+    while p.last().is_some_and(Zero::is_zero) {
+        p.pop();
+    }
+    p
+}
+
+/// p(t)
+pub fn horner<C: Ring>(p: &[C], t: &C) -> C {
+    p.iter().rev().fold(C::zero(), |sum, c| {
+        budget::step();
+        sum.times(t).plus(c)
+    })
+}
+
+/// p + q
+pub fn added<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
+    let (long, short) = if p.len() >= q.len() { (p, q) } else { (q, p) };
+    let mut sum = long.to_vec();
+    for (x, y) in sum.iter_mut().zip(short) {
+        *x = x.plus(y);
+    }
+    sum
+}
+
+/// p − q
+pub fn subtracted<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
+    let negative: Vec<C> = q.iter().map(|c| -c.clone()).collect();
+    added(p, &negative)
+}
+
+/// p q. Cost: the product of their lengths.
+pub fn multiplied<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
+    if p.is_empty() || q.is_empty() {
+        return Vec::new();
+    }
+    budget::charge_terms((p.len() + q.len()) as u64);
+    let mut product = vec![C::zero(); p.len() + q.len() - 1];
+    for (i, x) in p.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+        for (j, y) in q.iter().enumerate() {
+            budget::step();
+            product[i + j] += x.times(y);
+        }
+    }
+    product
+}
+
+/// p'
+pub fn derivative<C: Ring>(p: &[C]) -> Vec<C> {
+    p.iter().enumerate().skip(1).map(|(k, c)| c.scaled(&Rational::from_integer(Int::from(k)))).collect()
+}
+
+/// The antiderivative that is 0 at 0.
+pub fn antiderivative<C: Ring>(p: &[C]) -> Vec<C> {
+    let share = |k: usize| Rational::new(Int::ONE, Int::from(k + 1));
+    let terms = p.iter().enumerate().map(|(k, c)| c.scaled(&share(k)));
+    trimmed(std::iter::once(C::zero()).chain(terms).collect())
+}
+
+fn add_constant<C: Ring>(p: &mut Vec<C>, c: C) {
+    match p.first_mut() {
+        Some(first) => *first += c,
+        None if c.is_zero() => {}
+        None => p.push(c),
+    }
+    while p.last().is_some_and(Zero::is_zero) {
+        p.pop();
+    }
+}
+
+impl<C: Field> Piecewise<C> {
+    /// (t − a)/(b − a) put in for t: the function over other parameters, breakpoints moved along.
+    ///
+    /// `None` if scale is 0. x ↦ origin + scale x takes the new parameters to the old ones.
+    pub fn reparameterized(&self, origin: &C, scale: &C) -> Option<Self> {
+        let inverse = scale.inverse()?;
+        let moved = |x: &C| x.minus(origin).times(&inverse);
+        let substituted = |p: &Vec<C>| {
+            p.iter().rev().fold(Vec::new(), |sum: Vec<C>, c| {
+                let mut next = multiplied(&sum, &[origin.clone(), scale.clone()]);
+                if next.is_empty() {
+                    next.push(C::zero());
+                }
+                next[0] += c.clone();
+                trimmed(next)
+            })
+        };
+        let mut breaks: Vec<C> = self.breaks.iter().map(moved).collect();
+        let mut pieces: Vec<Vec<C>> = self.pieces.iter().map(substituted).collect();
+        if scale.as_rational().is_some_and(|q| q.is_negative()) {
+            breaks.reverse();
+            pieces.reverse();
+        }
+        Some(Piecewise { breaks, pieces, outside: self.outside, half_open: self.half_open })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::{integer as z, rational as q};
+    use crate::math::poly::{Fraction, MultiPoly, Symbol};
+
+    fn hat() -> Piecewise<Rational> {
+        let pieces = vec![vec![z(0), z(1)], vec![z(2), z(-1), z(0)]];
+        Piecewise::new(vec![z(0), z(1), z(2)], pieces, Outside::Zero).unwrap()
+    }
+
+    fn symbol(name: &str) -> Fraction {
+        Fraction::from(MultiPoly::symbol(Symbol::new(name)))
+    }
+
+    #[test]
+    fn values_and_ends() {
+        let hat = hat();
+        assert_eq!(hat.value(&q(1, 2)), Ok(q(1, 2)));
+        assert_eq!(hat.value(&z(2)), Ok(z(0)));
+        assert_eq!(hat.value(&z(-1)), Ok(z(0)));
+        assert_eq!(hat.integral(), z(1));
+        assert_eq!(hat.antiderivative().value(&z(2)), Ok(z(1)));
+        assert_eq!(hat.antiderivative().smoothness(1), Some(1));
+        assert_eq!(hat.derivative(1).smoothness(1), None);
+        assert_eq!(hat.antiderivative().derivative(1).pieces(), hat.pieces());
+        assert_eq!(hat.antiderivative().value(&z(3)), Err(PiecewiseError::OutsideDomain));
+    }
+
+    #[test]
+    fn reparameterizing_back_is_the_identity() {
+        for (origin, scale) in [(z(3), q(2, 5)), (q(-1, 2), z(-3))] {
+            let moved = hat().reparameterized(&origin, &scale).unwrap();
+            let inverse = scale.inverse().unwrap();
+            let back = moved.reparameterized(&(-origin.clone() * inverse.clone()), &inverse).unwrap();
+            assert_eq!(back, hat());
+            let t = q(3, 2);
+            assert_eq!(moved.value(&((&t - &origin) * inverse)), hat().value(&t));
+        }
+    }
+
+    #[test]
+    fn merging_joins_equal_pieces() {
+        let p = vec![z(1), z(2)];
+        let f =
+            Piecewise::new(vec![z(0), z(1), z(2), z(3)], vec![p.clone(), p.clone(), vec![]], Outside::Zero);
+        let merged = f.unwrap().merged();
+        assert_eq!(merged.breaks(), [z(0), z(2), z(3)]);
+        assert_eq!(merged.pieces(), [p, vec![]]);
+    }
+
+    #[test]
+    fn symbols_are_found_only_where_order_is_known() {
+        let (a, b, c) = (symbol("a"), symbol("b"), symbol("c"));
+        let breaks = [a.clone(), b.clone(), c];
+        assert_eq!(interval_of(&breaks, &b), Ok(1));
+        assert_eq!(interval_of(&breaks, &symbol("t")), Err(PiecewiseError::Unordered));
+        let number = |k| Fraction::from_rational(&z(k));
+        let mixed = [number(0), number(1), a, number(5)];
+        assert_eq!(interval_of(&mixed, &Fraction::from_rational(&q(1, 2))), Ok(0));
+        assert_eq!(interval_of(&mixed, &number(2)), Err(PiecewiseError::Unordered));
+        assert_eq!(interval_of(&mixed, &number(6)), Err(PiecewiseError::OutsideDomain));
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let piece = || vec![z(1)];
+        let order = Piecewise::new(vec![z(0), z(0)], vec![piece()], Outside::Zero);
+        assert_eq!(order, Err(PiecewiseError::Order { index: 1 }));
+        let counts = Piecewise::new(vec![z(0)], vec![piece()], Outside::Zero);
+        assert_eq!(counts, Err(PiecewiseError::Counts { breaks: 1, pieces: 1 }));
+    }
+}

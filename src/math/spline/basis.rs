@@ -1,0 +1,185 @@
+//! B-spline basis functions as piecewise polynomials, in two ways.
+//!
+//! N_i^0 is 1 on [t_i, t_{i+1}) and
+//! N_i^k(t) = (t − t_i)/(t_{i+k} − t_i) N_i^{k−1}(t) + (t_{i+k+1} − t)/(t_{i+k+1} − t_{i+1}) N_{i+1}^{k−1}(t),
+//! a quotient with denominator 0 counting as 0 (Cox, de Boor). By the blossom, the piece on
+//! [t_j, t_{j+1}] is the polynomial whose polar form is 1 at the label of N_i and 0 at the other
+//! labels of that interval.
+
+use super::bspline::BSpline;
+use super::{KnotVector, SplineError};
+use crate::budget;
+use crate::math::blossom::PolarForm;
+use crate::math::number::Rational;
+use crate::math::piecewise::{Outside, Piecewise, added, multiplied, trimmed};
+use crate::math::ring::Field;
+
+/// Power coefficients on each knot interval of the support, beginning with [t_i, t_{i+1}].
+type Local<C> = Vec<Vec<C>>;
+
+impl<C: Field> KnotVector<C> {
+    /// N_i^n as a piecewise polynomial, by the recurrence of Cox and de Boor.
+    ///
+    /// Cost: n³/6 products of a polynomial by a linear one.
+    ///
+    /// # Errors
+    /// [`SplineError::NoSuchFunction`].
+    ///
+    /// ```
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::KnotVector;
+    /// let knots = KnotVector::new(2, [0, 1, 2, 3].map(z).to_vec())?;
+    /// let n = knots.basis_function(0)?;
+    /// assert_eq!(n.pieces()[1], [q(-3, 2), z(3), z(-1)]); // −t² + 3t − 3/2 on [1, 2]
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn basis_function(&self, i: usize) -> Result<Piecewise<C>, SplineError> {
+        self.check_index(i)?;
+        let n = self.degree();
+        let window = &self.knots()[i..=i + n + 1];
+        let table = recurrence(window, n);
+        Ok(assembled(window, &table[0], self.is_last(i)))
+    }
+
+    /// All basis functions N_0^n, …, N_{m−1}^n, sharing the lower degrees.
+    ///
+    /// Cost: m n²/2 products of a polynomial by a linear one.
+    pub fn basis_functions(&self) -> Vec<Piecewise<C>> {
+        let n = self.degree();
+        let size = (self.count() as u64).saturating_mul((n as u64 + 1).saturating_pow(2));
+        budget::charge_terms(size);
+        let table = recurrence(self.knots(), n);
+        table
+            .iter()
+            .enumerate()
+            .map(|(i, local)| assembled(self.support(i), local, self.is_last(i)))
+            .collect()
+    }
+
+    /// N_i^n by blossoming: on each interval the polynomial whose control points over the knots
+    /// are 0 but for the i-th, which is 1. Equal to [`KnotVector::basis_function`].
+    ///
+    /// # Errors
+    /// [`SplineError::NoSuchFunction`].
+    pub fn basis_function_by_blossom(&self, i: usize) -> Result<Piecewise<C>, SplineError> {
+        self.check_index(i)?;
+        let n = self.degree();
+        // Outside knots further to both sides do not matter for this function.
+        let inner = &self.knots()[i..=i + n + 1];
+        let step = |a: &C, b: &C| if a == b { C::one() } else { b.minus(a) };
+        let spread = step(&inner[0], &inner[n + 1]);
+        let mut knots: Vec<C> = Vec::with_capacity(3 * n + 2);
+        let shifted = |k: usize, sign: &C| inner[0].plus(&sign.times(&times(&spread, k)));
+        knots.extend((1..=n).rev().map(|k| shifted(k, &-C::one())));
+        knots.extend_from_slice(inner);
+        let after = |k: usize| inner[n + 1].plus(&times(&spread, k));
+        knots.extend((1..=n).map(after));
+        let extended = KnotVector::new(n, knots)?;
+        let points = (0..extended.count()).map(|k| vec![if k == n { C::one() } else { C::zero() }]);
+        let spline = BSpline::new(extended, points.collect())?;
+        let (mut breaks, mut pieces) = (vec![inner[0].clone()], Vec::new());
+        for j in n..=2 * n {
+            let (a, b) = (&spline.knots().knots()[j], &spline.knots().knots()[j + 1]);
+            if a == b {
+                continue;
+            }
+            let ordinates: Vec<C> =
+                spline.bezier_piece(j)?.points().iter().map(|point| point[0].clone()).collect();
+            let form =
+                PolarForm::from_bezier_points_over(&ordinates, a, b).map_err(|_| SplineError::NoDomain)?;
+            pieces.push(form.diagonal());
+            breaks.push(b.clone());
+        }
+        let function = Piecewise::new(breaks, pieces, Outside::Zero)?;
+        Ok(if self.is_last(i) { function } else { function.half_open() })
+    }
+
+    /// Whether a basis function ends with the last knot, which belongs to it.
+    fn is_last(&self, i: usize) -> bool {
+        self.knots()[i + self.degree() + 1] == self.knots()[self.knots().len() - 1]
+    }
+
+    fn check_index(&self, index: usize) -> Result<(), SplineError> {
+        let count = self.count();
+        if index < count { Ok(()) } else { Err(SplineError::NoSuchFunction { index, count }) }
+    }
+}
+
+fn times<C: Field>(x: &C, k: usize) -> C {
+    x.scaled(&Rational::from_integer(crate::math::number::Int::from(k)))
+}
+
+/// All functions of degree n over these knots; over integers if they are numbers.
+fn recurrence<C: Field>(knots: &[C], n: usize) -> Vec<Local<C>> {
+    let numbers: Option<Vec<Rational>> = knots.iter().map(C::as_rational).collect();
+    if let Some(numbers) = numbers {
+        let lifted = |piece: &Vec<Rational>| piece.iter().map(C::from_rational).collect();
+        let table = super::integers::recurrence(&numbers, n);
+        return table.iter().map(|local| local.iter().map(lifted).collect()).collect();
+    }
+    recurrence_in(knots, n)
+}
+
+/// The same over any field.
+fn recurrence_in<C: Field>(knots: &[C], n: usize) -> Vec<Local<C>> {
+    let mut level: Vec<Local<C>> = knots
+        .windows(2)
+        .map(|pair| vec![if pair[0] == pair[1] { Vec::new() } else { vec![C::one()] }])
+        .collect();
+    for k in 1..=n {
+        let share = |i: usize| knots[i + k].minus(&knots[i]).inverse();
+        let shares: Vec<Option<C>> = (0..knots.len() - k).map(share).collect();
+        level = (0..level.len() - 1)
+            .map(|i| {
+                budget::step();
+                let mut local: Local<C> = vec![Vec::new(); k + 1];
+                if let Some(s) = &shares[i] {
+                    let rise = [-knots[i].times(s), s.clone()];
+                    for (piece, lower) in local.iter_mut().zip(&level[i]) {
+                        *piece = multiplied(lower, &rise);
+                    }
+                }
+                if let Some(s) = &shares[i + 1] {
+                    let fall = [knots[i + k + 1].times(s), -s.clone()];
+                    for (piece, lower) in local[1..].iter_mut().zip(&level[i + 1]) {
+                        *piece = added(piece, &multiplied(lower, &fall));
+                    }
+                }
+                local
+            })
+            .collect();
+    }
+    level
+}
+
+/// A function from its pieces, empty intervals left out.
+fn assembled<C: Field>(window: &[C], local: &Local<C>, closed: bool) -> Piecewise<C> {
+    let (mut breaks, mut pieces) = (vec![window[0].clone()], Vec::new());
+    for (pair, piece) in window.windows(2).zip(local) {
+        if pair[0] != pair[1] {
+            breaks.push(pair[1].clone());
+            pieces.push(trimmed(piece.clone()));
+        }
+    }
+    let function = Piecewise::new(breaks, pieces, Outside::Zero)
+        .expect("a knot has at most multiplicity n + 1, so n + 2 of them are not all equal");
+    if closed { function } else { function.half_open() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::rational as q;
+
+    /// The recurrence over integers against the one over the field.
+    #[test]
+    fn integers_and_fractions_agree() {
+        let knots = [q(-1, 3), q(0, 1), q(0, 1), q(1, 2), q(5, 7), q(5, 7), q(5, 7), q(3, 1), q(10, 3)];
+        for n in 0..6 {
+            let (fast, plain) = (recurrence(&knots, n), recurrence_in(&knots, n));
+            for (fast, plain) in fast.iter().flatten().zip(plain.iter().flatten()) {
+                assert_eq!(trimmed(fast.clone()), trimmed(plain.clone()));
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Tensor-product B-spline surfaces.
+//!
+//! Control points d_ij over knots in u and in v. A row of the net is a point of a larger space, so
+//! that each operation in u is that of a curve whose points are rows; in v the same on columns.
+//!
+//! Reference: L. Piegl, W. Tiller, *The NURBS Book* (1997), sections 3.4 and 5.3.
+
+use super::{BSpline, KnotVector, SplineError};
+use crate::math::blossom::Argument;
+use crate::math::curve::transposed;
+use crate::math::curve::{CurveError, Direction, Interval, Net, Point, TensorPatch};
+use crate::math::ring::Field;
+
+/// A spline surface by its knots and control net.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplineSurface<C> {
+    u: KnotVector<C>,
+    v: KnotVector<C>,
+    net: Net<C>,
+}
+
+/// The points of a row one after the other.
+fn flat<C: Clone>(row: &[Point<C>]) -> Point<C> {
+    row.iter().flatten().cloned().collect()
+}
+
+fn unflat<C: Clone>(row: &[C], dimension: usize) -> Vec<Point<C>> {
+    row.chunks(dimension.max(1)).map(<[C]>::to_vec).collect()
+}
+
+impl<C: Field> SplineSurface<C> {
+    /// The surface with this net: one row for each basis function in u.
+    ///
+    /// # Errors
+    /// [`SplineError::PointCount`] for a number of rows or columns that does not fit the knots,
+    /// [`CurveError::RaggedNet`], points of different dimensions, [`SplineError::NoDomain`].
+    ///
+    /// ```
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::{KnotVector, SplineSurface};
+    /// let u = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let v = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let heights = [[0, 0], [1, 3], [2, 2]];
+    /// let net = heights.map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
+    /// let s = SplineSurface::new(u, v, net)?;
+    /// assert_eq!(s.value(&q(1, 2), &q(1, 2))?, [z(1)]);
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn new(u: KnotVector<C>, v: KnotVector<C>, net: Net<C>) -> Result<Self, SplineError> {
+        let columns = net.first().map_or(0, Vec::len);
+        if let Some(row) = net.iter().position(|row| row.len() != columns) {
+            return Err(CurveError::RaggedNet { row, found: net[row].len(), expected: columns }.into());
+        }
+        crate::math::curve::dimension(&net.concat())?;
+        for (knots, points) in [(&u, net.len()), (&v, columns)] {
+            if points != knots.count() {
+                let (degree, knots) = (knots.degree(), knots.knots().len());
+                return Err(SplineError::PointCount { points, knots, degree });
+            }
+            knots.domain()?;
+        }
+        Ok(SplineSurface { u, v, net })
+    }
+
+    /// The knots in u and in v.
+    pub fn knots(&self) -> (&KnotVector<C>, &KnotVector<C>) {
+        (&self.u, &self.v)
+    }
+
+    /// The control net.
+    pub fn net(&self) -> &[Vec<Point<C>>] {
+        &self.net
+    }
+
+    /// The number of coordinates.
+    pub fn dimension(&self) -> usize {
+        self.net[0][0].len()
+    }
+
+    /// Does something to the curves in u. The rule may change knots and the number of points.
+    fn along_u(
+        &self,
+        rule: impl Fn(&BSpline<C>) -> Result<BSpline<C>, SplineError>,
+    ) -> Result<Self, SplineError> {
+        let rows = self.net.iter().map(|row| flat(row)).collect();
+        let changed = rule(&BSpline::new(self.u.clone(), rows)?)?;
+        let net = changed.points().iter().map(|row| unflat(row, self.dimension())).collect();
+        SplineSurface::new(changed.knots().clone(), self.v.clone(), net)
+    }
+
+    /// The surface with u and v exchanged.
+    pub fn transposed(&self) -> Self {
+        SplineSurface { u: self.v.clone(), v: self.u.clone(), net: transposed(&self.net) }
+    }
+
+    fn along(
+        &self,
+        direction: Direction,
+        rule: impl Fn(&BSpline<C>) -> Result<BSpline<C>, SplineError>,
+    ) -> Result<Self, SplineError> {
+        match direction {
+            Direction::U => self.along_u(rule),
+            Direction::V => Ok(self.transposed().along_u(rule)?.transposed()),
+        }
+    }
+
+    /// F(u, v): de Boor's algorithm in u on rows, then in v.
+    ///
+    /// # Errors
+    /// As [`KnotVector::span_of`].
+    pub fn value(&self, u: &C, v: &C) -> Result<Point<C>, SplineError> {
+        let rows = self.net.iter().map(|row| flat(row)).collect();
+        let row = BSpline::new(self.u.clone(), rows)?.value(u)?;
+        BSpline::new(self.v.clone(), unflat(&row, self.dimension()))?.value(v)
+    }
+
+    /// f(u_1, …, u_m; v_1, …, v_n) of the patch on one pair of knot intervals.
+    ///
+    /// # Errors
+    /// As [`BSpline::blossom`].
+    pub fn blossom(
+        &self,
+        spans: (usize, usize),
+        u: &[Argument<C>],
+        v: &[Argument<C>],
+    ) -> Result<Point<C>, SplineError> {
+        let rows = self.net.iter().map(|row| flat(row)).collect();
+        let row = BSpline::new(self.u.clone(), rows)?.blossom(spans.0, u)?;
+        BSpline::new(self.v.clone(), unflat(&row, self.dimension()))?.blossom(spans.1, v)
+    }
+
+    /// The same surface with knots added in one direction.
+    ///
+    /// # Errors
+    /// As [`BSpline::insert_all`].
+    pub fn insert(&self, direction: Direction, knots: &[C]) -> Result<Self, SplineError> {
+        self.along(direction, |spline| spline.insert_all(knots))
+    }
+
+    /// The same surface with the degree raised in one direction.
+    ///
+    /// # Errors
+    /// As [`BSpline::elevate`].
+    pub fn elevate(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
+        self.along(direction, |spline| spline.elevate(by))
+    }
+
+    /// The same surface with the degree lowered in one direction, where that is exact.
+    ///
+    /// # Errors
+    /// As [`BSpline::reduce`].
+    pub fn reduce(&self, direction: Direction, by: usize) -> Result<Self, SplineError> {
+        self.along(direction, |spline| spline.reduce(by))
+    }
+
+    /// ∂^{r+s}/∂u^r ∂v^s.
+    ///
+    /// # Errors
+    /// As [`BSpline::derivative`].
+    pub fn derivative(&self, r: usize, s: usize) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.nth_derivative(r))?
+            .along(Direction::V, |spline| spline.nth_derivative(s))
+    }
+
+    /// The Bézier patches of all pairs of knot intervals, by rows in u.
+    pub fn patches(&self) -> Vec<Vec<TensorPatch<C>>> {
+        let in_u = |net: &[Vec<Point<C>>], knots: &KnotVector<C>| -> Vec<Net<C>> {
+            let rows = net.iter().map(|row| flat(row)).collect();
+            let spline = BSpline::new(knots.clone(), rows).expect("the net fits its knots");
+            let pieces = spline.bezier_pieces();
+            let dimension = self.dimension();
+            let piece = |curve: &crate::math::curve::BezierCurve<C>| {
+                curve.points().iter().map(|row| unflat(row, dimension)).collect()
+            };
+            pieces.iter().map(piece).collect()
+        };
+        let interval = |knots: &KnotVector<C>, j: usize| {
+            let (a, b) = (knots.knots()[j].clone(), knots.knots()[j + 1].clone());
+            Interval::new(a, b).expect("a span is not empty")
+        };
+        in_u(&self.net, &self.u)
+            .iter()
+            .zip(self.u.spans())
+            .map(|(strip, i)| {
+                in_u(&transposed(strip), &self.v)
+                    .iter()
+                    .zip(self.v.spans())
+                    .map(|(net, j)| {
+                        TensorPatch::new(transposed(net), interval(&self.u, i), interval(&self.v, j))
+                            .expect("all rows have one length")
+                    })
+                    .collect()
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::{Rational, integer as z, rational as q};
+    use proptest::prelude::*;
+
+    fn surface() -> impl Strategy<Value = SplineSurface<Rational>> {
+        let heights = prop::collection::vec(prop::collection::vec(-9i64..10, 2), 20);
+        heights.prop_map(|points| {
+            let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(3)).unwrap();
+            let v = KnotVector::uniform(3, 4, &z(-3), &z(1)).unwrap();
+            let point = |k: usize| points[k].iter().map(|&x| z(x)).collect();
+            let net = (0..5).map(|i| (0..4).map(|j| point(4 * i + j)).collect()).collect();
+            SplineSurface::new(u, v, net).unwrap()
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+
+        #[test]
+        fn every_representation_is_the_same_surface(s in surface(), i in 0i64..=12, j in 0i64..=4) {
+            let (u, v) = (q(i, 4), q(j, 4));
+            let value = s.value(&u, &v).unwrap();
+            prop_assert_eq!(&s.transposed().value(&v, &u).unwrap(), &value);
+            let fine = s.insert(Direction::U, &[q(1, 2)]).unwrap().insert(Direction::V, &[q(1, 3)]).unwrap();
+            prop_assert_eq!(&fine.value(&u, &v).unwrap(), &value);
+            let raised = s.elevate(Direction::V, 1).unwrap();
+            prop_assert_eq!(&raised.value(&u, &v).unwrap(), &value);
+            prop_assert_eq!(&raised.reduce(Direction::V, 1).unwrap().value(&u, &v).unwrap(), &value);
+            let (a, b) = (s.knots().0.span_of(&u).unwrap(), s.knots().1.span_of(&v).unwrap());
+            let patches = s.patches();
+            let row = s.knots().0.spans().iter().position(|&k| k == a).unwrap();
+            let column = s.knots().1.spans().iter().position(|&k| k == b).unwrap();
+            let patch = &patches[row][column];
+            prop_assert_eq!(&patch.value(&u, &v), &value);
+            let (us, vs) = (vec![Argument::Point(u.clone()); 2], vec![Argument::Point(v.clone()); 3]);
+            prop_assert_eq!(s.blossom((a, b), &us, &vs).unwrap(), value);
+            let mixed = s.derivative(1, 1).unwrap();
+            prop_assert_eq!(mixed.value(&u, &v).unwrap(), patch.derivative(1, 1).value(&u, &v));
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let knots = || KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
+        let row = || vec![vec![z(0)], vec![z(1)]];
+        let ragged = SplineSurface::new(knots(), knots(), vec![row(), vec![vec![z(0)]]]);
+        assert!(matches!(ragged, Err(SplineError::Curve(CurveError::RaggedNet { row: 1, .. }))));
+        let short = SplineSurface::new(knots(), knots(), vec![row()]);
+        assert!(matches!(short, Err(SplineError::PointCount { points: 1, .. })));
+        assert!(SplineSurface::<Rational>::new(knots(), knots(), vec![]).is_err());
+    }
+}
