@@ -74,5 +74,5 @@ pub mod weave;
 
 pub use formula as expr;
 pub use formula::source;
-pub use language::{derive, diagnostic, eval, latex, syntax, value, write};
+pub use language::{derive, diagnostic, eval, functions, latex, syntax, value, write};
 pub use math::{basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline};

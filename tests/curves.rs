@@ -4,7 +4,7 @@
 use std::fs;
 
 use num_traits::ToPrimitive;
-use polarform::eval::BUILTINS;
+use polarform::functions::BUILTINS;
 use polarform::session::Session;
 use polarform::value::{Value, Verdict};
 use polarform::write::text;

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use polarform::eval::BUILTINS;
+use polarform::functions::BUILTINS;
 use polarform::session::Session;
 use polarform::value::{Value, Verdict};
 

@@ -9,7 +9,7 @@ use common::expressions::{any_polar, samples, shared, statement, value};
 use katex::Opts;
 use polarform::blossom::Method;
 use polarform::derive::{self, Names};
-use polarform::eval::BUILTINS;
+use polarform::functions::BUILTINS;
 use polarform::session::Session;
 use polarform::value::{Language, Notation, Value};
 use polarform::write::{Format, latex, latex_table, write_derivation};

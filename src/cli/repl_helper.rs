@@ -9,7 +9,7 @@ use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{Context, Helper as RustylineHelper};
 
 use super::repl::{COLON_COMMANDS, known_names};
-use crate::language::eval::builtin;
+use crate::language::functions::builtin;
 use crate::language::latex;
 use crate::language::syntax;
 use crate::language::write::text;

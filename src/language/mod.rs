@@ -3,6 +3,7 @@
 pub mod derive;
 pub mod diagnostic;
 pub mod eval;
+pub mod functions;
 pub mod latex;
 pub mod syntax;
 pub mod value;

@@ -283,7 +283,7 @@ impl Model {
         let greek = crate::language::syntax::greek_char(word).is_some();
         if word.chars().count() > 1 && !greek && word != "ell" {
             // convert(c, polar)
-            if crate::language::eval::builtin(word).is_some() {
+            if crate::language::functions::builtin(word).is_some() {
                 return None;
             }
             let unknown = Diagnostic::error(Code::UnknownName, format!("'{word}' has no meaning here"));

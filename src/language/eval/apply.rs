@@ -5,10 +5,11 @@ use std::sync::Arc;
 use super::arguments::{self, Arguments};
 use super::curves::{is_curve, levelled};
 use super::names::{name_of, stands_for_itself};
-use super::{Evaluated, Machine, arithmetic, builtins, geometry, wrong_kind};
+use super::{Evaluated, Machine, arithmetic, geometry, wrong_kind};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::functions;
 use crate::language::value::{Clause, Function, Parameter, Polar, PolarKind, Value};
 use crate::math::blossom::Argument;
 use crate::math::number::Rational;
@@ -30,11 +31,11 @@ enum Callee {
 }
 
 impl Machine {
-    pub(super) fn eval_apply(&mut self, callee: &Expr, groups: &[Vec<Expr>], whole: &Expr) -> Evaluated {
+    pub(crate) fn eval_apply(&mut self, callee: &Expr, groups: &[Vec<Expr>], whole: &Expr) -> Evaluated {
         match self.callee(callee)? {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {
-                    let builtin = builtins::builtin(name)
+                    let builtin = functions::builtin(name)
                         .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
                     self.call_builtin(builtin, groups, whole.span)
                 }
@@ -81,7 +82,7 @@ impl Machine {
                 for (value, span) in indices.into_iter().chain(self.arguments(groups)?) {
                     all.push(value, span);
                 }
-                let builtin = builtins::builtin(name)
+                let builtin = functions::builtin(name)
                     .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
                 self.note(
                     Diagnostic::note(
@@ -96,7 +97,7 @@ impl Machine {
     }
 
     /// Whether `callee(…)` is a product: its callee has a scalar value.
-    pub(super) fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
+    pub(crate) fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
         let Kind::Apply(callee, groups) = &expr.kind else { return Ok(false) };
         if groups.len() != 1 || groups[0].len() != 1 {
             return Ok(false);
@@ -117,7 +118,7 @@ impl Machine {
     }
 
     /// Whether this is a member of a standard family with numbers as indices, such as B_1^3.
-    pub(super) fn is_standard(&mut self, callee: &Expr) -> bool {
+    pub(crate) fn is_standard(&mut self, callee: &Expr) -> bool {
         matches!(self.indexed_callee(callee), Ok(Some(Callee::Family(_, indices)))
             if indices.iter().all(|(index, _)| index.as_rational().is_some()))
     }
@@ -171,7 +172,7 @@ impl Machine {
         };
         if symbol.is_plain() {
             let name = symbol.base();
-            if let Some(builtin) = builtins::builtin(name) {
+            if let Some(builtin) = functions::builtin(name) {
                 return Ok(Callee::Value(Value::Builtin(builtin.name)));
             }
             if !stands_for_itself(name) {
@@ -273,7 +274,7 @@ impl Machine {
     }
 
     /// The arguments of a call, groups run together.
-    pub(super) fn arguments(&mut self, groups: &[Vec<Expr>]) -> Result<Vec<(Value, Span)>, Diagnostic> {
+    pub(crate) fn arguments(&mut self, groups: &[Vec<Expr>]) -> Result<Vec<(Value, Span)>, Diagnostic> {
         let mut values = Vec::new();
         for group in groups {
             let span = group.iter().map(|e| e.span).reduce(Span::to).unwrap_or_default();
@@ -290,7 +291,7 @@ impl Machine {
 
     fn call_builtin(
         &mut self,
-        builtin: &'static builtins::Builtin,
+        builtin: &'static functions::Builtin,
         groups: &[Vec<Expr>],
         span: Span,
     ) -> Evaluated {
@@ -301,7 +302,7 @@ impl Machine {
                     Some((name, value)) => {
                         let value_span = value.span;
                         let value = match &value.kind {
-                            Kind::Name(word) if builtins::WORD_ARGUMENTS.contains(&name.as_str()) => {
+                            Kind::Name(word) if functions::WORD_ARGUMENTS.contains(&name.as_str()) => {
                                 Value::Text(word.clone())
                             }
                             _ => self.eval(value)?,
@@ -317,7 +318,7 @@ impl Machine {
                     None => {
                         let value = match &item.kind {
                             Kind::Name(word)
-                                if all.is_empty() && builtins::WORD_FIRST.contains(&builtin.name) =>
+                                if all.is_empty() && functions::WORD_FIRST.contains(&builtin.name) =>
                             {
                                 Value::Text(word.clone())
                             }
@@ -332,23 +333,23 @@ impl Machine {
     }
 
     /// Calls a function of the program with its arguments, as it applies to their kinds.
-    pub(super) fn run_builtin(
+    pub(crate) fn run_builtin(
         &mut self,
-        builtin: &'static builtins::Builtin,
+        builtin: &'static functions::Builtin,
         all: &Arguments,
         span: Span,
     ) -> Evaluated {
         if let Some(first) = all.values().next()
-            && let Some(method) = builtins::method(builtin.name, first)
+            && let Some(method) = functions::method(builtin.name, first)
         {
             return method(all).at(span);
         }
-        if builtins::COORDINATEWISE.contains(&builtin.name)
+        if functions::COORDINATEWISE.contains(&builtin.name)
             && let Some(Value::List(items)) = all.values().next()
         {
             let items = items.clone();
             let each = items.into_iter().map(|item| {
-                let method = builtins::method(builtin.name, &item);
+                let method = functions::method(builtin.name, &item);
                 let own = all.with_first(item);
                 method.map_or_else(|| (builtin.call)(self, &own), |method| method(&own))
             });
@@ -358,7 +359,7 @@ impl Machine {
     }
 
     /// Calls a function with its index and bracket arguments.
-    pub(super) fn call(
+    pub(crate) fn call(
         &mut self,
         function: &Arc<Function>,
         values: Vec<(Value, Span)>,
@@ -453,7 +454,7 @@ impl Machine {
         })
     }
 
-    pub(super) fn call_polar(
+    pub(crate) fn call_polar(
         &mut self,
         polar: &Arc<Polar>,
         groups: &[Vec<Expr>],
@@ -575,7 +576,7 @@ impl Machine {
         Ok(Some(values))
     }
 
-    pub(super) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {
+    pub(crate) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {
         if let Kind::Apply(callee, groups) = &body.kind
             && self.is_product(body)?
         {
@@ -590,7 +591,7 @@ impl Machine {
 }
 
 /// A value as an argument of a polar form.
-pub(super) fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
+pub(crate) fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
     match value {
         Value::Scalar(u) => Ok(Argument::Point(u)),
         Value::Vector(v) => Ok(Argument::Vector(v)),

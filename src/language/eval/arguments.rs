@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// The diagnostic for an error of polar forms.
-pub(super) fn polar(error: PolarError) -> Diagnostic {
+pub(crate) fn polar(error: PolarError) -> Diagnostic {
     let code = match error {
         PolarError::ArgumentCount { .. } | PolarError::TooManyArguments { .. } => Code::Arity,
         PolarError::DegreeTooSmall { .. } => Code::DegreeTooSmall,
@@ -25,7 +25,7 @@ pub(super) fn polar(error: PolarError) -> Diagnostic {
 }
 
 /// `name = value` inside a call.
-pub(super) fn named(expr: &Expr) -> Option<(String, &Expr)> {
+pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
     match &expr.kind {
         Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => match &left.kind {
             Kind::Name(name) => Some((name.clone(), &links[0].expr)),
@@ -36,7 +36,7 @@ pub(super) fn named(expr: &Expr) -> Option<(String, &Expr)> {
 }
 
 /// A point of several coordinates, or a vector argument of such.
-pub(super) fn point_argument(value: &Value) -> Option<PointArgument<Fraction>> {
+pub(crate) fn point_argument(value: &Value) -> Option<PointArgument<Fraction>> {
     let Value::List(items) = value else { return None };
     let points: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
     if let Some(points) = points {
@@ -68,16 +68,16 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub(super) fn push(&mut self, value: Value, span: Span) {
+    pub(crate) fn push(&mut self, value: Value, span: Span) {
         self.positional.push((value, span));
     }
 
-    pub(super) fn push_named(&mut self, name: String, value: Value, span: Span) {
+    pub(crate) fn push_named(&mut self, name: String, value: Value, span: Span) {
         self.named.push((name, value, span));
     }
 
     /// The same arguments with another first one.
-    pub(super) fn with_first(&self, value: Value) -> Self {
+    pub(crate) fn with_first(&self, value: Value) -> Self {
         let mut other = self.clone();
         if let Some(first) = other.positional.first_mut() {
             first.0 = value;
@@ -86,26 +86,26 @@ impl Arguments {
     }
 
     /// The first `count` arguments given by place.
-    pub(super) fn only(&self, count: usize) -> Self {
+    pub(crate) fn only(&self, count: usize) -> Self {
         Arguments { positional: self.positional.iter().take(count).cloned().collect(), named: Vec::new() }
     }
 
     /// The arguments after the first one, without those under the given names.
-    pub(super) fn after_first(&self, names: &[&str]) -> Self {
+    pub(crate) fn after_first(&self, names: &[&str]) -> Self {
         let mut rest = self.without(names);
         rest.positional.drain(..1.min(rest.positional.len()));
         rest
     }
 
     /// All arguments but those under the given names.
-    pub(super) fn without(&self, names: &[&str]) -> Self {
+    pub(crate) fn without(&self, names: &[&str]) -> Self {
         let mut rest = self.clone();
         rest.named.retain(|(name, ..)| !names.contains(&name.as_str()));
         rest
     }
 
     /// All arguments but the one at a place.
-    pub(super) fn without_place(&self, place: usize) -> Self {
+    pub(crate) fn without_place(&self, place: usize) -> Self {
         let mut other = self.clone();
         if place < other.positional.len() {
             other.positional.remove(place);
@@ -187,7 +187,7 @@ impl Arguments {
     }
 
     /// Whether an argument is given under this name.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub(crate) fn has(&self, name: &str) -> bool {
         self.named.iter().any(|(n, ..)| n == name)
     }
 
@@ -295,7 +295,7 @@ fn size_of(value: &Value, span: Span) -> Result<usize> {
 }
 
 /// The symbol a value is, if it is a bare one.
-pub(super) fn symbol_of(value: &Value) -> Option<Symbol> {
+pub(crate) fn symbol_of(value: &Value) -> Option<Symbol> {
     let poly = value.as_scalar()?.as_polynomial()?;
     let [variable] = poly.variables() else { return None };
     (*poly == MultiPoly::symbol(variable.clone())).then(|| variable.clone())
@@ -306,7 +306,7 @@ const PARAMETERS: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
 
 /// The variable of a formula: the one asked for, the only one, t, or the only letter that
 /// usually stands for a parameter.
-pub(super) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<Symbol> {
+pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<Symbol> {
     if let Some(symbol) = given {
         return Ok(symbol);
     }
@@ -338,7 +338,7 @@ pub(super) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
 }
 
 /// Reads a value as a polynomial in one variable.
-pub(super) fn univariate(value: &Value, given: Option<Symbol>) -> Result<Univariate> {
+pub(crate) fn univariate(value: &Value, given: Option<Symbol>) -> Result<Univariate> {
     let (variable, formula) = match value {
         Value::Scalar(formula) => (variable_of(formula, given)?, formula.clone()),
         Value::Function(function) => formula_of(function)?,
@@ -364,7 +364,7 @@ fn formula_of(function: &Function) -> Result<(Symbol, Fraction)> {
 }
 
 /// The coefficients of a formula that is a polynomial in `variable`.
-pub(super) fn coefficients_in(formula: &Fraction, variable: &Symbol) -> Result<Vec<Fraction>> {
+pub(crate) fn coefficients_in(formula: &Fraction, variable: &Symbol) -> Result<Vec<Fraction>> {
     if formula.denominator().variables().contains(variable) {
         return Err(Diagnostic::error(
             Code::NotPolynomial,

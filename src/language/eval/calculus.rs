@@ -15,7 +15,7 @@ use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 /// F^(k) of a function given by one formula, or the polar form of the derivative.
-pub(super) fn derivative_of_function(value: &Value, order: usize) -> Result<Value, Diagnostic> {
+pub(crate) fn derivative_of_function(value: &Value, order: usize) -> Result<Value, Diagnostic> {
     match value {
         Value::Function(function) => {
             let Some((variable, formula)) = function.as_formula() else {
@@ -43,7 +43,7 @@ pub(super) fn derivative_of_function(value: &Value, order: usize) -> Result<Valu
             let mut args = super::Arguments::default();
             args.push(value.clone(), Span::default());
             args.push(Value::int(order as i64), Span::default());
-            match super::builtins::method("derivative", value) {
+            match crate::language::functions::method("derivative", value) {
                 Some(method) => method(&args),
                 None => Err(wrong_kind("a function", value)),
             }
@@ -65,7 +65,7 @@ pub(crate) fn nth_derivative(formula: &Fraction, variable: &Symbol, order: usize
 }
 
 /// ∫_a^b of a polynomial in the variable; without bounds the antiderivative that is 0 at 0.
-pub(super) fn integrate(
+pub(crate) fn integrate(
     formula: &Fraction,
     variable: &Symbol,
     bounds: Option<(&Fraction, &Fraction)>,
@@ -102,13 +102,13 @@ fn too_many(from: &Expr, to: &Expr, a: i64, b: i64) -> usize {
 
 impl Machine {
     /// The bare symbol an expression names, for binding it.
-    pub(super) fn binder(&mut self, expr: &Expr) -> Result<Symbol, Diagnostic> {
+    pub(crate) fn binder(&mut self, expr: &Expr) -> Result<Symbol, Diagnostic> {
         name_of(expr, self).ok_or_else(|| {
             Diagnostic::error(Code::BadDefinition, "expected a variable").at(expr.span).reason("not a name")
         })
     }
 
-    pub(super) fn eval_lambda(&mut self, parameters: &[Expr], body: &Expr) -> Evaluated {
+    pub(crate) fn eval_lambda(&mut self, parameters: &[Expr], body: &Expr) -> Evaluated {
         let mut names = Vec::with_capacity(parameters.len());
         for parameter in parameters {
             names.push(self.binder(parameter)?);
@@ -123,7 +123,7 @@ impl Machine {
 
     /// A clause with the value of its body, if that exists for symbolic parameters. Unknown words in
     /// the body are reported where they are written, not when the function is called.
-    pub(super) fn clause(&mut self, parameters: Vec<Parameter>, body: &Expr) -> Result<Clause, Diagnostic> {
+    pub(crate) fn clause(&mut self, parameters: Vec<Parameter>, body: &Expr) -> Result<Clause, Diagnostic> {
         let symbols: Vec<(Symbol, Value)> = parameters
             .iter()
             .filter_map(|parameter| match parameter {
@@ -149,7 +149,7 @@ impl Machine {
         Ok(Clause { parameters, body: body.clone(), written: false, formula, scope })
     }
 
-    pub(super) fn eval_big(
+    pub(crate) fn eval_big(
         &mut self,
         op: BigOp,
         lower: &[Expr],
@@ -333,7 +333,7 @@ impl Machine {
     ///
     /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
     /// ends are t_1, and two for i = 1, when there is nothing at all.
-    pub(super) fn fill_ellipsis(
+    pub(crate) fn fill_ellipsis(
         &mut self,
         before: &Expr,
         after: &Expr,
@@ -368,7 +368,7 @@ impl Machine {
         Ok(too_many(&from[place], &to[place], a, b))
     }
 
-    pub(super) fn eval_integral(
+    pub(crate) fn eval_integral(
         &mut self,
         lower: Option<&Expr>,
         upper: Option<&Expr>,
@@ -389,7 +389,7 @@ impl Machine {
         integrate(&integrand, &name, bounds).map(Value::Scalar).at(body.span)
     }
 
-    pub(super) fn eval_derivative(
+    pub(crate) fn eval_derivative(
         &mut self,
         variables: &[(Expr, Option<Expr>)],
         body: Option<&Expr>,
@@ -429,7 +429,7 @@ impl Machine {
         result.substitute(&bound).map(Value::Scalar).map_err(|_| arithmetic::division_by_zero()).at(span)
     }
 
-    pub(super) fn eval_at(
+    pub(crate) fn eval_at(
         &mut self,
         body: &Expr,
         lower: &[Expr],
@@ -488,8 +488,8 @@ impl Machine {
     }
 
     /// F ∘ G.
-    pub(super) fn compose(&mut self, outer: Value, inner: Value) -> Evaluated {
-        if let Some(method) = super::builtins::method("compose", &outer) {
+    pub(crate) fn compose(&mut self, outer: Value, inner: Value) -> Evaluated {
+        if let Some(method) = crate::language::functions::method("compose", &outer) {
             let mut args = super::Arguments::default();
             args.push(outer, Span::default());
             args.push(inner, Span::default());
@@ -513,7 +513,7 @@ impl Machine {
         Ok(if scalars { Value::Scalar(result) } else { formula_function(inner_variable, result) })
     }
 
-    pub(super) fn eval_scalar(&mut self, expr: &Expr) -> Result<Fraction, Diagnostic> {
+    pub(crate) fn eval_scalar(&mut self, expr: &Expr) -> Result<Fraction, Diagnostic> {
         match self.eval(expr)? {
             Value::Scalar(x) => Ok(x),
             other => Err(wrong_kind("a number or formula", &other).at(expr.span)),

@@ -2,9 +2,10 @@
 
 use super::arithmetic;
 use super::same_geometry::{self, Comparison};
-use super::{Machine, builtins, family};
+use super::{Machine, family};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::functions;
 use crate::language::value::{Function, Judgement, Polar, PolarKind, Value, Verdict, Witness};
 use crate::math::blossom::laws::{self, Arrangement};
 use crate::math::number::{Rational, integer};
@@ -14,7 +15,7 @@ use num_traits::Zero;
 
 impl Machine {
     /// Judges each relation of a chain; a chain with integer names without values by its instances.
-    pub(super) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
+    pub(crate) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
         match self.judge_plainly(first, links) {
             Err(error) if family::may_be_family(&error) => self.judge_family(first, links).ok_or(error),
             result => result,
@@ -22,7 +23,7 @@ impl Machine {
     }
 
     /// Judges each relation of a chain as it stands.
-    pub(super) fn judge_plainly(
+    pub(crate) fn judge_plainly(
         &mut self,
         first: &Expr,
         links: &[Link],
@@ -105,11 +106,11 @@ fn symbols_of(value: &Value) -> Option<Vec<Symbol>> {
 }
 
 /// What the laws of polar forms say about a claimed expression.
-pub(super) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
+pub(crate) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
     let Some(claim) = claim.as_polynomial() else {
         return vec!["the claimed expression is not a polynomial in the arguments".to_owned()];
     };
-    let Some(right) = super::builtins::expand_polar(polar, arrangement) else { return Vec::new() };
+    let Some(right) = crate::language::functions::expand_polar(polar, arrangement) else { return Vec::new() };
     laws::check(claim, &right, arrangement).describe()
 }
 
@@ -158,7 +159,7 @@ pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, 
 }
 
 /// Whether a condition holds; `None` if that depends on symbols.
-pub(super) fn decided(claim: &crate::language::value::Claim) -> Option<bool> {
+pub(crate) fn decided(claim: &crate::language::value::Claim) -> Option<bool> {
     let constant = |j: &Judgement| j.left.as_rational().is_some() && j.right.as_rational().is_some();
     match claim.verdict() {
         Verdict::Proved => Some(true),
@@ -366,7 +367,7 @@ fn polar_against_function(
     let mut names = names.into_iter().map(|name| vec![name.clone()]);
     let lists = groups.iter().map(|&count| names.by_ref().take(count).collect()).collect();
     let arrangement = Arrangement::new(lists);
-    if let Some(expanded) = builtins::expand_polar(polar, &arrangement) {
+    if let Some(expanded) = functions::expand_polar(polar, &arrangement) {
         equal_scalars(judgement, &Fraction::from(expanded), formula);
         if judgement.verdict == Verdict::Refuted {
             judgement.reasons = laws_report(polar, formula, &arrangement);

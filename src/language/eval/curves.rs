@@ -10,7 +10,7 @@ use crate::language::value::{Polar, PolarKind, Value};
 
 impl Machine {
     /// One coordinate of a curve at the given arguments.
-    pub(super) fn coordinate(&mut self, item: &Value, values: &[(Value, Span)], span: Span) -> Evaluated {
+    pub(crate) fn coordinate(&mut self, item: &Value, values: &[(Value, Span)], span: Span) -> Evaluated {
         match item {
             Value::Function(function) => self.call(function, values.to_vec(), span),
             Value::Polar(polar) => {
@@ -27,13 +27,13 @@ impl Machine {
 }
 
 /// Whether a list can be called like a function.
-pub(super) fn is_curve(items: &[Value]) -> bool {
+pub(crate) fn is_curve(items: &[Value]) -> bool {
     let callable = |item: &Value| matches!(item, Value::Function(_) | Value::Polar(_) | Value::Piecewise(_));
     !items.is_empty() && items.iter().all(callable)
 }
 
 /// The coordinates of a curve as polar forms of one degree, the largest.
-pub(super) fn levelled(list: Vec<Value>) -> Vec<Value> {
+pub(crate) fn levelled(list: Vec<Value>) -> Vec<Value> {
     let degree = |value: &Value| match value {
         Value::Polar(polar) => match &polar.kind {
             PolarKind::Univariate(form) => Some(form.degree()),

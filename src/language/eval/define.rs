@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::Machine;
 use super::names::name_of;
-use super::{Machine, builtins};
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::functions;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
 use crate::math::poly::Symbol;
 
@@ -18,7 +19,7 @@ enum Target {
 impl Machine {
     /// Whether `left = right` introduces `left`: an unbound name, alone or applied to distinct
     /// names, that does not occur on the right.
-    pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
+    pub(crate) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
         let head = match &left.kind {
             Kind::Apply(callee, groups) => {
                 let items: Vec<&Expr> = groups.iter().flatten().collect();
@@ -51,7 +52,7 @@ impl Machine {
         }
         let Some(name) = name_of(head, self) else { return false };
         let known = self.lookup(&name).is_some()
-            || (name.is_plain() && builtins::builtin(name.base()).is_some())
+            || (name.is_plain() && functions::builtin(name.base()).is_some())
             || self.lookup(&Symbol::new(name.base())).is_some();
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
@@ -62,7 +63,7 @@ impl Machine {
     }
 
     /// Carries out `left := right (= further …)`.
-    pub(super) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
+    pub(crate) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
         let body = &links[0].expr;
         let (name, value) = match self.target(left)? {
             Target::Name(name) => {
@@ -99,7 +100,7 @@ impl Machine {
     }
 
     fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
-        if name.is_plain() && builtins::builtin(name.base()).is_some() {
+        if name.is_plain() && functions::builtin(name.base()).is_some() {
             return Err(Diagnostic::error(
                 Code::ReservedName,
                 format!("'{}' is a function of the program", name.base()),

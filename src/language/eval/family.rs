@@ -29,7 +29,7 @@ struct Tally {
 impl Machine {
     /// Judges a chain by its instances; `None` if no names stand for integers, or too few
     /// instances make sense.
-    pub(super) fn judge_family(&mut self, first: &Expr, links: &[Link]) -> Option<Vec<Judgement>> {
+    pub(crate) fn judge_family(&mut self, first: &Expr, links: &[Link]) -> Option<Vec<Judgement>> {
         if !links.iter().all(|link| matches!(link.rel, Rel::Eq | Rel::Equiv)) {
             return None;
         }
@@ -188,6 +188,6 @@ impl Tally {
 }
 
 /// Errors that a claim with integer names runs into when these have no values.
-pub(super) fn may_be_family(error: &Diagnostic) -> bool {
+pub(crate) fn may_be_family(error: &Diagnostic) -> bool {
     matches!(error.code, Code::Type | Code::BadExponent | Code::Undecided | Code::Domain | Code::Arity)
 }

@@ -18,7 +18,7 @@ use num_traits::{One, Zero};
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// The diagnostic for an error of curves.
-pub(super) fn curve_error(error: CurveError) -> Diagnostic {
+pub(crate) fn curve_error(error: CurveError) -> Diagnostic {
     let message = error.to_string();
     let (code, hint) = match error {
         CurveError::TooFewPoints { .. } => (Code::ControlPoints, "a point is a list such as [1, 2]"),
@@ -58,7 +58,7 @@ pub(super) fn curve_error(error: CurveError) -> Diagnostic {
 }
 
 /// The diagnostic for an error of splines.
-pub(super) fn spline_error(error: SplineError) -> Diagnostic {
+pub(crate) fn spline_error(error: SplineError) -> Diagnostic {
     let message = error.to_string();
     let (code, hint) = match error {
         SplineError::Curve(inner) => return curve_error(inner),
@@ -82,7 +82,7 @@ pub(super) fn spline_error(error: SplineError) -> Diagnostic {
     Diagnostic::error(code, message).hint(hint)
 }
 
-pub(super) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
+pub(crate) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
     let code = match error {
         PiecewiseError::Counts { .. } | PiecewiseError::Order { .. } => Code::Knots,
         PiecewiseError::OutsideDomain => Code::OutsideDomain,
@@ -97,7 +97,7 @@ pub(super) fn piecewise_error(error: PiecewiseError) -> Diagnostic {
 }
 
 /// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
-pub(super) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fraction>> {
+pub(crate) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fraction>> {
     let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
     let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
     for pair in pieces.windows(2) {
@@ -143,7 +143,7 @@ fn polynomial_pieces(value: &Value) -> Option<std::result::Result<Vec<BezierCurv
 }
 
 /// A list of points: numbers and symbols (then `true`) or lists of coordinates.
-pub(super) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
+pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
     match value {
         Value::List(items) if !items.is_empty() => {
             let scalars: Option<Vec<Point<Fraction>>> =
@@ -168,7 +168,7 @@ pub(super) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
 }
 
 /// One point: coordinates, or a single number.
-pub(super) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
+pub(crate) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
     match value {
         Value::Scalar(x) => Some((vec![x.clone()], true)),
         Value::List(items) => {
@@ -178,21 +178,21 @@ pub(super) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
     }
 }
 
-pub(super) fn scalar_list(items: impl IntoIterator<Item = Fraction>) -> Value {
+pub(crate) fn scalar_list(items: impl IntoIterator<Item = Fraction>) -> Value {
     Value::List(items.into_iter().map(Value::Scalar).collect())
 }
 
-pub(super) fn bezier(curve: BezierCurve<Fraction>, form: Form) -> Value {
+pub(crate) fn bezier(curve: BezierCurve<Fraction>, form: Form) -> Value {
     Value::Geometry(Arc::new(Geometry::Bezier(curve, form)))
 }
 
-pub(super) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
+pub(crate) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
     Value::Geometry(Arc::new(Geometry::Spline(spline, form)))
 }
 
 impl Arguments {
     /// Control points at a place, with weights or homogeneous coordinates if they are named.
-    pub(super) fn control_points(&self, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {
+    pub(crate) fn control_points(&self, i: usize) -> Result<(Vec<Point<Fraction>>, Form)> {
         let value = self.value(i)?;
         let (points, scalar) = points_of(value).ok_or_else(|| {
             wrong_kind("a list of control points", value)
@@ -231,7 +231,7 @@ impl Arguments {
     }
 
     /// A curve or surface.
-    pub(super) fn geometry(&self, i: usize) -> Result<Arc<Geometry>> {
+    pub(crate) fn geometry(&self, i: usize) -> Result<Arc<Geometry>> {
         match self.value(i)? {
             Value::Geometry(geometry) => Ok(geometry.clone()),
             other => Err(wrong_kind("a curve", other)
@@ -241,7 +241,7 @@ impl Arguments {
     }
 
     /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1].
-    pub(super) fn bezier(&self, i: usize) -> Result<(BezierCurve<Fraction>, Form)> {
+    pub(crate) fn bezier(&self, i: usize) -> Result<(BezierCurve<Fraction>, Form)> {
         let value = self.value(i)?;
         match value {
             Value::Geometry(geometry) => match &**geometry {
@@ -276,7 +276,7 @@ impl Arguments {
     }
 
     /// A spline; a Bézier curve is one without inner knots.
-    pub(super) fn spline(&self, i: usize) -> Result<(BSpline<Fraction>, Form)> {
+    pub(crate) fn spline(&self, i: usize) -> Result<(BSpline<Fraction>, Form)> {
         let value = self.value(i)?;
         if let Value::Geometry(geometry) = value {
             match &**geometry {
@@ -298,7 +298,7 @@ impl Arguments {
     }
 
     /// A control net at a place: rows of points, with weights if they are named.
-    pub(super) fn net(&self, i: usize) -> Result<(Vec<Vec<Point<Fraction>>>, Form)> {
+    pub(crate) fn net(&self, i: usize) -> Result<(Vec<Vec<Point<Fraction>>>, Form)> {
         let wrong = |value: &Value| {
             wrong_kind("a control net", value)
                 .at(self.span(i))
@@ -347,7 +347,7 @@ impl Arguments {
     }
 
     /// An interval `[a, b]` at a place; [0, 1] if it is missing.
-    pub(super) fn interval(&self, i: usize) -> Result<Interval<Fraction>> {
+    pub(crate) fn interval(&self, i: usize) -> Result<Interval<Fraction>> {
         if self.len() <= i {
             return Ok(Interval::unit());
         }
@@ -361,7 +361,7 @@ impl Arguments {
     }
 
     /// A triangle `[[0, 0], [1, 0], [0, 1]]` in the plane at a place; that one if it is missing.
-    pub(super) fn triangle(&self, i: usize) -> Result<Triangle<Fraction>> {
+    pub(crate) fn triangle(&self, i: usize) -> Result<Triangle<Fraction>> {
         if self.len() <= i {
             return Ok(Triangle::unit());
         }
@@ -376,18 +376,18 @@ impl Arguments {
     }
 
     /// A point at a place.
-    pub(super) fn point(&self, i: usize) -> Result<Point<Fraction>> {
+    pub(crate) fn point(&self, i: usize) -> Result<Point<Fraction>> {
         let value = self.value(i)?;
         point_of(value).map(|(point, _)| point).ok_or_else(|| wrong_kind("a point", value).at(self.span(i)))
     }
 
     /// All further scalars.
-    pub(super) fn scalars_from(&self, first: usize) -> Result<Vec<Fraction>> {
+    pub(crate) fn scalars_from(&self, first: usize) -> Result<Vec<Fraction>> {
         (first..self.len()).map(|i| self.scalar(i)).collect()
     }
 
     /// Scalars from one list, or written one after the other.
-    pub(super) fn scalars_or_list(&self, first: usize) -> Result<Vec<Fraction>> {
+    pub(crate) fn scalars_or_list(&self, first: usize) -> Result<Vec<Fraction>> {
         match self.value(first) {
             Ok(Value::List(_)) => self.scalars(first),
             _ => self.scalars_from(first),
@@ -401,7 +401,7 @@ fn weights_value(items: &[Value]) -> &Value {
 }
 
 /// The value of a curve or surface at the arguments of a call.
-pub(super) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Result<Value> {
+pub(crate) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Result<Value> {
     let form = geometry.form();
     let point = match geometry {
         Geometry::Bezier(curve, _) => {
@@ -493,7 +493,7 @@ fn outside(place: Span, what: &str, (a, b): (&Fraction, &Fraction)) -> Diagnosti
 }
 
 /// The value of a piecewise polynomial.
-pub(super) fn call_piecewise(
+pub(crate) fn call_piecewise(
     function: &PiecewiseFunction,
     values: &[(Value, Span)],
     span: Span,
@@ -508,7 +508,7 @@ pub(super) fn call_piecewise(
 }
 
 /// The curve with homogeneous coordinates, all weights 1 if it is polynomial.
-pub(super) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> BezierCurve<Fraction> {
+pub(crate) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> BezierCurve<Fraction> {
     if form.rational {
         return curve.clone();
     }
@@ -518,7 +518,7 @@ pub(super) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> Bez
 }
 
 /// A Bézier curve as a spline without inner knots.
-pub(super) fn as_spline(
+pub(crate) fn as_spline(
     curve: &BezierCurve<Fraction>,
 ) -> std::result::Result<BSpline<Fraction>, SplineError> {
     let (a, b) = curve.interval();
@@ -527,7 +527,7 @@ pub(super) fn as_spline(
 }
 
 /// The spline with homogeneous coordinates, all weights 1 if it is polynomial.
-pub(super) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpline<Fraction> {
+pub(crate) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpline<Fraction> {
     if form.rational {
         return spline.clone();
     }
@@ -536,7 +536,7 @@ pub(super) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpl
 }
 
 /// The sum of two piecewise polynomials.
-pub(super) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Result<Value> {
+pub(crate) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Result<Value> {
     let function = a.function.sum(&b.function).ok_or_else(|| {
         Diagnostic::error(Code::Undecided, "the breakpoints of the two functions cannot be put in one order")
             .hint("symbolic breakpoints have to be the same in both")
@@ -545,13 +545,13 @@ pub(super) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Res
 }
 
 /// A multiple of a piecewise polynomial.
-pub(super) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
+pub(crate) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
     let function = f.function.map(|piece| piece.iter().map(|c| c.times(factor)).collect());
     Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
 }
 
 /// The sum of two polynomial Bézier curves over one interval, of the larger degree.
-pub(super) fn add_curves(a: &Geometry, b: &Geometry) -> Result<Value> {
+pub(crate) fn add_curves(a: &Geometry, b: &Geometry) -> Result<Value> {
     let (Geometry::Bezier(f, left), Geometry::Bezier(g, right)) = (a, b) else {
         let message = format!("{} and {} cannot be added", a.kind(), b.kind());
         return Err(
@@ -574,7 +574,7 @@ pub(super) fn add_curves(a: &Geometry, b: &Geometry) -> Result<Value> {
 }
 
 /// A curve scaled from the origin.
-pub(super) fn scale_curve(factor: &Fraction, c: &Geometry) -> Result<Value> {
+pub(crate) fn scale_curve(factor: &Fraction, c: &Geometry) -> Result<Value> {
     let form = c.form();
     let scaled = |point: &Point<Fraction>| -> Point<Fraction> {
         let last = point.len() - usize::from(form.rational);

@@ -10,16 +10,15 @@
 //! name as a hint.
 
 mod apply;
-mod arguments;
+pub(crate) mod arguments;
 pub(crate) mod arithmetic;
-mod builtins;
-mod calculus;
-mod claim;
-mod curves;
+pub(crate) mod calculus;
+pub(crate) mod claim;
+pub(crate) mod curves;
 mod define;
 mod family;
-mod geometry;
-mod names;
+pub(crate) mod geometry;
+pub(crate) mod names;
 mod products;
 mod same_geometry;
 
@@ -28,7 +27,6 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 pub use arguments::Arguments;
-pub use builtins::{BUILTINS, Builtin, builtin};
 pub(crate) use calculus::nth_derivative;
 pub(crate) use claim::{find_witness, judge};
 pub use names::name_of;
@@ -152,7 +150,7 @@ pub struct Machine {
     memo: BTreeMap<(Symbol, Vec<Rational>), Value>,
 }
 
-type Evaluated = Result<Value, Diagnostic>;
+pub(crate) type Evaluated = Result<Value, Diagnostic>;
 
 impl Machine {
     fn new(scope: Scope) -> Self {
@@ -188,7 +186,7 @@ impl Machine {
         result
     }
 
-    fn note(&mut self, note: Diagnostic) {
+    pub(crate) fn note(&mut self, note: Diagnostic) {
         if !self.notes.contains(&note) {
             self.notes.push(note);
         }
@@ -370,7 +368,7 @@ impl Machine {
     }
 
     /// Items of a list, with `a_1, ..., a_n` and underbraces written out.
-    fn expand_items(&mut self, items: &[Expr]) -> Result<Vec<Value>, Diagnostic> {
+    pub(crate) fn expand_items(&mut self, items: &[Expr]) -> Result<Vec<Value>, Diagnostic> {
         let mut values = Vec::with_capacity(items.len());
         let mut skip = false;
         for (at, item) in items.iter().enumerate() {
@@ -512,7 +510,7 @@ impl Machine {
 }
 
 /// A list of values; several claims side by side are one claim with all their relations.
-fn together(values: Vec<Value>) -> Evaluated {
+pub(crate) fn together(values: Vec<Value>) -> Evaluated {
     let claims = values.iter().filter(|value| matches!(value, Value::Claim(_))).count();
     if claims == 0 {
         return Ok(Value::List(values));
@@ -531,7 +529,7 @@ fn together(values: Vec<Value>) -> Evaluated {
 }
 
 /// The vector with the given coordinates; anything else comes back.
-fn vector(value: Value) -> Result<Value, Value> {
+pub(crate) fn vector(value: Value) -> Result<Value, Value> {
     match value {
         Value::Scalar(v) => Ok(Value::Vector(v)),
         Value::List(items) => items.into_iter().map(vector).collect::<Result<_, _>>().map(Value::List),
@@ -540,11 +538,11 @@ fn vector(value: Value) -> Result<Value, Value> {
 }
 
 /// "expected X, found Y".
-fn wrong_kind(expected: &str, found: &Value) -> Diagnostic {
+pub(crate) fn wrong_kind(expected: &str, found: &Value) -> Diagnostic {
     Diagnostic::error(Code::Type, format!("expected {expected}, found {}", found.kind()))
         .reason(format!("this is {}", found.kind()))
 }
 
-fn unsupported(what: &str) -> Diagnostic {
+pub(crate) fn unsupported(what: &str) -> Diagnostic {
     Diagnostic::error(Code::Unsupported, what)
 }

@@ -1,8 +1,9 @@
 //! What a written name refers to.
 
-use super::{Evaluated, Machine, builtins};
+use super::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::functions;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
 
@@ -118,7 +119,7 @@ const SYNONYMS: &[(&str, &str)] = &[
 const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
 
 /// Whether an undefined name may stand for itself.
-pub(super) fn stands_for_itself(name: &str) -> bool {
+pub(crate) fn stands_for_itself(name: &str) -> bool {
     name.chars().count() == 1 || GREEK.contains(&name)
 }
 
@@ -174,7 +175,7 @@ fn index_of(expr: &Expr, machine: &mut Machine) -> Option<Index> {
 
 impl Machine {
     /// The value of a name, or the symbol that stands for it.
-    pub(super) fn eval_name(&mut self, expr: &Expr) -> Evaluated {
+    pub(crate) fn eval_name(&mut self, expr: &Expr) -> Evaluated {
         let Some(symbol) = name_of(expr, self) else {
             return Err(Diagnostic::error(Code::Type, "only names can have indices")
                 .at(expr.span)
@@ -195,7 +196,7 @@ impl Machine {
         if WORDS.contains(&symbol.base()) {
             return Ok(Value::Text(symbol.base().to_owned()));
         }
-        match builtins::builtin(symbol.base()) {
+        match functions::builtin(symbol.base()) {
             Some(builtin) => Ok(Value::Builtin(builtin.name)),
             None => Err(self.unknown_name(symbol.base(), expr)),
         }
@@ -250,12 +251,12 @@ impl Machine {
     }
 
     /// The error for a word without meaning, with the nearest known one.
-    pub(super) fn unknown_name(&self, name: &str, expr: &Expr) -> Diagnostic {
+    pub(crate) fn unknown_name(&self, name: &str, expr: &Expr) -> Diagnostic {
         let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
             .at(expr.span)
             .reason("unknown name");
         let known =
-            self.scope.keys().map(Symbol::base).chain(builtins::BUILTINS.iter().map(|builtin| builtin.name));
+            self.scope.keys().map(Symbol::base).chain(functions::BUILTINS.iter().map(|builtin| builtin.name));
         let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known);
         match synonym.or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus")) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),

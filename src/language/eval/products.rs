@@ -16,7 +16,7 @@ use crate::math::poly::Symbol;
 impl Machine {
     /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
     /// that follows it: (F + G)(t), F^2(t).
-    pub(super) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
+    pub(crate) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
         let mut product: Option<Value> = None;
         let mut rest = factors.iter().peekable();
         while let Some(factor) = rest.next() {
@@ -143,7 +143,7 @@ impl Machine {
         }
     }
 
-    pub(super) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
+    pub(crate) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
         if let Kind::Name(mark) = &exponent.kind
             && (mark == "T" || mark == "top")
             && self.lookup(&Symbol::new(mark)).is_none()
@@ -171,7 +171,7 @@ impl Machine {
         })
     }
 
-    pub(super) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
+    pub(crate) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
         if style == Quotient::Slash && self.is_product(right)? {
             return Err(Diagnostic::error(Code::AmbiguousProduct, "how far does the denominator go?")
                 .at(right.span)

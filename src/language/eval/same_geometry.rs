@@ -8,7 +8,7 @@ use crate::math::poly::Fraction;
 use crate::math::spline::BSpline;
 
 /// What comes of a comparison.
-pub(super) enum Comparison {
+pub(crate) enum Comparison {
     Same,
     /// With what differs.
     Different(String),
@@ -20,7 +20,7 @@ use Comparison::{Different, Same, Unknown};
 
 /// Compares as functions of the parameters: degrees, knots and common factors of weights do not
 /// matter.
-pub(super) fn compare(left: &Geometry, right: &Geometry) -> Comparison {
+pub(crate) fn compare(left: &Geometry, right: &Geometry) -> Comparison {
     match (left, right) {
         (Geometry::Patch(a, f), Geometry::Patch(b, g)) if f.rational == g.rational => {
             patches(a, b, f.rational)

@@ -24,7 +24,7 @@ fn beside_nodes(nodes: &[Fraction], places: &[usize], levels: Vec<Vec<Cell>>) ->
 /// bears: a repeated node has one.
 ///
 /// For symbolic nodes the differences of higher order are shown as quotients of those before.
-pub(super) fn differences(
+pub(crate) fn differences(
     table: &DividedDifferences<Fraction, Datum>,
     places: &[usize],
     form: Form,
@@ -52,7 +52,7 @@ pub(super) fn differences(
 /// Row i: x_i, p_i and the interpolants that end with x_i, up to p_{0,…,i}.
 ///
 /// For symbolic nodes each is shown as the combination it is.
-pub(super) fn tableau(tableau: &Tableau<Fraction, Datum>, form: Form) -> Table {
+pub(crate) fn tableau(tableau: &Tableau<Fraction, Datum>, form: Form) -> Table {
     let nodes = tableau.nodes();
     let as_combinations = symbolic(nodes);
     let indices = |k: usize, i: usize| -> Vec<usize> {

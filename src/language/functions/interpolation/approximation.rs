@@ -7,9 +7,9 @@ use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numb
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::eval::arguments::Arguments;
-use crate::language::eval::builtins::Builtin;
-use crate::language::eval::builtins::matrices::read_basis;
 use crate::language::eval::wrong_kind;
+use crate::language::functions::Builtin;
+use crate::language::functions::matrices::read_basis;
 use crate::language::value::{Cell, Form, Table, Value};
 use crate::math::basis::Basis;
 use crate::math::interpolate::{
@@ -21,7 +21,7 @@ use crate::math::poly::Fraction;
 /// A system with more coefficients is not shown as a matrix.
 const LARGEST_SHOWN: usize = 6;
 
-pub(in crate::language::eval::builtins) const TABLE: &[Builtin] = &[
+pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "least_squares",
         signature: "least_squares([x_0, ..., x_m], [y_0, ..., y_m], n, weights=[w_0, ..., w_m], through=[[x, y], ...])",

@@ -4,22 +4,22 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::builtins::matrices::basis_error;
 use crate::language::eval::geometry::{point_of, points_of};
 use crate::language::eval::wrong_kind;
+use crate::language::functions::matrices::basis_error;
 use crate::language::value::{Cell, Form, Value, polynomial_expr};
 use crate::math::interpolate::{InterpolationError, Norm};
 use crate::math::number::Rational;
 use crate::math::piecewise::horner;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
-pub(super) type Result<T> = std::result::Result<T, Diagnostic>;
+pub(crate) type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// A number or a point.
-pub(in crate::language::eval::builtins) type Datum = Vec<Fraction>;
+pub(crate) type Datum = Vec<Fraction>;
 
 /// The diagnostic for an error of interpolation.
-pub(super) fn interpolation_error(error: InterpolationError) -> Diagnostic {
+pub(crate) fn interpolation_error(error: InterpolationError) -> Diagnostic {
     use InterpolationError as E;
     let message = error.to_string();
     let (code, hint) = match error {
@@ -57,7 +57,7 @@ pub(super) fn interpolation_error(error: InterpolationError) -> Diagnostic {
 }
 
 /// Nodes at the first place, values at the second.
-pub(in crate::language::eval::builtins) struct Samples {
+pub(crate) struct Samples {
     pub nodes: Vec<Fraction>,
     pub values: Vec<Datum>,
     pub form: Form,
@@ -105,7 +105,7 @@ impl Samples {
 }
 
 /// A list of numbers (then `true`) or points; an empty one is a list of numbers.
-pub(super) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
+pub(crate) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
     match value {
         Value::List(items) if items.is_empty() => Some((Vec::new(), true)),
         _ => points_of(value),
@@ -113,7 +113,7 @@ pub(super) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
 }
 
 /// The variable named in the call, or t.
-pub(super) fn variable(args: &Arguments) -> Result<Symbol> {
+pub(crate) fn variable(args: &Arguments) -> Result<Symbol> {
     match args.named_or("variable", usize::MAX) {
         Some((value, span)) => {
             arguments::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))
@@ -122,7 +122,7 @@ pub(super) fn variable(args: &Arguments) -> Result<Symbol> {
     }
 }
 
-pub(super) fn occurs(variable: &Symbol) -> Diagnostic {
+pub(crate) fn occurs(variable: &Symbol) -> Diagnostic {
     Diagnostic::error(
         Code::AmbiguousVariable,
         format!("{variable} occurs in the data, so it cannot be the variable"),
@@ -132,12 +132,12 @@ pub(super) fn occurs(variable: &Symbol) -> Diagnostic {
 }
 
 /// The variable as a formula.
-pub(super) fn symbol(variable: &Symbol) -> Fraction {
+pub(crate) fn symbol(variable: &Symbol) -> Fraction {
     Fraction::from(MultiPoly::symbol(variable.clone()))
 }
 
 /// Power coefficients of a polynomial; for points, one polynomial for each coordinate.
-pub(super) fn polynomial(power: &[Datum], form: Form, variable: &Symbol) -> Value {
+pub(crate) fn polynomial(power: &[Datum], form: Form, variable: &Symbol) -> Value {
     let t = symbol(variable);
     let dimension = power.first().map_or(0, Vec::len);
     let coordinate = |k: usize| {
@@ -148,12 +148,12 @@ pub(super) fn polynomial(power: &[Datum], form: Form, variable: &Symbol) -> Valu
 }
 
 /// One polynomial with numbers or formulas as power coefficients.
-pub(super) fn scalar_polynomial(power: &[Fraction], variable: &Symbol) -> Value {
+pub(crate) fn scalar_polynomial(power: &[Fraction], variable: &Symbol) -> Value {
     Value::Scalar(horner(power, &symbol(variable)))
 }
 
 /// A datum given under a name.
-pub(super) fn datum(value: &Value, form: Form, span: Span) -> Result<Datum> {
+pub(crate) fn datum(value: &Value, form: Form, span: Span) -> Result<Datum> {
     match point_of(value) {
         Some((point, scalar)) if scalar == form.scalar => Ok(point),
         _ if form.scalar => Err(wrong_kind("a number or formula", value).at(span)),
@@ -162,7 +162,7 @@ pub(super) fn datum(value: &Value, form: Form, span: Span) -> Result<Datum> {
 }
 
 /// Two data given under a name.
-pub(super) fn pair(value: &Value, form: Form, span: Span) -> Result<(Datum, Datum)> {
+pub(crate) fn pair(value: &Value, form: Form, span: Span) -> Result<(Datum, Datum)> {
     match value {
         Value::List(items) if items.len() == 2 => {
             Ok((datum(&items[0], form, span)?, datum(&items[1], form, span)?))
@@ -174,7 +174,7 @@ pub(super) fn pair(value: &Value, form: Form, span: Span) -> Result<(Datum, Datu
 }
 
 /// A word given under a name or at a place.
-pub(super) fn word<'a>(args: &'a Arguments, name: &str, place: usize) -> Option<(&'a str, &'a Value, Span)> {
+pub(crate) fn word<'a>(args: &'a Arguments, name: &str, place: usize) -> Option<(&'a str, &'a Value, Span)> {
     args.named_or(name, place).map(|(value, span)| {
         let word = match value {
             Value::Text(word) => word.as_str(),
@@ -186,7 +186,7 @@ pub(super) fn word<'a>(args: &'a Arguments, name: &str, place: usize) -> Option<
 }
 
 /// norm=one or norm=infinity.
-pub(super) fn norm(args: &Arguments, place: usize) -> Result<Norm> {
+pub(crate) fn norm(args: &Arguments, place: usize) -> Result<Norm> {
     match word(args, "norm", place) {
         None | Some(("infinity", ..)) => Ok(Norm::Infinity),
         Some(("one", ..)) => Ok(Norm::One),
@@ -196,7 +196,7 @@ pub(super) fn norm(args: &Arguments, place: usize) -> Result<Norm> {
 }
 
 /// All entries as numbers.
-pub(super) fn numbers<'a>(
+pub(crate) fn numbers<'a>(
     items: impl IntoIterator<Item = &'a Fraction>,
     what: &str,
     span: Span,
@@ -212,28 +212,28 @@ pub(super) fn numbers<'a>(
 }
 
 /// base_{i}
-pub(super) fn indexed(base: &str, i: usize) -> Expr {
+pub(crate) fn indexed(base: &str, i: usize) -> Expr {
     Expr::indexed(base, i as i64)
 }
 
 /// base_{i,j,…}
-pub(super) fn indexed_by(base: &str, indices: impl IntoIterator<Item = usize>) -> Expr {
+pub(crate) fn indexed_by(base: &str, indices: impl IntoIterator<Item = usize>) -> Expr {
     let indices = indices.into_iter().map(|i| Expr::int(i as i64)).collect();
     Kind::Subscript(Box::new(Expr::name(base)), indices).into()
 }
 
 /// f[x_i, x_j, …]
-pub(super) fn difference_label(nodes: impl IntoIterator<Item = Expr>) -> Expr {
+pub(crate) fn difference_label(nodes: impl IntoIterator<Item = Expr>) -> Expr {
     Expr::product(vec![Expr::name("f"), Kind::List(nodes.into_iter().collect()).into()])
 }
 
 /// x_i = value, or x_i alone if that is its value.
-pub(super) fn labelled(label: Expr, value: Value) -> Cell {
+pub(crate) fn labelled(label: Expr, value: Value) -> Cell {
     if value.to_expr().same_as(&label) { Cell::Formula(label) } else { Cell::Labelled(label, value) }
 }
 
 /// a − b in brackets, or the single term it is.
-pub(super) fn difference(a: &Fraction, b: &Fraction) -> Expr {
+pub(crate) fn difference(a: &Fraction, b: &Fraction) -> Expr {
     let expr = polynomial_expr(&(a.clone() - b.clone()));
     if matches!(expr.kind, Kind::Add(_)) { expr.grouped() } else { expr }
 }

@@ -15,7 +15,7 @@ use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
 
 /// The meaning of a function for a curve or surface as its first argument, if it has one.
-pub(in crate::language::eval) fn method(name: &str, first: &Value) -> Option<fn(&Arguments) -> Evaluated> {
+pub(crate) fn method(name: &str, first: &Value) -> Option<fn(&Arguments) -> Evaluated> {
     match first {
         Value::Geometry(geometry) if geometry.is_surface() => super::on_surface::method(name),
         Value::Geometry(_) | Value::Piecewise(_) => on_curve(name),
@@ -71,7 +71,7 @@ fn forms_value(forms: Vec<crate::math::blossom::PolarForm<Fraction>>, form: Form
     if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
 }
 
-pub(super) fn polar(args: &Arguments) -> Evaluated {
+pub(crate) fn polar(args: &Arguments) -> Evaluated {
     args.expect("polar(c, span=j)", 1..=1, &["span", "degree"])?;
     let geometry = args.geometry(0)?;
     polynomial(geometry.form(), args)?;
@@ -131,7 +131,7 @@ fn reduce(args: &Arguments) -> Evaluated {
     }
 }
 
-pub(super) fn derivative(args: &Arguments) -> Evaluated {
+pub(crate) fn derivative(args: &Arguments) -> Evaluated {
     // diff(c, t) names the variable as for formulas.
     let args = &match args.value(1) {
         Ok(value) if arguments::symbol_of(value).is_some() => args.without_place(1),
@@ -203,7 +203,7 @@ fn integrate(args: &Arguments) -> Evaluated {
     }
 }
 
-pub(super) fn antiderivative(args: &Arguments) -> Evaluated {
+pub(crate) fn antiderivative(args: &Arguments) -> Evaluated {
     match args.value(0)? {
         Value::Piecewise(function) => {
             let primitive = function.function.antiderivative();
@@ -277,7 +277,7 @@ fn degree(args: &Arguments) -> Evaluated {
 }
 
 /// The power coefficients of each coordinate, lowest first.
-pub(super) fn coefficients(args: &Arguments) -> Evaluated {
+pub(crate) fn coefficients(args: &Arguments) -> Evaluated {
     args.expect("coefficients(c)", 1..=1, &[])?;
     let (curve, form) = args.bezier(0)?;
     polynomial(form, args)?;
@@ -286,7 +286,7 @@ pub(super) fn coefficients(args: &Arguments) -> Evaluated {
 }
 
 /// The product of two curves or splines over one interval.
-pub(super) fn product(args: &Arguments) -> Evaluated {
+pub(crate) fn product(args: &Arguments) -> Evaluated {
     let splines = [args.value(0)?, args.value(1)?].into_iter().any(
         |value| matches!(value, Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..))),
     );

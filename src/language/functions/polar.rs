@@ -21,7 +21,7 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 
 const TOPIC: &str = "Polar forms";
 
-pub(super) const TABLE: &[Builtin] = &[
+pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "polar",
         signature: "polar(F, degree=n, variable=t)",
@@ -476,7 +476,7 @@ fn terms_in(formula: &Fraction, variables: &[Symbol]) -> Result<Vec<(Vec<u32>, F
 
 /// The form written out in the arguments of the arrangement; `None` if a coefficient is a
 /// proper quotient.
-pub(in crate::language::eval) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
+pub(crate) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
     let written = |c: &Fraction| c.as_written().is_some();
     match &polar.kind {
         PolarKind::Univariate(form) => {

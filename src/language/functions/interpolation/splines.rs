@@ -8,13 +8,13 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::arguments::Arguments;
-use crate::language::eval::builtins::Builtin;
 use crate::language::eval::wrong_kind;
+use crate::language::functions::Builtin;
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::interpolate::{CubicSpline, Ends, Unknowns};
 use crate::math::poly::Fraction;
 
-pub(in crate::language::eval::builtins) const TABLE: &[Builtin] = &[
+pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cubic_spline",
         signature: "cubic_spline([x_0, ..., x_n], [y_0, ..., y_n], ends=natural, slopes=[a, b], moments=[a, b])",
@@ -105,7 +105,7 @@ impl Given {
 }
 
 /// The ends by their word, or by the slopes or moments that are given.
-pub(in crate::language::eval::builtins) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
+pub(crate) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
     let slopes = args.named_or("slopes", usize::MAX);
     let moments = args.named_or("moments", usize::MAX);
     let unwanted = |what: &str, span: Span, hint: &str| {

@@ -6,10 +6,10 @@ mod polynomials;
 mod splines;
 mod tables;
 
-pub(super) use approximation::TABLE as APPROXIMATION;
-pub(super) use data::Samples;
-pub(super) use polynomials::TABLE as POLYNOMIALS;
-pub(super) use splines::TABLE as SPLINES;
-pub(super) use splines::ends;
+pub(crate) use approximation::TABLE as APPROXIMATION;
+pub(crate) use data::Samples;
+pub(crate) use polynomials::TABLE as POLYNOMIALS;
+pub(crate) use splines::TABLE as SPLINES;
+pub(crate) use splines::ends;
 
 const TOPIC: &str = "Interpolation and approximation";

@@ -15,10 +15,10 @@ mod rational;
 mod splines;
 mod surfaces;
 
-pub(super) use on_geometry::method;
-pub(super) use polar::expand_polar;
+pub(crate) use on_geometry::method;
+pub(crate) use polar::expand_polar;
 
-use super::{Arguments, Evaluated, Machine};
+use crate::language::eval::{Arguments, Evaluated, Machine};
 
 /// A function of the program.
 pub struct Builtin {

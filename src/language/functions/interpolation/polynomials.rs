@@ -14,8 +14,8 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::At;
 use crate::language::eval::arguments::Arguments;
 use crate::language::eval::arithmetic;
-use crate::language::eval::builtins::Builtin;
 use crate::language::eval::wrong_kind;
+use crate::language::functions::Builtin;
 use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
 use crate::math::interpolate::{
     DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
@@ -23,7 +23,7 @@ use crate::math::interpolate::{
 };
 use crate::math::poly::{Fraction, Symbol};
 
-pub(in crate::language::eval::builtins) const TABLE: &[Builtin] = &[
+pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "lagrange",
         signature: "lagrange([x_0, ..., x_n], [y_0, ..., y_n], variable=t)",
