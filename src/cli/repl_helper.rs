@@ -11,6 +11,7 @@ use rustyline::{Context, Helper as RustylineHelper};
 use super::repl::{COLON_COMMANDS, known_names};
 use crate::language::functions::builtin;
 use crate::language::latex;
+use crate::language::lexicon::letters;
 use crate::language::syntax;
 use crate::language::write::text;
 use crate::math::poly::Symbol;
@@ -48,7 +49,7 @@ impl Helper {
         let word = &before[start..];
         if before[..start].ends_with('\\') {
             // \sigma becomes σ when it is complete; other commands are completed.
-            if let Some(letter) = syntax::greek_char(word) {
+            if let Some(letter) = letters::sign(word) {
                 return (start - 1, vec![(format!("{letter}  {word}"), letter.to_string())]);
             }
             let known = latex::commands().iter().filter(|c| c.is_supported());

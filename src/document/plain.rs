@@ -10,6 +10,7 @@
 use std::ops::Range;
 
 use super::signs::is_ideograph;
+use crate::language::lexicon::letters;
 use crate::language::{latex, syntax};
 
 /// A formula of a line: its bytes, and its text, in which marks of emphasis are blanked.
@@ -111,7 +112,7 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
         }
         return name(rest, one);
     }
-    if syntax::greek_name(c).is_some() || is_blackboard(c) {
+    if letters::name(c).is_some() || letters::of_blackboard(c).is_some() {
         return name(rest, one);
     }
     if c == '*' {
@@ -164,15 +165,11 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
 
 /// Letters that form words: Greek letters and raised ones stand for themselves.
 fn is_letter(c: char) -> bool {
-    c.is_alphabetic() && syntax::greek_name(c).is_none() && !is_blackboard(c) && !is_raised(c)
+    c.is_alphabetic() && letters::name(c).is_none() && letters::of_blackboard(c).is_none() && !is_raised(c)
 }
 
 fn is_symbol(c: char) -> bool {
-    c.is_ascii_alphabetic() || syntax::greek_name(c).is_some()
-}
-
-fn is_blackboard(c: char) -> bool {
-    matches!(c, 'ℝ' | 'ℕ' | 'ℤ' | 'ℚ' | 'ℂ' | 'ℙ' | '𝔼' | '𝔸')
+    c.is_ascii_alphabetic() || letters::name(c).is_some()
 }
 
 /// Raised and lowered digits, letters and signs, and accents.
@@ -224,7 +221,7 @@ fn script(text: &str) -> Option<usize> {
     if first.is_ascii_digit() {
         return Some(text.bytes().take_while(u8::is_ascii_digit).count());
     }
-    if syntax::greek_name(first).is_some() {
+    if letters::name(first).is_some() {
         return Some(first.len_utf8());
     }
     if !first.is_ascii_alphabetic() {

@@ -25,6 +25,7 @@ use super::statement::Place;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
+use crate::language::lexicon::letters;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
 
@@ -280,8 +281,8 @@ impl Model {
             return Some(result);
         }
         let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
-        let greek = crate::language::syntax::greek_char(word).is_some();
-        if word.chars().count() > 1 && !greek && word != "ell" {
+        let greek = letters::sign(word).is_some();
+        if word.chars().count() > 1 && !greek {
             // convert(c, polar)
             if crate::language::functions::builtin(word).is_some() {
                 return None;

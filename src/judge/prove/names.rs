@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Accent, Expr, Kind};
+use crate::language::lexicon::letters;
 
 /// How the names of an equation are used.
 #[derive(Clone, Debug, Default)]
@@ -105,43 +106,10 @@ fn family(base: &Expr) -> Option<&str> {
     }
 }
 
-/// Whether a name can stand for a number: a letter, not an operator such as sin.
+/// Whether a name can stand for a number: a letter, not an operator such as sin or Δ.
 pub fn is_letter(name: &str) -> bool {
-    const GREEK: &[&str] = &[
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "epsilon",
-        "varepsilon",
-        "zeta",
-        "eta",
-        "theta",
-        "vartheta",
-        "iota",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "xi",
-        "pi",
-        "rho",
-        "varrho",
-        "sigma",
-        "tau",
-        "upsilon",
-        "phi",
-        "varphi",
-        "chi",
-        "psi",
-        "omega",
-        "ell",
-    ];
-    let mut letters = name.chars();
-    match (letters.next(), letters.next()) {
-        (Some(letter), None) => letter.is_alphabetic(),
-        _ => GREEK.contains(&name),
-    }
+    let capital_greek = name.len() > 1 && name.starts_with(|c: char| c.is_ascii_uppercase());
+    letters::is_one_letter(name) && !capital_greek
 }
 
 /// Whether a name in d/dt … may be taken for a constant: those that usually are.

@@ -4,49 +4,9 @@ use super::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::functions;
+use crate::language::lexicon::letters;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
-
-/// Names of Greek letters, which are symbols like single letters.
-const GREEK: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "vartheta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "pi",
-    "rho",
-    "sigma",
-    "tau",
-    "upsilon",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Delta",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Pi",
-    "Sigma",
-    "Phi",
-    "Psi",
-    "Omega",
-    "ell",
-];
 
 /// Words that mean themselves: bases (`bernstein` is also a function), ends of splines, ways to
 /// parameters, norms, forms of curves and surfaces. Before a bracket those of a function are that function.
@@ -120,7 +80,7 @@ const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "l
 
 /// Whether an undefined name may stand for itself.
 pub(crate) fn stands_for_itself(name: &str) -> bool {
-    name.chars().count() == 1 || GREEK.contains(&name)
+    name.chars().count() == 1 || letters::sign(name).is_some()
 }
 
 /// The symbol a name denotes, its indices evaluated as far as they have values:

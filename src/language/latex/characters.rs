@@ -3,6 +3,7 @@
 use super::commands::Role;
 use super::token::{Fence, Tok};
 use crate::formula::{Accent, BigOp, Rel};
+use crate::language::lexicon::letters;
 
 /// What a character outside ASCII is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub(super) enum Character {
 
 /// The meaning of a character, if it has one.
 pub(super) fn character(c: char) -> Option<Character> {
-    if let Some(symbol) = greek(c) {
+    if let Some(symbol) = letters::name(c) {
         return Some(Character::Token(Tok::Symbol(symbol)));
     }
     if let Some((upper, _)) = raised(c) {
@@ -68,8 +69,7 @@ pub(super) fn character(c: char) -> Option<Character> {
         '∂' => Tok::Symbol("partial"),
         '∇' => Tok::Symbol("nabla"),
         '∅' => Tok::Symbol("emptyset"),
-        'ℓ' => Tok::Symbol("ell"),
-        '∆' | '△' => Tok::Symbol("Delta"),
+        '△' => Tok::Symbol("Delta"),
         '⊤' => Tok::Symbol("top"),
         '∑' => Tok::Command(Role::Big(BigOp::Sum)),
         '∏' => Tok::Command(Role::Big(BigOp::Product)),
@@ -79,30 +79,14 @@ pub(super) fn character(c: char) -> Option<Character> {
         '∀' => Tok::Command(Role::ForAll),
         '√' => Tok::Command(Role::Root),
         '\u{200b}' | '\u{2061}' | '\u{2062}' | '\u{feff}' => Tok::Skip,
-        _ if blackboard(c).is_some() => Tok::Symbol(blackboard(c)?),
-        _ => return None,
+        _ => Tok::Symbol(letters::of_blackboard(c)?),
     };
     Some(Character::Token(kind))
 }
 
-/// `ℝ` and its like: the name of the letter, which carries [`Accent::Blackboard`].
-pub(super) fn blackboard(c: char) -> Option<&'static str> {
-    Some(match c {
-        'ℝ' => "R",
-        'ℕ' => "N",
-        'ℤ' => "Z",
-        'ℚ' => "Q",
-        'ℂ' => "C",
-        'ℙ' => "P",
-        '𝔼' => "E",
-        '𝔸' => "A",
-        _ => return None,
-    })
-}
-
 /// The accent of letters that have one in Unicode.
 pub(super) fn accent(c: char) -> Option<Accent> {
-    blackboard(c).map(|_| Accent::Blackboard)
+    letters::of_blackboard(c).map(|_| Accent::Blackboard)
 }
 
 /// Whether a character belongs to words of a language, not to formulas.
@@ -128,52 +112,6 @@ pub(super) fn raised(c: char) -> Option<(bool, char)> {
         return None;
     }
     find(UPPER).map(|to| (true, to)).or_else(|| find(LOWER).map(|to| (false, to)))
-}
-
-fn greek(c: char) -> Option<&'static str> {
-    Some(match c {
-        'α' => "alpha",
-        'β' => "beta",
-        'γ' => "gamma",
-        'δ' => "delta",
-        'ϵ' => "epsilon",
-        'ε' => "varepsilon",
-        'ζ' => "zeta",
-        'η' => "eta",
-        'θ' => "theta",
-        'ϑ' => "vartheta",
-        'ι' => "iota",
-        'κ' => "kappa",
-        'λ' => "lambda",
-        'μ' | 'µ' => "mu",
-        'ν' => "nu",
-        'ξ' => "xi",
-        'π' => "pi",
-        'ϖ' => "varpi",
-        'ρ' => "rho",
-        'ϱ' => "varrho",
-        'σ' => "sigma",
-        'ς' => "varsigma",
-        'τ' => "tau",
-        'υ' => "upsilon",
-        'ϕ' => "phi",
-        'φ' => "varphi",
-        'χ' => "chi",
-        'ψ' => "psi",
-        'ω' => "omega",
-        'Γ' => "Gamma",
-        'Δ' => "Delta",
-        'Θ' => "Theta",
-        'Λ' => "Lambda",
-        'Ξ' => "Xi",
-        'Π' => "Pi",
-        'Σ' => "Sigma",
-        'Υ' => "Upsilon",
-        'Φ' => "Phi",
-        'Ψ' => "Psi",
-        'Ω' => "Omega",
-        _ => return None,
-    })
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use super::token::{Env, Fence};
 use crate::formula::{Accent, BigOp, Delimiter, Rel};
 use crate::language::diagnostic::nearest;
+use crate::language::lexicon::letters;
 
 /// What the reader does with a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +162,17 @@ impl Command {
 
 /// All commands the reader knows, in the order of the documentation.
 pub fn commands() -> &'static [Command] {
-    COMMANDS
+    static COMMANDS: LazyLock<Vec<Command>> = LazyLock::new(|| {
+        // Omicron looks like the letter o, which is why TeX has no command for it.
+        let greek = letters::GREEK.iter().filter(|(name, _)| *name != "omicron");
+        let greek = greek.map(|&(name, sign)| Command {
+            name,
+            meaning: if name == "Delta" { "Δ; also the forward difference" } else { sign },
+            role: Role::Symbol(name),
+        });
+        greek.chain(OTHERS.iter().copied()).collect()
+    });
+    &COMMANDS
 }
 
 /// The environments the reader knows (each also with a star), with their meaning.
@@ -171,7 +182,7 @@ pub fn environments() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 pub(super) fn lookup(name: &str) -> Option<&'static Command> {
     static INDEX: LazyLock<HashMap<&str, &Command>> =
-        LazyLock::new(|| COMMANDS.iter().map(|command| (command.name, command)).collect());
+        LazyLock::new(|| commands().iter().map(|command| (command.name, command)).collect());
     INDEX.get(name).copied()
 }
 
@@ -182,7 +193,7 @@ pub(super) fn environment(name: &str) -> Option<Env> {
 
 /// The known command most like `name`, if any is near.
 fn nearest_command(name: &str) -> Option<&'static str> {
-    nearest(name, COMMANDS.iter().filter(|command| command.is_supported()).map(|command| command.name))
+    nearest(name, commands().iter().filter(|command| command.is_supported()).map(|command| command.name))
 }
 
 pub(super) fn nearest_environment(name: &str) -> Option<&'static str> {
@@ -265,48 +276,7 @@ macro_rules! table {
 }
 
 #[rustfmt::skip]
-const COMMANDS: &[Command] = table! {
-    "alpha" "α" Role::Symbol("alpha");
-    "beta" "β" Role::Symbol("beta");
-    "gamma" "γ" Role::Symbol("gamma");
-    "delta" "δ" Role::Symbol("delta");
-    "epsilon" "ϵ" Role::Symbol("epsilon");
-    "varepsilon" "ε" Role::Symbol("varepsilon");
-    "zeta" "ζ" Role::Symbol("zeta");
-    "eta" "η" Role::Symbol("eta");
-    "theta" "θ" Role::Symbol("theta");
-    "vartheta" "ϑ" Role::Symbol("vartheta");
-    "iota" "ι" Role::Symbol("iota");
-    "kappa" "κ" Role::Symbol("kappa");
-    "lambda" "λ" Role::Symbol("lambda");
-    "mu" "μ" Role::Symbol("mu");
-    "nu" "ν" Role::Symbol("nu");
-    "xi" "ξ" Role::Symbol("xi");
-    "pi" "π" Role::Symbol("pi");
-    "varpi" "ϖ" Role::Symbol("varpi");
-    "rho" "ρ" Role::Symbol("rho");
-    "varrho" "ϱ" Role::Symbol("varrho");
-    "sigma" "σ" Role::Symbol("sigma");
-    "varsigma" "ς" Role::Symbol("varsigma");
-    "tau" "τ" Role::Symbol("tau");
-    "upsilon" "υ" Role::Symbol("upsilon");
-    "phi" "ϕ" Role::Symbol("phi");
-    "varphi" "φ" Role::Symbol("varphi");
-    "chi" "χ" Role::Symbol("chi");
-    "psi" "ψ" Role::Symbol("psi");
-    "omega" "ω" Role::Symbol("omega");
-    "Gamma" "Γ" Role::Symbol("Gamma");
-    "Delta" "Δ; also the forward difference" Role::Symbol("Delta");
-    "Theta" "Θ" Role::Symbol("Theta");
-    "Lambda" "Λ" Role::Symbol("Lambda");
-    "Xi" "Ξ" Role::Symbol("Xi");
-    "Pi" "Π" Role::Symbol("Pi");
-    "Sigma" "Σ" Role::Symbol("Sigma");
-    "Upsilon" "Υ" Role::Symbol("Upsilon");
-    "Phi" "Φ" Role::Symbol("Phi");
-    "Psi" "Ψ" Role::Symbol("Psi");
-    "Omega" "Ω" Role::Symbol("Omega");
-    "ell" "ℓ" Role::Symbol("ell");
+const OTHERS: &[Command] = table! {
     "hbar" "ħ" Role::Symbol("hbar");
     "imath" "dotless i" Role::Symbol("imath");
     "jmath" "dotless j" Role::Symbol("jmath");
@@ -607,9 +577,13 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_explained() {
-        for (i, command) in COMMANDS.iter().enumerate() {
+        for (i, command) in commands().iter().enumerate() {
             assert!(!command.meaning.is_empty(), "\\{} has no meaning", command.name);
-            assert!(COMMANDS[..i].iter().all(|other| other.name != command.name), "\\{} twice", command.name);
+            assert!(
+                commands()[..i].iter().all(|other| other.name != command.name),
+                "\\{} twice",
+                command.name
+            );
         }
         for (i, (name, ..)) in ENVIRONMENTS.iter().enumerate() {
             assert!(ENVIRONMENTS[..i].iter().all(|(other, ..)| other != name), "{name} twice");

@@ -1,79 +1,7 @@
 //! Unicode characters and what they stand for.
 
 use crate::formula::Accent;
-
-/// Greek letters by their LaTeX names.
-const GREEK: &[(&str, char)] = &[
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("varepsilon", 'ϵ'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("vartheta", 'ϑ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("varkappa", 'ϰ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("omicron", 'ο'),
-    ("pi", 'π'),
-    ("varpi", 'ϖ'),
-    ("rho", 'ρ'),
-    ("varrho", 'ϱ'),
-    ("sigma", 'σ'),
-    ("varsigma", 'ς'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("varphi", 'ϕ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Upsilon", 'Υ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-];
-
-/// The LaTeX name of a Greek letter, without backslash.
-///
-/// ```
-/// assert_eq!(polarform::syntax::greek_name('σ'), Some("sigma"));
-/// assert_eq!(polarform::syntax::greek_name('s'), None);
-/// ```
-pub fn greek_name(letter: char) -> Option<&'static str> {
-    let letter = match letter {
-        'Ͱ'..='Ͽ' => letter,
-        'µ' => 'μ',        // micro sign
-        '∆' => 'Δ',        // increment
-        '\u{2126}' => 'Ω', // ohm
-        _ => return None,
-    };
-    GREEK.iter().find(|&&(_, c)| c == letter).map(|&(name, _)| name)
-}
-
-/// The Greek letter of a LaTeX name, which is given without backslash; the inverse of [`greek_name`].
-///
-/// ```
-/// assert_eq!(polarform::syntax::greek_char("sigma"), Some('σ'));
-/// assert_eq!(polarform::syntax::greek_char("sum"), None);
-/// ```
-pub fn greek_char(name: &str) -> Option<char> {
-    GREEK.iter().find(|&&(n, _)| n == name).map(|&(_, c)| c)
-}
+use crate::language::lexicon::letters;
 
 const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
 const SUBSCRIPTS_PLAIN: &str = "0123456789+-=()aehijklmnoprstuvx";
@@ -109,19 +37,6 @@ pub(super) fn ordinary(c: char) -> char {
     }
 }
 
-/// The letter of a blackboard character: ℝ to R.
-pub(super) fn blackboard(c: char) -> Option<&'static str> {
-    Some(match c {
-        'ℂ' => "C",
-        'ℕ' => "N",
-        'ℙ' => "P",
-        'ℚ' => "Q",
-        'ℝ' => "R",
-        'ℤ' => "Z",
-        _ => return None,
-    })
-}
-
 /// The accent a combining character puts on the character before it.
 pub(super) fn accent(c: char) -> Option<Accent> {
     Some(match c {
@@ -151,8 +66,8 @@ pub(super) fn is_letter(c: char) -> bool {
         return c.is_ascii_alphabetic();
     }
     ordinary(c).is_alphabetic()
-        && greek_name(c).is_none()
-        && blackboard(c).is_none()
+        && letters::name(c).is_none()
+        && letters::of_blackboard(c).is_none()
         && subscript(c).is_none()
         && superscript(c).is_none()
 }
@@ -170,10 +85,6 @@ mod tests {
     fn tables_agree() {
         assert_eq!(SUBSCRIPTS.chars().count(), SUBSCRIPTS_PLAIN.len());
         assert_eq!(SUPERSCRIPTS.chars().count(), SUPERSCRIPTS_PLAIN.len());
-        for &(name, letter) in GREEK {
-            assert_eq!(greek_name(letter), Some(name));
-            assert_eq!(greek_char(name), Some(letter));
-        }
         for (lowered, plain) in SUBSCRIPTS.chars().zip(SUBSCRIPTS_PLAIN.chars()) {
             assert_eq!(subscript(lowered), Some(plain));
         }

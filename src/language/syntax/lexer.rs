@@ -5,6 +5,7 @@ use super::chars;
 use super::token::{Bracket, MAX_TOKENS, Token, TokenKind, too_long};
 use crate::formula::Rel;
 use crate::language::diagnostic::Diagnostic;
+use crate::language::lexicon::letters;
 
 /// The tokens of `text`, line ends included, blanks and comments left out.
 ///
@@ -54,7 +55,7 @@ impl Lexer<'_> {
                 self.number(start)?;
             } else if chars::is_letter(c) {
                 self.word(start)?;
-            } else if chars::greek_name(c).is_some() || chars::blackboard(c).is_some() || c == '∞' {
+            } else if letters::name(c).is_some() || letters::of_blackboard(c).is_some() || c == '∞' {
                 self.at += c.len_utf8();
                 self.push(TokenKind::Name, start)?;
             } else if c == '\\' {
@@ -211,7 +212,7 @@ impl Lexer<'_> {
             "subset" | "subseteq" => TokenKind::Relation(Rel::Subset),
             "coloneqq" | "triangleq" => TokenKind::Relation(Rel::Define),
             "infty" => TokenKind::Name,
-            name if chars::greek_char(name).is_some() => TokenKind::Name,
+            name if letters::sign(name).is_some() => TokenKind::Name,
             _ => TokenKind::Command,
         };
         self.push(kind, start)
@@ -323,5 +324,5 @@ fn joins_words(word: &str, rest: &str) -> bool {
     let follows = |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) > 1);
     let over_a_letter =
         |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) == 1 && follows(&next[1..]));
-    letters(word) > 1 && chars::greek_char(word).is_none() && (follows(rest) || over_a_letter(rest))
+    letters(word) > 1 && letters::sign(word).is_none() && (follows(rest) || over_a_letter(rest))
 }

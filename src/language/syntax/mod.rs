@@ -24,13 +24,13 @@ mod token;
 #[cfg(test)]
 mod tests;
 
-pub use chars::{greek_char, greek_name};
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub use token::MAX_TOKENS;
 
 use crate::formula::Expr;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::letters;
 
 /// The formula in `text`, which holds one statement; comments start with `#`.
 ///
@@ -139,7 +139,7 @@ pub fn looks_like_latex(text: &str) -> bool {
         b'$' => true,
         b'\\' => {
             let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
-            chars::greek_char(&text[at + 1..at + 1 + letters]).is_none()
+            letters::sign(&text[at + 1..at + 1 + letters]).is_none()
         }
         _ => false,
     })

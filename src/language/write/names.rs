@@ -1,54 +1,10 @@
 //! Names: Greek letters, LaTeX commands, Python identifiers.
 
-/// Greek letters by their LaTeX names, in the variants that the plain reader knows.
-const GREEK: &[(&str, &str)] = &[
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("varepsilon", "ϵ"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("vartheta", "ϑ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("varkappa", "ϰ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("omicron", "ο"),
-    ("pi", "π"),
-    ("varpi", "ϖ"),
-    ("rho", "ρ"),
-    ("varrho", "ϱ"),
-    ("sigma", "σ"),
-    ("varsigma", "ς"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "φ"),
-    ("varphi", "ϕ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Gamma", "Γ"),
-    ("Delta", "Δ"),
-    ("Theta", "Θ"),
-    ("Lambda", "Λ"),
-    ("Xi", "Ξ"),
-    ("Pi", "Π"),
-    ("Sigma", "Σ"),
-    ("Upsilon", "Υ"),
-    ("Phi", "Φ"),
-    ("Psi", "Ψ"),
-    ("Omega", "Ω"),
-];
+use crate::language::lexicon::letters;
 
 /// Further names that are commands of their own in LaTeX.
 const COMMANDS: &[&str] = &[
-    "ell", "hbar", "imath", "jmath", "infty", "nabla", "partial", "emptyset", "top", "bot", "dagger", "star",
+    "hbar", "imath", "jmath", "infty", "nabla", "partial", "emptyset", "top", "bot", "dagger", "star",
     "angle", "sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
     "exp", "log", "ln", "lg", "det", "dim", "deg", "gcd", "ker", "arg", "inf", "sup", "Pr", "max", "min",
     "lim",
@@ -68,7 +24,7 @@ pub(super) fn sign(name: &str) -> Option<&'static str> {
     if name == "infty" {
         return Some("∞");
     }
-    GREEK.iter().find(|(greek, _)| *greek == name).map(|(_, letter)| *letter)
+    letters::sign(name)
 }
 
 /// The infix sign in LaTeX of a function that is written between its arguments.
@@ -79,20 +35,7 @@ pub(super) fn operator(name: &str) -> Option<&'static str> {
 /// Whether the name is that of a LaTeX command that KaTeX and amsmath both have.
 pub(super) fn is_command(name: &str) -> bool {
     // Omicron looks like the letter o, which is why TeX has no command for it.
-    name != "omicron" && (COMMANDS.contains(&name) || GREEK.iter().any(|(greek, _)| *greek == name))
-}
-
-/// The letter of a blackboard name that has one in Unicode.
-pub(super) fn blackboard(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "C" => "ℂ",
-        "N" => "ℕ",
-        "P" => "ℙ",
-        "Q" => "ℚ",
-        "R" => "ℝ",
-        "Z" => "ℤ",
-        _ => return None,
-    })
+    name != "omicron" && (COMMANDS.contains(&name) || letters::sign(name).is_some())
 }
 
 /// Words in LaTeX text mode, with the signs that mean something there escaped.

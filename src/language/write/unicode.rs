@@ -10,6 +10,7 @@ use super::plain::{self, Plain};
 use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, to_string, walk};
 use crate::formula::{Accent, Expr, Kind, Precedence, Rel, Sign, Term};
+use crate::language::lexicon::letters;
 
 /// The formula with Unicode signs, indices and exponents. A matrix, or an equation with one as a
 /// side, takes several lines; anything else one line, which the plain reader reads back.
@@ -248,7 +249,7 @@ fn term(expr: &Expr, plain: &mut String) -> Option<()> {
 fn accented(accent: Accent, body: &Expr) -> Option<String> {
     let text = match &body.kind {
         Kind::Name(name) if accent == Accent::Blackboard => {
-            return names::blackboard(name).map(str::to_owned);
+            return letters::blackboard(name).map(String::from);
         }
         Kind::Name(name) => names::sign(name).unwrap_or(name).to_owned(),
         Kind::Number(value) if value.is_integer() && !value.is_negative() => value.numer().to_string(),

@@ -6,6 +6,7 @@ use super::call::is_special;
 use super::{MAX_DEPTH, Node, Parsed, Parser};
 use crate::formula::source::Span;
 use crate::formula::{Accent, Delimiter, Enclosure, Expr, Kind};
+use crate::language::lexicon::letters;
 use crate::math::number::{Rational, parse_decimal};
 
 /// Digits of a numeral that are free of charge.
@@ -158,12 +159,12 @@ impl Parser<'_> {
         let text = self.text_of(token);
         let mut letters = text.chars();
         let only = letters.next().filter(|c| !c.is_ascii() && letters.next().is_none());
-        if let Some(letter) = only.and_then(chars::blackboard) {
+        if let Some(letter) = only.and_then(letters::of_blackboard) {
             let letter = self.node(Kind::Name(letter.to_owned()), token.span(), 0)?;
             let kind = Kind::Accent(Accent::Blackboard, Box::new(letter.expr));
             return self.node(kind, token.span(), letter.height);
         }
-        let name = if let Some(greek) = only.and_then(chars::greek_name) {
+        let name = if let Some(greek) = only.and_then(letters::name) {
             greek.to_owned()
         } else if only == Some('∞') {
             "infty".to_owned()
