@@ -29,6 +29,21 @@ impl Expr {
         if value.is_negative() { unsigned.negated() } else { unsigned }
     }
 
+    /// Of some conditions one at least holds: a call of "or".
+    pub fn any(conditions: Vec<Expr>) -> Self {
+        Kind::Apply(Box::new(Expr::name("or")), vec![conditions]).into()
+    }
+
+    /// The alternatives of [`Expr::any`].
+    pub fn alternatives(&self) -> Option<&[Expr]> {
+        match &self.kind {
+            Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "or") => {
+                groups.first().map(Vec::as_slice)
+            }
+            _ => None,
+        }
+    }
+
     /// A small integer.
     pub fn int(value: i64) -> Self {
         Expr::number(&Rational::from_integer(value.into()))

@@ -115,8 +115,12 @@ impl Checker {
         curve: Option<Curve>,
         choices: Choices,
     ) -> Trial<'a> {
-        let mut earlier: Vec<&Condition> =
-            self.context.conditions.iter().filter(|c| !chain.conditions.contains(&c.expr)).collect();
+        let mut earlier: Vec<&Condition> = self
+            .context
+            .conditions
+            .iter()
+            .filter(|c| !chain.conditions.contains(&c.expr) && place.in_reach(&c.place, c.assumed))
+            .collect();
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
         earlier.reverse();

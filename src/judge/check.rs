@@ -11,11 +11,11 @@ use super::model::{Choices, Curve};
 use super::names::Head;
 use super::prove::prove;
 use super::refute;
-use super::statement::{Chain, Place, Said, Side, Statement};
+use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use super::trial::Tally;
 use crate::budget::{self, Limits};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::value::Value;
 use crate::language::write;
@@ -63,9 +63,11 @@ impl Checker {
                     finding.verdict = Verdict::Unread;
                 }
                 self.findings.push(finding);
-                let line = self.line(side.expr.span);
-                let condition = Condition { expr: side.expr.clone(), place: statement.place.clone(), line };
-                Rc::make_mut(&mut self.context).conditions.push(condition);
+                // A case is a condition of the claims of its sentence, and of nothing else.
+                if !statement.is_case() {
+                    let assumed = statement.role == Some(Role::Assumed);
+                    self.condition(side.expr.clone(), side.expr.span, assumed, &statement.place);
+                }
             }
             Said::Bare(side, problems) => {
                 let mut finding = of_side(side, Verdict::Undecided, 0);
@@ -87,6 +89,10 @@ impl Checker {
                     }
                     return;
                 }
+                if let Some(findings) = self.unasserted(chain, statement) {
+                    self.findings.extend(findings);
+                    return;
+                }
                 let limits = self.limits.clone();
                 let before = self.context.clone();
                 match budget::run(&limits, || self.chain(chain, statement)) {
@@ -105,6 +111,51 @@ impl Checker {
         }
     }
 
+    /// A chain that its sentence assumes, asks for, or claims for cases that nothing describes.
+    fn unasserted(&mut self, chain: &Chain, statement: &Statement) -> Option<Vec<Finding>> {
+        let (verdict, reason) = match statement.role {
+            Some(Role::Assumed) => (Verdict::Definition, "assumed here"),
+            Some(Role::Asked) => (Verdict::Undecided, "asked for, not claimed"),
+            _ if chain.partial => (Verdict::Definition, "said of the other cases"),
+            _ => return None,
+        };
+        let place = &statement.place;
+        let new = definable(&chain.sides[0].expr).filter(|head| {
+            chain.relations.len() == 1 && !self.is_known(head, &chain.sides[1].expr, place, &None)
+        });
+        if let (Some(Role::Assumed), Some(head), [(Rel::Eq | Rel::Define, span)]) =
+            (statement.role, new, chain.relations.as_slice())
+            && !chain.sides[1].is_unread()
+        {
+            let body = Body::Formula(chain.sides[1].expr.clone());
+            self.define(head, body, &chain.conditions, place, *span);
+            if let Some(definition) = Rc::make_mut(&mut self.context).definitions.last_mut() {
+                definition.assumed = true;
+            }
+        } else if statement.role == Some(Role::Assumed) {
+            for (at, (rel, span)) in chain.relations.iter().enumerate() {
+                let link = Link { rel: *rel, span: *span, expr: chain.sides[at + 1].expr.clone() };
+                let left = &chain.sides[at].expr;
+                let span = left.span.to(link.expr.span);
+                let relation = Expr::new(Kind::Chain(Box::new(left.clone()), vec![link]), span);
+                self.condition(relation, span, true, &statement.place);
+            }
+        }
+        let finding = |at: usize| {
+            let unread = chain.sides[at].is_unread() || chain.sides[at + 1].is_unread();
+            let verdict = if unread { Verdict::Unread } else { verdict };
+            Finding { verdict, reason: Some(reason.to_owned()), ..blank(chain, at) }
+        };
+        Some((0..chain.relations.len()).map(finding).collect())
+    }
+
+    /// Adds a condition that later formulas may need.
+    pub(super) fn condition(&mut self, expr: Expr, span: Span, assumed: bool, place: &Place) {
+        let line = self.line(span);
+        let condition = Condition { expr, assumed, place: place.clone(), line };
+        Rc::make_mut(&mut self.context).conditions.push(condition);
+    }
+
     /// Adds a definition that later formulas use.
     pub(super) fn define(&mut self, head: Head, body: Body, conditions: &[Expr], place: &Place, span: Span) {
         let definition = Definition {
@@ -113,6 +164,7 @@ impl Checker {
             conditions: conditions.to_vec(),
             place: place.clone(),
             line: self.line(span),
+            assumed: false,
             queried: false,
         };
         Rc::make_mut(&mut self.context).definitions.push(definition);
@@ -416,7 +468,7 @@ impl Checker {
         let mut finding = blank(chain, at);
         let outcomes = &attempt.outcomes;
         finding.notes = self.notes(tally);
-        let ranged = !outcomes.integers.is_empty() || outcomes.degrees || tally.record.infinite;
+        let ranged = !outcomes.integers.is_empty() && !outcomes.fixed || outcomes.degrees;
         let range = || {
             let mut names = outcomes.integers.join(", ");
             if names.is_empty() {
@@ -444,6 +496,10 @@ impl Checker {
                 if tally.holds < 2 || few {
                     finding.verdict = Verdict::Undecided;
                     finding.reason = Some("too few instances make sense".to_owned());
+                } else if tally.nonzero == 0 && !says_zero(chain) {
+                    finding.verdict = Verdict::Undecided;
+                    finding.reason =
+                        Some("both sides are 0 in every instance, so nothing was tested".to_owned());
                 }
             }
             if let Some(number) = tally.condition {
@@ -552,6 +608,12 @@ impl Checker {
         }
         notes
     }
+}
+
+/// Whether a side is the number 0: then vanishing is what is claimed.
+fn says_zero(chain: &Chain) -> bool {
+    let zero = |side: &Side| matches!(&side.expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q));
+    chain.sides.iter().any(zero)
 }
 
 /// What comes of one relation.

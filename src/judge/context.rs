@@ -29,6 +29,8 @@ pub struct Definition {
     pub place: Place,
     /// The line, for reports.
     pub line: usize,
+    /// Whether it is assumed, for its paragraph only.
+    pub assumed: bool,
     /// Whether a query gives it; the items of a list there are counted from 0.
     pub queried: bool,
 }
@@ -38,6 +40,8 @@ pub struct Definition {
 pub struct Condition {
     /// As written.
     pub expr: Expr,
+    /// Whether it is assumed, for its paragraph only.
+    pub assumed: bool,
     /// Where.
     pub place: Place,
     /// The line, for reports.
@@ -158,7 +162,10 @@ impl Context {
         place: &'a Place,
     ) -> impl Iterator<Item = (usize, &'a Definition, bool)> + 'a {
         let near = move |definition: &Definition| place.sees(&definition.place);
-        let all = move || self.definitions.iter().enumerate().rev().filter(move |(_, d)| d.head.base == base);
+        let all = move || {
+            let alive = move |d: &Definition| d.head.base == base && place.in_reach(&d.place, d.assumed);
+            self.definitions.iter().enumerate().rev().filter(move |(_, d)| alive(d))
+        };
         let first = all().filter(move |(_, d)| near(d)).map(|(i, d)| (i, d, true));
         let second = all()
             .filter(move |(_, d)| !near(d) && matches!(d.body, Body::Formula(_)))

@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Body, Condition, Definition};
+use super::context::{Body, Definition};
 use super::names::Head;
 use super::statement::Place;
 use crate::formula::source::Span;
@@ -60,7 +60,8 @@ impl Checker {
                 let line = self.file.line_column(span.start).0;
                 let body = Body::Formula(links[0].expr.clone());
                 let (place, conditions) = (place.clone(), Vec::new());
-                let definition = Definition { head, body, conditions, place, line, queried: true };
+                let (assumed, queried) = (false, true);
+                let definition = Definition { head, body, conditions, place, line, assumed, queried };
                 Rc::make_mut(&mut self.context).definitions.push(definition);
             }
         }
@@ -75,9 +76,7 @@ impl Checker {
                 self.define(head, Body::Formula(links[0].expr.clone()), &[], place, at);
                 return;
             }
-            let line = self.file.line_column(at.start).0;
-            let condition = Condition { expr: expr.clone(), place: place.clone(), line };
-            Rc::make_mut(&mut self.context).conditions.push(condition);
+            self.condition(expr.clone(), at, false, place);
             return;
         }
         self.complain(

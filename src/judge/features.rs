@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::names::{Head, walk};
 use crate::formula::{Expr, Kind};
+use num_traits::ToPrimitive;
 
 /// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
 /// or f has several arguments.
@@ -31,6 +32,34 @@ pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
     }
     found
 }
+
+/// The highest order of a derivative that is written as a number, with primes or as F^{(5)}.
+pub fn highest_derivative(side: &Expr) -> usize {
+    let number = |expr: &Expr| match &expr.kind {
+        Kind::Number(q) if q.is_integer() => q.numer().to_usize(),
+        _ => None,
+    };
+    let mut highest = 0;
+    walk(side, &mut |part| {
+        let order = match &part.kind {
+            Kind::Prime(_, order) => *order as usize,
+            Kind::Derivative { variables, .. } => {
+                variables.iter().map(|(_, order)| order.as_ref().and_then(number).unwrap_or(1)).sum()
+            }
+            Kind::Apply(callee, _) => Head::of(callee)
+                .filter(|head| head.parenthesized)
+                .and_then(|head| head.upper.first().and_then(number))
+                .unwrap_or(0),
+            _ => 0,
+        };
+        highest = highest.max(order);
+    });
+    // Higher ones would take too long.
+    highest.min(HIGHEST_ORDER)
+}
+
+/// Derivatives up to this order are given functions of sufficient degree.
+const HIGHEST_ORDER: usize = 12;
 
 /// Whether divided differences f[x_0, x_1] occur.
 pub fn has_divided_differences(sides: &[&Expr]) -> bool {

@@ -4,6 +4,13 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::Diagnostic;
 
+impl Statement {
+    /// Whether it is said as a case, which the claims of its sentence carry as a condition.
+    pub fn is_case(&self) -> bool {
+        matches!(self.role, Some(Role::Case | Role::Except | Role::Elsewhere | Role::Odd | Role::Even))
+    }
+}
+
 /// Where a statement stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -13,6 +20,8 @@ pub struct Place {
     pub group: u32,
     /// The number of the formula.
     pub formula: usize,
+    /// The example, proof or case it stands in, whose facts end with it.
+    pub block: Option<u32>,
 }
 
 impl Place {
@@ -22,10 +31,39 @@ impl Place {
         parent > 0 && other.scope.len() == self.scope.len() && other.scope[..parent] == self.scope[..parent]
     }
 
+    /// Whether a fact from there can be alive here: what is assumed ends with its paragraph, what is said
+    /// in an example, proof or case ends with it.
+    pub fn in_reach(&self, earlier: &Place, assumed: bool) -> bool {
+        (earlier.block.is_none() || earlier.block == self.block) && (!assumed || earlier.group == self.group)
+    }
+
     /// Whether what was said there holds here, as far as the layout tells.
     pub fn sees(&self, earlier: &Place) -> bool {
         self.scope.starts_with(&earlier.scope)
     }
+}
+
+/// What a formula is said as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Then …, we get …: it is claimed.
+    Claimed,
+    /// Let …, where …: it introduces a name.
+    Introduced,
+    /// Suppose …: it is taken for true, to the end of the paragraph.
+    Assumed,
+    /// If …, for …, at …: what its sentence claims is claimed for this case only.
+    Case,
+    /// Unless …: what its sentence claims is claimed outside of this case only.
+    Except,
+    /// Otherwise: it is claimed where other cases do not apply.
+    Elsewhere,
+    /// … is odd: a case.
+    Odd,
+    /// … is even: a case.
+    Even,
+    /// Solve …, find …, it is wrong that …: nothing is asserted.
+    Asked,
 }
 
 /// One side of a relation.
@@ -63,6 +101,8 @@ pub struct Chain {
     pub conditions: Vec<Expr>,
     /// Whether it is itself said as a condition of another one ("where a = b").
     pub given: bool,
+    /// Whether it is claimed for a part only that no condition says: "otherwise".
+    pub partial: bool,
     /// Why parts could not be read.
     pub problems: Vec<Diagnostic>,
 }
@@ -89,6 +129,8 @@ pub struct Statement {
     pub said: Said,
     /// Where.
     pub place: Place,
+    /// What the words around it make of it, if they say.
+    pub role: Option<Role>,
     /// The words of the paragraph before the formula.
     pub before: String,
     /// The words of this paragraph and those before it, as far as they may name what is spoken of.

@@ -10,19 +10,19 @@ use std::time::{Duration, Instant};
 
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
-use super::features::{has_divided_differences, has_groups, has_splines, pairs};
+use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
 use super::names::{Head, implied_index, integer_names, own_names, walk};
 use super::statement::Place;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::evaluate_reading;
+use crate::language::eval::{evaluate_reading, with_machine};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
-/// Degrees tried for functions without a definition.
-const DEGREES: std::ops::RangeInclusive<usize> = 0..=4;
+/// Degrees tried for functions without a definition, unless a derivative asks for more.
+const LARGEST_DEGREE: usize = 4;
 
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
@@ -107,6 +107,8 @@ pub struct Outcomes {
     pub tallies: Vec<Tally>,
     /// The integers that were given values.
     pub integers: Vec<String>,
+    /// Whether the conditions give each of them its value.
+    pub fixed: bool,
     /// Their largest values tried.
     pub largest: i64,
     /// Whether degrees were tried.
@@ -173,6 +175,26 @@ impl Trial<'_> {
         names.into_iter().collect()
     }
 
+    /// The value that a condition of the chain gives an integer: n = 2.
+    fn fixed(&self, name: &str) -> Option<i64> {
+        self.conditions.iter().find_map(|condition| match &condition.kind {
+            Kind::Chain(left, links) if matches!(&left.kind, Kind::Name(own) if own == name) => {
+                match links.as_slice() {
+                    [link] if link.rel == Rel::Eq => {
+                        with_machine([], |machine| machine.eval_int(&link.expr).ok())
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        })
+    }
+
+    /// A degree for which every derivative that is written is still alive.
+    fn largest_degree(&self) -> usize {
+        self.sides.iter().map(|side| highest_derivative(side) + 1).fold(LARGEST_DEGREE, usize::max)
+    }
+
     /// Tries all small instances.
     pub fn run(&self) -> Outcomes {
         self.run_some(None)
@@ -186,6 +208,7 @@ impl Trial<'_> {
         let mut outcomes = Outcomes {
             tallies: self.relations.iter().map(|_| Tally::default()).collect(),
             integers: integers.clone(),
+            fixed: false,
             largest,
             degrees: false,
             instances: 0,
@@ -193,13 +216,19 @@ impl Trial<'_> {
         if integers.len() > 8 {
             return outcomes;
         }
+        let fixed: Vec<Option<i64>> = integers.iter().map(|name| self.fixed(name)).collect();
+        outcomes.fixed = fixed.iter().all(Option::is_some);
         let opaque = has_divided_differences(&self.sides);
         let largest = if opaque { largest.min(3) } else { largest };
         outcomes.largest = largest;
         let mut all: Vec<Vec<i64>> = Vec::new();
         let mut values = vec![0i64; integers.len()];
         loop {
-            all.push(values.clone());
+            let free = values.iter().zip(&fixed).all(|(value, fixed)| fixed.is_none() || *value == 0);
+            if free {
+                let own = values.iter().zip(&fixed).map(|(value, fixed)| fixed.unwrap_or(*value));
+                all.push(own.collect());
+            }
             if !advance(&mut values, largest) {
                 break;
             }
@@ -257,8 +286,7 @@ impl Trial<'_> {
             bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
         self.conditions.iter().all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
-            crate::language::eval::with_machine(names.clone(), |machine| holds(machine, condition))
-                != Some(false)
+            with_machine(names.clone(), |machine| holds(machine, condition)) != Some(false)
         })
     }
 
@@ -363,7 +391,7 @@ impl Trial<'_> {
                 .find_map(|name| bound.iter().find(|(own, _)| own == name).map(|(_, value)| *value));
             degrees = match size {
                 Some(size) => usize::try_from(size).ok().map(Some).into_iter().collect(),
-                None => DEGREES.map(Some).collect(),
+                None => (0..=self.largest_degree()).map(Some).collect(),
             };
         }
         if degrees.len() > 1 {
@@ -507,6 +535,7 @@ impl Conditions<'_> {
             return plain;
         }
         let mut solved: Vec<(Symbol, crate::math::poly::Fraction)> = Vec::new();
+        let mut plain = plain;
         for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
             // A sum of weights runs as far as the weights do that occur.
             let exactly =
@@ -530,6 +559,10 @@ impl Conditions<'_> {
                         tally.condition = Some(at - self.own.len());
                     }
                     return outcome;
+                }
+                // What fails fails where the conditions of the chain hold.
+                if at < self.own.len() {
+                    plain = outcome;
                 }
             }
         }

@@ -6,6 +6,8 @@
 
 mod page;
 pub mod report;
+mod sentence;
+mod speech;
 mod statement;
 
 pub use page::{Options, check_document, listing};

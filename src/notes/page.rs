@@ -24,7 +24,7 @@ pub fn check_document(document: &Document, options: &Options) -> FileReport {
     let statements = statements(document);
     let mut checker = Checker::new(&document.file, &options.limits, &statements);
     if let Some(context) = &options.context {
-        checker.declare(context, &Place { scope: Vec::new(), group: 0, formula: 0 }, None);
+        checker.declare(context, &Place { scope: Vec::new(), group: 0, formula: 0, block: None }, None);
     }
     for statement in &statements {
         checker.statement(statement);

@@ -4,6 +4,8 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
+use super::sentence;
+use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -48,6 +50,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         sections: Vec::new(),
         enclosures: Vec::new(),
         next_scope: 0,
+        block: None,
         group: 0,
         ended: false,
         before: String::new(),
@@ -59,6 +62,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         reader.item(item);
     }
     let mut statements = reader.statements;
+    sentence::assign(document, &mut statements);
     attach(&mut statements);
     statements
 }
@@ -70,6 +74,8 @@ struct Reader<'a> {
     sections: Vec<(u8, u32)>,
     enclosures: Vec<(Enclosure, u32)>,
     next_scope: u32,
+    /// The labelled example, proof or case that is open.
+    block: Option<u32>,
     group: u32,
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
@@ -86,6 +92,7 @@ impl Reader<'_> {
                 self.sections.retain(|(known, _)| known < level);
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
+                self.block = None;
                 self.new_group();
                 self.recent.clear();
                 self.before.push_str(self.document.file.slice(*span));
@@ -95,6 +102,12 @@ impl Reader<'_> {
                 let words = self.document.file.slice(*span);
                 if self.ended && !words.trim().is_empty() {
                     self.new_group();
+                }
+                if self.before.trim().is_empty()
+                    && let Some(block) = speech::block(words)
+                {
+                    self.next_scope += 1;
+                    self.block = (block == Block::Closed).then_some(self.next_scope);
                 }
                 self.before.push_str(words);
                 self.gap.push_str(words);
@@ -146,6 +159,7 @@ impl Reader<'_> {
             scope: sections.chain(enclosing.map(|(_, scope)| *scope)).collect(),
             group: self.group,
             formula: self.formula,
+            block: self.block,
         }
     }
 
@@ -153,6 +167,7 @@ impl Reader<'_> {
         let statement = Statement {
             said,
             place: self.place(),
+            role: None,
             before: self.before.clone(),
             recent: self.recent.clone(),
             gap: self.gap.clone(),
@@ -277,6 +292,7 @@ impl Reader<'_> {
                     relations,
                     conditions: Vec::new(),
                     given: false,
+                    partial: false,
                     problems: all,
                 });
                 true
@@ -317,6 +333,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
             relations: Vec::new(),
             conditions: Vec::new(),
             given: false,
+            partial: false,
             problems: Vec::new(),
         };
     };
@@ -326,6 +343,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
         relations: links.iter().map(|link| (link.rel, link.span)).collect(),
         conditions: Vec::new(),
         given: false,
+        partial: false,
         problems: problems.to_vec(),
     }
 }
@@ -359,7 +377,7 @@ fn attach(statements: &mut [Statement]) {
     give_first(statements);
     for at in 0..statements.len() {
         let condition = match &statements[at].said {
-            Said::Condition(side) => side.expr.clone(),
+            Said::Condition(side) if !statements[at].is_case() => side.expr.clone(),
             _ => continue,
         };
         let (formula, group) = (statements[at].place.formula, statements[at].place.group);

@@ -402,6 +402,13 @@ fn shape(message: &str, expr: &Expr) -> Diagnostic {
 
 /// Whether a condition on integers holds; `None` if that cannot be said.
 pub fn holds(machine: &mut Machine, condition: &Expr) -> Option<bool> {
+    if let Some(items) = condition.alternatives() {
+        let held: Vec<Option<bool>> = items.iter().map(|item| holds(machine, item)).collect();
+        return match held.contains(&Some(true)) {
+            true => Some(true),
+            false => (!held.contains(&None)).then_some(false),
+        };
+    }
     let Kind::Chain(left, links) = &condition.kind else { return None };
     let mut value = machine.eval(left).ok()?.as_int()?;
     for link in links {

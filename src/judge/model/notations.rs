@@ -137,14 +137,22 @@ impl Model {
                 return Some(Err(Diagnostic::error(Code::Undecided, "an infinite sum").at(expr.span)));
             };
             self.record.borrow_mut().infinite = true;
-            let end = Expr::int(degree.max(4) as i64 + 4);
-            let big = Kind::Big {
-                op,
-                lower: lower.to_vec(),
-                upper: Some(Box::new(end)),
-                body: Box::new(body.clone()),
+            let up_to = |end: i64| {
+                let (lower, upper) = (lower.to_vec(), Some(Box::new(Expr::int(end))));
+                Expr::new(Kind::Big { op, lower, upper, body: Box::new(body.clone()) }, expr.span)
             };
-            return Some(machine.eval(&Expr::new(big, expr.span)));
+            let last = degree.max(4) as i64;
+            let sums: Result<Vec<Value>, Diagnostic> =
+                (last..=last + 4).map(|end| machine.eval(&up_to(end))).collect();
+            return Some(sums.and_then(|mut sums| {
+                // Only a sum whose terms vanish from some place on has a value here.
+                let first = sums.swap_remove(0);
+                if sums.iter().all(|sum| *sum == first) {
+                    return Ok(first);
+                }
+                Err(Diagnostic::error(Code::Undecided, "limits of infinite sums are not computed")
+                    .at(expr.span))
+            }));
         }
         let bound_names: Vec<Expr> = lower
             .iter()

@@ -1,0 +1,277 @@
+//! Which formulas of a sentence are claimed, and in which cases.
+//!
+//! **Definition.** A sentence ends at a point, a question mark, a heading, or a paragraph that does not
+//! go on in small letters. A case ("if n = 2", "for t = 0") belongs to the claims of its sentence: to
+//! those after it when the sentence begins with a case, else to the claim before it. A case without a
+//! claim in its sentence is a hypothesis of its paragraph.
+
+use super::speech::{self, Around};
+use crate::document::{Document, Item};
+use crate::formula::{Expr, Kind, Link, Rel};
+use crate::judge::statement::{Role, Said, Side, Statement};
+
+/// Gives every statement its role and every claim the cases of its sentence.
+///
+/// Cost: linear in the document, times the number of cues.
+pub fn assign(document: &Document, statements: &mut [Statement]) {
+    let around = surroundings(document);
+    let mut start = 0;
+    while start < statements.len() {
+        let first = statements[start].place.formula;
+        let mut end = start;
+        // Formulas are numbered from 1; up to the next one that begins a sentence.
+        while end < statements.len() && {
+            let formula = statements[end].place.formula;
+            formula == first || around.get(formula.wrapping_sub(1)).is_some_and(|words| !words.first)
+        } {
+            end += 1;
+        }
+        sentence(&around, &mut statements[start..end]);
+        start = end;
+    }
+}
+
+/// Abbreviations whose point ends no sentence.
+const ABBREVIATIONS: &[&str] = &[
+    "i.e", "e.g", "d.h", "z.b", "s.t", "resp", "bzw", "cf", "vgl", "eq", "fig", "no", "p.ex", "w.l.o.g",
+    "o.b.d.a",
+];
+
+/// The byte after the first end of a sentence in a text, if there is one.
+fn sentence_end(text: &str) -> Option<usize> {
+    let mut characters = text.char_indices().peekable();
+    while let Some((at, c)) = characters.next() {
+        let end = at + c.len_utf8();
+        match c {
+            '。' | '！' | '？' => return Some(end),
+            '.' | '!' | '?' => {
+                let rest = text[end..].trim_start_matches(['*', '_', ')', '"', '”', '\'']);
+                let word = text[..at].rsplit(char::is_whitespace).next().unwrap_or("");
+                let word = word.trim_start_matches(['(', '*', '_']).to_lowercase();
+                let number =
+                    !word.is_empty() && word.chars().all(|c| c.is_ascii_digit()) && text[..at].trim() == word;
+                let open = c == '.' && (ABBREVIATIONS.contains(&word.as_str()) || number);
+                if !open && (rest.is_empty() || rest.starts_with(char::is_whitespace)) {
+                    return Some(text.len() - rest.len());
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+/// The words around each formula of a document, in their order.
+fn surroundings(document: &Document) -> Vec<Around> {
+    let mut found: Vec<Around> = Vec::new();
+    let mut left = String::new();
+    let (mut first, mut paused, mut open) = (true, false, false);
+    for item in &document.items {
+        match item {
+            Item::Words(span) => {
+                let mut words = document.file.slice(*span);
+                let goes_on =
+                    words.trim_start().starts_with(|c: char| c.is_lowercase() || matches!(c, ',' | '，'));
+                if std::mem::take(&mut paused) && !words.trim().is_empty() && !goes_on {
+                    left.clear();
+                    (first, open) = (true, false);
+                }
+                while let Some(end) = sentence_end(words) {
+                    if let (true, Some(around)) = (open, found.last_mut()) {
+                        around.right.push_str(&words[..end]);
+                    }
+                    words = &words[end..];
+                    left.clear();
+                    (first, open) = (true, false);
+                }
+                if let (true, Some(around)) = (open, found.last_mut()) {
+                    around.right.push_str(words);
+                }
+                left.push_str(words);
+                left.push(' ');
+            }
+            Item::Formula(formula) => {
+                found.push(Around { left: std::mem::take(&mut left), right: String::new(), first });
+                let ended = formula.text.trim_end().ends_with(['.', '。']);
+                (first, open, paused) = (ended, !ended, false);
+            }
+            Item::Break => paused = true,
+            Item::Heading { .. } | Item::Enter(_) | Item::Leave(_) => {
+                left.clear();
+                (first, open, paused) = (true, false, false);
+            }
+            Item::Declaration { .. } => {}
+        }
+    }
+    found
+}
+
+/// The statements of one sentence.
+fn sentence(around: &[Around], statements: &mut [Statement]) {
+    let mut formulas: Vec<usize> = statements.iter().map(|statement| statement.place.formula).collect();
+    formulas.dedup();
+    let words = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
+    let claimed: Vec<bool> =
+        formulas.iter().map(|&formula| speech::role(&words(formula), false) == Some(Role::Claimed)).collect();
+    let mut roles: Vec<(Option<Role>, bool)> = Vec::with_capacity(formulas.len());
+    for (at, &formula) in formulas.iter().enumerate() {
+        let words = words(formula);
+        let claims_later = claimed[at + 1..].iter().any(|&claimed| claimed);
+        let mut role = speech::role(&words, claims_later);
+        let mut alternative = false;
+        if role.is_none()
+            && let Some((Some(before), _)) = at.checked_sub(1).map(|before| roles[before])
+            && let Some(or) = speech::goes_on(&words.left)
+        {
+            let comma = words.left.trim().chars().all(|c| !c.is_alphanumeric());
+            // "If a = 0, b = 1": after the comma comes what is claimed, unless a "then" comes.
+            let consequent = comma && before == Role::Case && !claims_later;
+            if before != Role::Claimed && !consequent {
+                (role, alternative) = (Some(before), or);
+            }
+        }
+        roles.push((role, alternative));
+    }
+    let role_of = |statement: &Statement| {
+        let at = formulas.iter().position(|&formula| formula == statement.place.formula);
+        at.map_or((None, false), |at| roles[at])
+    };
+    for statement in statements.iter_mut() {
+        let (role, _) = role_of(statement);
+        let states = matches!(statement.said, Said::Chain(_) | Said::Condition(_));
+        let parity = matches!((role, &statement.said), (Some(Role::Odd | Role::Even), Said::Bare(..)));
+        // Words such as "otherwise" speak of the formula beside them.
+        statement.role = match role {
+            Some(Role::Elsewhere) => {
+                if let Said::Chain(chain) = &mut statement.said {
+                    chain.partial = true;
+                }
+                None
+            }
+            Some(Role::Odd | Role::Even) if !parity => None,
+            role if states || parity => role,
+            _ => None,
+        };
+    }
+    attach_cases(statements, &|statement| role_of(statement).1);
+}
+
+/// Hands the cases of a sentence to its claims.
+fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement) -> bool) {
+    let is_claim = |statement: &Statement| {
+        !statement.is_case()
+            && matches!(&statement.said, Said::Chain(chain) if !chain.given)
+            && !matches!(statement.role, Some(Role::Assumed | Role::Introduced | Role::Asked))
+    };
+    let Some(begins) = statements.iter().position(|statement| statement.is_case() || is_claim(statement))
+    else {
+        return;
+    };
+    let forward = statements[begins].is_case();
+    let mut at = 0;
+    while at < statements.len() {
+        if !statements[at].is_case() {
+            at += 1;
+            continue;
+        }
+        let end = (at..statements.len()).find(|&i| !statements[i].is_case()).unwrap_or(statements.len());
+        let conditions = conditions(&statements[at..end], is_alternative);
+        let after: Vec<usize> = (end..statements.len())
+            .take_while(|&i| !statements[i].is_case())
+            .filter(|&i| is_claim(&statements[i]))
+            .collect();
+        let before: Vec<usize> = (0..at)
+            .rev()
+            .find(|&i| is_claim(&statements[i]))
+            .map(|last| {
+                let formula = statements[last].place.formula;
+                (0..at)
+                    .filter(|&i| is_claim(&statements[i]) && statements[i].place.formula == formula)
+                    .collect()
+            })
+            .unwrap_or_default();
+        let targets = match (forward, after.is_empty(), before.is_empty()) {
+            (true, false, _) | (false, false, true) => after,
+            _ => before,
+        };
+        if targets.is_empty() {
+            for statement in &mut statements[at..end] {
+                if statement.role == Some(Role::Case) {
+                    statement.role = Some(Role::Assumed);
+                }
+            }
+        }
+        for target in targets {
+            if let Said::Chain(chain) = &mut statements[target].said {
+                match &conditions {
+                    Some(conditions) => chain.conditions.extend(conditions.iter().cloned()),
+                    None => chain.partial = true,
+                }
+            }
+        }
+        for statement in &mut statements[at..end] {
+            if let (true, Said::Chain(chain)) = (statement.is_case(), &statement.said) {
+                statement.said = Said::Condition(as_side(chain));
+            }
+        }
+        at = end;
+    }
+}
+
+/// A chain as one formula.
+fn as_side(chain: &crate::judge::statement::Chain) -> Side {
+    let mut sides = chain.sides.iter();
+    let first = sides.next().map(|side| side.expr.clone());
+    let links: Vec<Link> = sides
+        .zip(&chain.relations)
+        .map(|(side, (rel, span))| Link { rel: *rel, span: *span, expr: side.expr.clone() })
+        .collect();
+    let latex: Vec<&str> = chain.sides.iter().map(|side| side.latex.as_str()).collect();
+    let span = match (chain.sides.first(), chain.sides.last()) {
+        (Some(first), Some(last)) => first.expr.span.to(last.expr.span),
+        _ => Default::default(),
+    };
+    let first = Box::new(first.unwrap_or_else(|| Expr::int(0)));
+    Side { expr: Expr::new(Kind::Chain(first, links), span), latex: latex.join(" ... ") }
+}
+
+/// The conditions that a run of cases says; `None` if one of them cannot be said as a formula.
+fn conditions(cases: &[Statement], is_alternative: &dyn Fn(&Statement) -> bool) -> Option<Vec<Expr>> {
+    let mut found: Vec<Expr> = Vec::new();
+    for case in cases {
+        let expr = match (&case.said, case.role?) {
+            (Said::Bare(side, _), role @ (Role::Odd | Role::Even)) => {
+                let minus = || Expr::int(-1).grouped();
+                let power = Expr::from(Kind::Pow(Box::new(minus()), Box::new(side.expr.clone())));
+                Expr::relation(power, Rel::Eq, if role == Role::Odd { Expr::int(-1) } else { Expr::int(1) })
+            }
+            (Said::Condition(side), Role::Case) => side.expr.clone(),
+            (Said::Chain(chain), Role::Case) => as_side(chain).expr,
+            (Said::Condition(side), Role::Except) => negated(&side.expr)?,
+            (Said::Chain(chain), Role::Except) => negated(&as_side(chain).expr)?,
+            _ => return None,
+        };
+        match found.pop_if(|_| is_alternative(case)) {
+            Some(other) => found.push(Expr::any(vec![other, expr])),
+            None => found.push(expr),
+        }
+    }
+    Some(found)
+}
+
+/// The contrary of one relation.
+fn negated(expr: &Expr) -> Option<Expr> {
+    let Kind::Chain(left, links) = &expr.kind else { return None };
+    let [link] = links.as_slice() else { return None };
+    let rel = match link.rel {
+        Rel::Eq => Rel::Ne,
+        Rel::Ne => Rel::Eq,
+        Rel::Lt => Rel::Ge,
+        Rel::Ge => Rel::Lt,
+        Rel::Gt => Rel::Le,
+        Rel::Le => Rel::Gt,
+        _ => return None,
+    };
+    let link = Link { rel, ..link.clone() };
+    Some(Expr::new(Kind::Chain(left.clone(), vec![link]), expr.span))
+}

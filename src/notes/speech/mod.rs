@@ -1,0 +1,209 @@
+//! What the words around a formula make of it: a claim, a case, a hypothesis, something asked.
+//!
+//! **Definition.** A *cue* is a phrase right before or right after a formula; its *role* is what the
+//! formula is said as. The cues are data, a file for each language. A formula without a cue has no
+//! role: its form and what is known decide.
+
+mod chinese;
+mod english;
+mod french;
+mod german;
+
+use crate::judge::statement::Role;
+
+/// A phrase and what it makes of a formula.
+enum Cue {
+    /// It stands before the formula.
+    Before(&'static str, Role),
+    /// It stands alone before the formula, at the start of a sentence that goes on to a claim.
+    Opening(&'static str, Role),
+    /// It stands after the formula.
+    After(&'static str, Role),
+}
+
+/// What a labelled paragraph does to names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// An example, a proof, a case: what is said of names there ends with it.
+    Closed,
+    /// A theorem, a definition: what is said of names there goes on.
+    Open,
+}
+
+struct Language {
+    cues: &'static [Cue],
+    /// Words that may stand between a cue and its formula.
+    fillers: &'static [&'static str],
+    /// Labels of paragraphs.
+    blocks: &'static [(&'static str, Block)],
+    /// Whether blanks separate words.
+    spaced: bool,
+}
+
+const LANGUAGES: &[Language] = &[
+    Language { cues: english::CUES, fillers: english::FILLERS, blocks: english::BLOCKS, spaced: true },
+    Language { cues: german::CUES, fillers: german::FILLERS, blocks: german::BLOCKS, spaced: true },
+    Language { cues: french::CUES, fillers: french::FILLERS, blocks: french::BLOCKS, spaced: true },
+    Language { cues: chinese::CUES, fillers: chinese::FILLERS, blocks: chinese::BLOCKS, spaced: false },
+];
+
+/// The words around a formula, as far as its sentence goes.
+#[derive(Clone, Debug, Default)]
+pub struct Around {
+    /// From the formula before in the sentence, or from the start of the sentence.
+    pub left: String,
+    /// To the next formula of the sentence, or to its end.
+    pub right: String,
+    /// Whether the formula is the first of its sentence.
+    pub first: bool,
+}
+
+/// Small letters, single blanks, no marks of emphasis and no punctuation at the ends.
+fn normal(words: &str) -> String {
+    let plain: String = words
+        .chars()
+        .map(|c| match c {
+            '*' | '_' | '#' | '>' | '~' | '`' | '\\' => ' ',
+            '’' => '\'',
+            c => c,
+        })
+        .collect();
+    let joined = plain.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+    let ends = |c: char| {
+        c.is_whitespace() || matches!(c, ',' | ':' | ';' | '(' | ')' | '，' | '：' | '；' | '（' | '）')
+    };
+    joined.trim_matches(ends).to_owned()
+}
+
+/// The words after the last occurrence of a phrase, if only fillers follow it.
+fn ends_with(words: &str, phrase: &str, language: &Language) -> bool {
+    let mut rest = words;
+    loop {
+        if let Some(before) = rest.strip_suffix(phrase)
+            && (!language.spaced || before.is_empty() || !before.ends_with(char::is_alphanumeric))
+        {
+            return true;
+        }
+        let Some(filler) = language.fillers.iter().find(|filler| {
+            rest.strip_suffix(**filler)
+                .is_some_and(|before| !language.spaced || before.is_empty() || before.ends_with(' '))
+        }) else {
+            return false;
+        };
+        rest = rest[..rest.len() - filler.len()].trim_end_matches([' ', ',']);
+    }
+}
+
+fn starts_with(words: &str, phrase: &str, language: &Language) -> bool {
+    words
+        .strip_prefix(phrase)
+        .is_some_and(|after| !language.spaced || !after.starts_with(char::is_alphanumeric))
+}
+
+/// The role that the words around a formula give it. `claims` says whether the sentence goes on to a
+/// formula that is claimed.
+///
+/// Cost: linear in the words, times the number of cues.
+pub fn role(around: &Around, claims: bool) -> Option<Role> {
+    let (left, right) = (normal(&around.left), normal(&around.right));
+    let mut best: Option<(usize, Role)> = None;
+    for language in LANGUAGES {
+        for cue in language.cues {
+            let found = match cue {
+                Cue::Before(phrase, role) => ends_with(&left, phrase, language).then_some((phrase, role)),
+                Cue::Opening(phrase, role) => {
+                    (claims && around.first && left == *phrase).then_some((phrase, role))
+                }
+                Cue::After(phrase, role) => starts_with(&right, phrase, language).then_some((phrase, role)),
+            };
+            if let Some((phrase, role)) = found {
+                // The longer phrase says more, and what opens a sentence more than its last word.
+                let opening = matches!(cue, Cue::Opening(..) | Cue::After(..));
+                let weight = phrase.chars().count() + if opening { 100 } else { 0 };
+                if best.is_none_or(|(most, _)| weight > most) {
+                    best = Some((weight, *role));
+                }
+            }
+        }
+    }
+    best.map(|(_, role)| role)
+}
+
+/// Whether the words only go on from the formula before: "and", "or", a comma. True for an alternative.
+pub fn goes_on(words: &str) -> Option<bool> {
+    match normal(words).as_str() {
+        "" | "and" | "und" | "et" | "和" | "且" | "、" | "及" => Some(false),
+        "or" | "oder" | "ou" | "或" => Some(true),
+        _ => None,
+    }
+}
+
+/// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with
+/// a number, a point or a colon.
+pub fn block(words: &str) -> Option<Block> {
+    let text = words.trim_start();
+    let marked = text.starts_with(['*', '_', '【', '[']);
+    let text = text.trim_start_matches(['*', '_', '【', '[', ' ']);
+    let label: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
+    let capital = label.chars().next().is_some_and(|c| !c.is_lowercase());
+    let rest = text[label.len()..].trim_start();
+    let closed = rest.starts_with(['.', ':', '*', '_', '(', '：', '】', ']', '。', '（'])
+        || rest.starts_with(|c: char| c.is_ascii_digit())
+        || rest.is_empty();
+    let (low, spaced) = (label.to_lowercase(), label.is_ascii());
+    for language in LANGUAGES {
+        for (name, block) in language.blocks {
+            let same = if language.spaced { low == *name } else { low == *name && (marked || !spaced) };
+            if same && (marked || capital && closed) {
+                return Some(*block);
+            }
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(left: &str, right: &str) -> Option<Role> {
+        role(&Around { left: left.to_owned(), right: right.to_owned(), first: true }, true)
+    }
+
+    #[test]
+    fn cues_in_four_languages() {
+        for (left, right, wanted) in [
+            ("If", "then", Some(Role::Case)),
+            ("For all integers", "", Some(Role::Case)),
+            ("It follows that", "", Some(Role::Claimed)),
+            ("We find", "", Some(Role::Claimed)),
+            ("Find", "", Some(Role::Asked)),
+            ("It is wrong that", "", Some(Role::Asked)),
+            ("Suppose that", "", Some(Role::Assumed)),
+            ("", ", otherwise", Some(Role::Elsewhere)),
+            ("unless", "", Some(Role::Except)),
+            ("", "is odd", Some(Role::Odd)),
+            ("Ist", ", so gilt", Some(Role::Case)),
+            ("Dann gilt für", "", Some(Role::Case)),
+            ("Supposons que", "", Some(Role::Assumed)),
+            ("Si", ", alors", Some(Role::Case)),
+            ("当", "时，", Some(Role::Case)),
+            ("所以", "", Some(Role::Claimed)),
+            ("The curve", "passes through", None),
+            ("waterproof", "", None),
+        ] {
+            assert_eq!(said(left, right), wanted, "{left} … {right}");
+        }
+    }
+
+    #[test]
+    fn labels() {
+        assert_eq!(block("**Example.** Let"), Some(Block::Closed));
+        assert_eq!(block("Proof. We"), Some(Block::Closed));
+        assert_eq!(block("Theorem 3. Let"), Some(Block::Open));
+        assert_eq!(block("例 2 设"), Some(Block::Closed));
+        assert_eq!(block("Case 1: "), Some(Block::Closed));
+        assert_eq!(block("Examples of this kind abound"), None);
+        assert_eq!(block("The proof is easy."), None);
+    }
+}
