@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::attempt::{Attempt, restricted};
 use super::context::{Body, Condition, Context, Definition, Letters};
 use super::finding::{Finding, Verdict};
+use super::hypotheses;
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
@@ -257,6 +258,16 @@ impl Checker {
             && (!first_known || defines)
             && !chain.sides[0].is_unread()
         {
+            // What is said to follow is a claim, if the facts say what its name is.
+            if statement.role == Some(Role::Claimed) && !defines {
+                let before = self.context.clone();
+                let mut tried = findings.clone();
+                self.judge(chain, 0, statement, curve.clone(), None, &mut tried);
+                if matches!(tried[0].verdict, Verdict::Proved | Verdict::Sampled | Verdict::Refuted) {
+                    return tried;
+                }
+                self.context = before;
+            }
             // A new name: its right-hand side says what it is.
             self.definition(chain, head, place, &mut findings[0]);
             start = 1;
@@ -374,6 +385,17 @@ impl Checker {
             }
         }
         self.across(chain, start, place, &curve, best.choices, findings);
+        // An equation that nothing decides and nobody claims is a condition that later lines may need.
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            let open = findings[at].verdict == Verdict::Undecided && !tally.fails.is_empty()
+                || findings[at].verdict == Verdict::Definition;
+            if open && statement.role != Some(Role::Claimed) && chain.relations[at].0 == Rel::Eq {
+                let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+                let relation = Expr::relation(left.clone(), Rel::Eq, right.clone());
+                self.condition(relation, findings[at].span, false, place);
+            }
+        }
         // Equations for new coefficients say what these are.
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
             let at = start + i;
@@ -546,6 +568,21 @@ impl Checker {
             {
                 return Judged::Redefinition(finding.warning);
             }
+            return Judged::Verdict(Box::new(finding));
+        }
+        // Names that stand on one side only: the equation says what they are.
+        let introduces = statement.role != Some(Role::Claimed)
+            && matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
+            && tally.determined == 0
+            && tally.holds_inner == 0
+            && tally
+                .fails
+                .iter()
+                .take(3)
+                .all(|failure| hypotheses::introduces(&failure.left, &failure.right));
+        if introduces {
+            finding.verdict = Verdict::Definition;
+            finding.reason = Some("a condition on new names".to_owned());
             return Judged::Verdict(Box::new(finding));
         }
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);

@@ -13,6 +13,7 @@ mod context;
 mod declare;
 mod features;
 pub mod finding;
+mod hypotheses;
 mod known;
 mod lint;
 mod lists;

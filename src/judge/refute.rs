@@ -186,6 +186,11 @@ pub fn decide(
         let reason = format!("the index {index} occurs on one side only, and nothing says what it is");
         return Decision::Loose(reason);
     }
+    // The hypotheses say what the left side is.
+    let inner = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first());
+    if let (true, Some(failure)) = (tally.determined == tally.fails.len(), inner) {
+        return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
+    }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
     let Some(failure) = best_failure(tally, outcomes, chain) else {
         let reason = format!(

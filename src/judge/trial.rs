@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
 use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
+use super::hypotheses;
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
 use super::names::{Head, implied_index, integer_names, own_names, walk};
 use super::statement::Place;
@@ -95,6 +96,8 @@ pub struct Tally {
     pub mismatches: Vec<(Vec<(String, i64)>, String)>,
     /// Errors in evaluating.
     pub errors: Vec<Diagnostic>,
+    /// Failures in which the hypotheses say what the left side is.
+    pub determined: usize,
     /// Whether an earlier condition was needed.
     pub condition: Option<usize>,
     /// What happened in the evaluations of its sides.
@@ -566,9 +569,49 @@ impl Conditions<'_> {
                 }
             }
         }
-        plain
+        let equations: Vec<(Value, Value)> = self
+            .own
+            .iter()
+            .chain(self.earlier.iter().take(NEAREST))
+            .filter_map(|condition| trial.condition_values(condition, bound, degree))
+            .collect();
+        let family = |value: &Value| -> BTreeSet<String> {
+            compare::symbols(value).iter().map(|symbol| symbol.base().to_owned()).collect()
+        };
+        let wanted = family(left);
+        let Some(solution) = hypotheses::solve(&equations, &|symbol| wanted.contains(symbol.base())) else {
+            return plain;
+        };
+        let (Some(l), Some(r)) =
+            (compare::substituted(left, &solution), compare::substituted(right, &solution))
+        else {
+            return plain;
+        };
+        let open = |value: &Value| {
+            compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(s.base())).count()
+        };
+        let touched = |value: &Value| {
+            compare::symbols(value).iter().any(|symbol| solution.iter().any(|(solved, _)| solved == symbol))
+        };
+        if !touched(left) && !touched(right) {
+            return plain;
+        }
+        let outcome = compare::relation(rel, &l, &r, &ranges);
+        tally.condition.get_or_insert(0);
+        match outcome {
+            Outcome::Holds => outcome,
+            // Everything that is claimed about is determined, and it is something else.
+            Outcome::Fails(_) if open(left) > 0 && open(&l) == 0 => {
+                tally.determined += 1;
+                outcome
+            }
+            _ => plain,
+        }
     }
 }
+
+/// So many earlier conditions, the nearest ones, are solved together.
+const NEAREST: usize = 12;
 
 /// Whether a condition is no sum, or one with both bounds.
 fn is_bounded(condition: &Expr) -> bool {

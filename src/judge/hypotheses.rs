@@ -1,0 +1,206 @@
+//! What hypotheses determine: linear equations in the names that the facts leave open.
+//!
+//! **Definition.** A hypothesis is an equation between two values. Where it contains open names (symbols
+//! with an index, coefficients of unknown functions) it holds for all values of the parameters t, u, …, so
+//! each of its coefficients in them is an equation of its own. These equations are linear in the open
+//! names that are solved for; everything else is part of their coefficients.
+
+use std::collections::BTreeSet;
+
+use super::compare;
+use super::context::is_variable;
+use crate::language::value::Value;
+use crate::math::linalg::{self, Echelon};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
+use nalgebra::DMatrix;
+
+/// More equations or names than this are too many.
+const MOST: usize = 40;
+
+/// Names in terms of those that stay free.
+pub type Solution = Vec<(Symbol, Fraction)>;
+
+/// A parameter: it may have any value in a hypothesis about open names.
+fn is_parameter(symbol: &Symbol) -> bool {
+    symbol.is_plain() && is_variable(symbol.base())
+}
+
+/// The coefficients of an unknown function.
+fn is_coefficient(symbol: &Symbol) -> bool {
+    symbol.base().starts_with('[')
+}
+
+/// The differences of the entries of two values.
+fn differences(a: &Value, b: &Value) -> Option<Vec<Fraction>> {
+    Some(match (a, b) {
+        (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => vec![a.minus(b)],
+        (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
+            a.iter().zip(b.iter()).map(|(x, y)| x.minus(y)).collect()
+        }
+        (Value::List(a), Value::List(b)) if a.len() == b.len() => {
+            let parts: Option<Vec<Vec<Fraction>>> = a.iter().zip(b).map(|(x, y)| differences(x, y)).collect();
+            parts?.concat()
+        }
+        _ => return None,
+    })
+}
+
+/// The polynomials that vanish when two values are equal for all values of the parameters.
+fn equations(a: &Value, b: &Value) -> Option<Vec<MultiPoly>> {
+    let mut found = Vec::new();
+    for difference in differences(a, b)? {
+        let numerator = difference.numerator().clone();
+        if numerator.variables().iter().all(is_parameter) {
+            // u + v + w = 1 restricts the parameters themselves.
+            continue;
+        }
+        let parameters: Vec<Symbol> =
+            numerator.variables().iter().filter(|symbol| is_parameter(symbol)).cloned().collect();
+        let mut parts = vec![numerator];
+        for parameter in &parameters {
+            parts = parts.iter().flat_map(|part| part.coefficients_in(parameter)).collect();
+        }
+        found.extend(parts.into_iter().filter(|part| !part.is_empty()));
+    }
+    Some(found)
+}
+
+/// The symbols in which all equations are linear together, those that are wanted most first.
+fn linear_symbols(equations: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Vec<Symbol> {
+    let rank = |symbol: &Symbol| match (is_coefficient(symbol), wanted(symbol)) {
+        (true, _) => 0,
+        (_, true) => 1,
+        _ => 2,
+    };
+    let mut symbols: BTreeSet<Symbol> = equations
+        .iter()
+        .flat_map(|equation| equation.variables())
+        .filter(|s| !is_parameter(s))
+        .cloned()
+        .collect();
+    for equation in equations {
+        for (powers, _) in equation.terms(crate::math::poly::MonomialOrder::Lex) {
+            let used: Vec<(&Symbol, u32)> = powers
+                .iter()
+                .map(|(symbol, power)| (symbol, *power))
+                .filter(|(s, _)| symbols.contains(*s))
+                .collect();
+            let degree: u32 = used.iter().map(|(_, power)| power).sum();
+            if degree <= 1 {
+                continue;
+            }
+            let best =
+                used.iter().filter(|(_, power)| *power == 1).map(|(s, _)| (rank(s), (*s).clone())).min();
+            let dropped: Vec<Symbol> = used
+                .iter()
+                .map(|(symbol, _)| (*symbol).clone())
+                .filter(|symbol| best.as_ref().is_none_or(|(_, kept)| kept != symbol))
+                .collect();
+            dropped.iter().for_each(|symbol| {
+                symbols.remove(symbol);
+            });
+        }
+    }
+    let mut list: Vec<Symbol> = symbols.into_iter().collect();
+    list.sort_by_key(|symbol| (rank(symbol), symbol.clone()));
+    list
+}
+
+/// The equations as rows: coefficients of the symbols, then the constant.
+fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
+    let mut entries = Vec::with_capacity(equations.len() * (symbols.len() + 1));
+    for equation in equations {
+        let mut rest = equation.clone();
+        for symbol in symbols {
+            let mut parts = rest.coefficients_in(symbol).into_iter();
+            rest = parts.next().unwrap_or_else(MultiPoly::zero);
+            entries.push(Fraction::from(parts.next().unwrap_or_else(MultiPoly::zero)));
+        }
+        entries.push(Fraction::from(rest));
+    }
+    DMatrix::from_row_iterator(equations.len(), symbols.len() + 1, entries)
+}
+
+/// Solves hypotheses for the names they determine, the wanted ones first. `None` if there are no equations,
+/// too many, or if they contradict each other.
+///
+/// Cost: one elimination over the fractions of the other symbols.
+pub fn solve(hypotheses: &[(Value, Value)], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
+    let all: Vec<MultiPoly> = hypotheses.iter().filter_map(|(a, b)| equations(a, b)).flatten().collect();
+    let symbols = linear_symbols(&all, wanted);
+    if all.is_empty() || symbols.is_empty() || all.len() > MOST || symbols.len() > MOST {
+        return None;
+    }
+    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(&all, &symbols));
+    if pivots.contains(&symbols.len()) {
+        return None;
+    }
+    let zero = || Fraction::from(MultiPoly::zero());
+    let solution = pivots.iter().enumerate().map(|(row, &pivot)| {
+        let mut value = zero().minus(&matrix[(row, symbols.len())]);
+        for (column, symbol) in symbols.iter().enumerate().skip(pivot + 1) {
+            let entry = &matrix[(row, column)];
+            if *entry != zero() {
+                value = value.minus(&entry.times(&Fraction::from(MultiPoly::symbol(symbol.clone()))));
+            }
+        }
+        (symbols[pivot].clone(), value)
+    });
+    Some(solution.collect())
+}
+
+/// Whether an equation can be read as saying what names are that stand on one of its sides only.
+pub fn introduces(left: &Value, right: &Value) -> bool {
+    let (sl, sr) = (compare::symbols(left), compare::symbols(right));
+    let only = |a: &[Symbol], b: &[Symbol]| -> BTreeSet<Symbol> {
+        let family = |symbol: &Symbol| !symbol.is_plain() && !is_coefficient(symbol);
+        a.iter().filter(|symbol| family(symbol) && !b.contains(symbol)).cloned().collect()
+    };
+    [only(&sr, &sl), only(&sl, &sr)].into_iter().any(|new| {
+        let solution = solve(&[(left.clone(), right.clone())], &|symbol| new.contains(symbol));
+        !new.is_empty()
+            && solution.is_some_and(|solution| solution.iter().all(|(symbol, _)| new.contains(symbol)))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::value::symbol_expr;
+    use crate::language::{eval, syntax};
+
+    fn value(text: &str) -> Value {
+        eval::with_machine([], |machine| machine.eval(&syntax::parse(text).unwrap())).unwrap()
+    }
+
+    fn solved(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {
+        let pairs: Vec<(Value, Value)> = hypotheses.iter().map(|(a, b)| (value(a), value(b))).collect();
+        let solution = solve(&pairs, &|symbol| symbol.base() == wanted).unwrap_or_default();
+        let own = solution.into_iter().filter(|(symbol, _)| symbol.base() == wanted);
+        own.map(|(symbol, value)| {
+            let value = crate::language::write::text(&Value::Scalar(value).to_expr());
+            format!("{} = {value}", crate::language::write::text(&symbol_expr(&symbol)))
+        })
+        .collect()
+    }
+
+    #[test]
+    fn two_expansions_of_one_line() {
+        let found = solved(&[("b_0 (1-t) + b_1 t", "c_0 (1-t)^2 + 2 c_1 t (1-t) + c_2 t^2")], "c");
+        assert_eq!(found, ["c_0 = b_0", "c_1 = 1/2 b_0 + 1/2 b_1", "c_2 = b_1"]);
+    }
+
+    #[test]
+    fn contradictions_and_parameters_determine_nothing() {
+        assert!(solve(&[(value("a_1"), value("1")), (value("a_1"), value("2"))], &|_| true).is_none());
+        assert!(solve(&[(value("u + v"), value("1"))], &|_| true).is_none());
+    }
+
+    #[test]
+    fn new_names_on_one_side() {
+        assert!(introduces(&value("b_0 (1-t) + b_1 t"), &value("c_0 + c_1 t")));
+        assert!(!introduces(&value("b_0 (1-t) + b_1 t"), &value("b_0 + b_1 t")));
+        assert!(!introduces(&value("b_0 (1-t) + b_1 t^2"), &value("c_0 + c_1 t")));
+    }
+}
