@@ -26,6 +26,11 @@ fn is_parameter(symbol: &Symbol) -> bool {
     symbol.is_plain() && is_variable(symbol.base())
 }
 
+/// A parameter or one of a family of them, such as an argument t_1 of a polar form.
+fn is_argument(symbol: &Symbol) -> bool {
+    is_variable(symbol.base())
+}
+
 /// The coefficients of an unknown function.
 fn is_coefficient(symbol: &Symbol) -> bool {
     symbol.base().starts_with('[')
@@ -47,7 +52,7 @@ fn differences(a: &Value, b: &Value) -> Option<Vec<Fraction>> {
 }
 
 /// The polynomials that vanish when two values are equal for all values of the parameters.
-fn equations(a: &Value, b: &Value) -> Option<Vec<MultiPoly>> {
+fn equations(a: &Value, b: &Value, is_parameter: fn(&Symbol) -> bool) -> Option<Vec<MultiPoly>> {
     let mut found = Vec::new();
     for difference in differences(a, b)? {
         let numerator = difference.numerator().clone();
@@ -127,12 +132,16 @@ fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
 ///
 /// Cost: one elimination over the fractions of the other symbols.
 pub fn solve(hypotheses: &[(Value, Value)], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
-    let all: Vec<MultiPoly> = hypotheses.iter().filter_map(|(a, b)| equations(a, b)).flatten().collect();
-    let symbols = linear_symbols(&all, wanted);
+    let equations = hypotheses.iter().filter_map(|(a, b)| equations(a, b, is_parameter));
+    solved(&equations.flatten().collect::<Vec<_>>(), wanted)
+}
+
+fn solved(all: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
+    let symbols = linear_symbols(all, wanted);
     if all.is_empty() || symbols.is_empty() || all.len() > MOST || symbols.len() > MOST {
         return None;
     }
-    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(&all, &symbols));
+    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(all, &symbols));
     if pivots.contains(&symbols.len()) {
         return None;
     }
@@ -150,15 +159,23 @@ pub fn solve(hypotheses: &[(Value, Value)], wanted: &dyn Fn(&Symbol) -> bool) ->
     Some(solution.collect())
 }
 
-/// Whether an equation can be read as saying what names are that stand on one of its sides only.
+/// Whether an equation can be read as saying what the members of a family are that stands on one of its
+/// sides only.
 pub fn introduces(left: &Value, right: &Value) -> bool {
     let (sl, sr) = (compare::symbols(left), compare::symbols(right));
+    let same_family =
+        |a: &Symbol, b: &Symbol| a.base() == b.base() && a.upper() == b.upper() && a.accent() == b.accent();
     let only = |a: &[Symbol], b: &[Symbol]| -> BTreeSet<Symbol> {
-        let family = |symbol: &Symbol| !symbol.is_plain() && !is_coefficient(symbol);
-        a.iter().filter(|symbol| family(symbol) && !b.contains(symbol)).cloned().collect()
+        let family = |symbol: &Symbol| {
+            let standard = matches!(symbol.base(), "sigma" | "B" | "N" | "Delta");
+            !symbol.is_plain() && !is_coefficient(symbol) && !is_argument(symbol) && !standard
+        };
+        let new = |symbol: &&Symbol| family(symbol) && !b.iter().any(|other| same_family(symbol, other));
+        a.iter().filter(new).cloned().collect()
     };
     [only(&sr, &sl), only(&sl, &sr)].into_iter().any(|new| {
-        let solution = solve(&[(left.clone(), right.clone())], &|symbol| new.contains(symbol));
+        let equations = equations(left, right, is_argument).unwrap_or_default();
+        let solution = solved(&equations, &|symbol| new.contains(symbol));
         !new.is_empty()
             && solution.is_some_and(|solution| solution.iter().all(|(symbol, _)| new.contains(symbol)))
     })
@@ -174,7 +191,7 @@ mod tests {
         eval::with_machine([], |machine| machine.eval(&syntax::parse(text).unwrap())).unwrap()
     }
 
-    fn solved(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {
+    fn found(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {
         let pairs: Vec<(Value, Value)> = hypotheses.iter().map(|(a, b)| (value(a), value(b))).collect();
         let solution = solve(&pairs, &|symbol| symbol.base() == wanted).unwrap_or_default();
         let own = solution.into_iter().filter(|(symbol, _)| symbol.base() == wanted);
@@ -187,7 +204,7 @@ mod tests {
 
     #[test]
     fn two_expansions_of_one_line() {
-        let found = solved(&[("b_0 (1-t) + b_1 t", "c_0 (1-t)^2 + 2 c_1 t (1-t) + c_2 t^2")], "c");
+        let found = found(&[("b_0 (1-t) + b_1 t", "c_0 (1-t)^2 + 2 c_1 t (1-t) + c_2 t^2")], "c");
         assert_eq!(found, ["c_0 = b_0", "c_1 = 1/2 b_0 + 1/2 b_1", "c_2 = b_1"]);
     }
 
@@ -201,6 +218,8 @@ mod tests {
     fn new_names_on_one_side() {
         assert!(introduces(&value("b_0 (1-t) + b_1 t"), &value("c_0 + c_1 t")));
         assert!(!introduces(&value("b_0 (1-t) + b_1 t"), &value("b_0 + b_1 t")));
+        // c_2 was forgotten: no value of it makes the equation true for all arguments.
+        assert!(!introduces(&value("c_0 + c_1 (t_1 + t_2)/2 + c_2 t_1 t_2"), &value("c_0 + c_1 t_1 t_2")));
         assert!(!introduces(&value("b_0 (1-t) + b_1 t^2"), &value("c_0 + c_1 t")));
     }
 }

@@ -196,9 +196,9 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         };
         if targets.is_empty() {
             for statement in &mut statements[at..end] {
-                if statement.role == Some(Role::Case) {
-                    statement.role = Some(Role::Assumed);
-                }
+                // A restriction of names, such as a sum of weights, goes on; an equation is assumed.
+                let restricts = matches!(statement.said, Said::Condition(_));
+                statement.role = (!restricts).then_some(Role::Assumed);
             }
         }
         for target in targets {
