@@ -11,6 +11,7 @@ use crate::formula::{Expr, Kind, Rel};
 pub struct Attempt {
     pub outcomes: Outcomes,
     pub choices: Choices,
+    pub curve: Option<Curve>,
 }
 
 impl Checker {
@@ -27,6 +28,7 @@ impl Checker {
             Attempt {
                 outcomes: self.trial(sides, relations, chain, place, curve.clone(), choices).run(),
                 choices,
+                curve: curve.clone(),
             }
         };
         let first = run(Choices::default());

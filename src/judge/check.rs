@@ -20,6 +20,7 @@ use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::value::Value;
 use crate::language::write;
+use crate::math::poly::{Index, Symbol};
 
 /// Judges statements in their order.
 pub struct Checker {
@@ -263,7 +264,17 @@ impl Checker {
                 let before = self.context.clone();
                 let mut tried = findings.clone();
                 self.judge(chain, 0, statement, curve.clone(), None, &mut tried);
-                if matches!(tried[0].verdict, Verdict::Proved | Verdict::Sampled | Verdict::Refuted) {
+                let settled = match tried[0].verdict {
+                    Verdict::Proved | Verdict::Sampled => true,
+                    // Nothing can be wrong of a family that the page never spoke of.
+                    Verdict::Refuted => {
+                        let symbol =
+                            Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
+                        tried[0].determined || !self.is_open(&symbol, &curve)
+                    }
+                    _ => false,
+                };
+                if settled {
                     return tried;
                 }
                 self.context = before;
@@ -319,6 +330,22 @@ impl Checker {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+    }
+
+    /// Whether no definition speaks of the family of a symbol.
+    fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
+        let points = curve.as_ref().is_some_and(|curve| curve.points == symbol.base());
+        let mut mentioned = false;
+        for definition in &self.context.definitions {
+            if let Body::Formula(body) = &definition.body {
+                super::names::walk(body, &mut |part| {
+                    mentioned |= Head::of(part).is_some_and(|head| {
+                        head.base == symbol.base() && head.upper.len() == symbol.upper().len()
+                    });
+                });
+            }
+        }
+        !points && !mentioned
     }
 
     /// Judges the relations from number `start` on.
@@ -575,11 +602,11 @@ impl Checker {
             && matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
             && tally.determined == 0
             && tally.holds_inner == 0
-            && tally
-                .fails
-                .iter()
-                .take(3)
-                .all(|failure| hypotheses::introduces(&failure.left, &failure.right));
+            && tally.fails.iter().take(3).all(|failure| {
+                hypotheses::introduces(&failure.left, &failure.right, &|symbol| {
+                    self.is_open(symbol, &attempt.curve)
+                })
+            });
         if introduces {
             finding.verdict = Verdict::Definition;
             finding.reason = Some("a condition on new names".to_owned());
@@ -589,6 +616,7 @@ impl Checker {
         match refutation {
             refute::Decision::Refuted { failure, reasons } => {
                 finding.verdict = Verdict::Refuted;
+                finding.determined = tally.determined > 0;
                 finding.reason = Some(reasons);
                 finding.witness = refute::counterexample(&failure);
                 if ranged {

@@ -154,6 +154,19 @@ impl Letters {
 }
 
 impl Context {
+    /// Whether the second index of a B-spline N is its degree, which the page tells by where its recursion
+    /// begins: at N_{i,0}, or at N_i^1 with orders.
+    pub fn spline_has_degree(&self, place: &Place) -> Option<bool> {
+        self.visible("N", place).find_map(|(_, definition, _)| {
+            let last = definition.head.upper.last().or(definition.head.lower.get(1))?;
+            match &last.kind {
+                Kind::Number(q) if num_traits::Zero::is_zero(q) => Some(true),
+                Kind::Number(q) if num_traits::One::is_one(q) => Some(false),
+                _ => None,
+            }
+        })
+    }
+
     /// The definitions of a letter visible from a place, the nearest and latest first: their numbers,
     /// and whether they stand in the same section, example or quotation, or one around it.
     pub fn visible<'a>(

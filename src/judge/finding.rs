@@ -74,6 +74,8 @@ pub struct Finding {
     pub instances: Option<String>,
     /// Something suspicious that is no refutation.
     pub warning: Option<String>,
+    /// Whether hypotheses were solved for what it speaks of.
+    pub determined: bool,
     /// Meanings that were assumed: "B_i^n is the Bernstein polynomial".
     pub notes: Vec<String>,
 }
@@ -93,6 +95,7 @@ impl Finding {
             suggestion: None,
             instances: None,
             warning: None,
+            determined: false,
             notes: Vec::new(),
         }
     }

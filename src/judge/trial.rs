@@ -401,7 +401,9 @@ impl Trial<'_> {
             outcomes.degrees = true;
         }
         for degree in degrees {
-            let intervals: Vec<Option<i64>> = if splines { (0..=3).map(Some).collect() } else { vec![None] };
+            let inside = |interval: &i64| self.conditions.iter().all(|c| knots_around(c, bound, *interval));
+            let intervals: Vec<Option<i64>> =
+                if splines { (0..=LAST_INTERVAL).filter(inside).map(Some).collect() } else { vec![None] };
             let mut valid = false;
             for interval in intervals {
                 let (values, records) = self.evaluate(self.model(degree, interval), bound);
@@ -508,6 +510,41 @@ impl Trial<'_> {
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))
+    }
+}
+
+/// The knot intervals that are tried run from number 0 to this one.
+const LAST_INTERVAL: i64 = 3;
+
+/// Whether a condition such as u ∈ [u_j, u_{j+1}) or t_j ≤ t < t_{j+1} allows the knot interval of a number;
+/// other conditions do.
+fn knots_around(condition: &Expr, bound: &[(String, i64)], interval: i64) -> bool {
+    let number = |expr: &Expr| -> Option<i64> {
+        let Kind::Subscript(base, indices) = &expr.kind else { return None };
+        let ([index], true) =
+            (indices.as_slice(), Head::of(base).is_some_and(|head| is_variable(&head.base)))
+        else {
+            return None;
+        };
+        let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+        with_machine(names, |machine| machine.eval_int(index).ok())
+    };
+    let Kind::Chain(left, links) = &condition.kind else { return true };
+    let ends = match links.as_slice() {
+        [link] if link.rel == Rel::In => match &link.expr.kind {
+            Kind::Apply(_, groups) => groups.first().map(Vec::as_slice),
+            Kind::List(items) | Kind::Tuple(items) => Some(items.as_slice()),
+            _ => None,
+        }
+        .and_then(|items| Some((items.first()?, items.get(1)?))),
+        [one, two] if matches!((one.rel, two.rel), (Rel::Le | Rel::Lt, Rel::Le | Rel::Lt)) => {
+            Some((left.as_ref(), &two.expr))
+        }
+        _ => None,
+    };
+    match ends.map(|(from, to)| (number(from), number(to))) {
+        Some((Some(from), Some(to))) => from <= interval && interval < to,
+        _ => true,
     }
 }
 

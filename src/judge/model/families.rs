@@ -149,13 +149,15 @@ impl Model {
         let number = t.as_rational();
         let own =
             number.as_ref().and_then(|t| (-4..20).find(|&m| self.knot(m) <= *t && *t < self.knot(m + 1)));
-        let Some(interval) = own.or(self.interval) else {
+        let said = self.context.spline_has_degree(&self.place);
+        if said.is_none() {
             self.ambiguous(Ambiguity::Spline);
+        }
+        let Some(interval) = own.or(self.interval) else {
             return Err(unclear("on which knot interval this B-spline is taken", expr));
         };
-        self.ambiguous(Ambiguity::Spline);
         let (i, k) = (machine.eval_int(i)?, machine.eval_int(k)?);
-        let order = if self.choices.spline_degree { k + 1 } else { k };
+        let order = if said.unwrap_or(self.choices.spline_degree) { k + 1 } else { k };
         let knot = |j: i64| Fraction::from_rational(&self.knot(j));
         self.note("N_i^k is the B-spline with the knots t_i");
         spline_value(i, order, interval, t, &knot)
