@@ -7,6 +7,7 @@ mod tree;
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::slice;
 use std::sync::LazyLock;
 
 use tree::{Sources, Tree, add, sources, tree};
@@ -110,40 +111,36 @@ impl Order {
     }
 }
 
-/// What breaks the orders. A path counts as it is written and as it is meant: both the module it
-/// names and the one in which the item stands must lie lower.
+/// What breaks the orders in a tree.
 fn upward(tree: &Tree) -> BTreeSet<Upward> {
+    tree.keys().flat_map(|module| upward_from(tree, module)).collect()
+}
+
+/// What breaks the orders in a module. A path counts as it is written and as it is meant: both the
+/// module it names and the one in which the item stands must lie lower.
+fn upward_from(tree: &Tree, module: &[String]) -> BTreeSet<Upward> {
     let mut found = BTreeSet::new();
-    for (module, content) in tree {
-        for reference in &content.references {
-            let written = graph::absolute(module, &reference.names);
-            // What lib.rs passes on is for users; inside, everything has one name.
-            let root = written.as_ref().and_then(|names| names.first());
-            let by_root =
-                root.filter(|name| !module.is_empty() && !tree.contains_key(&vec![(*name).clone()]));
-            let meant = graph::home(tree, module, &reference.names);
-            let written = written.as_ref().filter(|_| by_root.is_none());
-            for order in ORDERS {
-                let Some(from) = order.member(module) else { continue };
-                for to in [written, meant.as_ref()].into_iter().flatten() {
-                    let member = order.member(to).filter(|_| tree.contains_key(&to[..=order.folder.len()]));
-                    if let Some(to) = member.filter(|to| !order.allows(from, to)) {
-                        found.insert(Upward {
-                            file: content.file.clone(),
-                            path: reference.names.join("::"),
-                            from: order.full(from),
-                            to: order.full(to),
-                        });
-                    }
+    let content = &tree[module];
+    for reference in &content.references {
+        let mut tell = |from: String, to: String| {
+            found.insert(Upward { file: content.file.clone(), path: reference.names.join("::"), from, to });
+        };
+        let written = graph::absolute(module, &reference.names);
+        // What lib.rs passes on is for users; inside, everything has one name.
+        let root = written.as_ref().and_then(|names| names.first());
+        let by_root = root.filter(|name| !module.is_empty() && !tree.contains_key(slice::from_ref(*name)));
+        if let Some(name) = by_root {
+            tell(module[0].clone(), format!("{name} of lib.rs"));
+        }
+        let meant = graph::home(tree, module, &reference.names);
+        let written = written.as_ref().filter(|_| by_root.is_none());
+        for order in ORDERS {
+            let Some(from) = order.member(module) else { continue };
+            for to in [written, meant.as_ref()].into_iter().flatten() {
+                let member = order.member(to).filter(|_| tree.contains_key(&to[..=order.folder.len()]));
+                if let Some(to) = member.filter(|to| !order.allows(from, to)) {
+                    tell(order.full(from), order.full(to));
                 }
-            }
-            if let Some(name) = by_root {
-                found.insert(Upward {
-                    file: content.file.clone(),
-                    path: reference.names.join("::"),
-                    from: module[0].clone(),
-                    to: format!("{name} of lib.rs"),
-                });
             }
         }
     }
@@ -316,11 +313,11 @@ fn planted_upward_imports_are_found() {
 fn an_upward_import_planted_here_is_found() {
     let mut tree = TREE.clone();
     let module = ["math", "number", "int"].map(str::to_owned).to_vec();
+    let planted = ["math", "number", "int", "planted"].map(str::to_owned);
     let text = "#[cfg(test)]\nmod planted {\n    use crate::{budget, judge::{self as other}};\n}\n";
     add(&mut tree, "math/number/int.rs", text, module, "math/number/int/".to_owned());
-    let all = upward(&tree);
-    let new: Vec<&Upward> = all.iter().filter(|import| import.file == "math/number/int.rs").collect();
-    assert!(matches!(new[..], [Upward { to, .. }] if to == "judge"), "{new:?}");
+    let found = upward_from(&tree, &planted);
+    assert!(found.len() == 1 && found.iter().all(|import| import.to == "judge"), "{found:?}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! All integration tests, in one program: they are linked once.
+//! All integration tests, in one program, so that they are linked once.
+//! `cargo test --test main weave::` runs one file.
 
 mod common;
 
