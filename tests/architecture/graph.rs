@@ -1,6 +1,7 @@
 //! Where a path leads, which file needs which, and circles of files.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::slice;
 
 use super::tree::{Module, Names, Tree};
 
@@ -40,7 +41,7 @@ fn follow(tree: &Tree, module: &[String], path: &[String], left: usize) -> Optio
 fn walk(tree: &Tree, mut at: Names, path: &[String], left: usize) -> Option<Names> {
     let left = left.checked_sub(1)?;
     for (i, name) in path.iter().enumerate() {
-        let below = [at.as_slice(), &[name.clone()]].concat();
+        let below = [at.as_slice(), slice::from_ref(name)].concat();
         if tree.contains_key(&below) {
             at = below;
             continue;
