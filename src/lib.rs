@@ -48,7 +48,7 @@
 //! | results woven into lecture notes | [`weave`] |
 //! | limits on time and size | [`budget`] |
 //!
-//! The modules form tiers, described in `docs/architecture.md`; `docs/design.md` says why.
+//! The modules form floors, described in `docs/architecture.md`; `docs/design.md` says why.
 //!
 //! # What is not supported
 //! - floating-point numbers: every number is rational, decimals are read as fractions

@@ -1,11 +1,8 @@
 //! Whatever is typed: a code, a place, a hint, soon, in little memory, and never a panic.
 
-mod common;
-
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use common::{Run, run, run_with};
+use crate::common::{Run, errors, run, run_with};
 use polarform::diagnostic::{Code, Severity, render};
 use polarform::session::Session;
 use polarform::source::SourceFile;
@@ -15,27 +12,36 @@ use proptest::prelude::*;
 /// What an answer may take in an unoptimised program on a busy machine.
 const SOON: Duration = Duration::from_secs(5);
 
-/// The golden form of each kind of error: one query for each file.
+/// Each error of the corpus is printed as its page shows it; `UPDATE_CORPUS=1` writes the pages anew.
 #[test]
-fn golden_errors() {
-    insta::glob!("corpus/errors/*.txt", |path| {
-        let text = std::fs::read_to_string(path).expect("the corpus is readable");
-        let text = text.trim_end();
-        let failure = Session::default().run(text).expect_err("the query is wrong");
-        insta::assert_snapshot!(render(&failure.problem, &failure.file, false));
-    });
+fn errors_are_printed_as_the_corpus_shows() {
+    for page in errors::pages() {
+        let name = page.path.display();
+        let mut printed = Vec::new();
+        for case in &page.cases {
+            let failure = Session::default().run(&case.query).expect_err("the query is wrong");
+            printed.push(render(&failure.problem, &failure.file, false).trim_end().to_owned());
+        }
+        let renewed = page.with_errors(&printed);
+        if std::env::var_os("UPDATE_CORPUS").is_some() {
+            std::fs::write(&page.path, renewed).expect("the corpus is writable");
+            continue;
+        }
+        for (case, printed) in page.cases.iter().zip(&printed) {
+            let title = &case.title;
+            assert_eq!(case.error, *printed, "{name}, {title}: run with UPDATE_CORPUS=1 to accept");
+        }
+        assert_eq!(page.text, renewed, "{name}: run with UPDATE_CORPUS=1 to accept");
+    }
 }
 
 /// Every error of the corpus has a place inside the text and a hint.
 #[test]
 fn errors_have_a_place_and_a_hint() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/errors");
     let mut codes = Vec::new();
-    for entry in std::fs::read_dir(folder).expect("the corpus exists") {
-        let path = entry.expect("the corpus is readable").path();
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(&path).expect("the corpus is readable");
-        let problem = Session::default().run(text.trim_end()).expect_err("the query is wrong").problem;
+    for case in errors::pages().into_iter().flat_map(|page| page.cases) {
+        let (name, text) = (&case.title, &case.query);
+        let problem = Session::default().run(text).expect_err("the query is wrong").problem;
         assert_eq!(problem.severity, Severity::Error);
         let span = problem.span.unwrap_or_else(|| panic!("{name}: {} has no place", problem.code));
         assert!(span.end <= text.len() && text.is_char_boundary(span.start), "{name}: {span:?}");
@@ -209,7 +215,7 @@ fn long_but_reasonable_input_is_read() {
 /// Peak memory of a run in kilobytes, where the system tells.
 #[cfg(target_os = "linux")]
 fn peak_memory(query: &str) -> Option<u64> {
-    let mut child = common::command(&["eval", query, "--timeout", "2"])
+    let mut child = crate::common::command(&["eval", query, "--timeout", "2"])
         .stdin(std::process::Stdio::null())
         .stdout(std::process::Stdio::null())
         .stderr(std::process::Stdio::null())

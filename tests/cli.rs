@@ -1,14 +1,12 @@
 //! The contract of the command line: exit status, streams, scripts, limits.
 
-mod common;
-
 use std::fs;
 use std::io::Read;
 use std::path::PathBuf;
 use std::process::Stdio;
 use std::time::Duration;
 
-use common::{command, run, run_with};
+use crate::common::{command, run, run_with};
 
 /// A file that is removed at the end of the test.
 struct Scratch(PathBuf);

@@ -2,9 +2,7 @@
 //! defined in another way, and by the checker of lecture notes, which knows only the lines
 //! themselves. Then how they look, in both languages.
 
-mod common;
-
-use common::transcripts;
+use crate::common::transcripts;
 use insta::assert_snapshot;
 use polarform::blossom::Method;
 use polarform::diagnostic::Code;

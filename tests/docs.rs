@@ -1,8 +1,8 @@
 //! The documentation is run: every console example gives the output it shows, every example
 //! of the function table works, every picture is as its command draws it, the function reference
-//! and the list of tiers are up to date, and links lead somewhere.
+//! is up to date, and links lead somewhere.
 //!
-//! `UPDATE_DOCS=1 cargo test --test docs` writes the outputs and the reference anew.
+//! `UPDATE_DOCS=1 cargo test --test main docs::` writes the outputs and the reference anew.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -21,9 +21,9 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// README.md, CHANGELOG.md and docs/*.md.
+/// README.md, CONTRIBUTING.md, CHANGELOG.md and docs/*.md.
 fn pages() -> Vec<PathBuf> {
-    let mut pages = vec![root().join("README.md"), root().join("CHANGELOG.md")];
+    let mut pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root().join(name)).to_vec();
     for entry in fs::read_dir(root().join("docs")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "md") {
@@ -169,8 +169,8 @@ fn console_examples_show_what_happens() {
 fn the_function_reference_is_up_to_date() {
     let mut page = String::from(
         "# Functions\n\n\
-         Written from the table in `src/eval/builtins/`, which is also behind `polarform functions`; \
-         to renew it: `UPDATE_DOCS=1 cargo test --test docs`. \
+         Written from the table in `src/language/functions/`, which is also behind `polarform functions`; \
+         to renew it: `UPDATE_DOCS=1 cargo test --test main docs::`. \
          What has a notation of its own (`sum`, `prod`, `hat`, `abs`, …) is in [language.md](language.md).\n",
     );
     let mut topic = "";
@@ -195,7 +195,7 @@ fn the_function_reference_is_up_to_date() {
 fn the_list_of_latex_commands_is_up_to_date() {
     let mut page = String::from(
         "# LaTeX that can be read\n\n\
-         Written from the table in `src/latex/commands.rs`; to renew it: `UPDATE_DOCS=1 cargo test --test docs`. \
+         Written from the table in `src/language/latex/commands.rs`; to renew it: `UPDATE_DOCS=1 cargo test --test main docs::`. \
          Formulas are read as they stand between dollars; text with a command such as `\\frac` or with a `$` \
          counts as LaTeX everywhere a formula is expected:\n\
          ```console\n$ polarform eval '\\frac{5}{3}(t_1 + t_2)' 'f := polar(t^3)' 'f(t, t, \\hat{1})'\n```\n",
@@ -236,31 +236,6 @@ fn every_example_of_the_table_runs() {
             assert_eq!(claim.verdict(), Verdict::Proved, "{}", builtin.example);
         }
     }
-}
-
-/// The words in quotation marks or in `code` of a text.
-fn quoted(text: &str, mark: char) -> Vec<&str> {
-    text.split(mark).skip(1).step_by(2).collect()
-}
-
-#[test]
-fn the_tiers_are_those_of_the_architecture_test() {
-    let test = read(&root().join("tests/architecture.rs"));
-    let tiers: Vec<Vec<&str>> = test
-        .lines()
-        .skip_while(|line| !line.starts_with("const TIERS"))
-        .skip(1)
-        .take_while(|line| !line.starts_with("];"))
-        .map(|line| quoted(line, '"'))
-        .collect();
-    let page = read(&root().join("docs/architecture.md"));
-    let told: Vec<Vec<&str>> = page
-        .lines()
-        .filter(|line| line.starts_with("| T"))
-        .map(|line| quoted(line.split('|').nth(2).unwrap_or(""), '`'))
-        .collect();
-    assert!(!tiers.is_empty());
-    assert_eq!(told, tiers);
 }
 
 #[test]

@@ -1,10 +1,8 @@
 //! `polarform figure` and figures as values, from outside.
 
-mod common;
-
 use std::fs;
 
-use common::{FORMATS, run};
+use crate::common::{FORMATS, run};
 use polarform::session::Session;
 use polarform::value::Value;
 use proptest::prelude::*;

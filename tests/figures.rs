@@ -1,24 +1,22 @@
 //! Drawings as a reader gets them: well-formed, complete, legible.
 
-#[path = "common/pictures.rs"]
-mod pictures;
-
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
+use crate::common::pictures::{bezier, casteljau, formula, points, standard};
 use num_traits::pow;
-use pictures::{bezier, casteljau, formula, points, standard};
 use polarform::expr::Expr;
 use polarform::figure::{SvgOptions, Theme, TikzOptions, measure, svg, terminal, tikz};
-use polarform::number::{Rational, integer};
+use polarform::number::{Rational, integer, rational};
 use polarform::scene::pictures::{
     BasisPicture, BezierPicture, Curve, Function, PatchPicture, Piece, PyramidPicture, casteljau_labels,
     polar_labels,
 };
 use polarform::scene::{
     Aspect, Axis, Direction, Ink, Label, Layout, Mark, Marker, Orientation, Path, Scene, SceneError, Shape,
-    Spot, Style, Tick, layout,
+    Spot, Style, Tick, exact_text, layout,
 };
+use polarform::write::text;
 use proptest::prelude::*;
 
 /// What must hold of every page: everything is on it, and no label covers another.
@@ -291,4 +289,15 @@ fn panels_share_the_width() {
     let page = layout(&three, &measure);
     check("three", &page);
     assert!((page.width - 640.0).abs() < 8.0, "{}", page.width);
+}
+
+#[test]
+fn numbers_on_axes_are_exact_and_short() {
+    let written = |value: &Rational| text(&exact_text(value));
+    assert_eq!(written(&pow(integer(10), 30)), "10^30");
+    assert_eq!(written(&(integer(-3) / pow(integer(10), 9))), "-3/1000000000");
+    assert_eq!(written(&pow(integer(10), 9).recip()), "10^(-9)");
+    assert_eq!(written(&integer(123_450)), "123450");
+    assert_eq!(written(&rational(5, 2)), "5/2");
+    assert_eq!(written(&integer(0)), "0");
 }

@@ -3,7 +3,7 @@
 //!
 //! Inputs are made from the seeds in `tests/corpus/fuzz` by cutting, splicing, repeating and
 //! inserting tokens. The generator is deterministic. `cargo test` replays a short run; a long one is
-//! `POLARFORM_FUZZ_SECONDS=3600 cargo test --release --test fuzz -- --nocapture`. An input
+//! `POLARFORM_FUZZ_SECONDS=3600 cargo test --release --test main fuzz -- --nocapture`. An input
 //! that ever failed is kept as a seed.
 
 #![allow(clippy::print_stdout, reason = "progress of long runs")]
@@ -12,6 +12,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use crate::common::errors;
 use polarform::budget::Limits;
 use polarform::diagnostic::{Code, render};
 use polarform::session::Session;
@@ -124,7 +125,9 @@ fn seeds() -> Vec<String> {
     let mut files = Vec::new();
     collect(&folder, &mut files);
     files.sort();
-    let mut seeds = Vec::new();
+    let cases = errors::pages().into_iter().flat_map(|page| page.cases);
+    let mut seeds: Vec<String> =
+        cases.map(|case| case.query).filter(|query| !query.starts_with('#')).collect();
     for file in files {
         let bytes = fs::read(file).unwrap();
         let content = String::from_utf8_lossy(&bytes).into_owned();

@@ -1,8 +1,6 @@
 //! Interpolation and approximation in the language: each result a second way.
 
-mod common;
-
-use common::run;
+use crate::common::run;
 use polarform::session::Session;
 use polarform::value::{Cell, PiecewiseFunction, Table, Value};
 use polarform::write::{Format, table_json, write_table};

@@ -1,11 +1,9 @@
 //! A real renderer accepts the LaTeX that is written.
 
-mod common;
-
 use std::fs;
 use std::process::Command;
 
-use common::expressions::{any_polar, samples, shared, statement, value};
+use crate::common::expressions::{any_polar, samples, shared, statement, value};
 use katex::Opts;
 use polarform::blossom::Method;
 use polarform::derive::{self, Names};
@@ -112,7 +110,8 @@ fn formulas() -> Vec<String> {
 
     formulas.extend(derivations(Language::English));
     for command in ["sum", "product", "compose"] {
-        formulas.push(common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out);
+        formulas
+            .push(crate::common::run(&[command, "t^2 + 2t", "t^3 + 1", "--format", "latex", "--steps"]).out);
     }
 
     assert!(formulas.len() > 500, "only {} formulas", formulas.len());

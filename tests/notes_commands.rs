@@ -1,37 +1,9 @@
 //! The commands for lecture notes: streams, exit status, output files, watching.
 
-mod common;
-
 use std::fs;
-use std::path::PathBuf;
 
-use common::run;
-
-/// A folder that is removed at the end of the test.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{}-{name}", std::process::id()));
-        fs::create_dir_all(&path).expect("the test directory is writable");
-        Folder(path)
-    }
-
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().expect("the path is UTF-8").to_owned()
-    }
-
-    fn write(&self, name: &str, text: &str) -> String {
-        fs::write(self.0.join(name), text).expect("the folder is writable");
-        self.path(name)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
+use crate::common::folder::Folder;
+use crate::common::run;
 
 #[test]
 fn what_cannot_be_read_does_not_spoil_the_rest() {
@@ -104,7 +76,7 @@ fn watching_sees_replaced_files_until_it_is_interrupted() {
 
     let folder = Folder::new("watch");
     let notes = folder.write("notes.md", "Words only.\n");
-    let mut child = common::command(&["notes", "check", &notes, "--watch"])
+    let mut child = crate::common::command(&["notes", "check", &notes, "--watch"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

@@ -1,10 +1,8 @@
 //! What is printed reads back: to the same formula, and to the same value.
 
-mod common;
-
 use std::time::Duration;
 
-use common::expressions::{any_polar, number, shared, statement, univariate, value};
+use crate::common::expressions::{any_polar, number, shared, statement, univariate, value};
 use polarform::budget::Limits;
 use polarform::eval::{Equals, Outcome};
 use polarform::expr::{Expr, Kind};

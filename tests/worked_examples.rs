@@ -4,9 +4,7 @@
 //! that matter a second time, by the plainest formula, so that no wrong snapshot can be
 //! accepted by mistake.
 
-mod common;
-
-use common::{in_every_format, run, transcript, transcripts};
+use crate::common::{in_every_format, run, transcript, transcripts};
 use insta::assert_snapshot;
 use polarform::session::Session;
 use polarform::value::{Claim, Value, Verdict};

@@ -112,10 +112,6 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn text(value: &Rational) -> String {
-        crate::language::write::text(&exact_text(value))
-    }
-
     #[test]
     fn ends() {
         assert_eq!(nice_ticks(&integer(3), &integer(3), 4), [integer(3)]);
@@ -124,16 +120,6 @@ mod tests {
         assert!(nice_ticks(&integer(0), &huge, 4).is_empty());
         assert_eq!(nice_ticks(&integer(0), &huge.recip(), 4), []);
         assert_eq!(nice_ticks(&integer(-1), &integer(3), 4), [-1, 0, 1, 2, 3].map(integer));
-    }
-
-    #[test]
-    fn numbers() {
-        assert_eq!(text(&pow(integer(10), 30)), "10^30");
-        assert_eq!(text(&(integer(-3) / pow(integer(10), 9))), "-3/1000000000");
-        assert_eq!(text(&pow(integer(10), 9).recip()), "10^(-9)");
-        assert_eq!(text(&integer(123_450)), "123450");
-        assert_eq!(text(&rational(5, 2)), "5/2");
-        assert_eq!(text(&integer(0)), "0");
     }
 
     proptest! {

@@ -1,0 +1,26 @@
+//! All integration tests, in one program, so that they are linked once.
+//! `cargo test --test main weave::` runs one file.
+
+mod common;
+
+mod architecture;
+mod bad_input;
+mod bench_inputs;
+mod cli;
+mod curves;
+mod derivations;
+mod docs;
+mod figure_commands;
+mod figures;
+mod fuzz;
+mod interpolation;
+mod katex;
+mod language;
+mod lecture_notes;
+mod mathematics;
+mod notes;
+mod notes_commands;
+mod notes_corpus;
+mod roundtrip;
+mod weave;
+mod worked_examples;
