@@ -1,7 +1,7 @@
 //! Comparing the values of two sides.
 
+use super::values::{find_witness, judge};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::eval::{find_witness, judge};
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MonomialOrder, Poly, Symbol};

@@ -2,11 +2,11 @@
 
 use super::check::{Checker, blank};
 use super::compare::Outcome;
+use super::evaluator::evaluate_reading;
 use super::finding::{Finding, Verdict};
 use super::names::Head;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::eval::evaluate_reading;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::blossom::TotalDegreePolarForm;

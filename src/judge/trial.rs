@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
+use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, has_splines, pairs};
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
 use super::names::{Head, implied_index, integer_names, own_names, walk};
@@ -17,7 +18,6 @@ use super::statement::Place;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::evaluate_reading;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -257,8 +257,9 @@ impl Trial<'_> {
             bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
         self.conditions.iter().all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
-            crate::language::eval::with_machine(names.clone(), |machine| holds(machine, condition))
-                != Some(false)
+            let holds =
+                evaluator::machine().with_locals(names.clone(), |machine| Ok(holds(machine, condition)));
+            holds.ok().flatten() != Some(false)
         })
     }
 

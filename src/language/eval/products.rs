@@ -6,10 +6,11 @@
 use std::iter::Peekable;
 use std::slice::Iter;
 
-use super::{Evaluated, Machine, arithmetic};
+use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 

@@ -1,0 +1,60 @@
+//! One statement: a definition, a claim, or a formula to evaluate.
+
+use super::env::Env;
+use super::machine::Machine;
+use super::tools::Tools;
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+/// What a statement did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Its value.
+    pub value: Value,
+    /// The name it defined, if it was a definition.
+    pub defined: Option<Symbol>,
+    /// Remarks: readings that somebody might not expect.
+    pub notes: Vec<Diagnostic>,
+}
+
+/// How `=` is understood at the top of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equals {
+    /// An unbound name on its left is defined.
+    DefinesUnbound,
+    /// Always a claim.
+    Claims,
+}
+
+/// Evaluates one statement and, if it is a definition, adds it to `env`.
+///
+/// `env` is changed only on success. Limits are those of [`crate::budget::run`] around it.
+///
+/// # Errors
+/// A [`Diagnostic`] with its place.
+pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Result<Outcome, Diagnostic> {
+    let mut machine = Machine::new(tools);
+    machine.scope = env.names.clone();
+    let (value, defined) = machine.statement(expr, equals)?;
+    if let Some(name) = &defined {
+        env.set(name.clone(), value.clone());
+    }
+    Ok(Outcome { value, defined, notes: machine.notes })
+}
+
+impl Machine {
+    fn statement(&mut self, expr: &Expr, equals: Equals) -> Result<(Value, Option<Symbol>), Diagnostic> {
+        if let Kind::Chain(left, links) = &expr.kind {
+            let defines = links[0].rel == Rel::Define
+                || (equals == Equals::DefinesUnbound
+                    && links[0].rel == Rel::Eq
+                    && self.is_new_definition(left, &links[0].expr));
+            if defines {
+                return self.define(left, links).map(|(name, value)| (value, Some(name)));
+            }
+        }
+        self.eval(expr).map(|value| (value, None))
+    }
+}
