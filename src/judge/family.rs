@@ -10,6 +10,7 @@ use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::names::stands_for_itself;
 use crate::language::eval::{Machine, name_of};
+use crate::language::lexicon::families;
 use crate::language::value::{Judgement, Value, Verdict};
 use crate::math::poly::Symbol;
 
@@ -90,8 +91,7 @@ fn integer_names(machine: &mut Machine, expr: &Expr, inside: bool, names: &mut V
         }
         Kind::Subscript(base, indices) => {
             let family = name_of(base, machine).is_some_and(|name| {
-                matches!(machine.lookup(&name), Some(Value::Function(_)))
-                    || matches!(name.base(), "B" | "sigma")
+                matches!(machine.lookup(&name), Some(Value::Function(_))) || families::has_values(name.base())
             });
             for index in indices {
                 integer_names(machine, index, family, names);

@@ -13,7 +13,7 @@ use crate::math::ring::Ring;
 use num_traits::Zero;
 
 /// Judges one relation between two values.
-pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
+pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
     let mut judgement = Judgement {
         rel,
         left: left.clone(),
@@ -289,7 +289,7 @@ const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
 const HIGHEST_DEGREE: u32 = 2000;
 
 /// Values of the symbols at which `wanted(left, right)` holds, checked by substitution.
-pub(crate) fn find_witness(
+fn find_witness(
     a: &Fraction,
     b: &Fraction,
     wanted: impl Fn(&Rational, &Rational) -> bool,

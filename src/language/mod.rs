@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod eval;
 pub mod functions;
 pub mod latex;
+pub(crate) mod lexicon;
 pub(crate) mod ops;
 pub mod syntax;
 pub mod value;

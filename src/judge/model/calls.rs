@@ -5,6 +5,7 @@ use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::names::{Head, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
+use crate::language::lexicon::families;
 use crate::language::ops::arithmetic;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
@@ -112,7 +113,7 @@ impl Model {
                     }
                     _ => {
                         self.context.letters.is_function(&head.base)
-                            || matches!(head.base.as_str(), "B" | "sigma" | "N" | "P")
+                            || (families::is_family(&head.base) || head.base == "P")
                                 && !(head.lower.is_empty() && head.upper.is_empty())
                     }
                 }
@@ -386,7 +387,7 @@ impl Model {
     ) -> Option<Evaluated> {
         if let [upper] = head.upper.as_slice() {
             let bare = Expr { kind: bare(head, true), span: expr.span };
-            if head.base == "B" || head.base == "N" || head.base == "sigma" {
+            if families::is_family(&head.base) {
                 return None;
             }
             if head.parenthesized {

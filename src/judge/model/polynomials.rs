@@ -406,7 +406,7 @@ fn zero() -> Fraction {
 }
 
 /// The means σ_{i,n} of the elementary symmetric functions, for all i.
-pub(super) fn means(values: &[Fraction]) -> Vec<Fraction> {
+fn means(values: &[Fraction]) -> Vec<Fraction> {
     let one = Fraction::from_rational(&Rational::from_integer(1.into()));
     let mut sums = vec![one];
     for value in values {

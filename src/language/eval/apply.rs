@@ -10,17 +10,12 @@ use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::lexicon::families::{self, FAMILY_LETTERS, FUNCTION_LETTERS};
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::lists::is_curve;
 use crate::language::value::{Function, PolarKind, Value};
 use crate::math::poly::Symbol;
-
-/// Letters that are read as functions when they have no value: `f(t + 1)` is then a question.
-const FUNCTION_LETTERS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
-
-/// Letters that are read as families of functions when they have indices but no value.
-const FAMILY_LETTERS: &[&str] = &["B", "N", "L", "H", "T"];
 
 /// What stands before the bracket.
 enum Callee {
@@ -235,12 +230,10 @@ impl Machine {
             }
             Some(_) => Ok(None),
             None => {
-                let family = match (name.is_plain().then(|| name.base()), lower, upper) {
-                    (Some("B"), [i], Some(n)) => Some(("bernstein", vec![n, i])),
-                    (Some("sigma"), [i, n], None) => Some(("sigma", vec![i, n])),
-                    _ => None,
-                };
-                let Some((family, indices)) = family else {
+                let standard = families::notation(name.base(), lower.len(), usize::from(upper.is_some()))
+                    .filter(|_| name.is_plain());
+                let function = standard.and_then(|notation| Some((notation, notation.function?)));
+                let Some((notation, (function, wanted))) = function else {
                     // N_1^2(t) is no product of a power.
                     if name.is_plain()
                         && upper.is_some()
@@ -263,11 +256,14 @@ impl Machine {
                     }
                     return Ok(None);
                 };
-                let mut values = Vec::with_capacity(2);
-                for index in indices {
-                    values.push((self.eval(index)?, index.span));
+                let written: Vec<&Expr> = lower.iter().chain(upper).collect();
+                let roles: Vec<_> = notation.lower.iter().chain(notation.upper).collect();
+                let mut values = Vec::with_capacity(wanted.len());
+                for role in wanted {
+                    let Some(at) = roles.iter().position(|own| *own == role) else { return Ok(None) };
+                    values.push((self.eval(written[at])?, written[at].span));
                 }
-                Ok(Some(Callee::Family(family, values)))
+                Ok(Some(Callee::Family(function, values)))
             }
         }
     }
@@ -299,14 +295,8 @@ impl Machine {
             for item in group {
                 match named(item) {
                     Some((name, value)) => {
-                        let value_span = value.span;
-                        let value = match &value.kind {
-                            Kind::Name(word) if function.takes_word(Slot::Name(&name)) => {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(value)?,
-                        };
-                        all.push_named(name, value, value_span);
+                        let given = self.eval_or_word(value, function, Slot::Name(&name))?;
+                        all.push_named(name, given, value.span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
                         for value in self.expand_items(group)? {
@@ -315,18 +305,25 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = match &item.kind {
-                            Kind::Name(word) if function.takes_word(Slot::Place(all.len())) => {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(item)?,
-                        };
+                        let value = self.eval_or_word(item, function, Slot::Place(all.len()))?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
         function.run(self, &all).at(span)
+    }
+
+    /// The value of an argument, or the word it is.
+    fn eval_or_word(&mut self, item: &Expr, function: &dyn Callable, slot: Slot) -> Evaluated {
+        match &item.kind {
+            Kind::Name(word)
+                if function.takes_word(slot, word, self.lookup(&Symbol::new(word)).is_some()) =>
+            {
+                Ok(Value::Text(word.clone()))
+            }
+            _ => self.eval(item),
+        }
     }
 
     pub(crate) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {

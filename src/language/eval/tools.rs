@@ -23,8 +23,9 @@ pub trait Callable {
     /// How it is called, for messages.
     fn form(&self) -> String;
 
-    /// Whether the argument there is a word that is not evaluated, as in `labels=points`.
-    fn takes_word(&self, slot: Slot) -> bool;
+    /// Whether a bare name as the argument there is a word that is not evaluated, as in
+    /// `labels=points`; `defined` says whether the name has a value.
+    fn takes_word(&self, slot: Slot, word: &str, defined: bool) -> bool;
 
     /// Its value.
     ///

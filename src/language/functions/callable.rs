@@ -25,7 +25,7 @@ impl Callable for Builtin {
         self.signature.to_owned()
     }
 
-    fn takes_word(&self, slot: Slot) -> bool {
+    fn takes_word(&self, slot: Slot, _: &str, _: bool) -> bool {
         match slot {
             Slot::Name(name) => WORD_ARGUMENTS.contains(&name),
             Slot::Place(place) => place == 0 && WORD_FIRST.contains(&self.name),

@@ -1,0 +1,3 @@
+//! What the field means by its letters and notations, whoever reads them.
+
+pub(crate) mod families;
