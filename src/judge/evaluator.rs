@@ -6,17 +6,26 @@ use super::claim::judge_plainly;
 use super::family::{judge_family, may_be_family};
 use crate::formula::{Expr, Link};
 use crate::language::diagnostic::Diagnostic;
-use crate::language::eval::{Machine, Reading, Tools};
+use crate::language::eval::{self, Env, Equals, Machine, Outcome, Reading, Tools};
 use crate::language::functions;
 use crate::language::value::{Judgement, Value};
 use crate::math::poly::Symbol;
 
 /// The functions of the program and the judge of claims.
-pub const TOOLS: Tools = Tools { function: functions::callable, names: functions::names, judge };
+const TOOLS: Tools = Tools { function: functions::callable, names: functions::names, judge };
 
 /// An evaluator that knows no names yet.
 pub fn machine() -> Machine {
     Machine::new(TOOLS)
+}
+
+/// Evaluates one statement and, if it is a definition, adds it to `env`, which is changed only on
+/// success.
+///
+/// # Errors
+/// A [`Diagnostic`] with its place.
+pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals) -> Result<Outcome, Diagnostic> {
+    eval::evaluate(expr, env, equals, TOOLS)
 }
 
 /// The value of a formula under a reading, with some names bound.

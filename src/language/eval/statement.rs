@@ -58,3 +58,26 @@ impl Machine {
         self.eval(expr).map(|value| (value, None))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::syntax;
+
+    /// Without tools there are formulas and definitions, but no functions and no verdicts.
+    #[test]
+    fn the_evaluator_knows_only_what_it_is_handed() {
+        let tools = Tools { function: |_| None, names: Vec::new, judge: |_, _, _| Ok(Vec::new()) };
+        let mut env = Env::default();
+        let mut run = |text: &str| {
+            let statement = syntax::parse(text).unwrap();
+            evaluate(&statement, &mut env, Equals::DefinesUnbound, tools)
+        };
+        run("F(t) := t^2 + 1").unwrap();
+        assert_eq!(run("F(3)").unwrap().value.as_int(), Some(10));
+        assert_eq!(run("sum(i=1..4, i)").unwrap().value.as_int(), Some(10));
+        assert!(run("degree(t^2, t)").is_err());
+        let Value::Claim(claim) = run("1 + 1 = 3").unwrap().value else { panic!("not a claim") };
+        assert!(claim.judgements.is_empty());
+    }
+}
