@@ -232,36 +232,18 @@ impl Machine {
             None => {
                 let standard = families::notation(name.base(), lower.len(), usize::from(upper.is_some()))
                     .filter(|_| name.is_plain());
-                let function = standard.and_then(|notation| Some((notation, notation.function?)));
-                let Some((notation, (function, wanted))) = function else {
+                let Some((function, places)) = standard.and_then(|notation| notation.function) else {
                     // N_1^2(t) is no product of a power.
-                    if name.is_plain()
-                        && upper.is_some()
-                        && !lower.is_empty()
-                        && FAMILY_LETTERS.contains(&name.base())
-                    {
-                        let message = format!(
-                            "'{}' has no value here: is this a value of a family or a product?",
-                            name.base()
-                        );
-                        let error = Diagnostic::error(Code::AmbiguousProduct, message)
-                            .at(callee.span)
-                            .reason("not defined");
-                        return Err(match name.base() {
-                            "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
-                            other => {
-                                error.hint(format!("define it first, for example {other}(i, n, t) := ..."))
-                            }
-                        });
-                    }
-                    return Ok(None);
+                    let family = name.is_plain() && FAMILY_LETTERS.contains(&name.base());
+                    return match family && upper.is_some() && !lower.is_empty() {
+                        true => Err(unknown_family(name.base()).at(callee.span)),
+                        false => Ok(None),
+                    };
                 };
-                let written: Vec<&Expr> = lower.iter().chain(upper).collect();
-                let roles: Vec<_> = notation.lower.iter().chain(notation.upper).collect();
-                let mut values = Vec::with_capacity(wanted.len());
-                for role in wanted {
-                    let Some(at) = roles.iter().position(|own| *own == role) else { return Ok(None) };
-                    values.push((self.eval(written[at])?, written[at].span));
+                let indices: Vec<&Expr> = lower.iter().chain(upper).collect();
+                let mut values = Vec::with_capacity(places.len());
+                for &place in places {
+                    values.push((self.eval(indices[place])?, indices[place].span));
                 }
                 Ok(Some(Callee::Family(function, values)))
             }
@@ -351,4 +333,14 @@ fn split_lower<'a>(inner: &'a Expr, upper: &'a Expr) -> (&'a Expr, &'a [Expr], O
 fn not_a_function(value: &Value) -> Diagnostic {
     Diagnostic::error(Code::Type, format!("{} cannot be applied to several arguments", value.kind()))
         .reason(format!("this is {}", value.kind()))
+}
+
+/// The error for a member of a family that nobody defined, such as N_1^2(t).
+fn unknown_family(letter: &str) -> Diagnostic {
+    let message = format!("'{letter}' has no value here: is this a value of a family or a product?");
+    let error = Diagnostic::error(Code::AmbiguousProduct, message).reason("not defined");
+    match letter {
+        "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
+        other => error.hint(format!("define it first, for example {other}(i, n, t) := ...")),
+    }
 }

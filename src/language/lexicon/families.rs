@@ -34,75 +34,64 @@ pub(crate) enum Family {
     Spline,
 }
 
-/// What an index says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
-    /// Which member of the family.
-    Member,
-    /// The degree, or the number of arguments.
-    Degree,
-}
-
-use Role::{Degree, Member};
-
 /// A way to write the members of a family.
 #[derive(Debug)]
 pub(crate) struct Notation {
     /// The letter.
     pub(crate) letter: &'static str,
-    /// What the lower indices say.
-    pub(crate) lower: &'static [Role],
-    /// What the upper indices say.
-    pub(crate) upper: &'static [Role],
+    /// The number of lower indices: which member of the family, and after that perhaps its degree.
+    pub(crate) lower: usize,
+    /// The number of upper indices: its degree.
+    pub(crate) upper: usize,
     /// What is written so.
     pub(crate) family: Family,
     /// The same in words.
     pub(crate) meaning: &'static str,
-    /// The function of the language that has the values, and what its first arguments say;
-    /// without one the notation has to be explained where it is used.
-    pub(crate) function: Option<(&'static str, &'static [Role])>,
+    /// The function of the language that has the values, and which of the indices, lower ones
+    /// first, are its first arguments; without one the notation is explained where it is used.
+    pub(crate) function: Option<(&'static str, &'static [usize])>,
 }
 
 /// All notations.
 const NOTATIONS: &[Notation] = &[
     Notation {
         letter: "B",
-        lower: &[Member],
-        upper: &[Degree],
+        lower: 1,
+        upper: 1,
         family: Family::Bernstein,
         meaning: "B_i^n is the Bernstein polynomial",
-        function: Some(("bernstein", &[Degree, Member])),
+        function: Some(("bernstein", &[1, 0])),
     },
     // Other books have the degree first.
     Notation {
         letter: "B",
-        lower: &[Member, Degree],
-        upper: &[],
+        lower: 2,
+        upper: 0,
         family: Family::Bernstein,
         meaning: "B_{i,n} is the Bernstein polynomial",
         function: None,
     },
     Notation {
         letter: "B",
-        lower: &[Member, Member, Member],
-        upper: &[Degree],
+        lower: 3,
+        upper: 1,
         family: Family::Triangular,
         meaning: "B_{i,j,k}^n is the Bernstein polynomial of a triangle",
         function: None,
     },
     Notation {
         letter: "sigma",
-        lower: &[Member, Degree],
-        upper: &[],
+        lower: 2,
+        upper: 0,
         family: Family::SymmetricMean,
         meaning: "sigma_{i,n} is the mean of the products of i of the n arguments",
-        function: Some(("sigma", &[Member, Degree])),
+        function: Some(("sigma", &[0, 1])),
     },
     // The number of factors again: σ_{i,n}^i.
     Notation {
         letter: "sigma",
-        lower: &[Member, Degree],
-        upper: &[Member],
+        lower: 2,
+        upper: 1,
         family: Family::SymmetricMean,
         meaning: "sigma_{i,n} is the mean of the products of i of the n arguments",
         function: None,
@@ -110,16 +99,16 @@ const NOTATIONS: &[Notation] = &[
     // Of order k in some books, of degree k in others.
     Notation {
         letter: "N",
-        lower: &[Member],
-        upper: &[Degree],
+        lower: 1,
+        upper: 1,
         family: Family::Spline,
         meaning: "N_i^k is the B-spline with the knots t_i",
         function: None,
     },
     Notation {
         letter: "N",
-        lower: &[Member, Degree],
-        upper: &[],
+        lower: 2,
+        upper: 0,
         family: Family::Spline,
         meaning: "N_i^k is the B-spline with the knots t_i",
         function: None,
@@ -128,9 +117,7 @@ const NOTATIONS: &[Notation] = &[
 
 /// The notation with this letter and as many lower and upper indices.
 pub(crate) fn notation(letter: &str, lower: usize, upper: usize) -> Option<&'static Notation> {
-    NOTATIONS
-        .iter()
-        .find(|known| known.letter == letter && known.lower.len() == lower && known.upper.len() == upper)
+    NOTATIONS.iter().find(|known| known.letter == letter && known.lower == lower && known.upper == upper)
 }
 
 /// Whether the letter stands for a family with indices.
