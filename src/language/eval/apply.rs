@@ -85,7 +85,7 @@ impl Machine {
                     )
                     .at(callee.span),
                 );
-                function.run(self, &all).at(whole.span)
+                function.run(self, all).at(whole.span)
             }
         }
     }
@@ -293,7 +293,7 @@ impl Machine {
                 }
             }
         }
-        function.run(self, &all).at(span)
+        function.run(self, all).at(span)
     }
 
     /// The value of an argument, or the word it is.

@@ -36,7 +36,7 @@ impl Machine {
         let mut arguments = Arguments::default();
         arguments.push(value.clone(), span);
         arguments.push(Value::int(order as i64), span);
-        self.call_function("derivative", &arguments).at(span)
+        self.call_function("derivative", arguments).at(span)
     }
 
     /// F ∘ G; what a curve is composed with says the function of that name.
@@ -47,7 +47,7 @@ impl Machine {
         let mut arguments = Arguments::default();
         arguments.push(outer, span);
         arguments.push(inner, span);
-        self.call_function("compose", &arguments).at(span)
+        self.call_function("compose", arguments).at(span)
     }
 
     pub(crate) fn eval_integral(

@@ -114,7 +114,7 @@ impl Machine {
     }
 
     /// Calls a function of the program by its name.
-    pub(super) fn call_function(&mut self, name: &str, arguments: &Arguments) -> Evaluated {
+    pub(super) fn call_function(&mut self, name: &str, arguments: Arguments) -> Evaluated {
         self.function(name)?.run(self, arguments)
     }
 

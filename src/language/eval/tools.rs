@@ -31,7 +31,7 @@ pub trait Callable {
     ///
     /// # Errors
     /// A [`Diagnostic`], with a place if it is about one argument.
-    fn run(&self, machine: &mut Machine, arguments: &Arguments) -> Evaluated;
+    fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated;
 }
 
 /// Judges the relations of a chain, one after the other.

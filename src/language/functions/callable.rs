@@ -33,14 +33,14 @@ impl Callable for Builtin {
     }
 
     /// As it applies to the kind of the first argument.
-    fn run(&self, machine: &mut Machine, arguments: &Arguments) -> Evaluated {
-        let Some(first) = arguments.values().next() else { return (self.call)(machine, arguments) };
+    fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
+        let Some(first) = arguments.values().next() else { return (self.call)(machine, &arguments) };
         if let Some(method) = method(self.name, first) {
-            return method(arguments);
+            return method(&arguments);
         }
-        let Value::List(items) = first else { return (self.call)(machine, arguments) };
+        let Value::List(items) = first else { return (self.call)(machine, &arguments) };
         if !COORDINATEWISE.contains(&self.name) {
-            return (self.call)(machine, arguments);
+            return (self.call)(machine, &arguments);
         }
         let each = items.iter().map(|item| {
             let own = arguments.with_first(item.clone());

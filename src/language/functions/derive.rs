@@ -105,7 +105,7 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
     if let Some(polars) = made.filter(|polars| !polars.is_empty() && !args.has("degree")) {
         return Ok(polars);
     }
-    match builtin.run(machine, args).at(args.span(0))? {
+    match builtin.run(machine, args.clone()).at(args.span(0))? {
         Value::List(items) => items.into_iter().map(one).collect(),
         value => one(value).map(|polar| vec![polar]),
     }
@@ -161,7 +161,7 @@ fn combination(machine: &mut Machine, args: &Arguments, form: &str, kind: Combin
         Combination::Composition => "polar_compose",
     };
     let builtin = super::builtin(name).ok_or_else(internal)?;
-    let Value::Polar(result) = builtin.run(machine, args).at(args.span(0))? else {
+    let Value::Polar(result) = builtin.run(machine, args.clone()).at(args.span(0))? else {
         return Err(internal());
     };
     let (f, _) = univariate(machine, &args.only(1))?;
