@@ -8,8 +8,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
+use crate::judge::evaluator;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::{self, Env, Equals, Outcome};
+use crate::language::eval::{Env, Equals, Outcome};
 use crate::language::value::symbol_expr;
 use crate::language::{latex, syntax};
 use crate::math::poly::Symbol;
@@ -104,7 +105,7 @@ impl Session {
     pub fn evaluate(&mut self, statement: &mut Expr, equals: Equals) -> Result<Outcome, Diagnostic> {
         let mut env = self.env.clone();
         let limits = self.limits.clone();
-        let outcome = guarded(&limits, || eval::evaluate(statement, &mut env, equals))
+        let outcome = guarded(&limits, || evaluator::evaluate(statement, &mut env, equals))
             .map_err(|problem| complete(problem, statement.span))?;
         if outcome.defined.is_none() {
             env.set(Symbol::new("ans"), outcome.value.clone());

@@ -1,7 +1,7 @@
 //! Comparing the values of two sides.
 
+use super::values::judge;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::eval::{find_witness, judge};
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MonomialOrder, Poly, Symbol};
@@ -260,20 +260,4 @@ pub fn solved(
     let slope = parts[1].as_constant()?;
     let rest = Fraction::from(parts[0].clone());
     Some((symbol, rest.scaled(&(-slope.recip()))))
-}
-
-/// A counterexample to the equality of two values, with the entries that differ.
-pub fn witness(left: &Value, right: &Value) -> Option<Witness> {
-    match (plain(left), plain(right)) {
-        (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => {
-            find_witness(&a, &b, |x, y| x != y)
-        }
-        (Value::List(a), Value::List(b)) if a.len() == b.len() => {
-            a.iter().zip(&b).find(|(x, y)| x != y).and_then(|(x, y)| witness(x, y))
-        }
-        (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
-            a.iter().zip(b.iter()).find(|(x, y)| x != y).and_then(|(x, y)| find_witness(x, y, |p, q| p != q))
-        }
-        _ => None,
-    }
 }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::names::{Head, walk};
 use crate::formula::{Expr, Kind};
+use crate::language::lexicon::families::Family;
 use num_traits::ToPrimitive;
 
 /// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
@@ -100,7 +101,7 @@ pub fn has_splines(sides: &[&Expr]) -> bool {
             if let Kind::Apply(callee, _) = &part.kind
                 && let Some(head) = Head::of(callee)
             {
-                found = found || head.base == "N" && head.lower.len() + head.upper.len() == 2;
+                found = found || head.is_a(Family::Spline);
             }
         });
     }

@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 
 use super::compare;
 use super::context::is_variable;
+use crate::language::lexicon::families;
 use crate::language::value::Value;
 use crate::math::linalg::{self, Echelon};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -167,7 +168,7 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
         |a: &Symbol, b: &Symbol| a.base() == b.base() && a.upper() == b.upper() && a.accent() == b.accent();
     let only = |a: &[Symbol], b: &[Symbol]| -> BTreeSet<Symbol> {
         let family = |symbol: &Symbol| {
-            let standard = matches!(symbol.base(), "sigma" | "B" | "N" | "Delta");
+            let standard = families::is_family(symbol.base());
             !symbol.is_plain()
                 && !is_coefficient(symbol)
                 && !is_argument(symbol)
@@ -188,11 +189,12 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::judge::evaluator;
+    use crate::language::syntax;
     use crate::language::value::symbol_expr;
-    use crate::language::{eval, syntax};
 
     fn value(text: &str) -> Value {
-        eval::with_machine([], |machine| machine.eval(&syntax::parse(text).unwrap())).unwrap()
+        evaluator::machine().eval(&syntax::parse(text).unwrap()).unwrap()
     }
 
     fn found(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {

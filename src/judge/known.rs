@@ -8,6 +8,7 @@ use super::names::{Head, bases, is_index_letter};
 use super::refute::calls;
 use super::statement::Place;
 use crate::formula::{Expr, Kind};
+use crate::language::lexicon::families::Family;
 use crate::language::value::Value;
 use crate::language::write;
 
@@ -120,13 +121,10 @@ impl Checker {
 
     /// Whether a name has a meaning already, so that an equation for it is a claim.
     pub(super) fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
-        let standard = match head.base.as_str() {
-            "B" => {
-                head.arguments.is_some() && matches!(head.lower.len() + head.upper.len(), 2 | 4)
-                    || head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
-            }
-            "sigma" => head.lower.len() == 2 && head.arguments.is_some(),
-            _ => false,
+        let standard = match head.notation().map(|notation| notation.family) {
+            Some(Family::Bernstein) => true,
+            Some(Family::Triangular | Family::SymmetricMean) => head.arguments.is_some(),
+            Some(Family::Spline) | None => false,
         };
         let right = bases(body);
         let recursive = right.contains(&head.base);

@@ -2,11 +2,11 @@
 
 use super::check::{Checker, blank};
 use super::compare::Outcome;
+use super::evaluator::evaluate_reading;
 use super::finding::{Finding, Verdict};
 use super::names::Head;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::eval::evaluate_reading;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::blossom::TotalDegreePolarForm;
@@ -77,18 +77,14 @@ impl Checker {
                 &Value::Scalar(expanded.clone()),
                 &[],
             );
-            if matches!(outcome, Outcome::Fails(_)) {
+            if let Outcome::Fails(judgement) = outcome {
                 let polynomial = write::text(&crate::language::value::polynomial_expr(polynomial));
                 finding.verdict = Verdict::Refuted;
                 finding.reason = Some(format!(
                     "{} is not the polar form of {polynomial}: it is not affine in each argument (u_i, v_i)",
                     write::text(item)
                 ));
-                let witness = super::compare::witness(
-                    &Value::Scalar(claimed.clone()),
-                    &Value::Scalar(expanded.clone()),
-                );
-                finding.witness = witness.map(|witness| {
+                finding.witness = judgement.witness.map(|witness| {
                     let values: Vec<String> =
                         witness.assignment.iter().map(|(s, v)| format!("{s} = {v}")).collect();
                     format!("{}: left {}, right {}", values.join(", "), witness.left, witness.right)

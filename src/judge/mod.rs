@@ -8,9 +8,12 @@
 
 mod attempt;
 pub mod check;
+mod claim;
 mod compare;
 mod context;
 mod declare;
+pub mod evaluator;
+mod family;
 mod features;
 pub mod finding;
 mod hypotheses;
@@ -22,6 +25,8 @@ pub(crate) mod names;
 pub mod prove;
 mod refute;
 mod repair;
+mod same_geometry;
 pub mod statement;
 mod trial;
 mod unfold;
+mod values;

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
+use crate::language::lexicon::families::{self, Family, Notation};
 
 /// A name with its indices and arguments, as it stands on the left of a definition or in a call.
 #[derive(Clone, Debug)]
@@ -20,6 +21,16 @@ pub struct Head {
 }
 
 impl Head {
+    /// The standard notation that it is written in, if it has one.
+    pub(super) fn notation(&self) -> Option<&'static Notation> {
+        families::notation(&self.base, self.lower.len(), self.upper.len())
+    }
+
+    /// Whether it is a member of a family with a standard meaning.
+    pub(super) fn is_a(&self, family: Family) -> bool {
+        self.notation().is_some_and(|notation| notation.family == family)
+    }
+
     /// Takes a name apart; `None` for anything else.
     pub fn of(expr: &Expr) -> Option<Head> {
         match &expr.kind {

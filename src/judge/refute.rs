@@ -12,6 +12,7 @@ use super::names::{Head, bases, walk};
 use super::statement::{Chain, Statement};
 use super::trial::{Failure, Outcomes, Tally};
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::Symbol;
@@ -163,7 +164,7 @@ pub fn calls(expr: &Expr, base: &str) -> bool {
 
 /// Whether the head is that of a family with a standard meaning.
 pub fn is_standard(head: Option<&Head>) -> bool {
-    head.is_some_and(|head| matches!(head.base.as_str(), "B" | "sigma"))
+    head.is_some_and(|head| families::has_values(&head.base))
 }
 
 /// What a failing relation is.
@@ -418,9 +419,7 @@ fn is_argument(symbol: &Symbol, side: &Expr) -> bool {
 fn without_argument(side: &Expr) -> Option<String> {
     fn search(expr: &Expr, called: &mut bool, bare: &mut Option<String>) {
         let family = |expr: &Expr| {
-            Head::of(expr).is_some_and(|head| {
-                head.base == "B" && head.arguments.is_none() && head.lower.len() + head.upper.len() == 2
-            })
+            Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.is_a(Family::Bernstein))
         };
         if let Kind::Apply(callee, groups) = &expr.kind
             && family(callee)
@@ -464,7 +463,7 @@ fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String>
 fn bare_values(side: &Expr) -> bool {
     match &side.kind {
         Kind::Apply(callee, groups) => {
-            Head::of(callee).is_some_and(|head| !matches!(head.base.as_str(), "B" | "sigma"))
+            Head::of(callee).is_some_and(|head| !families::has_values(&head.base))
                 && groups.iter().flatten().all(|argument| {
                     let mut plain = true;
                     walk(argument, &mut |part| {
@@ -582,17 +581,13 @@ fn instance(failure: &Failure) -> String {
 
 /// The counterexample in words: values of integers, functions and symbols, and of both sides.
 pub fn counterexample(failure: &Failure) -> Option<String> {
-    let witness = match &failure.outcome {
-        Outcome::Fails(judgement) => judgement.witness.clone(),
-        _ => None,
-    };
-    let witness = witness.or_else(|| compare::witness(&failure.left, &failure.right));
+    let Outcome::Fails(judgement) = &failure.outcome else { return None };
     let mut parts = Vec::new();
     let instance = instance(failure);
     if !instance.is_empty() {
         parts.push(instance);
     }
-    let Some(witness) = witness else {
+    let Some(witness) = &judgement.witness else {
         return (!parts.is_empty()).then(|| parts.join(", "));
     };
     // Coefficients of unknown functions are shown as the function.

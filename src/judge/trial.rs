@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use super::compare::{self, Outcome};
 use super::context::{Context, is_variable};
+use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
 use super::hypotheses;
 use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
@@ -18,7 +19,6 @@ use super::statement::Place;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::{evaluate_reading, with_machine};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -183,9 +183,7 @@ impl Trial<'_> {
         self.conditions.iter().find_map(|condition| match &condition.kind {
             Kind::Chain(left, links) if matches!(&left.kind, Kind::Name(own) if own == name) => {
                 match links.as_slice() {
-                    [link] if link.rel == Rel::Eq => {
-                        with_machine([], |machine| machine.eval_int(&link.expr).ok())
-                    }
+                    [link] if link.rel == Rel::Eq => evaluator::machine().eval_int(&link.expr).ok(),
                     _ => None,
                 }
             }
@@ -289,7 +287,9 @@ impl Trial<'_> {
             bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
         self.conditions.iter().all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
-            with_machine(names.clone(), |machine| holds(machine, condition)) != Some(false)
+            let holds =
+                evaluator::machine().with_locals(names.clone(), |machine| Ok(holds(machine, condition)));
+            holds.ok().flatten() != Some(false)
         })
     }
 
@@ -527,7 +527,7 @@ fn knots_around(condition: &Expr, bound: &[(String, i64)], interval: i64) -> boo
             return None;
         };
         let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
-        with_machine(names, |machine| machine.eval_int(index).ok())
+        evaluator::machine().with_locals(names, |machine| machine.eval_int(index)).ok()
     };
     let Kind::Chain(left, links) = &condition.kind else { return true };
     let ends = match links.as_slice() {

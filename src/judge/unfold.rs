@@ -8,22 +8,23 @@ use super::model::Choices;
 use super::names::{Head, bases, is_index_letter, own_names, walk};
 use super::statement::Place;
 use crate::formula::{Expr, Kind};
+use crate::language::lexicon::families::{self, FORWARD_DIFFERENCE, Family};
 
 impl Checker {
     /// What a name or call stands for by the definitions seen from a place, with its indices and
     /// arguments put in; `None` if that is not certain.
     pub(super) fn unfolded(&self, expr: &Expr, place: &Place, choices: Choices) -> Option<Expr> {
         let head = Head::of(expr)?;
-        if head.base == "B" && head.upper.is_empty() && head.lower.len() == 2 && head.arguments.is_some() {
+        if head.is_a(Family::Bernstein) && head.upper.is_empty() && head.arguments.is_some() {
             // B_{i,n}, or B_{n,i}
             let (i, n) = if choices.degree_first { (1, 0) } else { (0, 1) };
             let Kind::Apply(callee, groups) = &expr.kind else { return None };
-            let base = Box::new(Expr::name("B"));
+            let base = Box::new(Expr::name(head.base.clone()));
             let lower = Expr::new(Kind::Subscript(base, vec![head.lower[i].clone()]), callee.span);
             let family = Expr::new(Kind::Pow(Box::new(lower), Box::new(head.lower[n].clone())), callee.span);
             return Some(Expr::new(Kind::Apply(Box::new(family), groups.clone()), expr.span));
         }
-        if matches!(head.base.as_str(), "B" | "sigma" | "Delta") {
+        if families::has_values(&head.base) || head.base == FORWARD_DIFFERENCE {
             return None;
         }
         let (_, definition, near) = self.context.visible(&head.base, place).next()?;

@@ -6,6 +6,7 @@ pub mod eval;
 pub mod functions;
 pub mod latex;
 pub mod lexicon;
+pub(crate) mod ops;
 pub mod syntax;
 pub mod value;
 pub mod write;

@@ -4,8 +4,11 @@ use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::names::{Head, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::arithmetic;
-use crate::language::eval::{Machine, nth_derivative};
+use crate::language::eval::Machine;
+use crate::language::lexicon::families;
+use crate::language::ops::arithmetic;
+use crate::language::ops::calculus::nth_derivative;
+use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
@@ -110,7 +113,7 @@ impl Model {
                     }
                     _ => {
                         self.context.letters.is_function(&head.base)
-                            || matches!(head.base.as_str(), "B" | "sigma" | "N" | "P")
+                            || (families::is_family(&head.base) || head.base == "P")
                                 && !(head.lower.is_empty() && head.upper.is_empty())
                     }
                 }
@@ -314,9 +317,7 @@ impl Model {
         let value = self.apply(machine, function, &own, expr)?;
         each(value, &|formula| {
             let derived = nth_derivative(&formula, &fresh, order);
-            derived
-                .substitute(&[(fresh.clone(), argument.clone())])
-                .map_err(|_| arithmetic::division_by_zero())
+            derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
         })
     }
 
@@ -386,7 +387,7 @@ impl Model {
     ) -> Option<Evaluated> {
         if let [upper] = head.upper.as_slice() {
             let bare = Expr { kind: bare(head, true), span: expr.span };
-            if head.base == "B" || head.base == "N" || head.base == "sigma" {
+            if families::is_family(&head.base) {
                 return None;
             }
             if head.parenthesized {
@@ -462,7 +463,7 @@ impl Model {
                 let derived = letters
                     .iter()
                     .fold(formula, |formula, letter| nth_derivative(&formula, &Symbol::new(*letter), 1));
-                derived.substitute(&replacements).map_err(|_| arithmetic::division_by_zero())
+                derived.substitute(&replacements).map_err(|_| division_by_zero())
             })
         }))
     }

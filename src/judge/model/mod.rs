@@ -26,6 +26,7 @@ use crate::formula::{BinomialStyle, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
 use crate::language::lexicon::letters;
+use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
 
@@ -236,7 +237,7 @@ impl Reading for Model {
                 }
                 Some(machine.eval(n).and_then(|n| {
                     let k = machine.eval(k)?;
-                    crate::language::eval::arithmetic::binomial(&k, &n).map_err(|error| error.at(expr.span))
+                    arithmetic::binomial(&k, &n).map_err(|error| error.at(expr.span))
                 }))
             }
             Kind::Matrix(rows, delimiter) => self.blocks(machine, rows, *delimiter, expr),

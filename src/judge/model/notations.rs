@@ -5,7 +5,8 @@ use super::{Evaluated, FREE_TERMS, Model, calls, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, implied_index, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::{Machine, arithmetic};
+use crate::language::eval::Machine;
+use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use nalgebra::DMatrix;
@@ -24,9 +25,7 @@ impl Model {
         {
             return Some(machine.eval(base).and_then(|value| match value {
                 Value::Scalar(_) => Ok(value),
-                other => {
-                    crate::language::eval::arithmetic::transpose(other).map_err(|error| error.at(expr.span))
-                }
+                other => arithmetic::transpose(other).map_err(|error| error.at(expr.span)),
             }));
         }
         // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.

@@ -6,6 +6,8 @@ use crate::formula::{Expr, Kind};
 use crate::judge::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
 use crate::math::basis;
 use crate::math::blossom::{Argument, PolarForm};
@@ -285,9 +287,7 @@ impl Model {
         };
         let end = known(self, machine, with(v.clone()))?;
         let start = known(self, machine, with(zero()))?;
-        Some(end.and_then(|end| {
-            crate::language::eval::arithmetic::add(end, crate::language::eval::arithmetic::negate(start?)?)
-        }))
+        Some(end.and_then(|end| arithmetic::add(end, arithmetic::negate(start?)?)))
     }
 
     /// An unknown tensor-product form: symmetric and affine in each group.
@@ -341,7 +341,7 @@ impl Model {
                 .map(|pair| {
                     let left = each(pair[0].clone(), &|b| Ok(b.times(&one.minus(t))))?;
                     let right = each(pair[1].clone(), &|b| Ok(b.times(t)))?;
-                    crate::language::eval::arithmetic::add(left, right)
+                    arithmetic::add(left, right)
                 })
                 .collect::<Result<_, _>>()?;
         }
@@ -376,10 +376,7 @@ impl Model {
             };
             for (j, y) in nodes.iter().enumerate() {
                 if i != j {
-                    let quotient = crate::language::eval::arithmetic::divide(
-                        Value::Scalar(term),
-                        Value::Scalar(x.minus(y)),
-                    )?;
+                    let quotient = arithmetic::divide(Value::Scalar(term), Value::Scalar(x.minus(y)))?;
                     let Value::Scalar(next) = quotient else {
                         return Err(unclear("what this quotient is", expr));
                     };
@@ -389,8 +386,7 @@ impl Model {
             sum = sum.plus(&term);
         }
         if repeated {
-            sum =
-                sum.substitute(&values).map_err(|_| crate::language::eval::arithmetic::division_by_zero())?;
+            sum = sum.substitute(&values).map_err(|_| division_by_zero())?;
         }
         Ok(Value::Scalar(sum))
     }
@@ -410,7 +406,7 @@ fn zero() -> Fraction {
 }
 
 /// The means σ_{i,n} of the elementary symmetric functions, for all i.
-pub(super) fn means(values: &[Fraction]) -> Vec<Fraction> {
+fn means(values: &[Fraction]) -> Vec<Fraction> {
     let one = Fraction::from_rational(&Rational::from_integer(1.into()));
     let mut sums = vec![one];
     for value in values {

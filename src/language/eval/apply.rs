@@ -2,24 +2,20 @@
 
 use std::sync::Arc;
 
-use super::arguments::{self, Arguments};
-use super::curves::{is_curve, levelled};
+use super::arguments::{Arguments, named};
+use super::curves;
+use super::machine::{Evaluated, Machine};
 use super::names::{name_of, stands_for_itself};
-use super::{Evaluated, Machine, arithmetic, geometry, wrong_kind};
+use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::functions;
-use crate::language::value::{Clause, Function, Parameter, Polar, PolarKind, Value};
-use crate::math::blossom::Argument;
-use crate::math::number::Rational;
-use crate::math::poly::{Fraction, Symbol};
-
-/// Letters that are read as functions when they have no value: `f(t + 1)` is then a question.
-const FUNCTION_LETTERS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
-
-/// Letters that are read as families of functions when they have indices but no value.
-const FAMILY_LETTERS: &[&str] = &["B", "N", "L", "H", "T"];
+use crate::language::lexicon::families::{self, FAMILY_LETTERS, FUNCTION_LETTERS};
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::lists::is_curve;
+use crate::language::value::{Function, PolarKind, Value};
+use crate::math::poly::Symbol;
 
 /// What stands before the bracket.
 enum Callee {
@@ -35,9 +31,8 @@ impl Machine {
         match self.callee(callee)? {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {
-                    let builtin = functions::builtin(name)
-                        .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
-                    self.call_builtin(builtin, groups, whole.span)
+                    let function = self.function(name)?;
+                    self.call_builtin(function, groups, whole.span)
                 }
                 Value::Polar(polar) => self.call_polar(&polar, groups, callee, whole.span),
                 Value::Function(function) => {
@@ -46,11 +41,11 @@ impl Machine {
                 }
                 Value::Geometry(geometry) => {
                     let values = self.arguments(groups)?;
-                    geometry::call_geometry(&geometry, &values, whole.span)
+                    curves::call_geometry(&geometry, &values, whole.span)
                 }
                 Value::Piecewise(function) => {
                     let values = self.arguments(groups)?;
-                    geometry::call_piecewise(&function, &values, whole.span)
+                    curves::call_piecewise(&function, &values, whole.span)
                 }
                 // A curve is a list of functions or polar forms, one for each coordinate.
                 Value::List(items)
@@ -82,16 +77,15 @@ impl Machine {
                 for (value, span) in indices.into_iter().chain(self.arguments(groups)?) {
                     all.push(value, span);
                 }
-                let builtin = functions::builtin(name)
-                    .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))?;
+                let function = self.function(name)?;
                 self.note(
                     Diagnostic::note(
                         Code::StandardMeaning,
-                        format!("read with its standard meaning, {}", builtin.signature),
+                        format!("read with its standard meaning, {}", function.form()),
                     )
                     .at(callee.span),
                 );
-                (builtin.call)(self, &all).at(whole.span)
+                function.run(self, all).at(whole.span)
             }
         }
     }
@@ -172,8 +166,8 @@ impl Machine {
         };
         if symbol.is_plain() {
             let name = symbol.base();
-            if let Some(builtin) = functions::builtin(name) {
-                return Ok(Callee::Value(Value::Builtin(builtin.name)));
+            if let Some(function) = (self.tools.function)(name) {
+                return Ok(Callee::Value(Value::Builtin(function.name())));
             }
             if !stands_for_itself(name) {
                 let mut error = self.unknown_name(name, callee);
@@ -236,39 +230,22 @@ impl Machine {
             }
             Some(_) => Ok(None),
             None => {
-                let family = match (name.is_plain().then(|| name.base()), lower, upper) {
-                    (Some("B"), [i], Some(n)) => Some(("bernstein", vec![n, i])),
-                    (Some("sigma"), [i, n], None) => Some(("sigma", vec![i, n])),
-                    _ => None,
-                };
-                let Some((family, indices)) = family else {
+                let standard = families::notation(name.base(), lower.len(), usize::from(upper.is_some()))
+                    .filter(|_| name.is_plain());
+                let Some((function, places)) = standard.and_then(|notation| notation.function) else {
                     // N_1^2(t) is no product of a power.
-                    if name.is_plain()
-                        && upper.is_some()
-                        && !lower.is_empty()
-                        && FAMILY_LETTERS.contains(&name.base())
-                    {
-                        let message = format!(
-                            "'{}' has no value here: is this a value of a family or a product?",
-                            name.base()
-                        );
-                        let error = Diagnostic::error(Code::AmbiguousProduct, message)
-                            .at(callee.span)
-                            .reason("not defined");
-                        return Err(match name.base() {
-                            "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
-                            other => {
-                                error.hint(format!("define it first, for example {other}(i, n, t) := ..."))
-                            }
-                        });
-                    }
-                    return Ok(None);
+                    let family = name.is_plain() && FAMILY_LETTERS.contains(&name.base());
+                    return match family && upper.is_some() && !lower.is_empty() {
+                        true => Err(unknown_family(name.base()).at(callee.span)),
+                        false => Ok(None),
+                    };
                 };
-                let mut values = Vec::with_capacity(2);
-                for index in indices {
-                    values.push((self.eval(index)?, index.span));
+                let indices: Vec<&Expr> = lower.iter().chain(upper).collect();
+                let mut values = Vec::with_capacity(places.len());
+                for &place in places {
+                    values.push((self.eval(indices[place])?, indices[place].span));
                 }
-                Ok(Some(Callee::Family(family, values)))
+                Ok(Some(Callee::Family(function, values)))
             }
         }
     }
@@ -291,23 +268,17 @@ impl Machine {
 
     fn call_builtin(
         &mut self,
-        builtin: &'static functions::Builtin,
+        function: &'static dyn Callable,
         groups: &[Vec<Expr>],
         span: Span,
     ) -> Evaluated {
         let mut all = Arguments::default();
         for group in groups {
             for item in group {
-                match arguments::named(item) {
+                match named(item) {
                     Some((name, value)) => {
-                        let value_span = value.span;
-                        let value = match &value.kind {
-                            Kind::Name(word) if functions::WORD_ARGUMENTS.contains(&name.as_str()) => {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(value)?,
-                        };
-                        all.push_named(name, value, value_span);
+                        let given = self.eval_or_word(value, function, Slot::Name(&name))?;
+                        all.push_named(name, given, value.span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
                         for value in self.expand_items(group)? {
@@ -316,264 +287,25 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = match &item.kind {
-                            Kind::Name(word)
-                                if all.is_empty() && functions::WORD_FIRST.contains(&builtin.name) =>
-                            {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(item)?,
-                        };
+                        let value = self.eval_or_word(item, function, Slot::Place(all.len()))?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
-        self.run_builtin(builtin, &all, span)
+        function.run(self, all).at(span)
     }
 
-    /// Calls a function of the program with its arguments, as it applies to their kinds.
-    pub(crate) fn run_builtin(
-        &mut self,
-        builtin: &'static functions::Builtin,
-        all: &Arguments,
-        span: Span,
-    ) -> Evaluated {
-        if let Some(first) = all.values().next()
-            && let Some(method) = functions::method(builtin.name, first)
-        {
-            return method(all).at(span);
-        }
-        if functions::COORDINATEWISE.contains(&builtin.name)
-            && let Some(Value::List(items)) = all.values().next()
-        {
-            let items = items.clone();
-            let each = items.into_iter().map(|item| {
-                let method = functions::method(builtin.name, &item);
-                let own = all.with_first(item);
-                method.map_or_else(|| (builtin.call)(self, &own), |method| method(&own))
-            });
-            return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
-        }
-        (builtin.call)(self, all).at(span)
-    }
-
-    /// Calls a function with its index and bracket arguments.
-    pub(crate) fn call(
-        &mut self,
-        function: &Arc<Function>,
-        values: Vec<(Value, Span)>,
-        span: Span,
-    ) -> Evaluated {
-        let shape = function.shape;
-        if values.len() != shape.arity() {
-            let name = function.name.as_ref().map_or("the function".to_owned(), Symbol::to_string);
-            let given = values.len().saturating_sub(shape.lower + shape.upper);
-            return Err(Diagnostic::error(
-                Code::Arity,
-                format!(
-                    "{name} takes {} argument{}, not {given}",
-                    shape.inner,
-                    if shape.inner == 1 { "" } else { "s" }
-                ),
-            )
-            .at(span));
-        }
-        let numbers: Option<Vec<Rational>> = values.iter().map(|(value, _)| value.as_rational()).collect();
-        let key = function.name.clone().zip(numbers);
-        if let Some(key) = &key
-            && let Some(known) = self.memo.get(key)
-        {
-            return Ok(known.clone());
-        }
-        let Some(clause) = choose(function, &values) else {
-            return Err(
-                Diagnostic::error(Code::Domain, "no case of the definition fits these arguments").at(span)
-            );
-        };
-        let result = self.run_clause(function, clause, &values, span)?;
-        if let Some(key) = key
-            && self.memo.len() < 100_000
-        {
-            self.memo.insert(key, result.clone());
-        }
-        Ok(result)
-    }
-
-    fn run_clause(
-        &mut self,
-        function: &Arc<Function>,
-        clause: &Clause,
-        values: &[(Value, Span)],
-        span: Span,
-    ) -> Evaluated {
-        let bindings: Vec<(Symbol, Value)> = clause
-            .parameters
-            .iter()
-            .zip(values)
-            .filter_map(|(parameter, (value, _))| match parameter {
-                Parameter::Name(symbol) => Some((symbol.clone(), value.clone())),
-                Parameter::Exactly(_) => None,
-            })
-            .collect();
-        if let Some(formula) = &clause.formula {
-            let scalars: Option<Vec<(Symbol, Fraction)>> = bindings
-                .iter()
-                .map(|(symbol, value)| Some((symbol.clone(), value.as_scalar()?.clone())))
-                .collect();
-            if let Some(scalars) = scalars {
-                return formula
-                    .substitute(&scalars)
-                    .map(Value::Scalar)
-                    .map_err(|_| arithmetic::division_by_zero())
-                    .at(span);
+    /// The value of an argument, or the word it is.
+    fn eval_or_word(&mut self, item: &Expr, function: &dyn Callable, slot: Slot) -> Evaluated {
+        match &item.kind {
+            Kind::Name(word)
+                if function.takes_word(slot, word, self.lookup(&Symbol::new(word)).is_some()) =>
+            {
+                Ok(Value::Text(word.clone()))
             }
+            _ => self.eval(item),
         }
-        let deepest = crate::budget::depth();
-        if self.depth >= deepest {
-            return Err(Diagnostic::error(Code::Recursion, format!("calls nested more than {deepest} deep"))
-                .at(span)
-                .reason("this refers to itself without end")
-                .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
-        }
-        // The body sees the names of its definition and its parameters, nothing of the caller.
-        let caller =
-            (std::mem::replace(&mut self.scope, clause.scope.clone()), std::mem::take(&mut self.locals));
-        self.depth += 1;
-        if let Some(name) = &function.name {
-            self.locals.push((name.clone(), Value::Function(function.clone())));
-        }
-        self.locals.extend(bindings);
-        let result = self.eval(&clause.body);
-        self.depth -= 1;
-        (self.scope, self.locals) = caller;
-        // A place inside another definition means nothing to the caller.
-        result.map_err(|mut error| {
-            error.span = Some(span);
-            error
-        })
-    }
-
-    pub(crate) fn call_polar(
-        &mut self,
-        polar: &Arc<Polar>,
-        groups: &[Vec<Expr>],
-        callee: &Expr,
-        span: Span,
-    ) -> Evaluated {
-        match &polar.kind {
-            PolarKind::Univariate(form) => {
-                let values = self.polar_arguments(groups, form.degree())?;
-                let list: Result<Vec<_>, _> = values.into_iter().map(to_argument).collect();
-                let list = list?;
-                form.value(&list)
-                    .map(Value::Scalar)
-                    .map_err(arguments::polar)
-                    .map_err(|error| explain_count(error, callee, form.degree(), list.len()))
-                    .at(span)
-            }
-            PolarKind::Tensor(form) => {
-                let (m, n) = form.degrees();
-                let groups: Vec<Vec<Expr>> = match groups {
-                    // Without a semicolon the first m arguments are the u's.
-                    [all] if all.len() == m + n => vec![all[..m].to_vec(), all[m..].to_vec()],
-                    other => other.to_vec(),
-                };
-                let [u, v] = groups.as_slice() else {
-                    return Err(Diagnostic::error(
-                        Code::Arity,
-                        format!("this polar form takes {m} and {n} arguments, separated by ';'"),
-                    )
-                    .at(span)
-                    .hint("write f(u1, u2; v1, v2)"));
-                };
-                let u = self.polar_arguments(std::slice::from_ref(u), m)?;
-                let v = self.polar_arguments(std::slice::from_ref(v), n)?;
-                let u: Result<Vec<_>, _> = u.into_iter().map(to_argument).collect();
-                let v: Result<Vec<_>, _> = v.into_iter().map(to_argument).collect();
-                form.value(&u?, &v?).map(Value::Scalar).map_err(arguments::polar).at(span)
-            }
-            PolarKind::Total(form) => {
-                let values = self.polar_arguments(groups, form.degree())?;
-                let mut list = Vec::with_capacity(values.len());
-                for (value, place) in values {
-                    list.push(arguments::point_argument(&value).ok_or_else(|| {
-                        wrong_kind("a point such as (u1, v1)", &value)
-                            .at(place)
-                            .hint("the arguments of this polar form are points: f((u1, v1), (u2, v2))")
-                    })?);
-                }
-                form.value(&list).map(Value::Scalar).map_err(arguments::polar).at(span)
-            }
-        }
-    }
-
-    /// Arguments of a polar form of known degree; `f(t, ..., t)` is filled up to it.
-    fn polar_arguments(
-        &mut self,
-        groups: &[Vec<Expr>],
-        degree: usize,
-    ) -> Result<Vec<(Value, Span)>, Diagnostic> {
-        let [group] = groups else { return self.arguments(groups) };
-        let written_out = group.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)));
-        if !written_out
-            && group.len() != degree
-            && let Some(values) = self.powers_as_arguments(group, degree)?
-        {
-            return Ok(values);
-        }
-        let Some(at) = group.iter().position(|e| e.kind == Kind::Ellipsis) else {
-            return self.arguments(groups);
-        };
-        let same = at > 0 && group.get(at + 1).is_some_and(|after| after.same_as(&group[at - 1]));
-        let others = group.len() - 1;
-        if !same || others > degree || group.iter().any(|e| matches!(e.kind, Kind::Brace(..))) {
-            return self.arguments(groups);
-        }
-        // f(t, ..., t, u): the ellipsis stands for as many more t as are missing.
-        let mut values = Vec::with_capacity(degree);
-        for item in &group[..at] {
-            values.push((self.eval(item)?, item.span));
-        }
-        let filler = values[at - 1].clone();
-        values.extend(std::iter::repeat_n(filler, degree - others));
-        for item in &group[at + 1..] {
-            values.push((self.eval(item)?, item.span));
-        }
-        Ok(values)
-    }
-
-    /// The arguments in f(0^{n-i} 1^i) or f(0^2, t), where powers are repetitions: only if there
-    /// would be a wrong number of arguments otherwise, and this way there is the right one.
-    fn powers_as_arguments(
-        &mut self,
-        group: &[Expr],
-        degree: usize,
-    ) -> Result<Option<Vec<(Value, Span)>>, Diagnostic> {
-        let factors = group.iter().flat_map(|item| match &item.kind {
-            Kind::Mul(factors) => factors.as_slice(),
-            _ => std::slice::from_ref(item),
-        });
-        let mut repeated = Vec::new();
-        let mut total = 0_usize;
-        for factor in factors {
-            let (base, count) = match &factor.kind {
-                Kind::Pow(base, exponent) => (base.as_ref(), self.eval(exponent)?.as_int()),
-                _ => (factor, Some(1)),
-            };
-            let Some(count) = count.and_then(|count| usize::try_from(count).ok()) else { return Ok(None) };
-            total = total.saturating_add(count);
-            repeated.push((base, count));
-        }
-        if total != degree {
-            return Ok(None);
-        }
-        let mut values = Vec::with_capacity(degree);
-        for (base, count) in repeated {
-            let value = self.eval(base)?;
-            values.extend(std::iter::repeat_n((value, base.span), count));
-        }
-        Ok(Some(values))
     }
 
     pub(crate) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {
@@ -590,32 +322,6 @@ impl Machine {
     }
 }
 
-/// A value as an argument of a polar form.
-pub(crate) fn to_argument((value, place): (Value, Span)) -> Result<Argument<Fraction>, Diagnostic> {
-    match value {
-        Value::Scalar(u) => Ok(Argument::Point(u)),
-        Value::Vector(v) => Ok(Argument::Vector(v)),
-        other => Err(wrong_kind("a number, symbol or vector argument", &other).at(place)),
-    }
-}
-
-/// The clause that fits: exact parameters count before names, earlier before later.
-fn choose<'a>(function: &'a Function, values: &[(Value, Span)]) -> Option<&'a Clause> {
-    let fits = |clause: &&Clause| {
-        clause.parameters.iter().zip(values).all(|(parameter, (value, _))| match parameter {
-            Parameter::Name(_) => true,
-            Parameter::Exactly(q) => value.as_rational().as_ref() == Some(q),
-        })
-    };
-    let exact =
-        |clause: &Clause| clause.parameters.iter().filter(|p| matches!(p, Parameter::Exactly(_))).count();
-    function.clauses.iter().filter(fits).reduce(
-        |best, clause| {
-            if exact(clause) > exact(best) { clause } else { best }
-        },
-    )
-}
-
 /// `B_i` with an upper index: base, lower indices, upper index.
 fn split_lower<'a>(inner: &'a Expr, upper: &'a Expr) -> (&'a Expr, &'a [Expr], Option<&'a Expr>) {
     match &inner.kind {
@@ -629,17 +335,12 @@ fn not_a_function(value: &Value) -> Diagnostic {
         .reason(format!("this is {}", value.kind()))
 }
 
-fn explain_count(error: Diagnostic, callee: &Expr, degree: usize, given: usize) -> Diagnostic {
-    if error.code != Code::Arity {
-        return error;
-    }
-    let name = match &callee.kind {
-        Kind::Name(name) => name.clone(),
-        _ => "f".to_owned(),
-    };
-    if given < degree {
-        error.hint(format!("partial({name}, ...) puts in some arguments and leaves the others free"))
-    } else {
-        error.hint(format!("elevate({name}, {}) has as many arguments", given - degree))
+/// The error for a member of a family that nobody defined, such as N_1^2(t).
+fn unknown_family(letter: &str) -> Diagnostic {
+    let message = format!("'{letter}' has no value here: is this a value of a family or a product?");
+    let error = Diagnostic::error(Code::AmbiguousProduct, message).reason("not defined");
+    match letter {
+        "N" => error.hint("a B-spline is bspline_basis(n, knots, i)(t)"),
+        other => error.hint(format!("define it first, for example {other}(i, n, t) := ...")),
     }
 }

@@ -1,28 +1,18 @@
 //! Arguments of the program's functions: by place and by name.
 
-use super::wrong_kind;
+mod geometry;
+
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
-use crate::language::value::{Function, Polar, PolarKind, Value};
-use crate::math::blossom::{Argument, PointArgument, PolarError};
+use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::formula::{Univariate, symbol_of, univariate};
+use crate::language::value::{Polar, Value};
 use crate::math::number::Rational;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, Symbol};
 use nalgebra::DMatrix;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
-
-/// The diagnostic for an error of polar forms.
-pub(crate) fn polar(error: PolarError) -> Diagnostic {
-    let code = match error {
-        PolarError::ArgumentCount { .. } | PolarError::TooManyArguments { .. } => Code::Arity,
-        PolarError::DegreeTooSmall { .. } => Code::DegreeTooSmall,
-        PolarError::NotReducible { .. } => Code::NotReducible,
-        PolarError::EmptyInterval => Code::Coincident,
-        PolarError::DegreeMismatch { .. } | PolarError::NoCoefficients => Code::Shape,
-    };
-    Diagnostic::error(code, error.to_string())
-}
 
 /// `name = value` inside a call.
 pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
@@ -33,31 +23,6 @@ pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
         },
         _ => None,
     }
-}
-
-/// A point of several coordinates, or a vector argument of such.
-pub(crate) fn point_argument(value: &Value) -> Option<PointArgument<Fraction>> {
-    let Value::List(items) = value else { return None };
-    let points: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
-    if let Some(points) = points {
-        return Some(Argument::Point(points));
-    }
-    let vectors: Option<Vec<Fraction>> = items
-        .iter()
-        .map(|item| match item {
-            Value::Vector(v) => Some(v.clone()),
-            _ => None,
-        })
-        .collect();
-    vectors.map(Argument::Vector)
-}
-
-/// A polynomial in one variable as somebody gave it: the variable and its coefficients.
-pub struct Univariate {
-    /// The variable.
-    pub variable: Symbol,
-    /// Coefficients of 1, t, t², …
-    pub coefficients: Vec<Fraction>,
 }
 
 /// The arguments of one call.
@@ -292,89 +257,4 @@ fn size_of(value: &Value, span: Span) -> Result<usize> {
             None => wrong_kind("an integer that is 0 or more", value).at(span),
         },
     )
-}
-
-/// The symbol a value is, if it is a bare one.
-pub(crate) fn symbol_of(value: &Value) -> Option<Symbol> {
-    let poly = value.as_scalar()?.as_polynomial()?;
-    let [variable] = poly.variables() else { return None };
-    (*poly == MultiPoly::symbol(variable.clone())).then(|| variable.clone())
-}
-
-/// Letters that usually stand for the parameter of a curve, not for a coefficient.
-const PARAMETERS: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
-
-/// The variable of a formula: the one asked for, the only one, t, or the only letter that
-/// usually stands for a parameter.
-pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<Symbol> {
-    if let Some(symbol) = given {
-        return Ok(symbol);
-    }
-    let variables = formula.variables();
-    let t = Symbol::new("t");
-    if variables.contains(&t) {
-        return Ok(t);
-    }
-    let usual: Vec<&Symbol> =
-        variables.iter().filter(|s| s.is_plain() && PARAMETERS.contains(&s.base())).collect();
-    if let [one] = usual.as_slice() {
-        return Ok((*one).clone());
-    }
-    let plain: Vec<&Symbol> = variables.iter().filter(|symbol| symbol.is_plain()).collect();
-    match (plain.as_slice(), variables.as_slice()) {
-        ([one], _) => Ok((*one).clone()),
-        ([], []) => Ok(Symbol::new("t")),
-        ([], [one]) if one.base() == "t" || PARAMETERS.contains(&one.base()) => Ok(one.clone()),
-        ([], _) if variables.iter().all(|symbol| !symbol.is_plain()) => Ok(Symbol::new("t")),
-        _ => {
-            let names: Vec<String> = variables.iter().map(Symbol::to_string).collect();
-            Err(Diagnostic::error(
-                Code::AmbiguousVariable,
-                format!("which of {} is the parameter?", names.join(", ")),
-            )
-            .hint(format!("name it, for example polar(..., variable={})", names[0])))
-        }
-    }
-}
-
-/// Reads a value as a polynomial in one variable.
-pub(crate) fn univariate(value: &Value, given: Option<Symbol>) -> Result<Univariate> {
-    let (variable, formula) = match value {
-        Value::Scalar(formula) => (variable_of(formula, given)?, formula.clone()),
-        Value::Function(function) => formula_of(function)?,
-        Value::Polar(polar) => match &polar.kind {
-            PolarKind::Univariate(form) => {
-                return Ok(Univariate {
-                    variable: polar.variables[0].clone(),
-                    coefficients: form.coefficients().to_vec(),
-                });
-            }
-            _ => return Err(wrong_kind("a polynomial in one variable", value)),
-        },
-        other => return Err(wrong_kind("a polynomial", other)),
-    };
-    let coefficients = coefficients_in(&formula, &variable)?;
-    Ok(Univariate { variable, coefficients })
-}
-
-fn formula_of(function: &Function) -> Result<(Symbol, Fraction)> {
-    function.as_formula().map(|(t, formula)| (t.clone(), formula.clone())).ok_or_else(|| {
-        Diagnostic::error(Code::Type, "expected a function of one variable given by one formula")
-    })
-}
-
-/// The coefficients of a formula that is a polynomial in `variable`.
-pub(crate) fn coefficients_in(formula: &Fraction, variable: &Symbol) -> Result<Vec<Fraction>> {
-    if formula.denominator().variables().contains(variable) {
-        return Err(Diagnostic::error(
-            Code::NotPolynomial,
-            format!("this is not a polynomial in {variable}: the variable stands in the denominator"),
-        )
-        .hint("only polynomials have a polar form; multiply by the denominator first"));
-    }
-    let denominator = Fraction::from(formula.denominator().clone());
-    let list = formula.numerator().coefficients_in(variable);
-    let inverse =
-        crate::math::ring::Field::inverse(&denominator).ok_or_else(super::arithmetic::division_by_zero)?;
-    Ok(list.into_iter().map(|c| Fraction::from(c) * inverse.clone()).collect())
 }

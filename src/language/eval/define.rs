@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use super::Machine;
+use super::machine::Machine;
 use super::names::name_of;
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::functions;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
 use crate::math::poly::Symbol;
 
@@ -19,7 +18,7 @@ enum Target {
 impl Machine {
     /// Whether `left = right` introduces `left`: an unbound name, alone or applied to distinct
     /// names, that does not occur on the right.
-    pub(crate) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
+    pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
         let head = match &left.kind {
             Kind::Apply(callee, groups) => {
                 let items: Vec<&Expr> = groups.iter().flatten().collect();
@@ -52,7 +51,7 @@ impl Machine {
         }
         let Some(name) = name_of(head, self) else { return false };
         let known = self.lookup(&name).is_some()
-            || (name.is_plain() && functions::builtin(name.base()).is_some())
+            || (name.is_plain() && (self.tools.function)(name.base()).is_some())
             || self.lookup(&Symbol::new(name.base())).is_some();
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
@@ -63,7 +62,7 @@ impl Machine {
     }
 
     /// Carries out `left := right (= further …)`.
-    pub(crate) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
+    pub(super) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
         let body = &links[0].expr;
         let (name, value) = match self.target(left)? {
             Target::Name(name) => {
@@ -85,7 +84,7 @@ impl Machine {
             }
         };
         if links.len() > 1 {
-            let judgements = self.judge_chain(body, &links[1..])?;
+            let judgements = (self.tools.judge)(self, body, &links[1..])?;
             if let Some(at) = judgements.iter().position(|judgement| judgement.verdict != Verdict::Proved) {
                 self.note(
                     Diagnostic::warning(
@@ -100,7 +99,7 @@ impl Machine {
     }
 
     fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
-        if name.is_plain() && functions::builtin(name.base()).is_some() {
+        if name.is_plain() && (self.tools.function)(name.base()).is_some() {
             return Err(Diagnostic::error(
                 Code::ReservedName,
                 format!("'{}' is a function of the program", name.base()),

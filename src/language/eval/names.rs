@@ -1,9 +1,8 @@
 //! What a written name refers to.
 
-use super::{Evaluated, Machine};
+use super::machine::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::functions;
 use crate::language::lexicon::letters;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
@@ -156,8 +155,8 @@ impl Machine {
         if WORDS.contains(&symbol.base()) {
             return Ok(Value::Text(symbol.base().to_owned()));
         }
-        match functions::builtin(symbol.base()) {
-            Some(builtin) => Ok(Value::Builtin(builtin.name)),
+        match (self.tools.function)(symbol.base()) {
+            Some(function) => Ok(Value::Builtin(function.name())),
             None => Err(self.unknown_name(symbol.base(), expr)),
         }
     }
@@ -180,9 +179,7 @@ impl Machine {
                         Diagnostic::error(Code::BadExponent, "a negative order of differentiation")
                             .at(expr.span)
                     })?;
-                    super::calculus::derivative_of_function(&value, order)
-                        .map(Some)
-                        .map_err(|error| error.at(expr.span))
+                    self.derivative_of(&value, order, expr.span).map(Some)
                 }
                 _ => Ok(None),
             };
@@ -215,8 +212,7 @@ impl Machine {
         let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
             .at(expr.span)
             .reason("unknown name");
-        let known =
-            self.scope.keys().map(Symbol::base).chain(functions::BUILTINS.iter().map(|builtin| builtin.name));
+        let known = self.scope.keys().map(Symbol::base).chain((self.tools.names)());
         let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known);
         match synonym.or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus")) {
             Some(best) => error.hint(format!("did you mean '{best}'?")),

@@ -6,10 +6,12 @@
 use std::iter::Peekable;
 use std::slice::Iter;
 
-use super::{Evaluated, Machine, arithmetic};
+use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::lexicon::families::{BACKWARD_DIFFERENCE, FORWARD_DIFFERENCE};
+use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -55,18 +57,20 @@ impl Machine {
 
     /// k for an undefined Δ or Δ^k.
     fn difference_order(&mut self, factor: &Expr) -> Result<Option<i64>, Diagnostic> {
-        let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "Delta");
-        if matches!(&factor.kind, Kind::Name(name) if name == "nabla") {
+        let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == FORWARD_DIFFERENCE);
+        if matches!(&factor.kind, Kind::Name(name) if name == BACKWARD_DIFFERENCE) {
             return Err(Diagnostic::error(Code::Unsupported, "backward differences are not evaluated")
                 .at(factor.span)
                 .hint("write b_i - b_{i-1}, or use the forward difference \\Delta b_{i-1}"));
         }
         let order = match &factor.kind {
             Kind::Pow(base, exponent) if delta(base) => exponent,
-            _ if delta(factor) => return Ok(self.lookup(&Symbol::new("Delta")).is_none().then_some(1)),
+            _ if delta(factor) => {
+                return Ok(self.lookup(&Symbol::new(FORWARD_DIFFERENCE)).is_none().then_some(1));
+            }
             _ => return Ok(None),
         };
-        if self.lookup(&Symbol::new("Delta")).is_some() {
+        if self.lookup(&Symbol::new(FORWARD_DIFFERENCE)).is_some() {
             return Ok(None);
         }
         self.eval_int(order).map(Some)

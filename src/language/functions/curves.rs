@@ -6,9 +6,10 @@ use super::Builtin;
 use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{bezier, curve_error, point_of, points_of, scalar_list};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::formula;
+use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{self, BezierCurve, Tableau, affine};
 use crate::math::number::Rational;
@@ -49,10 +50,9 @@ pub(super) const TABLE: &[Builtin] = &[
                 one => (vec![one.clone()], true),
             };
             let given = match args.named_or("variable", usize::MAX) {
-                Some((value, span)) => Some(
-                    crate::language::eval::arguments::symbol_of(value)
-                        .ok_or_else(|| wrong_kind("a variable", value).at(span))?,
-                ),
+                Some((value, span)) => {
+                    Some(formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
+                }
                 None => None,
             };
             let coordinate = |item: &Value| {
@@ -76,9 +76,8 @@ pub(super) const TABLE: &[Builtin] = &[
             if let Value::Geometry(geometry) = args.value(0)?
                 && let Geometry::Spline(spline, form) = &**geometry
             {
-                let point = super::splines::nearest_piece(spline, &t).and_then(|span| {
-                    spline.value_on(span, &t).map_err(crate::language::eval::geometry::spline_error)
-                });
+                let point = super::splines::nearest_piece(spline, &t)
+                    .and_then(|span| spline.value_on(span, &t).map_err(spline_error));
                 return form.value(point.at(args.span(1))?).map_err(curve_error);
             }
             let (curve, form) = args.bezier(0)?;

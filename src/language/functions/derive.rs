@@ -6,9 +6,9 @@ use super::Builtin;
 use super::interpolation::{self, Samples};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{curve_error, spline_error};
-use crate::language::eval::{Evaluated, Machine, wrong_kind};
+use crate::language::eval::Callable;
+use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::value::{Derivation, Geometry, Language, Polar, PolarKind, Value};
 use crate::math::blossom::{Method, PolarForm};
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
@@ -105,7 +105,7 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
     if let Some(polars) = made.filter(|polars| !polars.is_empty() && !args.has("degree")) {
         return Ok(polars);
     }
-    match machine.run_builtin(builtin, args, args.span(0))? {
+    match builtin.run(machine, args.clone()).at(args.span(0))? {
         Value::List(items) => items.into_iter().map(one).collect(),
         value => one(value).map(|polar| vec![polar]),
     }
@@ -161,7 +161,7 @@ fn combination(machine: &mut Machine, args: &Arguments, form: &str, kind: Combin
         Combination::Composition => "polar_compose",
     };
     let builtin = super::builtin(name).ok_or_else(internal)?;
-    let Value::Polar(result) = machine.run_builtin(builtin, args, args.span(0))? else {
+    let Value::Polar(result) = builtin.run(machine, args.clone()).at(args.span(0))? else {
         return Err(internal());
     };
     let (f, _) = univariate(machine, &args.only(1))?;

@@ -6,11 +6,10 @@ use super::Builtin;
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{
-    as_rational_form, as_rational_spline, bezier, curve_error, joined, spline,
-};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, linalg_error, wrong_kind};
+use crate::language::ops::formula;
+use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezier, joined, spline};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::curve::{self, BezierCurve, GeometricFailure};
 use crate::math::number::Rational;
@@ -173,7 +172,7 @@ fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cel
     let symbols: Option<Vec<Symbol>> = of
         .iter()
         .map(|point| match point.as_slice() {
-            [x] => crate::language::eval::arguments::symbol_of(&Value::Scalar(x.clone())),
+            [x] => formula::symbol_of(&Value::Scalar(x.clone())),
             _ => None,
         })
         .collect();
@@ -341,8 +340,7 @@ fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Re
             let mut rows = Vec::with_capacity(curve.dimension());
             for column in curve.power() {
                 let column = nalgebra::DMatrix::from_vec(column.len(), 1, column);
-                let product = crate::math::linalg::multiply(&matrix, &column)
-                    .map_err(crate::language::eval::arithmetic::linalg)?;
+                let product = crate::math::linalg::multiply(&matrix, &column).map_err(linalg_error)?;
                 rows.push(Value::List(product.iter().cloned().map(Value::Scalar).collect()));
             }
             Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })

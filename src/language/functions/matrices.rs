@@ -4,9 +4,9 @@ use nalgebra::DMatrix;
 
 use super::Builtin;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::arithmetic;
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::{linalg_error, wrong_kind};
 use crate::language::value::Value;
 use crate::math::basis::{self, Basis, BasisError};
 use crate::math::linalg;
@@ -87,7 +87,7 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             args.expect("inverse(M)", 1..=1, &[])?;
-            linalg::inverse(&args.matrix(0)?).map(Value::Matrix).map_err(arithmetic::linalg).at(args.span(0))
+            linalg::inverse(&args.matrix(0)?).map(Value::Matrix).map_err(linalg_error).at(args.span(0))
         },
     },
     Builtin {
@@ -98,10 +98,7 @@ pub(super) const TABLE: &[Builtin] = &[
         topic: TOPIC,
         call: |_, args| {
             args.expect("det(M)", 1..=1, &[])?;
-            linalg::determinant(&args.matrix(0)?)
-                .map(Value::Scalar)
-                .map_err(arithmetic::linalg)
-                .at(args.span(0))
+            linalg::determinant(&args.matrix(0)?).map(Value::Scalar).map_err(linalg_error).at(args.span(0))
         },
     },
     Builtin {
@@ -138,10 +135,10 @@ pub(super) const TABLE: &[Builtin] = &[
             if let Value::List(_) = args.value(1)? {
                 let column = args.scalars(1)?;
                 let right = DMatrix::from_vec(column.len(), 1, column);
-                let solution = linalg::solve(&matrix, &right).map_err(arithmetic::linalg)?;
+                let solution = linalg::solve(&matrix, &right).map_err(linalg_error)?;
                 return Ok(Value::List(solution.iter().cloned().map(Value::Scalar).collect()));
             }
-            linalg::solve(&matrix, &args.matrix(1)?).map(Value::Matrix).map_err(arithmetic::linalg)
+            linalg::solve(&matrix, &args.matrix(1)?).map(Value::Matrix).map_err(linalg_error)
         },
     },
     Builtin {

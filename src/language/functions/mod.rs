@@ -1,5 +1,6 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
+mod callable;
 mod curves;
 mod derive;
 mod figures;
@@ -15,8 +16,7 @@ mod rational;
 mod splines;
 mod surfaces;
 
-pub(crate) use on_geometry::method;
-pub(crate) use polar::expand_polar;
+pub(crate) use callable::{callable, names};
 
 use crate::language::eval::{Arguments, Evaluated, Machine};
 

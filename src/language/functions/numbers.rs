@@ -2,7 +2,8 @@
 
 use super::Builtin;
 use crate::language::diagnostic::{At, Diagnostic};
-use crate::language::eval::arithmetic;
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::wrong_kind;
 use crate::language::value::Value;
 
 const TOPIC: &str = "Numbers";
@@ -67,7 +68,7 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("length(list)", 1..=1, &[])?;
             match args.value(0)? {
                 Value::List(items) => Ok(Value::int(items.len() as i64)),
-                other => Err(crate::language::eval::wrong_kind("a list", other).at(args.span(0))),
+                other => Err(wrong_kind("a list", other).at(args.span(0))),
             }
         },
     },

@@ -3,11 +3,10 @@
 use std::sync::Arc;
 
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::geometry::{
-    bezier, call_geometry, call_piecewise, curve_error, scalar_list, spline, spline_error,
-};
-use crate::language::eval::{Evaluated, wrong_kind};
+use crate::language::eval::{Arguments, Evaluated, call_geometry, call_piecewise};
+use crate::language::ops::errors::{curve_error, division_by_zero, polar_error, spline_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, scalar_list, spline};
+use crate::language::ops::{arithmetic, formula};
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
 use crate::math::curve::RationalCurve;
 use crate::math::poly::{Fraction, Symbol};
@@ -134,7 +133,7 @@ fn reduce(args: &Arguments) -> Evaluated {
 pub(crate) fn derivative(args: &Arguments) -> Evaluated {
     // diff(c, t) names the variable as for formulas.
     let args = &match args.value(1) {
-        Ok(value) if arguments::symbol_of(value).is_some() => args.without_place(1),
+        Ok(value) if formula::symbol_of(value).is_some() => args.without_place(1),
         _ => args.clone(),
     };
     args.expect("derivative(c, k)", 1..=2, &["k"])?;
@@ -185,10 +184,7 @@ fn integrate(args: &Arguments) -> Evaluated {
                 other => Err(wrong_kind("a curve", other)),
             }
         };
-        return crate::language::eval::arithmetic::add(
-            at(1)?,
-            crate::language::eval::arithmetic::negate(at(0)?)?,
-        );
+        return arithmetic::add(at(1)?, arithmetic::negate(at(0)?)?);
     }
     if let Value::Piecewise(function) = args.value(0)? {
         return Ok(Value::Scalar(function.function.integral()));
@@ -252,15 +248,13 @@ fn compose(args: &Arguments) -> Evaluated {
     let inner = args.univariate(1, usize::MAX)?.coefficients;
     let (a, b) = match inner.as_slice() {
         [shift, slope] if !slope.is_zero() => {
-            let inverse =
-                Field::inverse(slope).ok_or_else(crate::language::eval::arithmetic::division_by_zero)?;
+            let inverse = Field::inverse(slope).ok_or_else(division_by_zero)?;
             let (a, b) = curve.interval();
             (a.minus(shift).times(&inverse), b.minus(shift).times(&inverse))
         }
         _ => (Fraction::zero(), Fraction::one()),
     };
-    let inner =
-        crate::math::blossom::PolarForm::with_degree(&inner, inner.len() - 1).map_err(arguments::polar)?;
+    let inner = crate::math::blossom::PolarForm::with_degree(&inner, inner.len() - 1).map_err(polar_error)?;
     curve.compose(&inner, a, b).map(|c| bezier(c, form)).map_err(curve_error)
 }
 

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::geometry::{curve_error, spline_error};
-use crate::language::eval::{Evaluated, wrong_kind};
+use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::formula;
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
 use crate::math::curve::{Direction, EdgeEquation, Scheme, TensorPatch, TrianglePatch, indices};
@@ -183,7 +183,7 @@ fn degree(args: &Arguments) -> Evaluated {
 /// The letter u or v given under a name.
 fn direction(args: &Arguments, name: &str) -> Result<Option<Direction>, Diagnostic> {
     let Some((value, span)) = args.named_or(name, usize::MAX) else { return Ok(None) };
-    match arguments::symbol_of(value).as_ref().map(Symbol::base) {
+    match formula::symbol_of(value).as_ref().map(Symbol::base) {
         Some("u") => Ok(Some(Direction::U)),
         Some("v") => Ok(Some(Direction::V)),
         _ => Err(wrong_kind("u or v", value).at(span).hint(format!("such as {name}=u"))),

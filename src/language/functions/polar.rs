@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use super::Builtin;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments, Univariate};
-use crate::language::eval::{Evaluated, claim, wrong_kind};
+use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
+use crate::language::ops::formula;
+use crate::language::ops::formula::Univariate;
+use crate::language::ops::polar::{laws_report, point_argument};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::laws::Arrangement;
-use crate::math::blossom::{
-    PolarForm, TensorPolarForm, TotalDegreePolarForm, Written, expand_tensor, expand_total,
-    expand_univariate, symmetrize,
-};
+use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm, symmetrize};
 use crate::math::number::Int;
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -34,7 +34,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
             let degree = args.named_size("degree", usize::MAX)?.unwrap_or(own);
             let form = PolarForm::with_degree(&given.coefficients, degree)
-                .map_err(|error| arguments::polar(error).hint(format!("use degree={own} or more")))?;
+                .map_err(|error| polar_error(error).hint(format!("use degree={own} or more")))?;
             Ok(univariate(form, given.variable))
         },
     },
@@ -47,10 +47,10 @@ pub(crate) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("polar_tensor(F, u, v, m, n)", 3..=5, &["m", "n"])?;
             let (formula, u, v) = (args.scalar(0)?, args.symbol(1)?, args.symbol(2)?);
-            let rows = arguments::coefficients_in(&formula, &u).at(args.span(0))?;
+            let rows = formula::coefficients_in(&formula, &u).at(args.span(0))?;
             let mut grid = Vec::with_capacity(rows.len());
             for row in &rows {
-                grid.push(arguments::coefficients_in(row, &v).at(args.span(0))?);
+                grid.push(formula::coefficients_in(row, &v).at(args.span(0))?);
             }
             let own = (rows.len() - 1, grid.iter().map(Vec::len).max().unwrap_or(1) - 1);
             let m = args.named_size("m", 3)?.unwrap_or(own.0);
@@ -58,13 +58,13 @@ pub(crate) const TABLE: &[Builtin] = &[
             for (polynomial, asked, i) in [(own.0, m, 3), (own.1, n, 4)] {
                 if asked < polynomial {
                     let error = crate::math::blossom::PolarError::DegreeTooSmall { polynomial, asked };
-                    return Err(arguments::polar(error).at(args.span(i)));
+                    return Err(polar_error(error).at(args.span(i)));
                 }
             }
             crate::budget::charge_terms((m as u64 + 1).saturating_mul(n as u64 + 1));
             grid.resize(m + 1, Vec::new());
             grid.iter_mut().for_each(|row| row.resize(n + 1, Fraction::zero()));
-            let form = TensorPolarForm::new(grid).map_err(arguments::polar)?;
+            let form = TensorPolarForm::new(grid).map_err(polar_error)?;
             Ok(wrap(PolarKind::Tensor(form), vec![u, v]))
         },
     },
@@ -81,7 +81,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let terms = terms_in(&formula, &variables).at(args.span(0))?;
             let own = terms.iter().map(|(e, _)| e.iter().sum::<u32>()).max().unwrap_or(0) as usize;
             let degree = args.named_size("degree", 2)?.unwrap_or(own);
-            let form = TotalDegreePolarForm::new(variables.len(), degree, terms).map_err(arguments::polar)?;
+            let form = TotalDegreePolarForm::new(variables.len(), degree, terms).map_err(polar_error)?;
             Ok(wrap(PolarKind::Total(form), variables))
         },
     },
@@ -120,7 +120,7 @@ pub(crate) const TABLE: &[Builtin] = &[
                             }
                         });
                     }
-                    let form = form.partial(&list).map_err(arguments::polar)?;
+                    let form = form.partial(&list).map_err(polar_error)?;
                     Ok(univariate(form, f.variables[0].clone()))
                 }
                 PolarKind::Total(form) => {
@@ -128,12 +128,12 @@ pub(crate) const TABLE: &[Builtin] = &[
                     for i in 1..args.len() {
                         let value = args.value(i)?;
                         list.push(
-                            arguments::point_argument(value).ok_or_else(|| {
+                            point_argument(value).ok_or_else(|| {
                                 wrong_kind("a point such as (u1, v1)", value).at(args.span(i))
                             })?,
                         );
                     }
-                    let form = form.partial(&list).map_err(arguments::polar)?;
+                    let form = form.partial(&list).map_err(polar_error)?;
                     Ok(wrap(PolarKind::Total(form), f.variables.clone()))
                 }
                 PolarKind::Tensor(_) => Err(Diagnostic::error(
@@ -157,7 +157,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let by = args.named_size("k", 1)?.unwrap_or(1);
             let kind = match &f.kind {
                 PolarKind::Univariate(form) => PolarKind::Univariate(form.elevate(by)),
-                PolarKind::Tensor(form) => PolarKind::Tensor(form.elevate(by, by).map_err(arguments::polar)?),
+                PolarKind::Tensor(form) => PolarKind::Tensor(form.elevate(by, by).map_err(polar_error)?),
                 PolarKind::Total(form) => PolarKind::Total(form.elevate(by)),
             };
             Ok(wrap(kind, f.variables.clone()))
@@ -178,7 +178,7 @@ pub(crate) const TABLE: &[Builtin] = &[
                 PolarKind::Tensor(form) => form.reduce(by, by).map(PolarKind::Tensor),
                 PolarKind::Total(form) => form.reduce(by).map(PolarKind::Total),
             };
-            Ok(wrap(kind.map_err(arguments::polar).at(args.span(0))?, f.variables.clone()))
+            Ok(wrap(kind.map_err(polar_error).at(args.span(0))?, f.variables.clone()))
         },
     },
     Builtin {
@@ -217,12 +217,12 @@ pub(crate) const TABLE: &[Builtin] = &[
                 let forms = columns.iter().map(|column| {
                     PolarForm::from_bezier_points_over(column, &a, &b)
                         .map(|form| univariate(form, Symbol::new("t")))
-                        .map_err(arguments::polar)
+                        .map_err(polar_error)
                 });
                 return forms.collect::<Result<_>>().map(Value::List);
             }
             let points = args.scalars(0)?;
-            let form = PolarForm::from_bezier_points_over(&points, &a, &b).map_err(arguments::polar)?;
+            let form = PolarForm::from_bezier_points_over(&points, &a, &b).map_err(polar_error)?;
             Ok(univariate(form, Symbol::new("t")))
         },
     },
@@ -268,7 +268,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let mean = symmetrize(expression.numerator(), &arrangement);
             Fraction::new(mean, expression.denominator().clone())
                 .map(Value::Scalar)
-                .map_err(|_| crate::language::eval::arithmetic::division_by_zero())
+                .map_err(|_| division_by_zero())
         },
     },
     Builtin {
@@ -318,10 +318,10 @@ pub(crate) const TABLE: &[Builtin] = &[
             let expression = args.scalar(0)?;
             let names = symbols(args, 1)?;
             let given = args.univariate(2, usize::MAX)?;
-            let form = PolarForm::with_degree(&given.coefficients, names.len()).map_err(arguments::polar)?;
+            let form = PolarForm::with_degree(&given.coefficients, names.len()).map_err(polar_error)?;
             let polar = Polar { kind: PolarKind::Univariate(form), variables: vec![given.variable] };
             let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
-            let lines = claim::laws_report(&polar, &expression, &arrangement);
+            let lines = laws_report(&polar, &expression, &arrangement);
             Ok(match lines.as_slice() {
                 [] => Value::Text("symmetric, multi-affine, right diagonal: it is the polar form".into()),
                 many => Value::List(many.iter().cloned().map(Value::Text).collect()),
@@ -415,7 +415,7 @@ fn points_of(columns: &[Vec<Fraction>]) -> Vec<Value> {
 fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {
     let value = args.value(i)?;
     let list = match value {
-        Value::List(items) => items.iter().map(arguments::symbol_of).collect::<Option<Vec<Symbol>>>(),
+        Value::List(items) => items.iter().map(formula::symbol_of).collect::<Option<Vec<Symbol>>>(),
         _ => None,
     };
     let list =
@@ -458,9 +458,7 @@ fn terms_in(formula: &Fraction, variables: &[Symbol]) -> Result<Vec<(Vec<u32>, F
         return Err(Diagnostic::error(Code::NotPolynomial, "a variable stands in the denominator")
             .hint("only polynomials have a polar form"));
     }
-    let inverse = Fraction::from(formula.denominator().clone())
-        .inverse()
-        .ok_or_else(crate::language::eval::arithmetic::division_by_zero)?;
+    let inverse = Fraction::from(formula.denominator().clone()).inverse().ok_or_else(division_by_zero)?;
     Ok(formula
         .numerator()
         .terms(MonomialOrder::Lex)
@@ -472,23 +470,4 @@ fn terms_in(formula: &Fraction, variables: &[Symbol]) -> Result<Vec<(Vec<u32>, F
             (exponents, Fraction::from(MultiPoly::from_terms([(others, c)])).times(&inverse))
         })
         .collect())
-}
-
-/// The form written out in the arguments of the arrangement; `None` if a coefficient is a
-/// proper quotient.
-pub(crate) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
-    let written = |c: &Fraction| c.as_written().is_some();
-    match &polar.kind {
-        PolarKind::Univariate(form) => {
-            form.coefficients().iter().all(written).then(|| expand_univariate(form, arrangement))
-        }
-        PolarKind::Tensor(form) => form
-            .coefficients()
-            .iter()
-            .all(|row| row.iter().all(written))
-            .then(|| expand_tensor(form, arrangement)),
-        PolarKind::Total(form) => {
-            form.terms().all(|(_, c)| written(c)).then(|| expand_total(form, arrangement))
-        }
-    }
 }

@@ -2,9 +2,9 @@
 
 use super::Builtin;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::arithmetic::{self, division_by_zero};
-use crate::language::eval::{calculus, wrong_kind};
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{division_by_zero, wrong_kind};
+use crate::language::ops::{arithmetic, calculus, formula};
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -101,10 +101,10 @@ pub(super) const TABLE: &[Builtin] = &[
             match args.value(0)? {
                 Value::Scalar(formula) => {
                     let given = if args.len() > 1 { Some(args.symbol(1)?) } else { None };
-                    let variable = arguments::variable_of(formula, given).at(args.span(0))?;
+                    let variable = formula::variable_of(formula, given).at(args.span(0))?;
                     Ok(Value::Scalar(calculus::nth_derivative(formula, &variable, order)))
                 }
-                other => calculus::derivative_of_function(other, order).at(args.span(0)),
+                other => calculus::derivative(other, order).at(args.span(0)),
             }
         },
     },
@@ -117,7 +117,7 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             args.expect("derivative(f, k)", 1..=2, &[])?;
             let order = args.named_size("k", 1)?.unwrap_or(1);
-            calculus::derivative_of_function(args.value(0)?, order).at(args.span(0))
+            calculus::derivative(args.value(0)?, order).at(args.span(0))
         },
     },
     Builtin {
@@ -130,7 +130,7 @@ pub(super) const TABLE: &[Builtin] = &[
             args.expect("integrate(F, t, a, b)", 1..=4, &[])?;
             let formula = args.scalar(0)?;
             let given = if args.len() > 1 { Some(args.symbol(1)?) } else { None };
-            let variable = arguments::variable_of(&formula, given).at(args.span(0))?;
+            let variable = formula::variable_of(&formula, given).at(args.span(0))?;
             let bounds = match args.len() {
                 4 => Some((args.scalar(2)?, args.scalar(3)?)),
                 3 => {
@@ -149,9 +149,9 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "F(G(t)); also written F ∘ G",
         example: "compose(t^2 + 2t, t^3 + 1)",
         topic: TOPIC,
-        call: |machine, args| {
+        call: |_, args| {
             args.expect("compose(F, G)", 2..=2, &[])?;
-            machine.compose(args.value(0)?.clone(), args.value(1)?.clone())
+            calculus::compose(args.value(0)?, args.value(1)?)
         },
     },
     Builtin {
@@ -281,9 +281,9 @@ fn divided(args: &Arguments, signature: &str) -> Result<(Fraction, Fraction)> {
     args.expect(signature, 2..=3, &[])?;
     let given: Option<Symbol> = if args.len() > 2 { Some(args.symbol(2)?) } else { None };
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
-    let variable = arguments::variable_of(&f.plus(&g), given).at(args.span(0))?;
-    let mut rest = arguments::coefficients_in(&f, &variable).at(args.span(0))?;
-    let mut by = arguments::coefficients_in(&g, &variable).at(args.span(1))?;
+    let variable = formula::variable_of(&f.plus(&g), given).at(args.span(0))?;
+    let mut rest = formula::coefficients_in(&f, &variable).at(args.span(0))?;
+    let mut by = formula::coefficients_in(&g, &variable).at(args.span(1))?;
     while by.last().is_some_and(Zero::is_zero) {
         by.pop();
     }

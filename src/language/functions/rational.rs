@@ -3,9 +3,9 @@
 use super::Builtin;
 use super::surfaces::{tensor, triangular};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{as_rational_form, bezier, curve_error, scalar_list};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
 use crate::language::value::{Form, Value};
 use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, RationalCurve};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use super::Builtin;
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::geometry::{bezier, piecewise_error, scalar_list, spline, spline_error};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{piecewise_error, polar_error, spline_error, wrong_kind};
+use crate::language::ops::formula;
+use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::{Fraction, Symbol};
@@ -70,7 +71,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let given = args.univariate(0, usize::MAX)?;
             let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
             let form = crate::math::blossom::PolarForm::with_degree(&given.coefficients, own)
-                .map_err(arguments::polar)?;
+                .map_err(polar_error)?;
             let knots = knots_at(args, 1, 2)?;
             let s = BSpline::of_polynomial(knots, &[form]).map_err(spline_error).at(args.span(0))?;
             Ok(spline(s, Form { scalar: true, rational: false }))
@@ -221,21 +222,21 @@ pub(super) const TABLE: &[Builtin] = &[
             let breaks = args.scalars(0)?;
             let formulas = args.scalars(1)?;
             let given = match args.named_or("variable", usize::MAX) {
-                Some((value, span)) => Some(
-                    arguments::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?,
-                ),
+                Some((value, span)) => {
+                    Some(formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
+                }
                 None => None,
             };
             let guess = || -> Result<Symbol> {
                 for formula in &formulas {
                     if !formula.variables().is_empty() {
-                        return arguments::variable_of(formula, None).at(args.span(1));
+                        return formula::variable_of(formula, None).at(args.span(1));
                     }
                 }
                 Ok(Symbol::new("t"))
             };
             let variable = given.map_or_else(guess, Ok)?;
-            let piece = |formula: &Fraction| arguments::coefficients_in(formula, &variable).at(args.span(1));
+            let piece = |formula: &Fraction| formula::coefficients_in(formula, &variable).at(args.span(1));
             let pieces = formulas.iter().map(piece).collect::<Result<Vec<_>>>()?;
             let outside = match args.named_or("outside", usize::MAX) {
                 None => Outside::Undefined,

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::Builtin;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{bezier, curve_error, spline_error};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, spline};
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{Corner, Side, TensorPatch, TrianglePatch};
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
@@ -179,9 +179,7 @@ fn edges(s: &SplineSurface<crate::math::poly::Fraction>, form: Form) -> Result<V
     let (rows, columns) = (s.net(), s.transposed());
     let curve = |knots: &KnotVector<crate::math::poly::Fraction>,
                  points: &[Vec<crate::math::poly::Fraction>]| {
-        BSpline::new(knots.clone(), points.to_vec())
-            .map(|s| crate::language::eval::geometry::spline(s, form))
-            .map_err(spline_error)
+        BSpline::new(knots.clone(), points.to_vec()).map(|s| spline(s, form)).map_err(spline_error)
     };
     let last = |net: &[Vec<Vec<crate::math::poly::Fraction>>]| net[net.len() - 1].clone();
     Ok(vec![

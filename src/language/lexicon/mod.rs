@@ -1,3 +1,4 @@
-//! What everybody in the field writes in the same way: its letters.
+//! What the field means by its letters and notations, whoever reads them.
 
+pub(crate) mod families;
 pub mod letters;

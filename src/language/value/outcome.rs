@@ -81,4 +81,13 @@ impl Claim {
             Verdict::Proved
         }
     }
+    /// Whether the claim holds as a condition; `None` if that depends on symbols.
+    pub fn decided(&self) -> Option<bool> {
+        let constant = |j: &Judgement| j.left.as_rational().is_some() && j.right.as_rational().is_some();
+        match self.verdict() {
+            Verdict::Proved => Some(true),
+            Verdict::Refuted if self.judgements.iter().all(constant) => Some(false),
+            _ => None,
+        }
+    }
 }

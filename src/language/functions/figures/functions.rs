@@ -5,10 +5,9 @@ use super::options::{Labels, drawn, expect, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::Evaluated;
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::spline_error;
-use crate::language::eval::wrong_kind;
+use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::errors::{piecewise_error, spline_error, wrong_kind};
+use crate::language::ops::formula;
 use crate::language::value::{Geometry, Value, polynomial_expr, symbol_expr};
 use crate::math::basis::bernstein_to_power;
 use crate::math::number::{Rational, integer};
@@ -106,10 +105,9 @@ pub(super) fn functions(args: &Arguments) -> Evaluated {
     expect(args, FUNCTIONS, 1..=3, &["variable", "labels"])?;
     let span = args.span(0);
     let variable = match args.named_or("variable", usize::MAX) {
-        Some((value, span)) => Some(
-            crate::language::eval::arguments::symbol_of(value)
-                .ok_or_else(|| wrong_kind("a variable", value).at(span))?,
-        ),
+        Some((value, span)) => {
+            Some(formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
+        }
         None => None,
     };
     let items: Vec<Value> = match args.value(0)? {
@@ -170,7 +168,7 @@ fn read(args: &Arguments, item: &Value, variable: Option<Symbol>, span: Span) ->
         let breaks = numbers(function.breaks(), span)?;
         let pieces = function.pieces().iter().map(|piece| numbers(piece, span));
         Piecewise::new(breaks, pieces.collect::<Result<_>>()?, function.outside())
-            .map_err(crate::language::eval::geometry::piecewise_error)
+            .map_err(piecewise_error)
             .at(span)
     };
     match item {

@@ -12,7 +12,7 @@ mod schemes;
 mod surfaces;
 
 use super::Builtin;
-use crate::language::eval::wrong_kind;
+use crate::language::ops::errors::wrong_kind;
 use crate::language::value::Value;
 use crate::scene::Scene;
 

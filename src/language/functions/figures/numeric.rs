@@ -3,8 +3,9 @@
 use crate::formula::Expr;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::geometry::{curve_error, points_of};
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::curve_error;
+use crate::language::ops::geometry::points_of;
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::BezierCurve;
 use crate::math::number::{Rational, rational};

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::wrong_kind;
 use crate::language::value::Value;
 use crate::scene::{Scene, SceneError};
 

@@ -5,11 +5,10 @@ use std::sync::Arc;
 use super::TOPIC;
 use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numbers, polynomial, word};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::Machine;
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::wrong_kind;
+use crate::language::eval::{Arguments, Machine};
 use crate::language::functions::Builtin;
 use crate::language::functions::matrices::read_basis;
+use crate::language::ops::errors::wrong_kind;
 use crate::language::value::{Cell, Form, Table, Value};
 use crate::math::basis::Basis;
 use crate::math::interpolate::{

@@ -3,10 +3,11 @@
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::arguments::{self, Arguments};
-use crate::language::eval::geometry::{point_of, points_of};
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
 use crate::language::functions::matrices::basis_error;
+use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::formula;
+use crate::language::ops::geometry::{point_of, points_of};
 use crate::language::value::{Cell, Form, Value, polynomial_expr};
 use crate::math::interpolate::{InterpolationError, Norm};
 use crate::math::number::Rational;
@@ -116,7 +117,7 @@ pub(crate) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
 pub(crate) fn variable(args: &Arguments) -> Result<Symbol> {
     match args.named_or("variable", usize::MAX) {
         Some((value, span)) => {
-            arguments::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))
+            formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))
         }
         None => Ok(Symbol::new("t")),
     }

@@ -12,10 +12,9 @@ use super::data::{
 use super::tables;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::At;
-use crate::language::eval::arguments::Arguments;
-use crate::language::eval::arithmetic;
-use crate::language::eval::wrong_kind;
+use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
+use crate::language::ops::errors::{linalg_error, wrong_kind};
 use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
 use crate::math::interpolate::{
     DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
@@ -195,7 +194,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let entries = numbers(matrix.iter(), "the condition of a matrix", args.span(0))?;
             let matrix = nalgebra::DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries);
             let condition = matrix_condition(&matrix, norm(args, 1)?);
-            Ok(Value::number(condition.map_err(arithmetic::linalg).at(args.span(0))?.number()))
+            Ok(Value::number(condition.map_err(linalg_error).at(args.span(0))?.number()))
         },
     },
     Builtin {

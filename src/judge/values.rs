@@ -1,121 +1,19 @@
-//! Claims: is `a = b` so for all values of its symbols, and if not, why?
+//! Comparing two values: is `a = b` so for all values of their symbols, and if not, why?
 
-use super::arithmetic;
 use super::same_geometry::{self, Comparison};
-use super::{Machine, family};
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::Rel;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::functions;
+use crate::language::ops::errors::division_by_zero;
+use crate::language::ops::polar::{expand_polar, laws_report};
 use crate::language::value::{Function, Judgement, Polar, PolarKind, Value, Verdict, Witness};
-use crate::math::blossom::laws::{self, Arrangement};
+use crate::math::blossom::laws::Arrangement;
 use crate::math::number::{Rational, integer};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
-impl Machine {
-    /// Judges each relation of a chain; a chain with integer names without values by its instances.
-    pub(crate) fn judge_chain(&mut self, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
-        match self.judge_plainly(first, links) {
-            Err(error) if family::may_be_family(&error) => self.judge_family(first, links).ok_or(error),
-            result => result,
-        }
-    }
-
-    /// Judges each relation of a chain as it stands.
-    pub(crate) fn judge_plainly(
-        &mut self,
-        first: &Expr,
-        links: &[Link],
-    ) -> Result<Vec<Judgement>, Diagnostic> {
-        let mut judgements = Vec::with_capacity(links.len());
-        let (mut left_expr, mut left) = (first, self.eval(first)?);
-        for link in links {
-            let right = self.eval(&link.expr)?;
-            let mut judgement = judge(link.rel, &left, &right).map_err(|error| error.at(link.span))?;
-            if judgement.verdict == Verdict::Refuted {
-                let reasons = self.explain(left_expr, &left, &link.expr, &right)?;
-                judgement.reasons.splice(0..0, reasons);
-            }
-            judgements.push(judgement);
-            (left_expr, left) = (&link.expr, right);
-        }
-        Ok(judgements)
-    }
-
-    /// Reasons for a wrong claim about a polar form: which law fails, which coefficient is off.
-    fn explain(
-        &mut self,
-        left_expr: &Expr,
-        left: &Value,
-        right_expr: &Expr,
-        right: &Value,
-    ) -> Result<Vec<String>, Diagnostic> {
-        let calls = [self.polar_at_symbols(left_expr)?, self.polar_at_symbols(right_expr)?];
-        if calls.iter().all(Option::is_some) {
-            // Two values of polar forms: neither is a proposed polar form.
-            return Ok(Vec::new());
-        }
-        for (call, claim) in [(left_expr, right), (right_expr, left)] {
-            if let Some((polar, arrangement)) = self.polar_at_symbols(call)?
-                && let Value::Scalar(claim) = claim
-            {
-                return Ok(laws_report(&polar, claim, &arrangement));
-            }
-        }
-        Ok(Vec::new())
-    }
-
-    /// A polar form applied to distinct symbols: the form and its arguments.
-    fn polar_at_symbols(
-        &mut self,
-        call: &Expr,
-    ) -> Result<Option<(std::sync::Arc<Polar>, Arrangement)>, Diagnostic> {
-        let Kind::Apply(callee, groups) = &call.kind else { return Ok(None) };
-        let Ok(Value::Polar(polar)) = self.eval(callee) else { return Ok(None) };
-        let mut lists: Vec<Vec<Vec<Symbol>>> = Vec::new();
-        for group in groups {
-            let mut list = Vec::new();
-            for value in self.expand_items(group)? {
-                let Some(symbols) = symbols_of(&value) else { return Ok(None) };
-                list.push(symbols);
-            }
-            lists.push(list);
-        }
-        if let (PolarKind::Tensor(form), [all]) = (&polar.kind, lists.as_slice()) {
-            let (m, n) = form.degrees();
-            if all.len() == m + n {
-                lists = vec![all[..m].to_vec(), all[m..].to_vec()];
-            }
-        }
-        let mut flat: Vec<&Symbol> = lists.iter().flatten().flatten().collect();
-        let count = flat.len();
-        flat.sort();
-        flat.dedup();
-        let fits = lists.iter().map(Vec::len).eq(polar.arity());
-        Ok((fits && flat.len() == count).then(|| (polar, Arrangement::new(lists))))
-    }
-}
-
-/// The symbols of an argument: one for a number, several for a point.
-fn symbols_of(value: &Value) -> Option<Vec<Symbol>> {
-    match value {
-        Value::List(items) => items.iter().map(super::arguments::symbol_of).collect(),
-        other => super::arguments::symbol_of(other).map(|symbol| vec![symbol]),
-    }
-}
-
-/// What the laws of polar forms say about a claimed expression.
-pub(crate) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
-    let Some(claim) = claim.as_polynomial() else {
-        return vec!["the claimed expression is not a polynomial in the arguments".to_owned()];
-    };
-    let Some(right) = crate::language::functions::expand_polar(polar, arrangement) else { return Vec::new() };
-    laws::check(claim, &right, arrangement).describe()
-}
-
 /// Judges one relation between two values.
-pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
+pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
     let mut judgement = Judgement {
         rel,
         left: left.clone(),
@@ -156,16 +54,6 @@ pub(crate) fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, 
         judgement.reasons.push("it depends on the values of the symbols".to_owned());
     }
     Ok(judgement)
-}
-
-/// Whether a condition holds; `None` if that depends on symbols.
-pub(crate) fn decided(claim: &crate::language::value::Claim) -> Option<bool> {
-    let constant = |j: &Judgement| j.left.as_rational().is_some() && j.right.as_rational().is_some();
-    match claim.verdict() {
-        Verdict::Proved => Some(true),
-        Verdict::Refuted if claim.judgements.iter().all(constant) => Some(false),
-        _ => None,
-    }
 }
 
 fn numbers(left: &Value, right: &Value) -> Option<(Rational, Rational)> {
@@ -336,11 +224,9 @@ fn equal_functions(judgement: &mut Judgement, f: &Function, g: &Function) -> Res
     let renaming: Vec<(Symbol, Fraction)> = others
         .iter()
         .zip(&names)
-        .map(|(other, name)| {
-            ((*other).clone(), Fraction::from(crate::math::poly::MultiPoly::symbol((*name).clone())))
-        })
+        .map(|(other, name)| ((*other).clone(), Fraction::from(MultiPoly::symbol((*name).clone()))))
         .collect();
-    let b = b.substitute(&renaming).map_err(|_| arithmetic::division_by_zero())?;
+    let b = b.substitute(&renaming).map_err(|_| division_by_zero())?;
     equal_scalars(judgement, a, &b);
     Ok(())
 }
@@ -367,7 +253,7 @@ fn polar_against_function(
     let mut names = names.into_iter().map(|name| vec![name.clone()]);
     let lists = groups.iter().map(|&count| names.by_ref().take(count).collect()).collect();
     let arrangement = Arrangement::new(lists);
-    if let Some(expanded) = functions::expand_polar(polar, &arrangement) {
+    if let Some(expanded) = expand_polar(polar, &arrangement) {
         equal_scalars(judgement, &Fraction::from(expanded), formula);
         if judgement.verdict == Verdict::Refuted {
             judgement.reasons = laws_report(polar, formula, &arrangement);
@@ -403,7 +289,7 @@ const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
 const HIGHEST_DEGREE: u32 = 2000;
 
 /// Values of the symbols at which `wanted(left, right)` holds, checked by substitution.
-pub(crate) fn find_witness(
+fn find_witness(
     a: &Fraction,
     b: &Fraction,
     wanted: impl Fn(&Rational, &Rational) -> bool,

@@ -3,29 +3,17 @@
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
+use super::errors::{division_by_zero, linalg_error, mismatch};
+use super::function::pointwise;
+use super::{geometry, polar};
 use crate::budget;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::value::{Clause, Function, Parameter, Polar, PolarKind, Shape, Value};
-use crate::math::linalg::LinalgError;
+use crate::language::value::Value;
 use crate::math::number::{Int, Rational};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::Fraction;
 use crate::math::ring::{Field, Ring};
-use std::sync::Arc;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
-
-fn mismatch(operation: &str, left: &Value, right: &Value) -> Diagnostic {
-    Diagnostic::error(Code::Type, format!("{} and {} cannot be {operation}", left.kind(), right.kind()))
-}
-
-/// The diagnostic for an error of linear algebra.
-pub(crate) fn linalg(error: LinalgError) -> Diagnostic {
-    let code = match error {
-        LinalgError::Singular { .. } => Code::Singular,
-        _ => Code::Shape,
-    };
-    Diagnostic::error(code, error.to_string())
-}
 
 /// The sum of two values.
 pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
@@ -36,13 +24,13 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
             a.into_iter().zip(b).map(|(x, y)| add(x, y)).collect::<Result<_>>().map(Value::List)
         }
         (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Ok(Value::Matrix(a + b)),
-        (Value::Polar(a), Value::Polar(b)) => add_polar(&a, &b),
-        (Value::Piecewise(a), Value::Piecewise(b)) => super::geometry::add_piecewise(&a, &b),
+        (Value::Polar(a), Value::Polar(b)) => polar::add(&a, &b),
+        (Value::Piecewise(a), Value::Piecewise(b)) => geometry::add_piecewise(&a, &b),
         // A sum that begins with nothing.
         (Value::Piecewise(a), Value::Scalar(b)) | (Value::Scalar(b), Value::Piecewise(a)) if b.is_zero() => {
             Ok(Value::Piecewise(a))
         }
-        (Value::Geometry(a), Value::Geometry(b)) => super::geometry::add_curves(&a, &b),
+        (Value::Geometry(a), Value::Geometry(b)) => geometry::add(&a, &b),
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "added", |x, y| Ok(x + y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "added", |x, y| Ok(x + y)),
         (Value::List(a), Value::List(b)) => Err(Diagnostic::error(
@@ -55,23 +43,6 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
         )),
         (a, b) => Err(mismatch("added", &a, &b)),
     }
-}
-
-fn add_polar(a: &Polar, b: &Polar) -> Result<Value> {
-    let unequal = || {
-        Diagnostic::error(Code::Arity, "polar forms with different arguments cannot be added")
-            .hint("elevate the lower degree first, or use polar_sum(f, g), which does it")
-    };
-    let kind = match (&a.kind, &b.kind) {
-        (PolarKind::Univariate(f), PolarKind::Univariate(g)) if f.degree() == g.degree() => {
-            PolarKind::Univariate(f.sum(g))
-        }
-        (PolarKind::Tensor(f), PolarKind::Tensor(g)) if f.degrees() == g.degrees() => {
-            PolarKind::Tensor(f.sum(g).map_err(|_| unequal())?)
-        }
-        _ => return Err(unequal()),
-    };
-    Ok(Value::Polar(Arc::new(Polar { kind, variables: a.variables.clone() })))
 }
 
 /// The negative of a value.
@@ -105,12 +76,12 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         (Value::Scalar(a), Value::Matrix(m)) | (Value::Matrix(m), Value::Scalar(a)) => {
             Ok(Value::Matrix(m.map(|x| x.times(&a))))
         }
-        (Value::Scalar(a), Value::Polar(f)) | (Value::Polar(f), Value::Scalar(a)) => scale_polar(&a, &f),
+        (Value::Scalar(a), Value::Polar(f)) | (Value::Polar(f), Value::Scalar(a)) => polar::scale(&a, &f),
         (Value::Scalar(a), Value::Piecewise(f)) | (Value::Piecewise(f), Value::Scalar(a)) => {
-            Ok(super::geometry::scale_piecewise(&a, &f))
+            Ok(geometry::scale_piecewise(&a, &f))
         }
         (Value::Scalar(a), Value::Geometry(c)) | (Value::Geometry(c), Value::Scalar(a)) => {
-            super::geometry::scale_curve(&a, &c)
+            geometry::scale(&a, &c)
         }
         (Value::Matrix(a), Value::Matrix(b)) => {
             if a.ncols() != b.nrows() {
@@ -126,7 +97,7 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
                 ));
             }
             budget::charge_terms((a.nrows() * b.ncols()) as u64);
-            Ok(Value::Matrix(crate::math::linalg::multiply(&a, &b).map_err(linalg)?))
+            Ok(Value::Matrix(crate::math::linalg::multiply(&a, &b).map_err(linalg_error)?))
         }
         (Value::Matrix(a), Value::List(items)) => {
             let product = multiply(Value::Matrix(a), column(&items)?)?;
@@ -145,28 +116,6 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         }
         (a, b) => Err(mismatch("multiplied", &a, &b)),
     }
-}
-
-fn scale_polar(a: &Fraction, f: &Polar) -> Result<Value> {
-    let kind = match &f.kind {
-        PolarKind::Univariate(form) => PolarKind::Univariate(form.map(|c| c.times(a))),
-        PolarKind::Tensor(form) => {
-            let rows = form.coefficients();
-            let grid = rows.iter().map(|row| row.iter().map(|c| c.times(a)).collect());
-            PolarKind::Tensor(
-                crate::math::blossom::TensorPolarForm::new(grid.collect())
-                    .map_err(super::arguments::polar)?,
-            )
-        }
-        PolarKind::Total(form) => {
-            let terms = form.terms().map(|(e, c)| (e.to_vec(), c.times(a)));
-            PolarKind::Total(
-                crate::math::blossom::TotalDegreePolarForm::new(form.dimension(), form.degree(), terms)
-                    .map_err(super::arguments::polar)?,
-            )
-        }
-    };
-    Ok(Value::Polar(Arc::new(Polar { kind, variables: f.variables.clone() })))
 }
 
 /// A list of scalars as a column.
@@ -192,10 +141,6 @@ pub(crate) fn divide(left: Value, right: Value) -> Result<Value> {
 
 fn quotient(a: Fraction, b: Fraction) -> Result<Fraction> {
     Ok(a * b.inverse().ok_or_else(division_by_zero)?)
-}
-
-pub(crate) fn division_by_zero() -> Diagnostic {
-    Diagnostic::error(Code::DivisionByZero, "division by zero").reason("this is 0")
 }
 
 /// Largest exponent accepted; products of that size are stopped by other limits long before.
@@ -251,17 +196,17 @@ fn matrix_power(m: DMatrix<Fraction>, k: i64) -> Result<Value> {
             format!("a {}x{} matrix has no powers", m.nrows(), m.ncols()),
         ));
     }
-    let mut base = if k < 0 { crate::math::linalg::inverse(&m).map_err(linalg)? } else { m };
+    let mut base = if k < 0 { crate::math::linalg::inverse(&m).map_err(linalg_error)? } else { m };
     let mut result = DMatrix::identity(base.nrows(), base.nrows());
     let mut left = k.unsigned_abs();
     while left > 0 {
         budget::steps(256);
         if left & 1 == 1 {
-            result = crate::math::linalg::multiply(&result, &base).map_err(linalg)?;
+            result = crate::math::linalg::multiply(&result, &base).map_err(linalg_error)?;
         }
         left >>= 1;
         if left > 0 {
-            base = crate::math::linalg::multiply(&base, &base).map_err(linalg)?;
+            base = crate::math::linalg::multiply(&base, &base).map_err(linalg_error)?;
         }
     }
     Ok(Value::Matrix(result))
@@ -334,6 +279,7 @@ pub(crate) fn binomial(n: &Value, k: &Value) -> Result<Value> {
     Ok(Value::Scalar(product))
 }
 
+/// n! for an integer n ≥ 0.
 pub(crate) fn factorial(n: &Value) -> Result<Value> {
     match n.as_int() {
         Some(n) if n >= 0 => {
@@ -346,49 +292,4 @@ pub(crate) fn factorial(n: &Value) -> Result<Value> {
             format!("a factorial needs a nonnegative integer, not {}", n.kind()),
         )),
     }
-}
-
-/// Applies an operation to functions of one variable (or a function and a scalar) pointwise.
-fn pointwise(
-    left: &Value,
-    right: &Value,
-    verb: &str,
-    operation: impl Fn(Fraction, Fraction) -> Result<Fraction>,
-) -> Result<Value> {
-    let parts = |value: &Value| -> Option<(Option<Symbol>, Fraction)> {
-        match value {
-            Value::Function(f) => f.as_formula().map(|(t, formula)| (Some(t.clone()), formula.clone())),
-            Value::Scalar(a) => Some((None, a.clone())),
-            _ => None,
-        }
-    };
-    let (Some((left_name, a)), Some((right_name, b))) = (parts(left), parts(right)) else {
-        return Err(mismatch(verb, left, right)
-            .hint("functions are combined only if each is given by one formula in one variable"));
-    };
-    let Some(variable) = left_name.clone().or_else(|| right_name.clone()) else {
-        return Err(mismatch(verb, left, right));
-    };
-    let b = match right_name {
-        Some(name) if name != variable => b
-            .substitute(&[(name, Fraction::from(crate::math::poly::MultiPoly::symbol(variable.clone())))])
-            .map_err(|_| division_by_zero())?,
-        _ => b,
-    };
-    Ok(formula_function(variable, operation(a, b)?))
-}
-
-/// The function variable ↦ formula.
-pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
-    Value::Function(Arc::new(Function {
-        name: None,
-        shape: Shape::plain(1),
-        clauses: vec![Clause {
-            parameters: vec![Parameter::Name(variable)],
-            body: crate::language::value::polynomial_expr(&formula),
-            written: false,
-            formula: Some(formula),
-            scope: Default::default(),
-        }],
-    }))
 }

@@ -1,7 +1,7 @@
 //! Whether two representations are the same curve or surface.
 
-use super::geometry::{as_rational_form, as_rational_spline, as_spline};
-use crate::language::value::Geometry;
+use crate::language::ops::geometry::{as_rational_form, as_rational_spline, as_spline};
+use crate::language::value::{Geometry, polynomial_expr};
 use crate::language::write::text;
 use crate::math::curve::{BezierCurve, TensorPatch};
 use crate::math::poly::Fraction;
@@ -113,7 +113,7 @@ fn curves(left: &Geometry, right: &Geometry) -> Comparison {
     for (p, q) in a.bezier_pieces().iter().zip(b.bezier_pieces()) {
         if !same_piece(p, &q) {
             let (from, to) = p.interval();
-            let shown = |x: &Fraction| text(&crate::language::value::polynomial_expr(x));
+            let shown = |x: &Fraction| text(&polynomial_expr(x));
             return Different(format!("they differ on [{}, {}]", shown(from), shown(to)));
         }
     }

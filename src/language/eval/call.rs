@@ -1,0 +1,126 @@
+//! Calls of functions that the input defined.
+
+use std::sync::Arc;
+
+use super::machine::{Evaluated, Machine};
+use crate::formula::source::Span;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::errors::division_by_zero;
+use crate::language::value::{Clause, Function, Parameter, Value};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Symbol};
+
+impl Machine {
+    /// Calls a function with its index and bracket arguments.
+    pub(crate) fn call(
+        &mut self,
+        function: &Arc<Function>,
+        values: Vec<(Value, Span)>,
+        span: Span,
+    ) -> Evaluated {
+        let shape = function.shape;
+        if values.len() != shape.arity() {
+            let name = function.name.as_ref().map_or("the function".to_owned(), Symbol::to_string);
+            let given = values.len().saturating_sub(shape.lower + shape.upper);
+            return Err(Diagnostic::error(
+                Code::Arity,
+                format!(
+                    "{name} takes {} argument{}, not {given}",
+                    shape.inner,
+                    if shape.inner == 1 { "" } else { "s" }
+                ),
+            )
+            .at(span));
+        }
+        let numbers: Option<Vec<Rational>> = values.iter().map(|(value, _)| value.as_rational()).collect();
+        let key = function.name.clone().zip(numbers);
+        if let Some(key) = &key
+            && let Some(known) = self.memo.get(key)
+        {
+            return Ok(known.clone());
+        }
+        let Some(clause) = choose(function, &values) else {
+            return Err(
+                Diagnostic::error(Code::Domain, "no case of the definition fits these arguments").at(span)
+            );
+        };
+        let result = self.run_clause(function, clause, &values, span)?;
+        if let Some(key) = key
+            && self.memo.len() < 100_000
+        {
+            self.memo.insert(key, result.clone());
+        }
+        Ok(result)
+    }
+
+    fn run_clause(
+        &mut self,
+        function: &Arc<Function>,
+        clause: &Clause,
+        values: &[(Value, Span)],
+        span: Span,
+    ) -> Evaluated {
+        let bindings: Vec<(Symbol, Value)> = clause
+            .parameters
+            .iter()
+            .zip(values)
+            .filter_map(|(parameter, (value, _))| match parameter {
+                Parameter::Name(symbol) => Some((symbol.clone(), value.clone())),
+                Parameter::Exactly(_) => None,
+            })
+            .collect();
+        if let Some(formula) = &clause.formula {
+            let scalars: Option<Vec<(Symbol, Fraction)>> = bindings
+                .iter()
+                .map(|(symbol, value)| Some((symbol.clone(), value.as_scalar()?.clone())))
+                .collect();
+            if let Some(scalars) = scalars {
+                return formula
+                    .substitute(&scalars)
+                    .map(Value::Scalar)
+                    .map_err(|_| division_by_zero())
+                    .at(span);
+            }
+        }
+        let deepest = crate::budget::depth();
+        if self.depth >= deepest {
+            return Err(Diagnostic::error(Code::Recursion, format!("calls nested more than {deepest} deep"))
+                .at(span)
+                .reason("this refers to itself without end")
+                .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
+        }
+        // The body sees the names of its definition and its parameters, nothing of the caller.
+        let caller =
+            (std::mem::replace(&mut self.scope, clause.scope.clone()), std::mem::take(&mut self.locals));
+        self.depth += 1;
+        if let Some(name) = &function.name {
+            self.locals.push((name.clone(), Value::Function(function.clone())));
+        }
+        self.locals.extend(bindings);
+        let result = self.eval(&clause.body);
+        self.depth -= 1;
+        (self.scope, self.locals) = caller;
+        // A place inside another definition means nothing to the caller.
+        result.map_err(|mut error| {
+            error.span = Some(span);
+            error
+        })
+    }
+}
+
+/// The clause that fits: exact parameters count before names, earlier before later.
+fn choose<'a>(function: &'a Function, values: &[(Value, Span)]) -> Option<&'a Clause> {
+    let fits = |clause: &&Clause| {
+        clause.parameters.iter().zip(values).all(|(parameter, (value, _))| match parameter {
+            Parameter::Name(_) => true,
+            Parameter::Exactly(q) => value.as_rational().as_ref() == Some(q),
+        })
+    };
+    let exact =
+        |clause: &Clause| clause.parameters.iter().filter(|p| matches!(p, Parameter::Exactly(_))).count();
+    function.clauses.iter().filter(fits).reduce(
+        |best, clause| {
+            if exact(clause) > exact(best) { clause } else { best }
+        },
+    )
+}

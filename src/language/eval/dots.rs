@@ -1,0 +1,117 @@
+//! Lists with dots and braces written out: t_1, …, t_5.
+
+use super::machine::Machine;
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::ops::errors::unsupported;
+use crate::language::value::Value;
+
+impl Machine {
+    /// Items of a list, with `a_1, ..., a_n` and underbraces written out.
+    pub(crate) fn expand_items(&mut self, items: &[Expr]) -> Result<Vec<Value>, Diagnostic> {
+        let mut values = Vec::with_capacity(items.len());
+        let mut skip = false;
+        for (at, item) in items.iter().enumerate() {
+            if std::mem::take(&mut skip) {
+                continue;
+            }
+            match &item.kind {
+                Kind::Ellipsis => {
+                    let (Some(before), Some(after)) =
+                        (at.checked_sub(1).map(|i| &items[i]), items.get(at + 1))
+                    else {
+                        return Err(unsupported("an ellipsis needs an item on both sides")
+                            .at(item.span)
+                            .hint("write the first and the last item: t1, ..., t5"));
+                    };
+                    let too_many = self.fill_ellipsis(before, after, &mut values, item.span)?;
+                    skip = too_many > 0;
+                    if too_many > 1 {
+                        values.pop();
+                    }
+                }
+                Kind::Brace(list, label) => {
+                    let label = label.as_deref();
+                    values.extend(self.repeated(list, label, item.span)?);
+                }
+                _ => values.push(self.eval(item)?),
+            }
+        }
+        Ok(values)
+    }
+
+    /// `t, ..., t` with a count below the brace.
+    pub(super) fn repeated(
+        &mut self,
+        items: &[Expr],
+        label: Option<&Expr>,
+        span: Span,
+    ) -> Result<Vec<Value>, Diagnostic> {
+        let plain: Vec<&Expr> = items.iter().filter(|item| item.kind != Kind::Ellipsis).collect();
+        let same = plain.windows(2).all(|pair| pair[0].same_as(pair[1]));
+        match (label, plain.first()) {
+            (Some(label), Some(item)) if same => {
+                let count = self.eval_int(label)?;
+                let count = usize::try_from(count).map_err(|_| {
+                    Diagnostic::error(Code::Domain, format!("{count} copies make no sense")).at(label.span)
+                })?;
+                crate::budget::charge_terms(count as u64);
+                Ok(vec![self.eval(item)?; count])
+            }
+            (Some(_), Some(_)) => self.expand_items(items),
+            (None, Some(_)) if plain.len() == items.len() => self.expand_items(items),
+            _ => Err(unsupported("how many copies the brace stands for is not said")
+                .at(span)
+                .hint("write the number below the brace: \\underbrace{t,\\ldots,t}_{3}")),
+        }
+    }
+
+    /// Fills `a_1, ..., a_5` or `1, ..., n`: what stands before is already in `values`.
+    ///
+    /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
+    /// ends are t_1, and two for i = 1, when there is nothing at all.
+    pub(crate) fn fill_ellipsis(
+        &mut self,
+        before: &Expr,
+        after: &Expr,
+        values: &mut Vec<Value>,
+        span: Span,
+    ) -> Result<usize, Diagnostic> {
+        let unclear = || {
+            unsupported("what the ellipsis stands for is not clear")
+                .at(span)
+                .hint("it is filled between numbers (1, ..., 5) and between indices (t1, ..., t5)")
+        };
+        // In 0, 2, ..., 10 the two numbers before the dots tell the step.
+        let previous = values.len().checked_sub(2).and_then(|i| values[i].as_int());
+        let (first, last) = (self.eval(before)?, self.eval(after)?);
+        if let (Some(a), Some(b)) = (first.as_int(), last.as_int()) {
+            let step = previous.map_or(1, |p| a - p).max(1);
+            crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
+            values.extend((a + step..b).step_by(usize::try_from(step).unwrap_or(1)).map(Value::int));
+            return Ok(too_many(before, after, a, b));
+        }
+        let (Kind::Subscript(base, from), Kind::Subscript(_, to)) = (&before.kind, &after.kind) else {
+            return Err(unclear());
+        };
+        let place = from.iter().zip(to).position(|(a, b)| !a.same_as(b)).ok_or_else(unclear)?;
+        let (a, b) = (self.eval_int(&from[place])?, self.eval_int(&to[place])?);
+        crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
+        for i in a + 1..b {
+            let mut indices = from.clone();
+            indices[place] = Expr::int(i);
+            values.push(self.eval(&Kind::Subscript(base.clone(), indices).into())?);
+        }
+        Ok(too_many(&from[place], &to[place], a, b))
+    }
+}
+
+/// How many of the ends a and b of dots are too many: none if both are written as numbers.
+fn too_many(from: &Expr, to: &Expr, a: i64, b: i64) -> usize {
+    let literal = |index: &Expr| matches!(index.kind, Kind::Number(_));
+    if literal(from) && literal(to) {
+        return 0;
+    }
+    usize::try_from(a.saturating_sub(b).saturating_add(1)).unwrap_or(0).min(2)
+}

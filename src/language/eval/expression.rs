@@ -1,0 +1,232 @@
+//! The value of each kind of formula.
+
+use std::sync::Arc;
+
+use nalgebra::DMatrix;
+
+use super::machine::{Evaluated, Machine};
+use super::names::name_of;
+use crate::formula::source::Span;
+use crate::formula::{Accent, Delimiter, Enclosure, Expr, Kind, Sign};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::errors::{linalg_error, unsupported, wrong_kind};
+use crate::language::ops::formula::symbol_of;
+use crate::language::ops::{arithmetic, lists};
+use crate::language::value::{Claim, Value};
+use crate::math::linalg::determinant;
+use crate::math::poly::Symbol;
+
+impl Machine {
+    pub(super) fn eval_kind(&mut self, expr: &Expr) -> Evaluated {
+        let span = expr.span;
+        match &expr.kind {
+            Kind::Number(q) => {
+                crate::budget::charge_bits(q.numer().bits().max(q.denom().bits()));
+                Ok(Value::number(q.clone()))
+            }
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => self.eval_name(expr),
+            Kind::Accent(accent, body) => self.eval_accent(*accent, body, expr),
+            Kind::Group(body) => self.eval(body),
+            Kind::Add(terms) => {
+                let mut sum: Option<Value> = None;
+                for term in terms {
+                    let value = self.eval(&term.expr)?;
+                    let place = term.expr.span;
+                    sum = Some(match (sum, term.sign) {
+                        (None, Sign::Plus) => value,
+                        (None, Sign::Minus) => arithmetic::negate(value).at(place)?,
+                        (Some(sum), Sign::Plus) => arithmetic::add(sum, value).at(place)?,
+                        (Some(sum), Sign::Minus) => {
+                            let negative = arithmetic::negate(value).at(place)?;
+                            arithmetic::add(sum, negative).at(place)?
+                        }
+                    });
+                }
+                sum.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty sum").at(span))
+            }
+            Kind::Mul(factors) => self.eval_product(factors, span),
+            Kind::Div(left, right, style) => self.eval_quotient(left, right, *style),
+            Kind::Pow(base, exponent) => self.eval_power(base, exponent, span),
+            Kind::Apply(callee, groups) => self.eval_apply(callee, groups, expr),
+            Kind::Tuple(items) | Kind::List(items) | Kind::Sequence(items) => {
+                self.expand_items(items).and_then(|values| lists::together(values).at(span))
+            }
+            Kind::Matrix(rows, delimiter) => self.eval_matrix(rows, *delimiter, span),
+            Kind::Binomial(n, k, _) => {
+                let (n, k) = (self.eval(n)?, self.eval(k)?);
+                arithmetic::binomial(&n, &k).at(span)
+            }
+            Kind::Factorial(body) => self.eval_factorial(body),
+            Kind::Enclosed(enclosure, body) => self.eval_enclosed(*enclosure, body),
+            Kind::Big { op, lower, upper, body } => self.eval_big(*op, lower, upper.as_deref(), body, span),
+            Kind::Integral { lower, upper, body, variable } => {
+                self.eval_integral(lower.as_deref(), upper.as_deref(), body, variable)
+            }
+            Kind::Derivative { variables, body, .. } => {
+                self.eval_derivative(variables, body.as_deref(), span)
+            }
+            Kind::At { body, lower, upper } => self.eval_at(body, lower, upper.as_deref(), span),
+            Kind::Cases(cases) => self.eval_cases(cases, span),
+            Kind::Compose(items) => {
+                let mut result = self.eval(&items[0])?;
+                for item in &items[1..] {
+                    let inner = self.eval(item)?;
+                    result = self.compose(result, inner, item.span)?;
+                }
+                Ok(result)
+            }
+            Kind::Prime(body, order) => {
+                let value = self.eval(body)?;
+                if value.as_rational().is_some() {
+                    return Err(Diagnostic::error(Code::Type, "a number has no derivative")
+                        .at(span)
+                        .reason("the prime belongs to this number")
+                        .hint("write (t^2)' or diff(t^2, t) for the derivative of a power"));
+                }
+                // The derivative of an undefined F is not that of a variable F.
+                if let Kind::Name(name) = &body.kind
+                    && symbol_of(&value).is_some_and(|symbol| symbol == Symbol::new(name))
+                {
+                    return Err(self.unknown_name(name, body));
+                }
+                self.derivative_of(&value, *order as usize, body.span)
+            }
+            Kind::Transpose(body) => {
+                let value = self.eval(body)?;
+                arithmetic::transpose(value).at(body.span)
+            }
+            Kind::Range(from, to) => {
+                let (from, to) = (self.eval_int(from)?, self.eval_int(to)?);
+                crate::budget::charge_terms(to.saturating_sub(from).max(0) as u64);
+                Ok(Value::List((from..=to).map(Value::int).collect()))
+            }
+            Kind::Lambda(parameters, body) => self.eval_lambda(parameters, body),
+            Kind::Chain(first, links) => {
+                let judgements = (self.tools.judge)(self, first, links)?;
+                Ok(Value::Claim(Arc::new(Claim { judgements })))
+            }
+            Kind::Text(text) => Ok(Value::Text(text.clone())),
+            Kind::Cross(items) => {
+                let mut product = self.eval(&items[0])?;
+                for item in &items[1..] {
+                    let value = self.eval(item)?;
+                    product = arithmetic::cross(product, value).at(item.span)?;
+                }
+                Ok(product)
+            }
+            Kind::Set(..) => Err(unsupported("sets have no value of their own here").at(span)),
+            Kind::Ellipsis => Err(unsupported("an ellipsis can stand only between the items of a list")
+                .at(span)
+                .hint("write the items out, or an argument list such as f(t1, ..., t4)")),
+            Kind::Brace(items, label) => {
+                let items = self.repeated(items, label.as_deref(), span)?;
+                Ok(Value::List(items))
+            }
+            Kind::ForAll(..) => Err(unsupported("quantifiers are not evaluated").at(span)),
+            Kind::Unread(text) => Err(Diagnostic::error(
+                Code::UnsupportedLatex,
+                format!("this piece could not be read: {text}"),
+            )
+            .at(span)),
+        }
+    }
+
+    fn eval_accent(&mut self, accent: Accent, body: &Expr, whole: &Expr) -> Evaluated {
+        match accent {
+            Accent::Bold => self.eval(body),
+            Accent::Hat => {
+                // v̂ := p - q defines a name of its own, whose value is a vector.
+                if let Some(name) = name_of(whole, self)
+                    && let Some(value) = self.lookup(&name)
+                {
+                    return Ok(lists::vector(value.clone()).unwrap_or_else(|other| other));
+                }
+                let value = self.eval(body)?;
+                lists::vector(value).map_err(|other| {
+                    wrong_kind("a number, symbol or point under the hat", &other).at(body.span)
+                })
+            }
+            Accent::Dot => {
+                let value = self.eval(body)?;
+                self.derivative_of(&value, 1, body.span)
+            }
+            Accent::Ddot => {
+                let value = self.eval(body)?;
+                self.derivative_of(&value, 2, body.span)
+            }
+            Accent::Bar | Accent::Vec | Accent::Tilde | Accent::Script | Accent::Blackboard => {
+                match name_of(whole, self) {
+                    Some(name) => Ok(self.lookup(&name).cloned().unwrap_or_else(|| Value::symbol(name))),
+                    None => Err(unsupported("an accent over more than a name").at(whole.span)),
+                }
+            }
+        }
+    }
+
+    fn eval_matrix(&mut self, rows: &[Vec<Option<Expr>>], delimiter: Delimiter, span: Span) -> Evaluated {
+        let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+        let mut entries = Vec::new();
+        for row in rows {
+            for cell in row {
+                let Some(cell) = cell else {
+                    return Err(Diagnostic::error(Code::Shape, "a matrix with an empty cell").at(span));
+                };
+                match self.eval(cell)? {
+                    Value::Scalar(x) => entries.push(x),
+                    other => {
+                        return Err(wrong_kind("a number or formula in the matrix", &other).at(cell.span));
+                    }
+                }
+            }
+            if row.len() != columns {
+                return Err(Diagnostic::error(
+                    Code::Shape,
+                    format!("a row has {} entries where others have {columns}", row.len()),
+                )
+                .at(row.first().and_then(Option::as_ref).map_or(span, |cell| cell.span)));
+            }
+        }
+        let matrix = DMatrix::from_row_iterator(rows.len(), columns, entries);
+        match delimiter {
+            Delimiter::Bar => determinant(&matrix).map(Value::Scalar).map_err(linalg_error).at(span),
+            _ => Ok(Value::Matrix(matrix)),
+        }
+    }
+
+    fn eval_enclosed(&mut self, enclosure: Enclosure, body: &Expr) -> Evaluated {
+        let value = self.eval(body)?;
+        if enclosure == Enclosure::Abs
+            && let Value::Matrix(matrix) = &value
+        {
+            return determinant(matrix).map(Value::Scalar).map_err(linalg_error).at(body.span);
+        }
+        let Some(q) = value.as_rational() else {
+            return Err(wrong_kind("a number", &value).at(body.span));
+        };
+        match enclosure {
+            Enclosure::Abs | Enclosure::Norm => Ok(Value::number(num_traits::Signed::abs(&q))),
+            Enclosure::Floor => Ok(Value::number(q.floor())),
+            Enclosure::Ceil => Ok(Value::number(q.ceil())),
+        }
+    }
+
+    fn eval_cases(&mut self, cases: &[(Expr, Option<Expr>)], span: Span) -> Evaluated {
+        for (value, condition) in cases {
+            let holds = match condition {
+                None => true,
+                Some(condition) => match self.eval(condition)? {
+                    Value::Claim(claim) => claim.decided().ok_or_else(|| {
+                        Diagnostic::error(Code::Undecided, "whether this case holds depends on symbols")
+                            .at(condition.span)
+                    })?,
+                    Value::Text(_) => true,
+                    other => return Err(wrong_kind("a condition", &other).at(condition.span)),
+                },
+            };
+            if holds {
+                return self.eval(value);
+            }
+        }
+        Err(Diagnostic::error(Code::Domain, "no case applies").at(span))
+    }
+}

@@ -1,0 +1,70 @@
+//! Functions by their parameters and bodies.
+
+use std::sync::Arc;
+
+use super::machine::{Evaluated, Machine};
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Clause, Function, Parameter, Shape, Value};
+use crate::math::poly::Symbol;
+
+impl Machine {
+    pub(crate) fn eval_lambda(&mut self, parameters: &[Expr], body: &Expr) -> Evaluated {
+        let mut names = Vec::with_capacity(parameters.len());
+        for parameter in parameters {
+            names.push(self.binder(parameter)?);
+        }
+        let clause = self.clause(names.iter().cloned().map(Parameter::Name).collect(), body)?;
+        Ok(Value::Function(Arc::new(Function {
+            name: None,
+            shape: Shape::plain(names.len()),
+            clauses: vec![clause],
+        })))
+    }
+
+    /// A clause with the value of its body, if that exists for symbolic parameters. Unknown words in
+    /// the body are reported where they are written, not when the function is called.
+    pub(crate) fn clause(&mut self, parameters: Vec<Parameter>, body: &Expr) -> Result<Clause, Diagnostic> {
+        let symbols: Vec<(Symbol, Value)> = parameters
+            .iter()
+            .filter_map(|parameter| match parameter {
+                Parameter::Name(symbol) => Some((symbol.clone(), Value::symbol(symbol.clone()))),
+                Parameter::Exactly(_) => None,
+            })
+            .collect();
+        let notes = self.notes.len();
+        // In b_i the parameter i chooses a name; there is no formula to put its value into.
+        let chooses = symbols.iter().any(|(name, _)| is_index_in(name, body));
+        let formula = match self.with_locals(symbols, |machine| machine.eval(body)) {
+            Ok(Value::Scalar(formula)) if !chooses => Some(formula),
+            Err(error) if matches!(error.code, Code::UnknownName | Code::UnknownFunction) => {
+                return Err(error);
+            }
+            _ => None,
+        };
+        self.notes.truncate(notes);
+        let mut scope = self.scope.clone();
+        for (name, value) in &self.locals {
+            Arc::make_mut(&mut scope).insert(name.clone(), value.clone());
+        }
+        Ok(Clause { parameters, body: body.clone(), written: false, formula, scope })
+    }
+}
+
+/// Whether a name occurs within the index of another: i in b_i, n - i in p_{n-i}.
+fn is_index_in(name: &Symbol, expr: &Expr) -> bool {
+    fn search(name: &Symbol, expr: &Expr, within: bool) -> bool {
+        match &expr.kind {
+            Kind::Name(other) => within && *name == Symbol::new(other),
+            Kind::Subscript(base, indices) | Kind::Upper(base, indices) => {
+                search(name, base, within) || indices.iter().any(|index| search(name, index, true))
+            }
+            _ => {
+                let mut found = false;
+                expr.for_each_child(&mut |child| found = found || search(name, child, within));
+                found
+            }
+        }
+    }
+    search(name, expr, false)
+}

@@ -1,0 +1,126 @@
+//! The state of one evaluation.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use super::arguments::Arguments;
+use super::tools::{Callable, Tools};
+use crate::formula::Expr;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::ops::errors::wrong_kind;
+use crate::language::value::{Scope, Value};
+use crate::math::number::Rational;
+use crate::math::poly::Symbol;
+
+/// Room on the stack below which a new segment is taken, and its size.
+const RED_ZONE: usize = 256 * 1024;
+const SEGMENT: usize = 4 * 1024 * 1024;
+
+/// A value, or what is wrong.
+pub(crate) type Evaluated = Result<Value, Diagnostic>;
+
+/// A way of understanding formulas that goes before the usual one: it may give names, calls and
+/// notations a meaning that they do not have in the language. Lecture notes are read like this.
+pub trait Reading {
+    /// The value of a formula, or `None` to leave it to the language. Parts of it are evaluated
+    /// with [`Machine::eval`], which asks this reading again.
+    fn eval(&self, machine: &mut Machine, expr: &Expr) -> Option<Result<Value, Diagnostic>>;
+}
+
+/// The state of one evaluation.
+pub struct Machine {
+    pub(super) tools: Tools,
+    reading: Option<Rc<dyn Reading>>,
+    pub(super) scope: Scope,
+    /// Local names, innermost last.
+    pub(super) locals: Vec<(Symbol, Value)>,
+    pub(super) depth: usize,
+    pub(super) notes: Vec<Diagnostic>,
+    /// Values of functions of numbers already computed in this statement.
+    pub(super) memo: BTreeMap<(Symbol, Vec<Rational>), Value>,
+}
+
+impl Machine {
+    /// An evaluator that knows no names yet.
+    pub fn new(tools: Tools) -> Self {
+        Machine {
+            tools,
+            reading: None,
+            scope: Scope::default(),
+            locals: Vec::new(),
+            depth: 0,
+            notes: Vec::new(),
+            memo: BTreeMap::new(),
+        }
+    }
+
+    /// The same with a way of understanding formulas that goes before the usual one.
+    pub fn with_reading(mut self, reading: Rc<dyn Reading>) -> Self {
+        self.reading = Some(reading);
+        self
+    }
+
+    /// The value of a name where we are.
+    pub fn lookup(&self, name: &Symbol) -> Option<&Value> {
+        let local = self.locals.iter().rev().find(|(n, _)| n == name).map(|(_, value)| value);
+        local.or_else(|| self.scope.get(name))
+    }
+
+    /// Runs `work` with some names bound.
+    ///
+    /// # Errors
+    /// Those of the work.
+    pub fn with_locals<T>(
+        &mut self,
+        names: impl IntoIterator<Item = (Symbol, Value)>,
+        work: impl FnOnce(&mut Self) -> Result<T, Diagnostic>,
+    ) -> Result<T, Diagnostic> {
+        let before = self.locals.len();
+        self.locals.extend(names);
+        let result = work(self);
+        self.locals.truncate(before);
+        result
+    }
+
+    pub(crate) fn note(&mut self, note: Diagnostic) {
+        if !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+    }
+
+    /// The value of an expression.
+    ///
+    /// # Errors
+    /// A [`Diagnostic`] with its place.
+    pub fn eval(&mut self, expr: &Expr) -> Evaluated {
+        crate::budget::step();
+        stacker::maybe_grow(RED_ZONE, SEGMENT, || {
+            if let Some(reading) = self.reading.clone()
+                && let Some(result) = reading.eval(self, expr)
+            {
+                return result;
+            }
+            self.eval_kind(expr)
+        })
+    }
+
+    /// The integer an expression denotes.
+    ///
+    /// # Errors
+    /// What is wrong with the expression, or that its value is no integer.
+    pub fn eval_int(&mut self, expr: &Expr) -> Result<i64, Diagnostic> {
+        let value = self.eval(expr)?;
+        value.as_int().ok_or_else(|| wrong_kind("an integer", &value).at(expr.span))
+    }
+
+    /// Calls a function of the program by its name.
+    pub(super) fn call_function(&mut self, name: &str, arguments: Arguments) -> Evaluated {
+        self.function(name)?.run(self, arguments)
+    }
+
+    /// A function of the program that has to exist.
+    pub(super) fn function(&self, name: &str) -> Result<&'static dyn Callable, Diagnostic> {
+        (self.tools.function)(name)
+            .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))
+    }
+}

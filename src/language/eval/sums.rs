@@ -1,0 +1,261 @@
+//! Sums and products over indices, maxima and minima.
+
+use super::machine::{Evaluated, Machine};
+use super::names::name_of;
+use crate::formula::source::Span;
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::{unsupported, wrong_kind};
+use crate::language::value::Value;
+use crate::math::number::Combinations;
+use crate::math::poly::Symbol;
+
+impl Machine {
+    pub(crate) fn eval_big(
+        &mut self,
+        op: BigOp,
+        lower: &[Expr],
+        upper: Option<&Expr>,
+        body: &Expr,
+        span: Span,
+    ) -> Evaluated {
+        let combine: fn(Value, Value) -> Evaluated = match op {
+            BigOp::Sum => arithmetic::add,
+            BigOp::Product => arithmetic::multiply,
+            BigOp::Max => |a, b| pick(a, b, true),
+            BigOp::Min => |a, b| pick(a, b, false),
+            BigOp::Union | BigOp::Intersection | BigOp::Limit => {
+                return Err(unsupported("limits, unions and intersections have no value here").at(span));
+            }
+        };
+        let assignments = self.index_values(lower, upper, span)?;
+        let mut total: Option<Value> = None;
+        for names in assignments {
+            crate::budget::steps(8);
+            let value = self.with_locals(names, |machine| machine.eval(body))?;
+            total = Some(match total {
+                None => value,
+                Some(total) => combine(total, value).at(body.span)?,
+            });
+        }
+        match (total, op) {
+            (Some(total), _) => Ok(total),
+            (None, BigOp::Sum) => Ok(Value::int(0)),
+            (None, BigOp::Product) => Ok(Value::int(1)),
+            (None, _) => Err(Diagnostic::error(Code::Domain, "nothing to choose from").at(span)),
+        }
+    }
+
+    /// All values the index names of Σ or Π run through.
+    fn index_values(
+        &mut self,
+        lower: &[Expr],
+        upper: Option<&Expr>,
+        span: Span,
+    ) -> Result<Vec<Vec<(Symbol, Value)>>, Diagnostic> {
+        let no_bounds = || {
+            Diagnostic::error(Code::Undecided, "the bounds of this sum or product are not given")
+                .at(span)
+                .hint("write sum(i=0..3, ...) or \\sum_{i=0}^{3}")
+        };
+        let mut assignments: Vec<Vec<(Symbol, Value)>> = vec![Vec::new()];
+        let mut filters: Vec<&Expr> = Vec::new();
+        let mut bound_any = false;
+        for (at, piece) in lower.iter().enumerate() {
+            let Kind::Chain(left, links) = &piece.kind else { return Err(no_bounds().at(piece.span)) };
+            let link = &links[0];
+            match (link.rel, links.len()) {
+                // i = a, with the upper bound above the sign, or i = a..b
+                (Rel::Eq, 1) if name_of(left, self).is_some() && !mentions_enclosed(left) => {
+                    let name = self.binder(left)?;
+                    let (from, to) = match (&link.expr.kind, upper) {
+                        (Kind::Range(from, to), _) => (self.eval_int(from)?, self.eval_int(to)?),
+                        (_, Some(upper)) => (self.eval_int(&link.expr)?, self.eval_int(upper)?),
+                        (_, None) => return Err(no_bounds().at(piece.span)),
+                    };
+                    let count = to.saturating_sub(from).saturating_add(1).max(0);
+                    crate::budget::charge_terms(count as u64 * assignments.len() as u64);
+                    let values: Vec<Value> = (from..=to).map(Value::int).collect();
+                    assignments = extended(assignments, &name, &values);
+                    bound_any = true;
+                }
+                // i + j + k = n: all ways to write n as an ordered sum of integers ≥ 0
+                (Rel::Eq, 1) if matches!(left.kind, Kind::Add(_)) => {
+                    let names = self.addends(left)?;
+                    let total = self.eval_int(&link.expr)?;
+                    let sums = compositions(total, names.len());
+                    crate::budget::charge_terms(sums.len() as u64);
+                    assignments = assignments
+                        .iter()
+                        .flat_map(|base| {
+                            sums.iter().map(|sum| {
+                                let values = sum.iter().map(|&i| Value::int(i));
+                                base.iter().cloned().chain(names.iter().cloned().zip(values)).collect()
+                            })
+                        })
+                        .collect();
+                    bound_any = true;
+                }
+                // S ⊆ {1, …, n}, |S| = i
+                (Rel::Subset, 1) => {
+                    let name = self.binder(left)?;
+                    let items = self.set_items(&link.expr)?;
+                    let size = lower[at + 1..].iter().find_map(|other| size_condition(other, left));
+                    let sizes = match size {
+                        Some(size) => {
+                            let size = self.eval_int(size)?;
+                            // No subset has a negative size: one beyond the last has none either.
+                            let size = usize::try_from(size).unwrap_or(items.len() + 1);
+                            size..=size
+                        }
+                        None => 0..=items.len(),
+                    };
+                    let mut subsets = Vec::new();
+                    for k in sizes {
+                        for chosen in Combinations::new(items.len(), k) {
+                            crate::budget::charge_terms(subsets.len() as u64 + 1);
+                            subsets.push(Value::List(chosen.iter().map(|&i| items[i].clone()).collect()));
+                        }
+                    }
+                    assignments = extended(assignments, &name, &subsets);
+                    bound_any = true;
+                }
+                (Rel::In, 1) => {
+                    let name = self.binder(left)?;
+                    let items = self.set_items(&link.expr)?;
+                    assignments = extended(assignments, &name, &items);
+                    bound_any = true;
+                }
+                // a ≤ i ≤ b
+                (Rel::Le | Rel::Lt, 2) if matches!(links[1].rel, Rel::Le | Rel::Lt) => {
+                    let name = self.binder(&link.expr)?;
+                    let from = self.eval_int(left)? + i64::from(link.rel == Rel::Lt);
+                    let to = self.eval_int(&links[1].expr)? - i64::from(links[1].rel == Rel::Lt);
+                    crate::budget::charge_terms(to.saturating_sub(from).saturating_add(1).max(0) as u64);
+                    let values: Vec<Value> = (from..=to).map(Value::int).collect();
+                    assignments = extended(assignments, &name, &values);
+                    bound_any = true;
+                }
+                (Rel::Eq, 1) if matches!(left.kind, Kind::Enclosed(..)) => {} // |S| = i, used above
+                _ => filters.push(piece),
+            }
+        }
+        if !bound_any {
+            return Err(no_bounds());
+        }
+        for filter in filters {
+            let mut kept = Vec::with_capacity(assignments.len());
+            for names in assignments {
+                let value = self.with_locals(names.clone(), |machine| machine.eval(filter))?;
+                let Value::Claim(claim) = &value else {
+                    return Err(wrong_kind("a condition", &value).at(filter.span));
+                };
+                match claim.decided() {
+                    Some(true) => kept.push(names),
+                    Some(false) => {}
+                    None => {
+                        return Err(Diagnostic::error(
+                            Code::Undecided,
+                            "whether this condition holds depends on symbols",
+                        )
+                        .at(filter.span)
+                        .hint("give the names in it a value first"));
+                    }
+                }
+            }
+            assignments = kept;
+        }
+        Ok(assignments)
+    }
+
+    /// The names of `i + j + k`.
+    fn addends(&mut self, sum: &Expr) -> Result<Vec<Symbol>, Diagnostic> {
+        let Kind::Add(terms) = &sum.kind else { return Ok(Vec::new()) };
+        let mut names = Vec::with_capacity(terms.len());
+        for term in terms {
+            if term.sign == Sign::Minus {
+                return Err(unsupported("an index condition with a minus sign").at(term.expr.span));
+            }
+            names.push(self.binder(&term.expr)?);
+        }
+        Ok(names)
+    }
+
+    fn set_items(&mut self, set: &Expr) -> Result<Vec<Value>, Diagnostic> {
+        match &set.kind {
+            Kind::Set(items, None) => self.expand_items(items),
+            _ => match self.eval(set)? {
+                Value::List(items) => Ok(items),
+                other => Err(wrong_kind("a set such as {1, ..., n}", &other).at(set.span)),
+            },
+        }
+    }
+}
+
+fn pick(a: Value, b: Value, larger: bool) -> Evaluated {
+    match (a.as_rational(), b.as_rational()) {
+        (Some(x), Some(y)) => Ok(if (x >= y) == larger { a } else { b }),
+        _ => Err(Diagnostic::error(Code::Undecided, "only numbers can be compared")),
+    }
+}
+
+fn extended(
+    assignments: Vec<Vec<(Symbol, Value)>>,
+    name: &Symbol,
+    values: &[Value],
+) -> Vec<Vec<(Symbol, Value)>> {
+    let mut result = Vec::with_capacity(assignments.len() * values.len());
+    for base in assignments {
+        for value in values {
+            let mut names = base.clone();
+            names.push((name.clone(), value.clone()));
+            result.push(names);
+        }
+    }
+    result
+}
+
+fn mentions_enclosed(expr: &Expr) -> bool {
+    matches!(expr.kind, Kind::Enclosed(..))
+}
+
+/// The right-hand side of `|S| = size` for the given S.
+fn size_condition<'a>(condition: &'a Expr, set: &Expr) -> Option<&'a Expr> {
+    let Kind::Chain(left, links) = &condition.kind else { return None };
+    let Kind::Enclosed(_, inner) = &left.kind else { return None };
+    (links.len() == 1 && links[0].rel == Rel::Eq && inner.same_as(set)).then(|| &links[0].expr)
+}
+
+/// All ordered lists of `parts` integers ≥ 0 with the given sum, first part descending.
+fn compositions(total: i64, parts: usize) -> Vec<Vec<i64>> {
+    if parts == 0 || total < 0 {
+        return if parts == 0 && total == 0 { vec![Vec::new()] } else { Vec::new() };
+    }
+    if parts == 1 {
+        return vec![vec![total]];
+    }
+    let mut all = Vec::new();
+    for first in (0..=total).rev() {
+        crate::budget::charge_terms(all.len() as u64);
+        for rest in compositions(total - first, parts - 1) {
+            let mut list = vec![first];
+            list.extend(rest);
+            all.push(list);
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ordered_sums() {
+        assert_eq!(compositions(2, 2), [[2, 0], [1, 1], [0, 2]]);
+        assert_eq!(compositions(0, 3), [[0, 0, 0]]);
+        assert_eq!(compositions(4, 3).len(), 15);
+        assert!(compositions(-1, 2).is_empty());
+    }
+}

@@ -1,0 +1,49 @@
+//! What the evaluator is handed: the functions of the program, and a judge of claims.
+
+use super::arguments::Arguments;
+use super::machine::{Evaluated, Machine};
+use crate::formula::{Expr, Link};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::value::Judgement;
+
+/// A place among the arguments of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slot<'a> {
+    /// Counted from 0.
+    Place(usize),
+    /// `name = …`.
+    Name(&'a str),
+}
+
+/// A function of the program, as the evaluator calls it.
+pub trait Callable {
+    /// Its name.
+    fn name(&self) -> &'static str;
+
+    /// How it is called, for messages.
+    fn form(&self) -> String;
+
+    /// Whether a bare name as the argument there is a word that is not evaluated, as in
+    /// `labels=points`; `defined` says whether the name has a value.
+    fn takes_word(&self, slot: Slot, word: &str, defined: bool) -> bool;
+
+    /// Its value.
+    ///
+    /// # Errors
+    /// A [`Diagnostic`], with a place if it is about one argument.
+    fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated;
+}
+
+/// Judges the relations of a chain, one after the other.
+pub type Judge = fn(&mut Machine, &Expr, &[Link]) -> Result<Vec<Judgement>, Diagnostic>;
+
+/// What the evaluator is handed.
+#[derive(Clone, Copy)]
+pub struct Tools {
+    /// The function of a name.
+    pub function: fn(&str) -> Option<&'static dyn Callable>,
+    /// The names of all functions.
+    pub names: fn() -> Vec<&'static str>,
+    /// The judge of the claims in a formula.
+    pub judge: Judge,
+}

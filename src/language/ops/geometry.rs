@@ -1,0 +1,200 @@
+//! Curves as values: points, changes of representation, sums and multiples.
+
+use std::sync::Arc;
+
+use super::errors::{curve_error, spline_error};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Form, Geometry, PiecewiseFunction, Value, homogeneous};
+use crate::math::curve::{BezierCurve, CurveError, Point};
+use crate::math::poly::Fraction;
+use crate::math::ring::Ring;
+use crate::math::spline::{BSpline, KnotVector, SplineError};
+use num_traits::{One, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// A list of points: numbers and symbols (then `true`) or lists of coordinates.
+pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
+    match value {
+        Value::List(items) if !items.is_empty() => {
+            let scalars: Option<Vec<Point<Fraction>>> =
+                items.iter().map(|item| item.as_scalar().map(|x| vec![x.clone()])).collect();
+            if let Some(points) = scalars {
+                return Some((points, true));
+            }
+            let point = |item: &Value| match item {
+                Value::List(coordinates) => {
+                    coordinates.iter().map(|x| x.as_scalar().cloned()).collect::<Option<Point<Fraction>>>()
+                }
+                _ => None,
+            };
+            items.iter().map(point).collect::<Option<_>>().map(|points| (points, false))
+        }
+        // The rows of a matrix are points as well.
+        Value::Matrix(matrix) => {
+            Some((matrix.row_iter().map(|row| row.iter().cloned().collect()).collect(), false))
+        }
+        _ => None,
+    }
+}
+
+/// One point: coordinates, or a single number.
+pub(crate) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
+    match value {
+        Value::Scalar(x) => Some((vec![x.clone()], true)),
+        Value::List(items) => {
+            items.iter().map(|x| x.as_scalar().cloned()).collect::<Option<_>>().map(|p| (p, false))
+        }
+        _ => None,
+    }
+}
+
+/// A list of scalars.
+pub(crate) fn scalar_list(items: impl IntoIterator<Item = Fraction>) -> Value {
+    Value::List(items.into_iter().map(Value::Scalar).collect())
+}
+
+/// A Bézier curve as a value.
+pub(crate) fn bezier(curve: BezierCurve<Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Bezier(curve, form)))
+}
+
+/// A spline as a value.
+pub(crate) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
+    Value::Geometry(Arc::new(Geometry::Spline(spline, form)))
+}
+
+/// A Bézier curve as a spline without inner knots.
+pub(crate) fn as_spline(
+    curve: &BezierCurve<Fraction>,
+) -> std::result::Result<BSpline<Fraction>, SplineError> {
+    let (a, b) = curve.interval();
+    let knots = KnotVector::clamped(curve.degree(), a, &[], b)?;
+    BSpline::new(knots, curve.points().to_vec())
+}
+
+/// The curve with homogeneous coordinates, all weights 1 if it is polynomial.
+pub(crate) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> BezierCurve<Fraction> {
+    if form.rational {
+        return curve.clone();
+    }
+    let points = curve.points().iter().map(|point| homogeneous(point, &Fraction::one())).collect();
+    let (a, b) = curve.interval();
+    BezierCurve::new(points, a.clone(), b.clone()).expect("only a coordinate was added")
+}
+
+/// The spline with homogeneous coordinates, all weights 1 if it is polynomial.
+pub(crate) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpline<Fraction> {
+    if form.rational {
+        return spline.clone();
+    }
+    let points = spline.points().iter().map(|point| homogeneous(point, &Fraction::one())).collect();
+    BSpline::new(spline.knots().clone(), points).expect("only a coordinate was added")
+}
+
+/// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
+pub(crate) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fraction>> {
+    let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
+    let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
+    for pair in pieces.windows(2) {
+        let at = pair[1].interval().0.clone();
+        if pair[0].interval().1 != &at {
+            return Err(curve_error(CurveError::NoCommonEnd));
+        }
+        let order = crate::math::curve::continuity_at(&pair[0], &pair[1], &at).map_err(curve_error)?.order;
+        // One polynomial keeps a simple knot, so that each piece stays one.
+        let multiplicity = order.map_or(n + 1, |order| (n - order.min(n)).max(1));
+        knots.extend(vec![at; multiplicity]);
+    }
+    knots.extend(vec![pieces[pieces.len() - 1].interval().1.clone(); n + 1]);
+    let knots = KnotVector::new(n, knots).map_err(spline_error)?;
+    BSpline::from_pieces(knots, pieces).map_err(spline_error)
+}
+
+/// The pieces of a piecewise polynomial, or of several over the same breakpoints, one for each
+/// coordinate.
+pub(crate) fn polynomial_pieces(
+    value: &Value,
+) -> Option<std::result::Result<Vec<BezierCurve<Fraction>>, CurveError>> {
+    let functions: Vec<&PiecewiseFunction> = match value {
+        Value::Piecewise(function) => vec![function],
+        Value::List(items) => items
+            .iter()
+            .map(|item| if let Value::Piecewise(function) = item { Some(&**function) } else { None })
+            .collect::<Option<_>>()?,
+        _ => return None,
+    };
+    let breaks = functions.first()?.function.breaks();
+    if functions.iter().any(|other| other.function.breaks() != breaks) {
+        return None;
+    }
+    let piece = |i: usize| {
+        let padded = |function: &&PiecewiseFunction| {
+            let mut piece = function.function.pieces()[i].clone();
+            piece.resize(piece.len().max(1), Fraction::zero());
+            piece
+        };
+        let coordinates: Vec<Vec<Fraction>> = functions.iter().map(padded).collect();
+        BezierCurve::from_power(&coordinates, breaks[i].clone(), breaks[i + 1].clone())
+    };
+    Some((0..breaks.len() - 1).map(piece).collect())
+}
+
+/// The sum of two piecewise polynomials.
+pub(crate) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Result<Value> {
+    let function = a.function.sum(&b.function).ok_or_else(|| {
+        Diagnostic::error(Code::Undecided, "the breakpoints of the two functions cannot be put in one order")
+            .hint("symbolic breakpoints have to be the same in both")
+    })?;
+    Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: a.variable.clone() })))
+}
+
+/// A multiple of a piecewise polynomial.
+pub(crate) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
+    let function = f.function.map(|piece| piece.iter().map(|c| c.times(factor)).collect());
+    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
+}
+
+/// The sum of two polynomial Bézier curves over one interval, of the larger degree.
+pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
+    let (Geometry::Bezier(f, left), Geometry::Bezier(g, right)) = (a, b) else {
+        let message = format!("{} and {} cannot be added", a.kind(), b.kind());
+        return Err(
+            Diagnostic::error(Code::Type, message).hint("polynomial Bézier curves over one interval can be")
+        );
+    };
+    if left.rational || right.rational || f.interval() != g.interval() {
+        return Err(Diagnostic::error(Code::Shape, "only polynomial curves over one interval can be added")
+            .hint("over(c, a, b) moves a curve to another interval"));
+    }
+    if f.dimension() != g.dimension() {
+        return Err(curve_error(CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() }));
+    }
+    let n = f.degree().max(g.degree());
+    let (f, g) = (f.elevate(n - f.degree()), g.elevate(n - g.degree()));
+    let points = f.points().iter().zip(g.points()).map(|(p, q)| crate::math::curve::sum(p, q)).collect();
+    let (start, end) = f.interval();
+    let curve = BezierCurve::new(points, start.clone(), end.clone()).map_err(curve_error)?;
+    Ok(bezier(curve, Form { scalar: left.scalar && right.scalar, rational: false }))
+}
+
+/// A curve scaled from the origin.
+pub(crate) fn scale(factor: &Fraction, c: &Geometry) -> Result<Value> {
+    let form = c.form();
+    let scaled = |point: &Point<Fraction>| -> Point<Fraction> {
+        let last = point.len() - usize::from(form.rational);
+        point.iter().enumerate().map(|(k, x)| if k < last { x.times(factor) } else { x.clone() }).collect()
+    };
+    match c {
+        Geometry::Bezier(curve, _) => {
+            let (a, b) = curve.interval();
+            let points = curve.points().iter().map(scaled).collect();
+            BezierCurve::new(points, a.clone(), b.clone()).map(|c| bezier(c, form)).map_err(curve_error)
+        }
+        Geometry::Spline(s, _) => {
+            let points = s.points().iter().map(scaled).collect();
+            BSpline::new(s.knots().clone(), points).map(|s| spline(s, form)).map_err(spline_error)
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} has no multiples here", other.kind()))),
+    }
+}

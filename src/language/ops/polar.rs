@@ -1,0 +1,134 @@
+//! Polar forms as values: their arguments, sums and multiples, and what their laws say.
+
+use std::sync::Arc;
+
+use super::errors::{polar_error, wrong_kind};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Polar, PolarKind, Value};
+use crate::math::blossom::laws::{self, Arrangement};
+use crate::math::blossom::{
+    Argument, PointArgument, TensorPolarForm, TotalDegreePolarForm, Written, expand_tensor, expand_total,
+    expand_univariate,
+};
+use crate::math::poly::{Fraction, MultiPoly};
+use crate::math::ring::Ring;
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// A value as an argument of a polar form.
+pub(crate) fn argument(value: Value) -> Result<Argument<Fraction>> {
+    match value {
+        Value::Scalar(u) => Ok(Argument::Point(u)),
+        Value::Vector(v) => Ok(Argument::Vector(v)),
+        other => Err(wrong_kind("a number, symbol or vector argument", &other)),
+    }
+}
+
+/// A point of several coordinates, or a vector argument of such.
+pub(crate) fn point_argument(value: &Value) -> Option<PointArgument<Fraction>> {
+    let Value::List(items) = value else { return None };
+    let points: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
+    if let Some(points) = points {
+        return Some(Argument::Point(points));
+    }
+    let vectors: Option<Vec<Fraction>> = items
+        .iter()
+        .map(|item| match item {
+            Value::Vector(v) => Some(v.clone()),
+            _ => None,
+        })
+        .collect();
+    vectors.map(Argument::Vector)
+}
+
+/// The sum of two polar forms with as many arguments.
+pub(crate) fn add(a: &Polar, b: &Polar) -> Result<Value> {
+    let unequal = || {
+        Diagnostic::error(Code::Arity, "polar forms with different arguments cannot be added")
+            .hint("elevate the lower degree first, or use polar_sum(f, g), which does it")
+    };
+    let kind = match (&a.kind, &b.kind) {
+        (PolarKind::Univariate(f), PolarKind::Univariate(g)) if f.degree() == g.degree() => {
+            PolarKind::Univariate(f.sum(g))
+        }
+        (PolarKind::Tensor(f), PolarKind::Tensor(g)) if f.degrees() == g.degrees() => {
+            PolarKind::Tensor(f.sum(g).map_err(|_| unequal())?)
+        }
+        _ => return Err(unequal()),
+    };
+    Ok(Value::Polar(Arc::new(Polar { kind, variables: a.variables.clone() })))
+}
+
+/// A multiple of a polar form.
+pub(crate) fn scale(a: &Fraction, f: &Polar) -> Result<Value> {
+    let kind = match &f.kind {
+        PolarKind::Univariate(form) => PolarKind::Univariate(form.map(|c| c.times(a))),
+        PolarKind::Tensor(form) => {
+            let rows = form.coefficients();
+            let grid = rows.iter().map(|row| row.iter().map(|c| c.times(a)).collect());
+            PolarKind::Tensor(TensorPolarForm::new(grid.collect()).map_err(polar_error)?)
+        }
+        PolarKind::Total(form) => {
+            let terms = form.terms().map(|(e, c)| (e.to_vec(), c.times(a)));
+            PolarKind::Total(
+                TotalDegreePolarForm::new(form.dimension(), form.degree(), terms).map_err(polar_error)?,
+            )
+        }
+    };
+    Ok(Value::Polar(Arc::new(Polar { kind, variables: f.variables.clone() })))
+}
+
+/// The coordinates of a curve as polar forms of one degree, the largest.
+pub(crate) fn levelled(list: Vec<Value>) -> Vec<Value> {
+    let degree = |value: &Value| match value {
+        Value::Polar(polar) => match &polar.kind {
+            PolarKind::Univariate(form) => Some(form.degree()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let Some(top) = list.iter().map(degree).collect::<Option<Vec<usize>>>().and_then(|d| d.into_iter().max())
+    else {
+        return list;
+    };
+    list.into_iter()
+        .map(|value| match &value {
+            Value::Polar(polar) => match &polar.kind {
+                PolarKind::Univariate(form) => Value::Polar(Arc::new(Polar {
+                    kind: PolarKind::Univariate(form.elevate(top - form.degree())),
+                    variables: polar.variables.clone(),
+                })),
+                _ => value,
+            },
+            _ => value,
+        })
+        .collect()
+}
+
+/// The form written out in the arguments of the arrangement; `None` if a coefficient is a
+/// proper quotient.
+pub(crate) fn expand_polar(polar: &Polar, arrangement: &Arrangement) -> Option<MultiPoly> {
+    let written = |c: &Fraction| c.as_written().is_some();
+    match &polar.kind {
+        PolarKind::Univariate(form) => {
+            form.coefficients().iter().all(written).then(|| expand_univariate(form, arrangement))
+        }
+        PolarKind::Tensor(form) => form
+            .coefficients()
+            .iter()
+            .all(|row| row.iter().all(written))
+            .then(|| expand_tensor(form, arrangement)),
+        PolarKind::Total(form) => {
+            form.terms().all(|(_, c)| written(c)).then(|| expand_total(form, arrangement))
+        }
+    }
+}
+
+/// What the laws of polar forms say about a claimed expression.
+pub(crate) fn laws_report(polar: &Polar, claim: &Fraction, arrangement: &Arrangement) -> Vec<String> {
+    let Some(claim) = claim.as_polynomial() else {
+        return vec!["the claimed expression is not a polynomial in the arguments".to_owned()];
+    };
+    let Some(right) = expand_polar(polar, arrangement) else { return Vec::new() };
+    laws::check(claim, &right, arrangement).describe()
+}
