@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::arguments::{self, Arguments};
-use super::curves::{is_curve, levelled};
+use super::curves::is_curve;
 use super::names::{name_of, stands_for_itself};
 use super::{Evaluated, Machine, arithmetic, geometry, wrong_kind};
 use crate::formula::source::Span;
@@ -87,11 +87,11 @@ impl Machine {
                 self.note(
                     Diagnostic::note(
                         Code::StandardMeaning,
-                        format!("read with its standard meaning, {}", builtin.signature),
+                        format!("read with its standard meaning, {}", builtin.signature()),
                     )
                     .at(callee.span),
                 );
-                (builtin.call)(self, &all).at(whole.span)
+                builtin.run(self, &all).at(whole.span)
             }
         }
     }
@@ -300,14 +300,12 @@ impl Machine {
             for item in group {
                 match arguments::named(item) {
                     Some((name, value)) => {
-                        let value_span = value.span;
-                        let value = match &value.kind {
-                            Kind::Name(word) if functions::WORD_ARGUMENTS.contains(&name.as_str()) => {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(value)?,
+                        // The check of the arguments complains of an unknown name.
+                        let given = match builtin.knows(&name) {
+                            true => self.eval_or_word(value, &builtin.words_under(&name))?,
+                            false => Value::Text(name.clone()),
                         };
-                        all.push_named(name, value, value_span);
+                        all.push_named(name, given, value.span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
                         for value in self.expand_items(group)? {
@@ -316,46 +314,27 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = match &item.kind {
-                            Kind::Name(word)
-                                if all.is_empty() && functions::WORD_FIRST.contains(&builtin.name) =>
-                            {
-                                Value::Text(word.clone())
-                            }
-                            _ => self.eval(item)?,
-                        };
+                        let value = self.eval_or_word(item, &builtin.words_at(all.len()))?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
-        self.run_builtin(builtin, &all, span)
+        builtin.run(self, &all).at(span)
     }
 
-    /// Calls a function of the program with its arguments, as it applies to their kinds.
-    pub(crate) fn run_builtin(
-        &mut self,
-        builtin: &'static functions::Builtin,
-        all: &Arguments,
-        span: Span,
-    ) -> Evaluated {
-        if let Some(first) = all.values().next()
-            && let Some(method) = functions::method(builtin.name, first)
-        {
-            return method(all).at(span);
+    /// The value of an argument; where words are expected, a name that is one of them or has no
+    /// value is a word.
+    fn eval_or_word(&mut self, item: &Expr, words: &[&str]) -> Evaluated {
+        match &item.kind {
+            Kind::Name(name)
+                if !words.is_empty()
+                    && (words.contains(&name.as_str()) || self.lookup(&Symbol::new(name)).is_none()) =>
+            {
+                Ok(Value::Text(name.clone()))
+            }
+            _ => self.eval(item),
         }
-        if functions::COORDINATEWISE.contains(&builtin.name)
-            && let Some(Value::List(items)) = all.values().next()
-        {
-            let items = items.clone();
-            let each = items.into_iter().map(|item| {
-                let method = functions::method(builtin.name, &item);
-                let own = all.with_first(item);
-                method.map_or_else(|| (builtin.call)(self, &own), |method| method(&own))
-            });
-            return each.collect::<Result<_, _>>().map(|list| Value::List(levelled(list))).at(span);
-        }
-        (builtin.call)(self, all).at(span)
     }
 
     /// Calls a function with its index and bracket arguments.

@@ -1,11 +1,11 @@
 //! Triangular schemes: de Casteljau, de Boor, divided differences.
 
 use super::numeric::form_name;
-use super::options::{Labels, drawn, expect, finished, flag, labels, word};
+use super::options::{Labels, drawn, finished, labels};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Evaluated;
-use crate::language::eval::arguments::Arguments;
+use crate::language::eval::arguments::{Arguments, word_of};
 use crate::language::eval::geometry::curve_error;
 use crate::language::functions::splines;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
@@ -18,16 +18,13 @@ use num_traits::One;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-pub(super) const PYRAMID: &str = "figure_pyramid(c, u_1, ..., u_n, labels=values, weights=0, apex=top)";
-
 /// A scheme of more entries is not read any more.
 const LARGEST: usize = 24;
 
 pub(super) fn pyramid(args: &Arguments) -> Evaluated {
-    expect(args, PYRAMID, 2..=usize::MAX, &["labels", "weights", "apex", "span"])?;
-    let apex = match args.named_or("apex", usize::MAX) {
+    let apex = match args.named("apex") {
         None => Apex::Right,
-        Some((value, span)) => match word(value) {
+        Some((value, span)) => match word_of(value) {
             Some("right") => Apex::Right,
             Some("top") => Apex::Top,
             Some("bottom") => Apex::Bottom,
@@ -51,7 +48,7 @@ pub(super) fn pyramid(args: &Arguments) -> Evaluated {
         .hint("casteljau(c, t) and deboor(s, t) print schemes of any size"));
     }
     let last = levels.len() - 1;
-    let shown = flag(args, "weights", true)?;
+    let shown = args.flag("weights", true)?;
     let picture = PyramidPicture {
         weights: if shown { weights } else { Vec::new() },
         apex,
