@@ -17,19 +17,20 @@ struct Call {
 }
 
 impl Call {
-    fn of(function: &Builtin) -> Call {
+    /// None for what has a notation of its own, as `compose(F, G)` is F ∘ G.
+    fn of(function: &Builtin) -> Option<Call> {
         let text = function.example;
         let tree = parse(text).unwrap_or_else(|error| panic!("{text}: {}", error.message));
         let head = function.subject_of.unwrap_or(function.name);
-        let (whole, groups) = find(&tree, head).unwrap_or_else(|| panic!("{text} does not call {head}"));
+        let (whole, groups) = find(&tree, head)?;
         let own: Vec<&Expr> =
             groups.iter().flatten().skip(usize::from(function.subject_of.is_some())).collect();
         let start = own.first().map_or(whole.span.end - 1, |first| first.span.start);
-        Call {
+        Some(Call {
             before: text[..start].to_owned(),
             arguments: own.iter().map(|expr| text[expr.span.range()].to_owned()).collect(),
             after: text[whole.span.end - 1..].to_owned(),
-        }
+        })
     }
 
     /// The text with these arguments, and where the one at `at` stands.
@@ -67,9 +68,22 @@ fn find<'a>(expr: &'a Expr, name: &str) -> Option<(&'a Expr, &'a [Vec<Expr>])> {
     found
 }
 
-/// Functions and what they can derive.
-fn all() -> impl Iterator<Item = &'static Builtin> {
-    BUILTINS.iter().flat_map(|function| std::iter::once(*function).chain(function.subjects))
+/// Functions and what they can derive, each with its example.
+fn all() -> impl Iterator<Item = (&'static Builtin, Call)> {
+    let all = BUILTINS.iter().flat_map(|function| std::iter::once(*function).chain(function.subjects));
+    all.filter_map(|function| Some((function, Call::of(function)?)))
+}
+
+/// Those whose arguments are all their own.
+fn plain() -> impl Iterator<Item = (&'static Builtin, Call)> {
+    all().filter(|(function, _)| function.subjects.is_empty() && !is_free(function))
+}
+
+#[test]
+fn few_functions_have_a_notation_of_their_own() {
+    let skipped: Vec<&str> =
+        BUILTINS.iter().filter(|function| Call::of(function).is_none()).map(|f| f.name).collect();
+    assert_eq!(skipped, ["compose", "transpose", "binomial"]);
 }
 
 fn value(text: &str) -> Result<Value, Diagnostic> {
@@ -104,7 +118,8 @@ fn places(function: &Builtin, call: &Call) -> Vec<(usize, &'static Parameter)> {
 }
 
 fn is_named(text: &str, function: &Builtin) -> bool {
-    text.split_once('=').is_some_and(|(name, _)| named(function).iter().any(|p| p.name == name.trim()))
+    let own = || function.parameters.iter().chain(function.common);
+    text.split_once('=').is_some_and(|(name, _)| own().any(|parameter| parameter.name == name.trim()))
 }
 
 #[test]
@@ -117,8 +132,7 @@ fn examples_of_what_can_be_derived_run() {
 #[test]
 fn what_has_a_place_can_be_given_by_its_name() {
     let mut count = 0;
-    for function in all().filter(|function| function.subjects.is_empty() && !is_free(function)) {
-        let call = Call::of(function);
+    for (function, call) in plain() {
         for (i, parameter) in places(function, &call) {
             // Arguments after a named one would move forward.
             if !has_name(parameter) || i + 1 < places(function, &call).len() {
@@ -151,8 +165,7 @@ fn what_has_a_place_can_be_given_by_its_name() {
 
 #[test]
 fn a_name_is_given_once() {
-    for function in all().filter(|function| function.subjects.is_empty() && !is_free(function)) {
-        let call = Call::of(function);
+    for (function, call) in plain() {
         for (i, parameter) in places(function, &call).into_iter().filter(|(_, p)| has_name(p)) {
             let (text, _) = call.with_more(format!("{}={}", parameter.name, call.arguments[i]));
             let error = value(&text).expect_err(&text);
@@ -164,8 +177,7 @@ fn a_name_is_given_once() {
 
 #[test]
 fn all_names_of_the_table_are_accepted() {
-    for function in all() {
-        let call = Call::of(function);
+    for (function, call) in all() {
         for parameter in named(function) {
             let sample = match parameter.kind {
                 Takes::Word(words) => words[0].to_owned(),
@@ -183,8 +195,7 @@ fn all_names_of_the_table_are_accepted() {
 #[test]
 fn other_names_are_refused_with_the_form() {
     let mut guessed = 0;
-    for function in all().filter(|function| function.subjects.is_empty() && !is_free(function)) {
-        let call = Call::of(function);
+    for (function, call) in plain() {
         let (text, place) = call.with_more("unheard_of=1".to_owned());
         let error = value(&text).expect_err(&text);
         assert_eq!(
@@ -212,8 +223,7 @@ fn other_names_are_refused_with_the_form() {
 
 #[test]
 fn a_wrong_number_of_arguments_shows_the_form() {
-    for function in all().filter(|function| function.subjects.is_empty()) {
-        let call = Call::of(function);
+    for (function, call) in all().filter(|(function, _)| function.subjects.is_empty()) {
         let count = |least: bool| -> usize {
             let one = |parameter: &Parameter| match parameter.need {
                 Need::Required => 1,
@@ -251,6 +261,15 @@ fn a_wrong_number_of_arguments_shows_the_form() {
     }
 }
 
+/// What the examples make no use of: the letter where a parameter is given, the interval of a curve
+/// without knots, the polygon of a surface without points.
+const UNUSED: &[(&str, &str)] = &[
+    ("neville", "variable"),
+    ("aitken", "variable"),
+    ("figure_pyramid", "span"),
+    ("figure_triangle", "polygon"),
+];
+
 /// A value that is nothing of the kind.
 fn another_kind(kind: Takes) -> Option<&'static str> {
     match kind {
@@ -262,39 +281,41 @@ fn another_kind(kind: Takes) -> Option<&'static str> {
 
 #[test]
 fn another_kind_is_an_error_at_the_argument() {
-    let mut count = 0;
-    for function in all().filter(|function| function.subjects.is_empty() && !is_free(function)) {
-        let call = Call::of(function);
+    let (mut count, mut wrong) = (0, Vec::new());
+    for (function, call) in plain() {
         let mut cases = Vec::new();
         for (i, parameter) in places(function, &call) {
-            let Some(wrong) = another_kind(parameter.kind) else { continue };
+            let Some(other) = another_kind(parameter.kind) else { continue };
             let mut arguments = call.arguments.clone();
-            arguments[i] = wrong.to_owned();
+            arguments[i] = other.to_owned();
             cases.push(call.with(&arguments, i));
         }
         let given = |parameter: &Parameter| {
-            places(function, &call).iter().any(|(_, other)| other.name == parameter.name)
+            UNUSED.contains(&(function.name, parameter.name))
+                || places(function, &call).iter().any(|(_, other)| other.name == parameter.name)
                 || call.arguments.iter().any(|text| text.split('=').next() == Some(parameter.name))
         };
         for parameter in
             function.parameters.iter().chain(function.common).filter(|p| has_name(p) && !given(p))
         {
-            let Some(wrong) = another_kind(parameter.kind) else { continue };
-            let (text, place) = call.with_more(format!("{}={wrong}", parameter.name));
+            let Some(other) = another_kind(parameter.kind) else { continue };
+            let (text, place) = call.with_more(format!("{}={other}", parameter.name));
             cases.push((text, place + parameter.name.len() + 1));
         }
         for (text, place) in cases {
-            let Err(error) = value(&text) else { panic!("{text} has a value") };
-            assert!(
-                matches!(error.code, Code::Type | Code::Domain),
-                "{text}: {:?} {}",
-                error.code,
-                error.message
-            );
-            assert_eq!(error.span.map(|span| span.start), Some(place), "{text}: {}", error.message);
             count += 1;
+            match value(&text) {
+                Ok(_) => wrong.push(format!("{text} has a value")),
+                Err(error) => {
+                    let start = error.span.map(|span| span.start);
+                    if !matches!(error.code, Code::Type | Code::Domain) || start != Some(place) {
+                        wrong.push(format!("{text}: {:?} at {start:?}: {}", error.code, error.message));
+                    }
+                }
+            }
         }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(count > 200, "{count}");
 }
 

@@ -91,7 +91,7 @@ impl Machine {
                     )
                     .at(callee.span),
                 );
-                builtin.run(self, &all).at(whole.span)
+                builtin.run(self, all).at(whole.span)
             }
         }
     }
@@ -302,7 +302,7 @@ impl Machine {
                     Some((name, value)) => {
                         // The check of the arguments complains of an unknown name.
                         let given = match builtin.knows(&name) {
-                            true => self.eval_or_word(value, &builtin.words_under(&name))?,
+                            true => self.eval_or_word(value, true, || builtin.words_under(&name))?,
                             false => Value::Text(name.clone()),
                         };
                         all.push_named(name, given, value.span);
@@ -314,27 +314,32 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let value = self.eval_or_word(item, &builtin.words_at(all.len()))?;
+                        let subject = all.is_empty() && !builtin.subjects.is_empty();
+                        let value = self.eval_or_word(item, subject, || builtin.words_at(all.len()))?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
-        builtin.run(self, &all).at(span)
+        builtin.run(self, all).at(span)
     }
 
-    /// The value of an argument; where words are expected, a name that is one of them or has no
-    /// value is a word.
-    fn eval_or_word(&mut self, item: &Expr, words: &[&str]) -> Evaluated {
-        match &item.kind {
-            Kind::Name(name)
-                if !words.is_empty()
-                    && (words.contains(&name.as_str()) || self.lookup(&Symbol::new(name)).is_none()) =>
-            {
-                Ok(Value::Text(name.clone()))
+    /// The value of an argument, where a name may be one of some words; if `any`, other names
+    /// without a value are words, too, for the function to complain of.
+    fn eval_or_word(
+        &mut self,
+        item: &Expr,
+        any: bool,
+        words: impl FnOnce() -> Vec<&'static str>,
+    ) -> Evaluated {
+        if let Kind::Name(name) = &item.kind {
+            let words = words();
+            let open = || any && !words.is_empty() && self.lookup(&Symbol::new(name)).is_none();
+            if words.contains(&name.as_str()) || open() {
+                return Ok(Value::Text(name.clone()));
             }
-            _ => self.eval(item),
         }
+        self.eval(item)
     }
 
     /// Calls a function with its index and bracket arguments.

@@ -91,9 +91,14 @@ impl Arguments {
         Some(self.named.remove(at))
     }
 
-    /// The names under which arguments are given.
-    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.named.iter().map(|(name, ..)| name.as_str())
+    /// Removes all arguments that are given under names.
+    pub(crate) fn take_all_named(&mut self) -> Vec<(String, Value, Span)> {
+        std::mem::take(&mut self.named)
+    }
+
+    /// Whether some are given under names.
+    pub(crate) fn has_names(&self) -> bool {
+        !self.named.is_empty()
     }
 
     /// The same arguments with another first one.

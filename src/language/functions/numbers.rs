@@ -47,8 +47,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cross",
         parameters: &[
-            required("a", Takes::Point, "the first point or vector"),
-            required("b", Takes::Point, "the second one"),
+            required("a", Takes::Any, "a point of space"),
+            required("b", Takes::Any, "another one"),
         ],
         summary: "the cross product of two points in space",
         example: "cross([1, 0, 0], [0, 1, 0])",

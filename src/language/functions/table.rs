@@ -214,41 +214,39 @@ impl Builtin {
     }
 
     /// Checks the arguments and calls the function, as it works on its first argument.
-    pub(crate) fn run(&self, machine: &mut Machine, given: &Arguments) -> Evaluated {
-        let args = &self.with_first_in_place(given);
-        match args.values().next() {
-            first if !self.subjects.is_empty() => {
-                let word = first.and_then(word_of);
-                match self.subjects.iter().find(|subject| Some(subject.name) == word) {
-                    Some(subject) => subject.run(machine, &args.after_first()),
-                    None => (self.call)(machine, args),
-                }
-            }
-            Some(Value::List(items)) if self.each => {
-                let each = items.iter().map(|item| self.run_once(machine, &args.with_first(item.clone())));
-                each.collect::<Result<_>>().map(|list| Value::List(levelled(list)))
-            }
-            _ => self.run_once(machine, args),
+    pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
+        let args = self.with_first_in_place(args);
+        let first = args.values().next();
+        if !self.subjects.is_empty() {
+            let word = first.and_then(word_of);
+            return match self.subjects.iter().find(|subject| Some(subject.name) == word) {
+                Some(subject) => subject.run(machine, args.after_first()),
+                None => (self.call)(machine, &args),
+            };
         }
+        if let Some(Value::List(items)) = first.filter(|_| self.each) {
+            let each = items.iter().map(|item| self.run_once(machine, args.with_first(item.clone())));
+            return each.collect::<Result<_>>().map(|list| Value::List(levelled(list)));
+        }
+        self.run_once(machine, args)
     }
 
-    fn run_once(&self, machine: &mut Machine, args: &Arguments) -> Evaluated {
-        match args.values().next().and_then(|first| self.variant(first)) {
+    fn run_once(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
+        let variant = args.values().next().and_then(|first| self.variant(first));
+        match variant {
             Some(variant) => (variant.call)(&self.checked(variant.parameters, args)?),
             None => (self.call)(machine, &self.checked(self.parameters, args)?),
         }
     }
 
     /// The first argument decides how a function works, so it is needed before the others.
-    fn with_first_in_place(&self, args: &Arguments) -> Arguments {
-        let mut args = args.clone();
+    fn with_first_in_place(&self, mut args: Arguments) -> Arguments {
         if args.is_empty() {
             let first = self.parameter_lists().filter(|list| names_places(list)).filter_map(<[_]>::first);
-            for name in first.filter(|first| first.has_place() && first.has_name()).map(|first| first.name) {
-                if let Some((_, value, span)) = args.take_named(name) {
-                    args.push(value, span);
-                    break;
-                }
+            let mut names =
+                first.filter(|first| first.has_place() && first.has_name()).map(|first| first.name);
+            if let Some((_, value, span)) = names.find_map(|name| args.take_named(name)) {
+                args.push(value, span);
             }
         }
         args
@@ -256,24 +254,21 @@ impl Builtin {
 
     /// The arguments, each at the place of its parameter, if there are as many as needed and all
     /// names are known.
-    fn checked(&self, parameters: &[Parameter], given: &Arguments) -> Result<Arguments> {
-        let mut args = given.clone();
+    fn checked(&self, parameters: &[Parameter], mut args: Arguments) -> Result<Arguments> {
         let by_place: Vec<&Parameter> = parameters.iter().filter(|p| p.has_place()).collect();
         let by_name = || parameters.iter().chain(self.common).filter(|p| matches!(p.need, Need::Named(_)));
         let placeable = names_places(parameters);
-        for name in given.names() {
+        for (name, value, span) in args.take_all_named() {
             let place = by_place.iter().position(|p| placeable && p.has_name() && p.name == name);
-            let known = !placeable || place.is_some() || by_name().any(|p| p.name == name);
-            let Some((name, value, span)) = args.take_named(name) else { continue };
-            if !known {
+            if placeable && place.is_none() && !by_name().any(|p| p.name == name) {
                 let places = by_place.iter().copied().filter(|p| p.has_name());
                 return Err(self.unknown(parameters, &name, places.chain(by_name())).at(span));
             }
-            let free = match place {
-                Some(place) => args.given(place).is_none(),
-                None => args.named(&name).is_none(),
+            let taken = match place {
+                Some(place) => args.given(place),
+                None => args.named(&name),
             };
-            if !free {
+            if taken.is_some() {
                 return Err(Diagnostic::error(Code::Arity, format!("the argument '{name}' is given twice"))
                     .at(span)
                     .hint(format!("the form is {}", self.form(parameters))));
@@ -312,7 +307,7 @@ impl Builtin {
             least += few;
             most = most.saturating_add(many);
         }
-        if !names_places(parameters) && args.names().next().is_some() {
+        if !names_places(parameters) && args.has_names() {
             (least, most) = (1, 1);
         }
         let count = args.values().count();

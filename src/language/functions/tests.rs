@@ -1,4 +1,6 @@
 use super::{BUILTINS, Builtin, Need, Parameter, builtin};
+use crate::language::value::Language;
+use crate::math::blossom::Method;
 
 /// Every list of parameters, with the function it belongs to.
 fn lists(each: &mut dyn FnMut(&Builtin, &[Parameter])) {
@@ -75,4 +77,17 @@ fn forms_show_all_but_what_a_group_shares() {
     let elevate = builtin("elevate").expect("a function");
     let others: Vec<String> = elevate.other_forms().map(|(form, _)| form).collect();
     assert_eq!(others, ["elevate(c, k)", "elevate(s, k, l)"]);
+}
+
+#[test]
+fn words_are_those_that_are_read() {
+    let derive = builtin("derive").expect("a function");
+    assert_eq!(
+        derive.words_under("lang"),
+        Language::ALL.map(Language::code).repeat(1 + derive.subjects.len())
+    );
+    assert_eq!(derive.words_under("method"), Method::ALL.map(Method::name));
+    assert_eq!(derive.words_at(0).len(), derive.subjects.len());
+    let points = derive.words_under("ends");
+    assert!(points.contains(&"not_a_knot") && derive.words_under("degree").is_empty());
 }

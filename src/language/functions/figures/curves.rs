@@ -3,7 +3,7 @@
 use super::numeric::{
     Placed, Space, affine, form_name, local, number, place, placed, point_names, with_axes,
 };
-use super::options::{Labels, drawn, finished, labels};
+use super::options::{LABELS, Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Accent, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -23,8 +23,6 @@ use crate::scene::pictures::{
 use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
-
-const ALL: &[Labels] = &[Labels::Polar, Labels::Points, Labels::None];
 
 /// Polar labels of a larger degree are too long to stand beside points.
 const LONGEST_POLAR: usize = 5;
@@ -96,7 +94,7 @@ fn equation(name: &str, value: &Fraction) -> Expr {
 
 pub(super) fn bezier(args: &Arguments) -> Evaluated {
     let given = args.curves()?;
-    let wanted = labels(args, ALL)?;
+    let wanted = labels(args, LABELS)?;
     let mut curves = Vec::with_capacity(given.len());
     let mut spaces = Vec::with_capacity(given.len());
     let mut all = Vec::new();
@@ -147,7 +145,7 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
     let free = ![a, b].iter().any(|end| end.variables().contains(&letter));
     let short = t.as_rational().is_some_and(|q| q.is_integer()) || !free;
     let name = if short { polynomial_expr(&t) } else { Expr::name("t") };
-    let wanted = labels(args, ALL)?.unwrap_or_else(|| usual(degree, false));
+    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(degree, false));
     let labels = match wanted {
         Labels::Polar => {
             casteljau_labels(&form_name(0), degree, &polynomial_expr(a), &polynomial_expr(b), &name)
@@ -195,7 +193,7 @@ fn extrapolated(points: &[Plane], t: &Rational) -> Vec<Plane> {
 pub(super) fn bspline(args: &Arguments) -> Evaluated {
     let span = args.span(0);
     let (spline, form) = args.spline(0)?;
-    let wanted = labels(args, ALL)?;
+    let wanted = labels(args, LABELS)?;
     no_polar(args, wanted, form)?;
     let knots = spline.knots();
     let greville = || (0..knots.count()).map(|i| number(&knots.greville(i), span)).collect();
@@ -260,7 +258,7 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
     let second = place(&g, right, args.span(1))?;
     let space = one_space([(first.space, args.span(0)), (second.space, args.span(1))].into_iter())?;
     let (first, second) = (first.polynomial(args.span(0))?, second.polynomial(args.span(1))?);
-    let wanted = labels(args, ALL)?.unwrap_or_else(|| usual(n, false));
+    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(n, false));
     let order = args.named_size("order")?.unwrap_or(2);
     let marks = knots.clone();
     let mut range = first.clone();
@@ -281,7 +279,7 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
 pub(super) fn hodograph(args: &Arguments) -> Evaluated {
     let span = args.span(0);
     let (curve, form) = args.curve(0)?;
-    let wanted = labels(args, ALL)?.unwrap_or(Labels::Points);
+    let wanted = labels(args, LABELS)?.unwrap_or(Labels::Points);
     if curve.degree() == 0 {
         return Err(Diagnostic::error(Code::ControlPoints, "a single point has no derivative to draw")
             .at(span)

@@ -19,7 +19,7 @@ use crate::language::eval::wrong_kind;
 use crate::language::value::Value;
 use crate::scene::Scene;
 
-use options::{COMMON, LABELS, POLYGON, label_words};
+use options::{COMMON, GRAPH_LABELS, LABELS, POLYGON, label_words};
 
 const NEW: Builtin = Builtin { common: COMMON, ..Builtin::about("Figures") };
 
@@ -68,7 +68,7 @@ pub(super) const TABLE: &[Builtin] = &[
             DEGREE,
             optional("knots", Takes::Scalars, "Bernstein polynomials", "the knots of B-splines")
                 .shown("[t_0, ..., t_k]"),
-            label_words("labels=none", &["points", "none"], "points up to 14 graphs"),
+            label_words("labels=none", GRAPH_LABELS, "points up to 14 graphs"),
         ],
         summary: "the Bernstein polynomials of degree n, or the B-splines over knots",
         example: "figure_basis(2, [0, 0, 0, 1, 3, 3, 3])",
@@ -81,7 +81,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("functions", Takes::Coordinates, "the functions").shown("[F, G, ...]"),
             optional("a", Takes::Scalar, "where the functions start, or 0", "the start of the interval"),
             optional("b", Takes::Scalar, "where the functions end, or a + 1", "its end"),
-            label_words("labels=none", &["points", "none"], "points up to 14 graphs"),
+            label_words("labels=none", GRAPH_LABELS, "points up to 14 graphs"),
             VARIABLE,
         ],
         summary: "the graphs of polynomials and piecewise polynomials over [a, b]",

@@ -22,6 +22,9 @@ pub(super) const COMMON: &[Parameter] = &[
 /// The words for labels of curves and surfaces.
 pub(super) const LABELS: &[&str] = &["polar", "points", "none"];
 
+/// The words for labels of graphs.
+pub(super) const GRAPH_LABELS: &[&str] = &["points", "none"];
+
 pub(super) const POLYGON: Parameter =
     named("polygon=0", Takes::Flag, "1", "whether the control polygon or net is drawn");
 
@@ -57,15 +60,14 @@ impl Labels {
 }
 
 /// The value of `labels=…`, which must be among those allowed.
-pub(super) fn labels(args: &Arguments, allowed: &[Labels]) -> Result<Option<Labels>> {
+pub(super) fn labels(args: &Arguments, words: &[&str]) -> Result<Option<Labels>> {
     let Some((value, span)) = args.named("labels") else { return Ok(None) };
-    let allowed = || Labels::WORDS.iter().filter(|(_, labels)| allowed.contains(labels));
     let word = word_of(value);
-    if let Some((_, labels)) = allowed().find(|(name, _)| word == Some(*name)) {
+    let known = Labels::WORDS.iter().find(|(name, _)| words.contains(name) && word == Some(*name));
+    if let Some((_, labels)) = known {
         return Ok(Some(*labels));
     }
-    let names: Vec<&str> = allowed().map(|(name, _)| *name).collect();
-    let (list, last) = (alternatives(&names), names.last().copied().unwrap_or_default());
+    let (list, last) = (alternatives(words), words.last().copied().unwrap_or_default());
     let found = word.map_or_else(|| value.kind().to_owned(), |word| format!("'{word}'"));
     Err(Diagnostic::error(Code::Domain, format!("labels are {list} here, not {found}"))
         .at(span)

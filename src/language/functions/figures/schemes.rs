@@ -62,7 +62,7 @@ type Scheme = (Vec<Vec<Expr>>, Vec<Vec<[Expr; 2]>>, String);
 
 /// De Casteljau's scheme of a Bézier curve, or de Boor's of a spline.
 fn blossom(args: &Arguments) -> Result<Scheme> {
-    let wanted = labels(args, &[Labels::Polar, Labels::Values])?.unwrap_or(Labels::Polar);
+    let wanted = labels(args, &["polar", "values"])?.unwrap_or(Labels::Polar);
     if let Value::Geometry(geometry) = args.value(0)?
         && let Geometry::Spline(spline, form) = &**geometry
     {
@@ -112,7 +112,7 @@ fn divided_differences(args: &Arguments) -> Result<Scheme> {
             .at(args.span(2))
             .hint("figure_pyramid([0, 1, 2], [1, 3, 2])"));
     }
-    let wanted = labels(args, &[Labels::Values, Labels::Points])?.unwrap_or(Labels::Values);
+    let wanted = labels(args, &["points", "values"])?.unwrap_or(Labels::Values);
     let (nodes, values) = (args.scalars(0)?, args.scalars(1)?);
     let table = DividedDifferences::with_repeats(&nodes, &values).map_err(|error| {
         let (code, span) = match error {

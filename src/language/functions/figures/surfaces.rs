@@ -1,7 +1,7 @@
 //! Figures of surfaces.
 
 use super::numeric::{form_name, number};
-use super::options::{Labels, drawn, finished, labels};
+use super::options::{LABELS, Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -77,7 +77,7 @@ fn polynomial(form: Form, span: Span) -> Result<()> {
 
 pub(super) fn patch(args: &Arguments) -> Evaluated {
     let span = args.span(0);
-    let wanted = labels(args, &[Labels::Polar, Labels::Points, Labels::None])?.unwrap_or(Labels::None);
+    let wanted = labels(args, LABELS)?.unwrap_or(Labels::None);
     let value = args.value(0)?;
     let wrong = |value: &Value| {
         wrong_kind("rows of control points or heights", value)
@@ -143,7 +143,7 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
 
 pub(super) fn triangle(args: &Arguments) -> Evaluated {
     let span = args.span(0);
-    let wanted = labels(args, &[Labels::Polar, Labels::Points, Labels::None])?;
+    let wanted = labels(args, LABELS)?;
     let corners: Option<[Expr; 3]> = match args.given(1) {
         Some(_) => {
             let given = args.scalars(1)?;
