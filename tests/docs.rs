@@ -200,9 +200,7 @@ fn the_function_reference_is_up_to_date() {
 /// A small list of parameters.
 fn list<'a>(page: &mut String, indent: &str, parameters: impl IntoIterator<Item = &'a Parameter>) {
     for parameter in parameters {
-        let (called, doc) = (parameter.called(), parameter.doc);
-        let default = parameter.default().map_or_else(String::new, |default| format!("; else {default}"));
-        writeln!(page, "{indent}- `{called}`: {doc} ({}{default})", parameter.kind.description()).unwrap();
+        writeln!(page, "{indent}- `{}`: {}", parameter.called(), parameter.explanation()).unwrap();
     }
 }
 

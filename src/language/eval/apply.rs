@@ -91,7 +91,7 @@ impl Machine {
                     )
                     .at(callee.span),
                 );
-                builtin.run(self, all).at(whole.span)
+                builtin.run(self, &all).at(whole.span)
             }
         }
     }
@@ -300,11 +300,8 @@ impl Machine {
             for item in group {
                 match arguments::named(item) {
                     Some((name, value)) => {
-                        // The check of the arguments complains of an unknown name.
-                        let given = match builtin.knows(&name) {
-                            true => self.eval_or_word(value, true, || builtin.words_under(&name))?,
-                            false => Value::Text(name.clone()),
-                        };
+                        let takes = |word: &str, known| builtin.takes_word_under(&name, word, known);
+                        let given = self.eval_or_word(value, takes)?;
                         all.push_named(name, given, value.span);
                     }
                     None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
@@ -314,32 +311,24 @@ impl Machine {
                         break;
                     }
                     None => {
-                        let subject = all.is_empty() && !builtin.subjects.is_empty();
-                        let value = self.eval_or_word(item, subject, || builtin.words_at(all.len()))?;
+                        let takes = |word: &str, known| builtin.takes_word_at(all.len(), word, known);
+                        let value = self.eval_or_word(item, takes)?;
                         all.push(value, item.span);
                     }
                 }
             }
         }
-        builtin.run(self, all).at(span)
+        builtin.run(self, &all).at(span)
     }
 
-    /// The value of an argument, where a name may be one of some words; if `any`, other names
-    /// without a value are words, too, for the function to complain of.
-    fn eval_or_word(
-        &mut self,
-        item: &Expr,
-        any: bool,
-        words: impl FnOnce() -> Vec<&'static str>,
-    ) -> Evaluated {
-        if let Kind::Name(name) = &item.kind {
-            let words = words();
-            let open = || any && !words.is_empty() && self.lookup(&Symbol::new(name)).is_none();
-            if words.contains(&name.as_str()) || open() {
-                return Ok(Value::Text(name.clone()));
+    /// The value of an argument, or the word it is.
+    fn eval_or_word(&mut self, item: &Expr, takes: impl Fn(&str, bool) -> bool) -> Evaluated {
+        match &item.kind {
+            Kind::Name(word) if takes(word, self.lookup(&Symbol::new(word)).is_some()) => {
+                Ok(Value::Text(word.clone()))
             }
+            _ => self.eval(item),
         }
-        self.eval(item)
     }
 
     /// Calls a function with its index and bracket arguments.

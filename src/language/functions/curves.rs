@@ -39,7 +39,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::new(points, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
@@ -65,7 +65,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 args.with_first(item.clone()).univariate_in(0, given.clone()).map(|given| given.coefficients)
             };
             let coordinates = items.iter().map(coordinate).collect::<Result<Vec<_>>>()?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::from_power(&coordinates, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, Form { scalar, rational: false }))
         },
@@ -264,7 +264,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "from_edges([1, 1, 2])",
         call: |_, args| {
             let (edges, form) = args.control_points(0)?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::from_edges(&edges, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
@@ -420,10 +420,10 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
-/// The ends of an interval from place `first` on; 0 and the number after the start if not given.
-pub(super) fn ends(args: &Arguments, first: usize) -> Result<(Fraction, Fraction)> {
-    let a = args.optional_scalar(first)?.unwrap_or_else(Fraction::zero);
-    let b = args.optional_scalar(first + 1)?.unwrap_or_else(|| a.plus(&Fraction::one()));
+/// The ends of an interval at the second and third place; 0 and the number after the start if not given.
+fn ends(args: &Arguments) -> Result<(Fraction, Fraction)> {
+    let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
+    let b = args.optional_scalar(2)?.unwrap_or_else(|| a.plus(&Fraction::one()));
     Ok((a, b))
 }
 

@@ -29,7 +29,7 @@ const LANG: Parameter =
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "derive",
     parameters: &[
-        required("what", Takes::Word(&[]), "the name of the derivation"),
+        required("what", Takes::Any, "the name of the derivation"),
         many("...", Takes::Any, 0, "what it is about"),
         LANG,
     ],
@@ -233,7 +233,7 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
     if let Some(polars) = made.filter(|polars| !polars.is_empty() && args.named("degree").is_none()) {
         return Ok(polars);
     }
-    match POLAR.run(machine, args.clone())? {
+    match POLAR.run(machine, args).at(args.span(0))? {
         Value::List(items) => items.into_iter().map(one).collect(),
         value => one(value).map(|polar| vec![polar]),
     }
@@ -273,7 +273,8 @@ fn combination(machine: &mut Machine, args: &Arguments, kind: Combination) -> Re
             Combination::Product => PolarForm::product,
             Combination::Composition => PolarForm::compose,
         },
-    )?;
+    )
+    .at(args.span(0))?;
     let (f, _) = univariate(machine, &args.only(1))?;
     let (g, _) = univariate(machine, &args.after_first().only(1))?;
     Ok(derive::combination(kind, &f, &g, &result))

@@ -265,11 +265,13 @@ pub(crate) fn antiderivative(args: &Arguments) -> Evaluated {
 
 fn bezier_points(args: &Arguments) -> Evaluated {
     let (curve, form) = args.bezier(0)?;
-    let curve = match (args.given(1), args.given(2)) {
+    let curve = match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
         (None, None) => curve,
-        _ => {
-            let (a, b) = super::curves::ends(args, 1)?;
-            curve.part(&a, &b).map_err(curve_error).at(args.span(1))?
+        (a, b) => {
+            let a = a.unwrap_or_else(|| curve.interval().0.clone());
+            let b = b.unwrap_or_else(|| a.plus(&Fraction::one()));
+            let place = if args.given(1).is_some() { 1 } else { 2 };
+            curve.part(&a, &b).map_err(curve_error).at(args.span(place))?
         }
     };
     match form.split(curve.points()) {

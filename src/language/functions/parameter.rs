@@ -172,10 +172,15 @@ impl Parameter {
         !matches!(self.need, Need::Many(..) | Need::Free)
     }
 
-    /// The parameter in one line: `k: how often (an integer that is 0 or more; else 1)`.
-    pub fn explained(&self) -> String {
-        let default = self.default().map_or_else(String::new, |default| format!("; else {default}"));
-        format!("{}: {} ({}{default})", self.called(), self.doc, self.kind.description())
+    /// What it means, what it has to be and what holds otherwise:
+    /// `how often (an integer that is 0 or more; else 1)`.
+    pub fn explanation(&self) -> String {
+        let kind = (self.kind != Takes::Any).then(|| self.kind.description().into_owned());
+        let default = self.default().map(|default| format!("else {default}"));
+        match kind.into_iter().chain(default).collect::<Vec<_>>().join("; ") {
+            more if more.is_empty() => self.doc.to_owned(),
+            more => format!("{} ({more})", self.doc),
+        }
     }
 
     /// How it is given, by its name if it has one: `knots=[t_0, ..., t_k]`.

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use super::parameter::{Need, Parameter, Takes};
+use super::parameter::{Need, Parameter};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::eval::arguments::{Arguments, word_of};
 use crate::language::eval::curves::levelled;
@@ -156,7 +156,7 @@ impl Builtin {
     /// All about it, for a terminal: its forms, what it does, its parameters and an example.
     pub fn help(&self) -> Vec<String> {
         let mut lines = vec![self.signature(), format!("  {}", self.summary)];
-        let list = |parameter: &Parameter| format!("    {}", parameter.explained());
+        let list = |parameter: &Parameter| format!("    {}: {}", parameter.called(), parameter.explanation());
         lines.extend(self.parameters.iter().chain(self.common).map(list));
         for (form, parameters) in self.other_forms() {
             lines.push(format!("  {form}"));
@@ -191,36 +191,41 @@ impl Builtin {
         [self.parameters, self.common].into_iter().chain(variants.map(|variant| variant.parameters))
     }
 
-    /// The words that mean something for the argument at a place; none if it is not a word.
-    pub(crate) fn words_at(&self, place: usize) -> Vec<&'static str> {
+    /// Whether a bare name as the argument at a place is a word that is not evaluated; `defined` says
+    /// whether the name has a value.
+    pub(crate) fn takes_word_at(&self, place: usize, word: &str, defined: bool) -> bool {
+        if !self.subjects.is_empty() && place == 0 {
+            return !defined || self.subjects.iter().any(|subject| subject.name == word);
+        }
         let at =
             |list: &'static [Parameter]| list.iter().filter(|parameter| parameter.has_place()).nth(place);
-        let kinds = self.parameter_lists().filter_map(at).map(|parameter| parameter.kind);
-        let subjects = self.subjects.iter().filter(|_| place == 0).map(|subject| subject.name);
-        kinds.flat_map(Takes::words).copied().chain(subjects).collect()
+        self.parameter_lists().filter_map(at).any(|parameter| parameter.kind.words().contains(&word))
     }
 
-    /// The words that mean something for the argument of a name; none if it is not a word.
-    pub(crate) fn words_under(&self, name: &str) -> Vec<&'static str> {
-        let own = self.parameter_lists().chain(self.subjects.iter().flat_map(Builtin::parameter_lists));
-        let kinds = own.flatten().filter(|parameter| parameter.name == name).map(|parameter| parameter.kind);
-        kinds.flat_map(Takes::words).copied().collect()
-    }
-
-    /// Whether an argument may have this name.
-    pub(crate) fn knows(&self, name: &str) -> bool {
-        let own = self.parameter_lists().chain(self.subjects.iter().flat_map(Builtin::parameter_lists));
-        own.flatten().any(|parameter| parameter.need == Need::Free || parameter.name == name)
+    /// Whether a bare name as the argument under a name is a word that is not evaluated. Words that
+    /// mean nothing are for the check of the arguments to complain of.
+    pub(crate) fn takes_word_under(&self, name: &str, word: &str, defined: bool) -> bool {
+        let subjects = self.subjects;
+        let all = || {
+            let lists = subjects.iter().flat_map(Builtin::parameter_lists);
+            self.parameter_lists().chain(lists).flatten()
+        };
+        let mut own = all().filter(|parameter| parameter.name == name).peekable();
+        if own.peek().is_none() {
+            return all().all(|parameter| parameter.need != Need::Free);
+        }
+        own.map(|parameter| parameter.kind.words())
+            .any(|words| words.contains(&word) || (!defined && !words.is_empty()))
     }
 
     /// Checks the arguments and calls the function, as it works on its first argument.
-    pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
-        let args = self.with_first_in_place(args);
+    pub(crate) fn run(&self, machine: &mut Machine, args: &Arguments) -> Evaluated {
+        let args = self.with_first_in_place(args.clone());
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
             return match self.subjects.iter().find(|subject| Some(subject.name) == word) {
-                Some(subject) => subject.run(machine, args.after_first()),
+                Some(subject) => subject.run(machine, &args.after_first()),
                 None => (self.call)(machine, &args),
             };
         }
