@@ -91,7 +91,7 @@ impl Machine {
                     )
                     .at(callee.span),
                 );
-                builtin.run(self, &all).at(whole.span)
+                builtin.run(self, all).at(whole.span)
             }
         }
     }
@@ -318,7 +318,7 @@ impl Machine {
                 }
             }
         }
-        builtin.run(self, &all).at(span)
+        builtin.run(self, all).at(span)
     }
 
     /// The value of an argument, or the word it is.

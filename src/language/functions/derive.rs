@@ -233,7 +233,7 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
     if let Some(polars) = made.filter(|polars| !polars.is_empty() && args.named("degree").is_none()) {
         return Ok(polars);
     }
-    match POLAR.run(machine, args).at(args.span(0))? {
+    match POLAR.run(machine, args.clone()).at(args.span(0))? {
         Value::List(items) => items.into_iter().map(one).collect(),
         value => one(value).map(|polar| vec![polar]),
     }

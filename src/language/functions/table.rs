@@ -219,13 +219,13 @@ impl Builtin {
     }
 
     /// Checks the arguments and calls the function, as it works on its first argument.
-    pub(crate) fn run(&self, machine: &mut Machine, args: &Arguments) -> Evaluated {
-        let args = self.with_first_in_place(args.clone());
+    pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
+        let args = self.with_first_in_place(args);
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
             return match self.subjects.iter().find(|subject| Some(subject.name) == word) {
-                Some(subject) => subject.run(machine, &args.after_first()),
+                Some(subject) => subject.run(machine, args.after_first()),
                 None => (self.call)(machine, &args),
             };
         }
