@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use polarform::functions::BUILTINS;
+use polarform::functions::{BUILTINS, Parameter, Takes};
 use polarform::session::Session;
 use polarform::value::{Value, Verdict};
 
@@ -171,6 +171,7 @@ fn the_function_reference_is_up_to_date() {
         "# Functions\n\n\
          Written from the table in `src/language/functions/`, which is also behind `polarform functions`; \
          to renew it: `UPDATE_DOCS=1 cargo test --test main docs::`. \
+         An argument may be given by its name wherever one is shown: `elevate(f, k=2)` is `elevate(f, 2)`. \
          What has a notation of its own (`sum`, `prod`, `hat`, `abs`, …) is in [language.md](language.md).\n",
     );
     let mut topic = "";
@@ -179,16 +180,36 @@ fn the_function_reference_is_up_to_date() {
             topic = builtin.topic;
             write!(page, "\n## {topic}\n").unwrap();
         }
-        let (name, signature, summary) = (builtin.name, builtin.signature, builtin.summary);
+        let (name, signature, summary) = (builtin.name, builtin.signature(), builtin.summary);
         assert!(!builtin.example.contains(['"', '\\', '$', '`']), "{name}: the example needs no quoting");
-        write!(
-            page,
-            "\n### {name}\n`{signature}`: {summary}.\n```console\n$ polarform eval \"{}\"\n```\n",
-            builtin.example
-        )
-        .unwrap();
+        write!(page, "\n### {name}\n`{signature}`: {summary}.\n\n").unwrap();
+        list(&mut page, "", builtin.parameters.iter().chain(builtin.common));
+        for (form, parameters) in builtin.other_forms() {
+            writeln!(page, "- for {}: `{form}`", of_what(parameters)).unwrap();
+            list(&mut page, "  ", parameters.iter().skip(1));
+        }
+        for subject in builtin.subjects {
+            writeln!(page, "- `{}`: {}", subject.signature(), subject.summary).unwrap();
+            list(&mut page, "  ", subject.parameters);
+        }
+        write!(page, "\n```console\n$ polarform eval \"{}\"\n```\n", builtin.example).unwrap();
     }
     settle(&root().join("docs/functions.md"), &filled(&page));
+}
+
+/// A small list of parameters.
+fn list<'a>(page: &mut String, indent: &str, parameters: impl IntoIterator<Item = &'a Parameter>) {
+    for parameter in parameters {
+        writeln!(page, "{indent}- `{}`: {}", parameter.called(), parameter.explanation()).unwrap();
+    }
+}
+
+/// A curve or surface, in words.
+fn of_what(parameters: &[Parameter]) -> String {
+    parameters.first().map_or_else(String::new, |first| match first.kind {
+        Takes::Curve => "a curve".to_owned(),
+        kind => kind.description().into_owned(),
+    })
 }
 
 #[test]

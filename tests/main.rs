@@ -12,6 +12,7 @@ mod derivations;
 mod docs;
 mod figure_commands;
 mod figures;
+mod functions;
 mod fuzz;
 mod interpolation;
 mod katex;

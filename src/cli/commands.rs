@@ -445,15 +445,15 @@ pub(super) fn functions(output: &Output, name: Option<&str>) -> Ran {
                     topic = entry.topic;
                     output.line(&format!("{topic}:"))?;
                 }
-                output.line(&format!("  {:<42} {}", entry.signature, entry.summary))?;
+                output.line(&format!("  {:<42} {}", entry.signature(), entry.summary))?;
             }
             Ok(Status::Fine)
         }
         Some(name) => match builtin(name) {
             Some(entry) => {
-                output.line(entry.signature)?;
-                output.line(&format!("  {}", entry.summary))?;
-                output.line(&format!("  example: {}", entry.example))?;
+                for line in entry.help() {
+                    output.line(&line)?;
+                }
                 Ok(Status::Fine)
             }
             None => {

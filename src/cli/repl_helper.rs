@@ -9,7 +9,7 @@ use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{Context, Helper as RustylineHelper};
 
 use super::repl::{COLON_COMMANDS, known_names};
-use crate::language::functions::builtin;
+use crate::language::functions::{Builtin, builtin};
 use crate::language::latex;
 use crate::language::lexicon::letters;
 use crate::language::syntax;
@@ -66,8 +66,8 @@ impl Helper {
             .map(|name| (name.to_owned(), name.to_owned()))
             .collect();
         for name in known_names().filter(|name| name.starts_with(word)) {
-            let signature = builtin(name).map_or(name, |builtin| builtin.signature);
-            list.push((signature.to_owned(), format!("{name}(")));
+            let signature = builtin(name).map_or_else(|| name.to_owned(), Builtin::signature);
+            list.push((signature, format!("{name}(")));
         }
         (start, list)
     }
@@ -91,7 +91,7 @@ impl Hinter for Helper {
         }
         let open = line.strip_suffix('(')?;
         let start = open.rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |at| at + 1);
-        let signature = builtin(open.get(start..)?)?.signature;
+        let signature = builtin(open.get(start..)?)?.signature();
         signature.split_once('(').map(|(_, rest)| rest.to_owned())
     }
 }

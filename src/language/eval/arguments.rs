@@ -4,7 +4,7 @@ mod geometry;
 
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{Univariate, symbol_of, univariate};
 use crate::language::value::{Polar, Value};
@@ -28,23 +28,48 @@ pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
 /// The arguments of one call.
 #[derive(Clone, Debug, Default)]
 pub struct Arguments {
-    positional: Vec<(Value, Span)>,
+    /// By place; `None` where one is left out and a later one is given by its name.
+    places: Vec<Option<(Value, Span)>>,
     named: Vec<(String, Value, Span)>,
 }
 
 impl Arguments {
     pub(crate) fn push(&mut self, value: Value, span: Span) {
-        self.positional.push((value, span));
+        self.places.push(Some((value, span)));
     }
 
     pub(crate) fn push_named(&mut self, name: String, value: Value, span: Span) {
         self.named.push((name, value, span));
     }
 
+    /// Sets the argument at a place.
+    pub(crate) fn put(&mut self, place: usize, value: Value, span: Span) {
+        if self.places.len() <= place {
+            self.places.resize(place + 1, None);
+        }
+        self.places[place] = Some((value, span));
+    }
+
+    /// Removes the argument under a name.
+    pub(crate) fn take_named(&mut self, name: &str) -> Option<(String, Value, Span)> {
+        let at = self.named.iter().position(|(n, ..)| n == name)?;
+        Some(self.named.remove(at))
+    }
+
+    /// Removes all arguments that are given under names.
+    pub(crate) fn take_all_named(&mut self) -> Vec<(String, Value, Span)> {
+        std::mem::take(&mut self.named)
+    }
+
+    /// Whether some are given under names.
+    pub(crate) fn has_names(&self) -> bool {
+        !self.named.is_empty()
+    }
+
     /// The same arguments with another first one.
     pub(crate) fn with_first(&self, value: Value) -> Self {
         let mut other = self.clone();
-        if let Some(first) = other.positional.first_mut() {
+        if let Some(Some(first)) = other.places.first_mut() {
             first.0 = value;
         }
         other
@@ -52,13 +77,13 @@ impl Arguments {
 
     /// The first `count` arguments given by place.
     pub(crate) fn only(&self, count: usize) -> Self {
-        Arguments { positional: self.positional.iter().take(count).cloned().collect(), named: Vec::new() }
+        Arguments { places: self.places.iter().take(count).cloned().collect(), named: Vec::new() }
     }
 
-    /// The arguments after the first one, without those under the given names.
-    pub(crate) fn after_first(&self, names: &[&str]) -> Self {
-        let mut rest = self.without(names);
-        rest.positional.drain(..1.min(rest.positional.len()));
+    /// All arguments but the first one.
+    pub(crate) fn after_first(&self) -> Self {
+        let mut rest = self.clone();
+        rest.places.drain(..1.min(rest.places.len()));
         rest
     }
 
@@ -69,91 +94,41 @@ impl Arguments {
         rest
     }
 
-    /// All arguments but the one at a place.
-    pub(crate) fn without_place(&self, place: usize) -> Self {
-        let mut other = self.clone();
-        if place < other.positional.len() {
-            other.positional.remove(place);
-        }
-        other
-    }
-
-    /// Number of arguments given by place.
+    /// Number of places, up to the last one with an argument.
     pub fn len(&self) -> usize {
-        self.positional.len()
+        self.places.len()
     }
 
-    /// Whether there are none.
+    /// Whether no argument has a place.
     pub fn is_empty(&self) -> bool {
-        self.positional.is_empty()
+        self.places.is_empty()
     }
 
-    /// Checks how many arguments there are and which names are used.
-    pub fn expect(
-        &self,
-        signature: &str,
-        count: std::ops::RangeInclusive<usize>,
-        names: &[&str],
-    ) -> Result<()> {
-        if let Some((name, _, span)) = self.named.iter().find(|(name, ..)| !names.contains(&name.as_str())) {
-            let known = nearest(name, names.iter().copied());
-            let error = Diagnostic::error(Code::Arity, format!("there is no argument '{name}'"))
-                .at(*span)
-                .reason(format!("the form is {signature}"));
-            return Err(match known {
-                Some(best) => error.hint(format!("did you mean '{best}'?")),
-                None => error,
-            });
-        }
-        if count.contains(&self.len()) {
-            return Ok(());
-        }
-        let wanted = match (count.start(), count.end()) {
-            (a, b) if a == b => a.to_string(),
-            (a, b) if *b == usize::MAX => format!("at least {a}"),
-            (a, b) => format!("{a} to {b}"),
-        };
-        let error = Diagnostic::error(
-            Code::Arity,
-            format!("{wanted} argument{} needed, {} given", if wanted == "1" { "" } else { "s" }, self.len()),
-        )
-        .hint(format!("the form is {signature}"));
-        Err(match self.positional.get(*count.end()) {
-            Some((_, span)) => error.at(*span),
-            None => error,
-        })
+    /// The argument at a place, if there is one.
+    pub fn given(&self, i: usize) -> Option<(&Value, Span)> {
+        self.places.get(i)?.as_ref().map(|(value, span)| (value, *span))
     }
 
     /// The i-th argument.
     pub fn value(&self, i: usize) -> Result<&Value> {
-        self.positional
-            .get(i)
+        self.given(i)
             .map(|(value, _)| value)
             .ok_or_else(|| Diagnostic::error(Code::Arity, format!("argument {} is missing", i + 1)))
     }
 
-    /// All arguments given by place.
+    /// All arguments that have a place.
     pub fn values(&self) -> impl Iterator<Item = &Value> {
-        self.positional.iter().map(|(value, _)| value)
+        self.places.iter().flatten().map(|(value, _)| value)
     }
 
     /// The place of the i-th argument.
     pub fn span(&self, i: usize) -> Span {
-        self.positional.get(i).map_or_else(Span::default, |(_, span)| *span)
+        self.given(i).map_or_else(Span::default, |(_, span)| span)
     }
 
-    /// The argument given under a name, or else at a place.
-    pub fn named_or(&self, name: &str, i: usize) -> Option<(&Value, Span)> {
-        self.named
-            .iter()
-            .find(|(n, ..)| n == name)
-            .map(|(_, value, span)| (value, *span))
-            .or_else(|| self.positional.get(i).map(|(value, span)| (value, *span)))
-    }
-
-    /// Whether an argument is given under this name.
-    pub(crate) fn has(&self, name: &str) -> bool {
-        self.named.iter().any(|(n, ..)| n == name)
+    /// The argument given under a name.
+    pub fn named(&self, name: &str) -> Option<(&Value, Span)> {
+        self.named.iter().find(|(n, ..)| n == name).map(|(_, value, span)| (value, *span))
     }
 
     /// The arguments given as t=value, if there are any.
@@ -179,14 +154,24 @@ impl Arguments {
         value.as_rational().ok_or_else(|| wrong_kind("a number", value).at(self.span(i)))
     }
 
+    /// A scalar that may be left out.
+    pub fn optional_scalar(&self, i: usize) -> Result<Option<Fraction>> {
+        self.given(i).map(|_| self.scalar(i)).transpose()
+    }
+
     /// An integer that is at least 0.
     pub fn size(&self, i: usize) -> Result<usize> {
         size_of(self.value(i)?, self.span(i))
     }
 
-    /// A size under a name or at a place.
-    pub fn named_size(&self, name: &str, i: usize) -> Result<Option<usize>> {
-        self.named_or(name, i).map(|(value, span)| size_of(value, span)).transpose()
+    /// A size that may be left out.
+    pub fn optional_size(&self, i: usize) -> Result<Option<usize>> {
+        self.given(i).map(|(value, span)| size_of(value, span)).transpose()
+    }
+
+    /// A size under a name.
+    pub fn named_size(&self, name: &str) -> Result<Option<usize>> {
+        self.named(name).map(|(value, span)| size_of(value, span)).transpose()
     }
 
     /// A symbol.
@@ -195,19 +180,35 @@ impl Arguments {
         symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(self.span(i)))
     }
 
+    /// A symbol that may be left out.
+    pub fn optional_symbol(&self, i: usize) -> Result<Option<Symbol>> {
+        self.given(i).map(|_| self.symbol(i)).transpose()
+    }
+
+    /// The value of `name=1` or `name=0`.
+    pub fn flag(&self, name: &str, default: bool) -> Result<bool> {
+        let Some((value, span)) = self.named(name) else { return Ok(default) };
+        match value.as_int() {
+            Some(0) => Ok(false),
+            Some(1) => Ok(true),
+            _ => Err(wrong_kind("0 or 1", value).at(span).hint(format!("{name}=1 or {name}=0"))),
+        }
+    }
+
+    /// The symbol given as `variable=…`.
+    pub fn variable(&self) -> Result<Option<Symbol>> {
+        let symbol = |(value, span)| symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span));
+        self.named("variable").map(symbol).transpose()
+    }
+
     /// A list of scalars.
     pub fn scalars(&self, i: usize) -> Result<Vec<Fraction>> {
-        match self.value(i)? {
-            Value::List(items) => items
-                .iter()
-                .map(|item| {
-                    item.as_scalar()
-                        .cloned()
-                        .ok_or_else(|| wrong_kind("a list of numbers or formulas", item).at(self.span(i)))
-                })
-                .collect(),
-            other => Err(wrong_kind("a list such as [0, 1/2, 1]", other).at(self.span(i))),
-        }
+        scalars_of(self.value(i)?, self.span(i))
+    }
+
+    /// A list of scalars under a name.
+    pub fn named_scalars(&self, name: &str) -> Result<Option<Vec<Fraction>>> {
+        self.named(name).map(|(value, span)| scalars_of(value, span)).transpose()
     }
 
     /// A matrix (a list of lists will do).
@@ -229,15 +230,9 @@ impl Arguments {
     }
 
     /// A polynomial in one variable: a formula, a function, or the diagonal of a polar form.
-    /// The variable may be named at place `variable`.
-    pub fn univariate(&self, i: usize, variable: usize) -> Result<Univariate> {
-        let given = match self.named_or("variable", variable) {
-            Some((value, span)) => {
-                Some(symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
-            }
-            None => None,
-        };
-        self.univariate_in(i, given)
+    /// The variable may be given as `variable=…`.
+    pub fn univariate(&self, i: usize) -> Result<Univariate> {
+        self.univariate_in(i, self.variable()?)
     }
 
     /// The same with the variable already known.
@@ -245,6 +240,17 @@ impl Arguments {
         let value = self.value(i)?;
         univariate(value, given).at(self.span(i))
     }
+}
+
+fn scalars_of(value: &Value, span: Span) -> Result<Vec<Fraction>> {
+    let Value::List(items) = value else {
+        return Err(wrong_kind("a list such as [0, 1/2, 1]", value).at(span));
+    };
+    let scalar = |item: &Value| {
+        let wrong = || wrong_kind("a list of numbers or formulas", item).at(span);
+        item.as_scalar().cloned().ok_or_else(wrong)
+    };
+    items.iter().map(scalar).collect()
 }
 
 fn size_of(value: &Value, span: Span) -> Result<usize> {
@@ -257,4 +263,13 @@ fn size_of(value: &Value, span: Span) -> Result<usize> {
             None => wrong_kind("an integer that is 0 or more", value).at(span),
         },
     )
+}
+
+/// A word as an argument: a text, or the bare name of a function.
+pub(crate) fn word_of(value: &Value) -> Option<&str> {
+    match value {
+        Value::Text(word) => Some(word),
+        Value::Builtin(word) => Some(word),
+        _ => None,
+    }
 }

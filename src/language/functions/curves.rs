@@ -1,15 +1,17 @@
 //! Bézier curves.
 
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list};
 use std::sync::Arc;
 
-use super::Builtin;
+use super::parameter::{
+    CURVE, DEGREE, END, HOMOGENEOUS, Parameter, START, Takes, VARIABLE, many, named, optional, required, size,
+};
+use super::{Builtin, on_surface};
 use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::Arguments;
-use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::formula;
-use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{self, BezierCurve, Tableau, affine};
 use crate::math::number::Rational;
@@ -19,59 +21,63 @@ use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Bézier curves";
+const NEW: Builtin = Builtin::about("Bézier curves");
+
+const POINTS: Parameter = required("points", Takes::Points, "the control points");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "bezier",
-        signature: "bezier([b_0, ..., b_n], a, b, weights=[w_0, ..., w_n])",
+        parameters: &[
+            POINTS.shown("[b_0, ..., b_n]"),
+            START,
+            END,
+            named("weights=[w_0, ..., w_n]", Takes::Scalars, "all 1", "the weights of the points"),
+            HOMOGENEOUS,
+        ],
         summary: "the Bézier curve with these control points over [a, b] (0 and 1 if not given)",
         example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "bezier([b_0, ..., b_n], a, b, weights=[w_0, ..., w_n])";
-            args.expect(signature, 1..=3, &["weights", "homogeneous"])?;
             let (points, form) = args.control_points(0)?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::new(points, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
+        ..NEW
     },
     Builtin {
         name: "curve_of",
-        signature: "curve_of([x(t), y(t), ...], a, b)",
+        parameters: &[
+            required("coordinates", Takes::Coordinates, "the coordinates").shown("[x(t), y(t), ...]"),
+            START,
+            END,
+            VARIABLE,
+        ],
         summary: "polynomials as the coordinates of a Bézier curve over [a, b]",
         example: "curve_of([t, t^2], 0, 1)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("curve_of([x(t), y(t), ...], a, b)", 1..=3, &["variable"])?;
             let (items, scalar) = match args.value(0)? {
                 Value::List(items) => (items.clone(), false),
                 one => (vec![one.clone()], true),
             };
-            let given = match args.named_or("variable", usize::MAX) {
-                Some((value, span)) => {
-                    Some(formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
-                }
-                None => None,
-            };
+            let given = args.variable()?;
             let coordinate = |item: &Value| {
                 args.with_first(item.clone()).univariate_in(0, given.clone()).map(|given| given.coefficients)
             };
             let coordinates = items.iter().map(coordinate).collect::<Result<Vec<_>>>()?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::from_power(&coordinates, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, Form { scalar, rational: false }))
         },
+        ..NEW
     },
     Builtin {
         name: "extended",
-        signature: "extended(c, t)",
+        parameters: &[CURVE, required("t", Takes::Scalar, "the parameter")],
         summary: "the value of a curve at any parameter, also outside of its interval",
         example: "extended(bezier([0, 1, 3]), 2)",
-        topic: TOPIC,
+        on_surface: on_surface::EXTENDED,
         call: |_, args| {
-            args.expect("extended(c, t)", 2..=2, &[])?;
             let t = args.scalar(1)?;
             if let Value::Geometry(geometry) = args.value(0)?
                 && let Geometry::Spline(spline, form) = &**geometry
@@ -83,15 +89,18 @@ pub(super) const TABLE: &[Builtin] = &[
             let (curve, form) = args.bezier(0)?;
             form.value(curve.value(&t)).map_err(curve_error)
         },
+        ..NEW
     },
     Builtin {
         name: "casteljau",
-        signature: "casteljau(c, u_1, ..., u_n)",
+        parameters: &[
+            CURVE,
+            many("u_1, ..., u_n", Takes::Scalar, 1, "one parameter, or as many as the degree"),
+        ],
         summary: "de Casteljau's scheme with polar labels, for one parameter or for n of them",
         example: "casteljau(bezier([0, 1, 4]), 1/2)",
-        topic: TOPIC,
+        on_surface: on_surface::CASTELJAU,
         call: |_, args| {
-            args.expect("casteljau(c, u_1, ..., u_n)", 2..=usize::MAX, &[])?;
             let (curve, form) = args.bezier(0)?;
             let list = repeated(args.scalars_from(1)?, curve.degree());
             let tableau = curve.tableau(&list).map_err(curve_error).at(args.span(1))?;
@@ -101,15 +110,15 @@ pub(super) const TABLE: &[Builtin] = &[
                 list.iter().enumerate().map(|(r, u)| vec![u.minus(a).times(&unit); curve.degree() - r]);
             Ok(scheme(&tableau, &ratios.collect::<Vec<_>>(), form))
         },
+        ..NEW
     },
     Builtin {
         name: "control_points",
-        signature: "control_points(c)",
+        parameters: &[required("c", Takes::Geometry, "the curve")],
         summary: "the control points of a curve, without weights",
         example: "control_points(elevate(bezier([0, 2])))",
-        topic: TOPIC,
+        on_surface: on_surface::CONTROL_POINTS,
         call: |_, args| {
-            args.expect("control_points(c)", 1..=1, &[])?;
             let geometry = args.geometry(0)?;
             let form = geometry.form();
             let points = geometry.control_points();
@@ -118,15 +127,14 @@ pub(super) const TABLE: &[Builtin] = &[
                 None => Err(curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "weights",
-        signature: "weights(c)",
+        parameters: &[required("c", Takes::Geometry, "the curve or surface")],
         summary: "the weights of a curve: all 1 if it is polynomial",
         example: "weights(bezier([0, 1, 2], weights=[1, 2, 1]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("weights(c)", 1..=1, &[])?;
             let geometry = args.geometry(0)?;
             let points = geometry.control_points();
             let rational = geometry.form().rational;
@@ -135,15 +143,15 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             Ok(scalar_list(points.iter().map(weight)))
         },
+        ..NEW
     },
     Builtin {
         name: "subdivide",
-        signature: "subdivide(c, t_1, ..., t_k)",
+        parameters: &[CURVE, many("t_1, ..., t_k", Takes::ScalarOrList, 1, "the parameters")],
         summary: "the parts of a curve between parameters, as a list",
         example: "subdivide(bezier([0, 1, 4]), 1/2)",
-        topic: TOPIC,
+        on_surface: on_surface::SUBDIVIDE,
         call: |_, args| {
-            args.expect("subdivide(c, t_1, ..., t_k)", 2..=usize::MAX, &[])?;
             let (curve, form) = args.bezier(0)?;
             let mut places = args.scalars_or_list(1)?;
             if let Some(k) = places.iter().position(|t| curve.contains(t) == Some(false)) {
@@ -161,64 +169,67 @@ pub(super) const TABLE: &[Builtin] = &[
             let parts = curve.subdivide_at(&places).map_err(curve_error).at(args.span(1))?;
             Ok(Value::List(parts.into_iter().map(|part| bezier(part, form)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "part",
-        signature: "part(c, r, s)",
+        parameters: &[
+            CURVE,
+            required("r", Takes::Scalar, "where the part starts"),
+            required("s", Takes::Scalar, "where it ends"),
+        ],
         summary: "the part of a curve over [r, s], also outside of its interval",
         example: "part(bezier([0, 1, 4]), 1/2, 1)",
-        topic: TOPIC,
+        on_surface: on_surface::PART,
         call: |_, args| {
-            args.expect("part(c, r, s)", 3..=3, &[])?;
             let (curve, form) = args.bezier(0)?;
             let part = curve.part(&args.scalar(1)?, &args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
             Ok(bezier(part, form))
         },
+        ..NEW
     },
     Builtin {
         name: "over",
-        signature: "over(c, a, b)",
+        parameters: &[
+            CURVE,
+            required("a", Takes::Scalar, "the start of the interval"),
+            required("b", Takes::Scalar, "its end"),
+        ],
         summary: "the same control points over another interval",
         example: "over(bezier([0, 1, 4]), 1, 3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("over(c, a, b)", 3..=3, &[])?;
             let (curve, form) = args.bezier(0)?;
             let moved = curve.over(args.scalar(1)?, args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
             Ok(bezier(moved, form))
         },
+        ..NEW
     },
     Builtin {
         name: "hodograph",
-        signature: "hodograph(c)",
+        parameters: &[CURVE],
         summary: "the curve of the derivatives, with control points n/(b - a) (b_(i+1) - b_i)",
         example: "hodograph(bezier([[0, 0], [1, 2], [2, 0]]))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("hodograph(c)", 1..=1, &[])?;
-            super::on_geometry::derivative(args)
-        },
+        call: |_, args| super::on_geometry::derivative(args),
+        ..NEW
     },
     Builtin {
         name: "antiderivative",
-        signature: "antiderivative(c)",
+        parameters: &[required("c", Takes::Geometry, "the curve or piecewise polynomial")],
         summary: "the curve with this derivative that starts at 0",
         example: "antiderivative(bezier([1, 2]))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("antiderivative(c)", 1..=1, &[])?;
-            super::on_geometry::antiderivative(args)
-        },
+        call: |_, args| super::on_geometry::antiderivative(args),
+        ..NEW
     },
     Builtin {
         name: "differences",
-        signature: "differences([b_0, ..., b_n], k)",
+        parameters: &[
+            required("points", Takes::Points, "the points, or a curve").shown("[b_0, ..., b_n]"),
+            optional("k", Takes::Size, "1", "the order"),
+        ],
         summary: "the forward differences of order k (1 if not given)",
         example: "differences([b_0, b_1, b_2], 2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("differences([b_0, ..., b_n], k)", 1..=2, &["k"])?;
-            let order = args.named_size("k", 1)?.unwrap_or(1);
+            let order = args.optional_size(1)?.unwrap_or(1);
             let (points, form) = match args.value(0)? {
                 Value::Geometry(geometry) => (geometry.control_points(), geometry.form()),
                 _ => args.control_points(0)?,
@@ -228,71 +239,69 @@ pub(super) const TABLE: &[Builtin] = &[
             let list = curve.differences(order.min(curve.degree() + 1));
             Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "edges",
-        signature: "edges(c)",
+        parameters: &[CURVE],
         summary: "b_0 and the edge vectors: the coefficients in Bézier's original basis f_i^n",
         example: "edges(bezier([1, 2, 4]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("edges(c)", 1..=1, &[])?;
             let (curve, form) = args.bezier(0)?;
             Ok(Value::List(curve.edges().into_iter().map(|point| form.plain(point)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "from_edges",
-        signature: "from_edges([a_0, ..., a_n], a, b)",
+        parameters: &[
+            required("edges", Takes::Points, "the start and the edge vectors").shown("[a_0, ..., a_n]"),
+            START,
+            END,
+        ],
         summary: "the Bézier curve with these edge vectors, the first being its start",
         example: "from_edges([1, 1, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("from_edges([a_0, ..., a_n], a, b)", 1..=3, &[])?;
             let (edges, form) = args.control_points(0)?;
-            let (a, b) = ends(args, 1)?;
+            let (a, b) = ends(args)?;
             let curve = BezierCurve::from_edges(&edges, a, b).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
+        ..NEW
     },
     Builtin {
         name: "edge_basis",
-        signature: "edge_basis(n, t)",
+        parameters: &[DEGREE, optional("t", Takes::Scalar, "t", "the parameter")],
         summary: "Bézier's original basis f_0^n, ..., f_n^n with f_i = B_i^n + ... + B_n^n",
         example: "edge_basis(3, t)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("edge_basis(n, t)", 1..=2, &[])?;
             let n = args.size(0)?;
             crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
-            let t = match args.len() {
-                2 => args.scalar(1)?,
-                _ => Fraction::from(MultiPoly::symbol(Symbol::new("t"))),
-            };
+            let letter = || Fraction::from(MultiPoly::symbol(Symbol::new("t")));
+            let t = args.optional_scalar(1)?.unwrap_or_else(letter);
             let lifted = |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Vec<_>>();
             let basis = curve::bezier_edge_basis(n);
             Ok(scalar_list(basis.iter().map(|p| crate::math::piecewise::horner(&lifted(p), &t))))
         },
+        ..NEW
     },
     Builtin {
         name: "curve_product",
-        signature: "curve_product(c, d)",
+        parameters: &[
+            required("c", Takes::Curve, "a curve or spline"),
+            required("d", Takes::Curve, "another one"),
+        ],
         summary: "function times curve, or the scalar product of two curves, over one interval",
         example: "curve_product(bezier([1, 2]), bezier([[0, 0], [1, 3]]))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("curve_product(c, d)", 2..=2, &[])?;
-            super::on_geometry::product(args)
-        },
+        call: |_, args| super::on_geometry::product(args),
+        ..NEW
     },
     Builtin {
         name: "convex_hull",
-        signature: "convex_hull([p_0, ..., p_n])",
+        parameters: &[required("points", Takes::Points, "the points, or a curve").shown("[p_0, ..., p_n]")],
         summary: "the corners of the convex hull of points of the plane, counterclockwise",
         example: "convex_hull([[0, 0], [1, 1], [2, 0], [1, 3]])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("convex_hull([p_0, ..., p_n])", 1..=1, &[])?;
             let points = match args.value(0)? {
                 Value::Geometry(geometry) if !geometry.form().rational => geometry.control_points(),
                 Value::Geometry(geometry) => {
@@ -326,15 +335,14 @@ pub(super) const TABLE: &[Builtin] = &[
             let corner = |point: Vec<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
             Ok(Value::List(hull.into_iter().map(corner).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "bernstein_maximum",
-        signature: "bernstein_maximum(n, i)",
+        parameters: &[DEGREE, size("i", "the number of the polynomial")],
         summary: "where B_i^n is largest on [0, 1], namely i/n, and its value there",
         example: "bernstein_maximum(3, 1)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("bernstein_maximum(n, i)", 2..=2, &[])?;
             let (place, value) = curve::bernstein_maximum(args.size(0)?, args.size(1)?).map_err(|_| {
                 Diagnostic::error(Code::Domain, "i is at most n")
                     .at(args.span(1))
@@ -342,29 +350,30 @@ pub(super) const TABLE: &[Builtin] = &[
             })?;
             Ok(Value::List(vec![Value::number(place), Value::number(value)]))
         },
+        ..NEW
     },
     Builtin {
         name: "bernstein_scaling",
-        signature: "bernstein_scaling(n, c)",
+        parameters: &[DEGREE, required("c", Takes::Scalar, "the factor")],
         summary: "the matrix of the B_i^n(c t) in the B_j^n(t): its entries are B_i^j(c)",
         example: "bernstein_scaling(2, 1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("bernstein_scaling(n, c)", 2..=2, &[])?;
             let n = args.size(0)?;
             crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
             let rows = curve::bernstein_scaling(n, &args.scalar(1)?);
             Ok(Value::Matrix(nalgebra::DMatrix::from_fn(n + 1, n + 1, |i, j| rows[i][j].clone())))
         },
+        ..NEW
     },
     Builtin {
         name: "affine_combination",
-        signature: "affine_combination([p_0, ..., p_k], [w_0, ..., w_k])",
+        parameters: &[
+            required("points", Takes::Points, "the points").shown("[p_0, ..., p_k]"),
+            required("weights", Takes::Scalars, "a weight for each point").shown("[w_0, ..., w_k]"),
+        ],
         summary: "the weighted sum of points: weights of sum 1 give a point, of sum 0 a vector",
         example: "affine_combination([[0, 0], [2, 4]], [1/2, 1/2])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("affine_combination([p_0, ..., p_k], [w_0, ..., w_k])", 2..=2, &[])?;
             let (points, form) = args.control_points(0)?;
             let weights = args.scalars(1)?;
             let total = weights.iter().fold(Fraction::zero(), |sum, w| sum.plus(w));
@@ -378,40 +387,42 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             affine::affine_combination(&points, &weights).map(|p| form.plain(p)).map_err(curve_error)
         },
+        ..NEW
     },
     Builtin {
         name: "barycentric",
-        signature: "barycentric(p, [a_0, ..., a_k])",
+        parameters: &[
+            required("p", Takes::Point, "the point"),
+            required("corners", Takes::Points, "the corners").shown("[a_0, ..., a_k]"),
+        ],
         summary: "the barycentric coordinates of a point with respect to independent corners",
         example: "barycentric([1, 1], [[0, 0], [3, 0], [0, 3]])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("barycentric(p, [a_0, ..., a_k])", 2..=2, &[])?;
             let value = args.value(0)?;
             let (point, _) = point_of(value).ok_or_else(|| wrong_kind("a point", value).at(args.span(0)))?;
             let (corners, _) = args.control_points(1)?;
             affine::barycentric(&corners, &point).map(scalar_list).map_err(curve_error).at(args.span(1))
         },
+        ..NEW
     },
     Builtin {
         name: "affine_rank",
-        signature: "affine_rank([p_0, ..., p_k])",
+        parameters: &[required("points", Takes::Points, "the points").shown("[p_0, ..., p_k]")],
         summary: "the dimension of the affine span of points; k for independent ones",
         example: "affine_rank([[0, 0], [1, 1], [2, 2]])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("affine_rank([p_0, ..., p_k])", 1..=1, &[])?;
             let (points, _) = args.control_points(0)?;
             let rank = affine::affine_rank(&points).map_err(curve_error).at(args.span(0))?;
             Ok(Value::int(rank as i64))
         },
+        ..NEW
     },
 ];
 
-/// The ends of an interval from place `first` on; 0 and 1 if not given.
-pub(super) fn ends(args: &Arguments, first: usize) -> Result<(Fraction, Fraction)> {
-    let a = if args.len() > first { args.scalar(first)? } else { Fraction::zero() };
-    let b = if args.len() > first + 1 { args.scalar(first + 1)? } else { a.plus(&Fraction::one()) };
+/// The ends of an interval at the second and third place; 0 and the number after the start if not given.
+fn ends(args: &Arguments) -> Result<(Fraction, Fraction)> {
+    let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
+    let b = args.optional_scalar(2)?.unwrap_or_else(|| a.plus(&Fraction::one()));
     Ok((a, b))
 }
 

@@ -1,14 +1,17 @@
 //! Derivations in the language.
 
+use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use std::sync::Arc;
 
 use super::Builtin;
-use super::interpolation::{self, Samples};
+use super::interpolation::{self, ENDS, MOMENTS, SLOPES, Samples};
+use super::parameter::{
+    CURVE, DEGREE, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional, required,
+};
+use super::polar::{POLAR, combine};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
-use crate::language::eval::Callable;
-use crate::language::eval::{Arguments, Evaluated, Machine};
-use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::value::{Derivation, Geometry, Language, Polar, PolarKind, Value};
 use crate::math::blossom::{Method, PolarForm};
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
@@ -16,53 +19,194 @@ use crate::math::poly::{Fraction, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Derivations";
+const ABOUT: Builtin = Builtin::about("Derivations");
 
-const SIGNATURE: &str = "derive(what, ..., lang=en)";
+/// The language of the reasons.
+const LANG: Parameter =
+    named("lang=en", Takes::Word(&["en", "zh"]), "that of the session", "the language of the reasons");
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "derive",
-    signature: SIGNATURE,
+    parameters: &[
+        required("what", Takes::Any, "the name of the derivation"),
+        many("...", Takes::Any, 0, "what it is about"),
+        LANG,
+    ],
     summary: "how something is found, line by line with reasons; docs/derivations.md lists what",
     example: "derive(product, t^2 + 2t, t + 1)",
-    topic: TOPIC,
-    call: derive,
+    subjects: SUBJECTS,
+    call: |_, args| Err(no_subject(args)),
+    ..ABOUT
 }];
 
-/// What can be derived: its word, its form, and the way.
-type Subject = (&'static str, &'static str, fn(&mut Machine, &Arguments, &str) -> Result<Derivation>);
+const NEW: Builtin = Builtin { subject_of: Some("derive"), common: &[LANG], ..ABOUT };
 
-const SUBJECTS: &[Subject] = &[
-    ("polar", "derive(polar, F, method=elementary, degree=n, variable=t)", polar),
-    ("sum", "derive(sum, F, G)", sum),
-    ("product", "derive(product, F, G)", product),
-    ("compose", "derive(compose, F, G)", compose),
-    ("derivative", "derive(derivative, F, k)", derivative),
-    ("elevate", "derive(elevate, F, k)", elevate),
-    ("matrix", "derive(matrix, n)", matrix),
-    ("inverse_matrix", "derive(inverse_matrix, n)", inverse_matrix),
-    ("casteljau", "derive(casteljau, c, u_1, ..., u_n)", casteljau),
-    ("deboor", "derive(deboor, s, u_1, ..., u_n, span=j)", deboor),
-    ("insert", "derive(insert, s, t)", insert),
-    ("join", "derive(join, c, d, k)", join),
-    ("newton", "derive(newton, [x_0, ..., x_n], [y_0, ..., y_n])", newton),
-    ("moments", "derive(moments, [x_0, ..., x_n], [y_0, ..., y_n], ends=natural)", moments),
+/// A polynomial, or the coordinates of a curve.
+const POLYNOMIALS: Parameter = required("F", Takes::Coordinates, "the polynomial; a list for a curve");
+
+const POLYNOMIAL: Parameter = required("F", Takes::Polynomial, "a polynomial or polar form");
+
+const OTHER: Parameter = required("G", Takes::Polynomial, "another one");
+
+const ARGUMENTS: Parameter =
+    many("u_1, ..., u_n", Takes::Scalar, 1, "one parameter, or as many as the degree");
+
+const METHOD: Parameter = named(
+    "method=elementary",
+    Takes::Word(&["elementary", "probability", "taylor", "parts", "laguerre", "bezier"]),
+    "elementary",
+    "the way to the polar form",
+);
+
+/// What can be derived.
+const SUBJECTS: &[Builtin] = &[
+    Builtin {
+        name: "polar",
+        parameters: &[
+            POLYNOMIALS,
+            METHOD,
+            named("degree=n", Takes::Size, "the degree of F", "the number of arguments"),
+            VARIABLE,
+        ],
+        summary: "the polar form of a polynomial",
+        example: "derive(polar, t^2 + 2t, method=taylor)",
+        call: |machine, args| told(args, polar(machine, args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "sum",
+        parameters: &[POLYNOMIAL, OTHER],
+        summary: "the polar form of F + G",
+        example: "derive(sum, t^2 + 2t, t + 1)",
+        call: |machine, args| told(args, combination(machine, args, Combination::Sum)?),
+        ..NEW
+    },
+    Builtin {
+        name: "product",
+        parameters: &[POLYNOMIAL, OTHER],
+        summary: "the polar form of F G",
+        example: "derive(product, t^2 + 2t, t + 1)",
+        call: |machine, args| told(args, combination(machine, args, Combination::Product)?),
+        ..NEW
+    },
+    Builtin {
+        name: "compose",
+        parameters: &[POLYNOMIAL, OTHER],
+        summary: "the polar form of F(G(t))",
+        example: "derive(compose, t^2 + 2t, t + 1)",
+        call: |machine, args| told(args, combination(machine, args, Combination::Composition)?),
+        ..NEW
+    },
+    Builtin {
+        name: "derivative",
+        parameters: &[POLYNOMIAL, optional("k", Takes::Size, "1", "how often")],
+        summary: "the k-th derivative by vector arguments",
+        example: "derive(derivative, t^3, 1)",
+        call: |machine, args| {
+            let (polar, variable) = univariate(machine, &args.only(1))?;
+            told(args, derive::derivative(&polar, &variable, args.optional_size(1)?.unwrap_or(1)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "elevate",
+        parameters: &[
+            required("F", Takes::Polynomial, "a polynomial, polar form or Bézier curve"),
+            optional("k", Takes::Size, "1", "by how many degrees"),
+        ],
+        summary: "the same polynomial with k more arguments, or a curve with more points",
+        example: "derive(elevate, t^2, 1)",
+        call: |machine, args| told(args, elevate(machine, args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "matrix",
+        parameters: &[DEGREE],
+        summary: "A_n, from Bézier points to power coefficients",
+        example: "derive(matrix, 2)",
+        call: |_, args| told(args, derive::power_matrix(args.size(0)?)),
+        ..NEW
+    },
+    Builtin {
+        name: "inverse_matrix",
+        parameters: &[DEGREE],
+        summary: "its inverse",
+        example: "derive(inverse_matrix, 2)",
+        call: |_, args| told(args, derive::bernstein_matrix(args.size(0)?)),
+        ..NEW
+    },
+    Builtin {
+        name: "casteljau",
+        parameters: &[CURVE, ARGUMENTS],
+        summary: "a value by de Casteljau's scheme",
+        example: "derive(casteljau, bezier([0, 1, 4]), 1/2)",
+        call: |_, args| told(args, casteljau(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "deboor",
+        parameters: &[SPLINE, ARGUMENTS, SPAN],
+        summary: "a value by de Boor's scheme",
+        example: "derive(deboor, bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 1/2)",
+        call: |_, args| told(args, deboor(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "insert",
+        parameters: &[SPLINE, required("t", Takes::Scalar, "the new knot")],
+        summary: "the control points after a knot is inserted",
+        example: "derive(insert, bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 2, 4]), 1/2)",
+        call: |_, args| told(args, insert(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "join",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            optional("k", Takes::Size, "1", "the order"),
+        ],
+        summary: "the conditions for two curves to meet C^k",
+        example: "derive(join, bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 1)",
+        call: |_, args| told(args, join(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "newton",
+        parameters: &[NODES, VALUES],
+        summary: "the divided differences and Newton's form",
+        example: "derive(newton, [0, 1, 3], [1, 3, 2])",
+        call: |_, args| told(args, newton(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "moments",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
+        summary: "the moments of a cubic spline by its system of equations",
+        example: "derive(moments, [0, 1, 2], [0, 1, 0])",
+        call: |_, args| told(args, moments(args)?),
+        ..NEW
+    },
 ];
 
-fn derive(machine: &mut Machine, args: &Arguments) -> Evaluated {
-    let Value::Text(what) = args.value(0).map_err(|error| error.hint(known_subjects()))? else {
-        return Err(wrong_kind("the name of a derivation", args.value(0)?)
-            .at(args.span(0))
-            .hint(known_subjects()));
-    };
-    let Some((_, form, subject)) = SUBJECTS.iter().find(|(name, ..)| name == what) else {
-        let error = Diagnostic::error(Code::UnknownFunction, format!("there is no derivation '{what}'"));
-        let best = nearest(what, SUBJECTS.iter().map(|(name, ..)| *name));
-        return Err(error
-            .at(args.span(0))
-            .hint(best.map_or_else(known_subjects, |best| format!("did you mean '{best}'?"))));
-    };
-    let language = match args.named_or("lang", usize::MAX) {
+/// The error for a word that names no derivation.
+fn no_subject(args: &Arguments) -> Diagnostic {
+    let names = || SUBJECTS.iter().map(|subject| subject.name);
+    let known = || format!("what can be derived: {}", names().collect::<Vec<_>>().join(", "));
+    match args.value(0) {
+        Ok(Value::Text(what)) => {
+            let error = Diagnostic::error(Code::UnknownFunction, format!("there is no derivation '{what}'"));
+            let best = nearest(what, names());
+            error.at(args.span(0)).hint(best.map_or_else(known, |best| format!("did you mean '{best}'?")))
+        }
+        Ok(other) => wrong_kind("the name of a derivation", other).at(args.span(0)).hint(known()),
+        Err(error) => error.hint(known()),
+    }
+}
+
+/// The derivation as a value, in the language that was asked for.
+fn told(args: &Arguments, mut derivation: Derivation) -> Evaluated {
+    derivation.language = match args.named("lang") {
         Some((Value::Text(code), span)) => Some(
             code.parse::<Language>()
                 .map_err(|message| Diagnostic::error(Code::Domain, message).at(span).hint("lang=en"))?,
@@ -70,28 +214,11 @@ fn derive(machine: &mut Machine, args: &Arguments) -> Evaluated {
         Some((other, span)) => return Err(wrong_kind("a language", other).at(span).hint("lang=en")),
         None => None,
     };
-    let mut derivation = subject(machine, &args.after_first(&["lang"]), form)?;
-    derivation.language = language;
     Ok(Value::Derivation(Arc::new(derivation)))
-}
-
-fn known_subjects() -> String {
-    let names: Vec<&str> = SUBJECTS.iter().map(|(name, ..)| *name).collect();
-    format!("what can be derived: {}", names.join(", "))
-}
-
-/// A word under a name.
-fn word<'a>(args: &'a Arguments, name: &str) -> Result<Option<(&'a str, crate::formula::source::Span)>> {
-    match args.named_or(name, usize::MAX) {
-        Some((Value::Text(word), span)) => Ok(Some((word, span))),
-        Some((other, span)) => Err(wrong_kind("a word", other).at(span)),
-        None => Ok(None),
-    }
 }
 
 /// The polar forms of a polynomial or of the coordinates of a curve.
 fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
-    let builtin = super::builtin("polar").ok_or_else(internal)?;
     let one = |value: Value| match value {
         Value::Polar(polar) => Ok(polar),
         other => Err(wrong_kind("a polynomial", &other).at(args.span(0))),
@@ -102,28 +229,24 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
         Value::List(items) => items.iter().cloned().map(|item| one(item).ok()).collect(),
         _ => None,
     };
-    if let Some(polars) = made.filter(|polars| !polars.is_empty() && !args.has("degree")) {
+    if let Some(polars) = made.filter(|polars| !polars.is_empty() && args.named("degree").is_none()) {
         return Ok(polars);
     }
-    match builtin.run(machine, args.clone()).at(args.span(0))? {
+    match POLAR.run(machine, args.clone()).at(args.span(0))? {
         Value::List(items) => items.into_iter().map(one).collect(),
         value => one(value).map(|polar| vec![polar]),
     }
 }
 
-fn internal() -> Diagnostic {
-    Diagnostic::error(Code::Internal, "a function of the program is missing")
-}
-
-fn polar(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 1..=1, &["method", "degree", "variable"])?;
-    let method = match word(args, "method")? {
-        Some((name, span)) => name.parse::<Method>().map_err(|message| {
+fn polar(machine: &mut Machine, args: &Arguments) -> Result<Derivation> {
+    let method = match args.named("method") {
+        Some((Value::Text(name), span)) => name.parse::<Method>().map_err(|message| {
             Diagnostic::error(Code::Domain, message).at(span).hint("method=elementary is the usual one")
         })?,
+        Some((other, span)) => return Err(wrong_kind("a word", other).at(span)),
         None => Method::Elementary,
     };
-    let polars = polars(machine, &args.without(&["method"]))?;
+    let polars = polars(machine, &args.without(&["method", "lang"]))?;
     Ok(derive::polar_of_curve(&polars, method))
 }
 
@@ -141,44 +264,23 @@ fn univariate(machine: &mut Machine, args: &Arguments) -> Result<(PolarForm<Frac
     }
 }
 
-fn sum(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    combination(machine, args, form, Combination::Sum)
-}
-
-fn product(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    combination(machine, args, form, Combination::Product)
-}
-
-fn compose(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    combination(machine, args, form, Combination::Composition)
-}
-
-fn combination(machine: &mut Machine, args: &Arguments, form: &str, kind: Combination) -> Result<Derivation> {
-    args.expect(form, 2..=2, &[])?;
-    let name = match kind {
-        Combination::Sum => "polar_sum",
-        Combination::Product => "polar_product",
-        Combination::Composition => "polar_compose",
-    };
-    let builtin = super::builtin(name).ok_or_else(internal)?;
-    let Value::Polar(result) = builtin.run(machine, args.clone()).at(args.span(0))? else {
-        return Err(internal());
-    };
+fn combination(machine: &mut Machine, args: &Arguments, kind: Combination) -> Result<Derivation> {
+    let result = combine(
+        args,
+        match kind {
+            Combination::Sum => PolarForm::sum,
+            Combination::Product => PolarForm::product,
+            Combination::Composition => PolarForm::compose,
+        },
+    )
+    .at(args.span(0))?;
     let (f, _) = univariate(machine, &args.only(1))?;
-    let (g, _) = univariate(machine, &args.after_first(&[]))?;
+    let (g, _) = univariate(machine, &args.after_first().only(1))?;
     Ok(derive::combination(kind, &f, &g, &result))
 }
 
-fn derivative(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 1..=2, &["k"])?;
-    let k = args.named_size("k", 1)?.unwrap_or(1);
-    let (polar, variable) = univariate(machine, &args.only(1))?;
-    Ok(derive::derivative(&polar, &variable, k))
-}
-
-fn elevate(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 1..=2, &["k"])?;
-    let k = args.named_size("k", 1)?.unwrap_or(1);
+fn elevate(machine: &mut Machine, args: &Arguments) -> Result<Derivation> {
+    let k = args.optional_size(1)?.unwrap_or(1);
     if let Value::Geometry(geometry) = args.value(0)?
         && let Geometry::Bezier(curve, form) = &**geometry
     {
@@ -188,25 +290,13 @@ fn elevate(machine: &mut Machine, args: &Arguments, form: &str) -> Result<Deriva
     Ok(derive::elevation(&polar, &variable, k))
 }
 
-fn matrix(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 1..=1, &[])?;
-    Ok(derive::power_matrix(args.size(0)?))
-}
-
-fn inverse_matrix(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 1..=1, &[])?;
-    Ok(derive::bernstein_matrix(args.size(0)?))
-}
-
-fn casteljau(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=usize::MAX, &[])?;
+fn casteljau(args: &Arguments) -> Result<Derivation> {
     let (curve, form) = args.bezier(0)?;
     let list = super::curves::repeated(args.scalars_from(1)?, curve.degree());
     derive::casteljau(&curve, form, &list).map_err(curve_error).at(args.span(1))
 }
 
-fn deboor(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=usize::MAX, &["span"])?;
+fn deboor(args: &Arguments) -> Result<Derivation> {
     let (s, form) = args.spline(0)?;
     let (scheme, list) = super::splines::de_boor(args, &s)?;
     // The scheme of another piece would not end in a point of the curve.
@@ -227,29 +317,25 @@ fn deboor(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
     derive::de_boor(&s, form, &scheme, &list).map_err(curve_error).at(args.span(1))
 }
 
-fn insert(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=2, &[])?;
+fn insert(args: &Arguments) -> Result<Derivation> {
     let (s, form) = args.spline(0)?;
     derive::insertion(&s, form, &args.scalar(1)?).map_err(spline_error).at(args.span(1))
 }
 
-fn join(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=3, &["k"])?;
+fn join(args: &Arguments) -> Result<Derivation> {
     let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
     let form = super::joins::polynomial_pair(args, left, right)?;
-    let k = args.named_size("k", 2)?.unwrap_or(1);
+    let k = args.optional_size(2)?.unwrap_or(1);
     derive::joining(&f, &g, form, k).map_err(curve_error).at(args.span(1))
 }
 
-fn newton(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=2, &[])?;
+fn newton(args: &Arguments) -> Result<Derivation> {
     let samples = Samples::read(args)?;
     let table = DividedDifferences::with_repeats(&samples.nodes, &samples.values);
     Ok(derive::newton(&table.map_err(Samples::failed(args))?, samples.form))
 }
 
-fn moments(_: &mut Machine, args: &Arguments, form: &str) -> Result<Derivation> {
-    args.expect(form, 2..=2, &["ends", "slopes", "moments"])?;
+fn moments(args: &Arguments) -> Result<Derivation> {
     let samples = Samples::read(args)?;
     let ends = interpolation::ends(args, samples.form)?;
     let spline = CubicSpline::by_moments(&samples.nodes, &samples.values, ends);

@@ -1,35 +1,56 @@
 //! How curves meet, and one function for changes of representation.
 
-use std::sync::Arc;
-
-use super::Builtin;
-use crate::formula::{Accent, Expr, Kind};
-use crate::language::derive::polar_label;
-use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, linalg_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezier, joined, spline};
+use std::sync::Arc;
+
+use super::matrices::{basis_error, read_basis};
+use super::parameter::{CURVE, Takes, optional, required};
+use super::{Builtin, surface_joins};
+use crate::formula::{Accent, Expr, Kind};
+use crate::language::derive::polar_label;
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
+use crate::math::basis::{Basis, change_of_basis};
 use crate::math::curve::{self, BezierCurve, GeometricFailure};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Continuity and conversion";
+const NEW: Builtin = Builtin::about("Continuity and conversion");
+
+/// The representations of a curve that a word names.
+const FORMS: &[&str] = &[
+    "bezier",
+    "bspline",
+    "power",
+    "polar",
+    "pieces",
+    "hermite",
+    "taylor",
+    "bernstein",
+    "lagrange",
+    "newton",
+];
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "joining_conditions",
-        signature: "joining_conditions(c, d, k)",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            optional("k", Takes::Size, "1", "the order"),
+        ],
         summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
         example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
-        topic: TOPIC,
+        on_surface: surface_joins::JOINING_CONDITIONS,
         call: |_, args| {
-            args.expect("joining_conditions(c, d, k)", 2..=3, &["k"])?;
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
-            let k = args.named_size("k", 2)?.unwrap_or(1);
+            let k = args.optional_size(2)?.unwrap_or(1);
             let form = polynomial_pair(args, left, right)?;
             let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
             let mut table = Table::with_header(["order", "polar value", "required", "found", "holds"]);
@@ -45,18 +66,22 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             Ok(Value::Table(Arc::new(table)))
         },
+        ..NEW
     },
     Builtin {
         name: "continuity",
-        signature: "continuity(c, d, at=t)",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            optional("at", Takes::Scalar, "the common end", "where they meet").shown("at=t"),
+        ],
         summary: "up to which order two curves agree at t, and the first polar values that differ",
         example: "continuity(bezier([0, 1, 2]), bezier([2, 3, 5], 1, 2))",
-        topic: TOPIC,
+        on_surface: surface_joins::CONTINUITY,
         call: |_, args| {
-            args.expect("continuity(c, d, at=t)", 2..=3, &["at"])?;
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
             let form = polynomial_pair(args, left, right)?;
-            let t = match args.named_or("at", 2) {
+            let t = match args.given(2) {
                 Some((Value::Scalar(t), _)) => t.clone(),
                 Some((other, span)) => return Err(wrong_kind("a number or symbol", other).at(span)),
                 None if f.interval().1 == g.interval().0 => g.interval().0.clone(),
@@ -97,15 +122,17 @@ pub(super) const TABLE: &[Builtin] = &[
             table.rows.push(row);
             Ok(Value::Table(Arc::new(table)))
         },
+        ..NEW
     },
     Builtin {
         name: "geometric_continuity",
-        signature: "geometric_continuity(c, d)",
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+        ],
         summary: "up to which G^k (k <= 2) two curves meet, with the change of parameter beta_1, beta_2",
         example: "geometric_continuity(bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("geometric_continuity(c, d)", 2..=2, &[])?;
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
             polynomial_pair(args, left, right)?;
             let (Some(f), Some(g)) = (numeric(&f), numeric(&g)) else {
@@ -138,32 +165,33 @@ pub(super) const TABLE: &[Builtin] = &[
             ]);
             Ok(Value::Table(Arc::new(table)))
         },
+        ..NEW
     },
     Builtin {
         name: "homogeneous",
-        signature: "homogeneous(c)",
+        parameters: &[CURVE],
         summary: "the polynomial curve of the homogeneous coordinates of a rational one, weight last",
         example: "homogeneous(bezier([0, 1, 2], weights=[1, 2, 1]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("homogeneous(c)", 1..=1, &[])?;
             Ok(match &*args.geometry(0)? {
                 Geometry::Bezier(curve, form) => bezier(as_rational_form(curve, *form), Form::default()),
                 Geometry::Spline(s, form) => spline(as_rational_spline(s, *form), Form::default()),
                 _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
             })
         },
+        ..NEW
     },
     Builtin {
         name: "convert",
-        signature: "convert(c, to)",
+        parameters: &[
+            required("c", Takes::Geometry, "the curve, spline or piecewise polynomial"),
+            required("to", Takes::Word(FORMS), "the representation"),
+        ],
         summary: "a curve as: bezier, bspline, power, polar, pieces, hermite or [lagrange, t_0, ...]",
         example: "convert(bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]), bezier)",
-        topic: TOPIC,
-        call: |machine, args| {
-            args.expect("convert(c, to)", 2..=2, &["to"])?;
-            convert(machine, args)
-        },
+        on_surface: surface_joins::CONVERT,
+        call: |_, args| convert(args),
+        ..NEW
     },
 ];
 
@@ -251,18 +279,13 @@ fn geometric_equations(
     Ok(Value::Table(Arc::new(table)))
 }
 
-fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Result<Value> {
+fn convert(args: &Arguments) -> Result<Value> {
     let target = args.value(1)?;
     let word = match target {
-        Value::Text(word) => word.as_str(),
-        Value::Builtin(word) => word,
-        Value::List(items) => match items.first() {
-            Some(Value::Text(word)) => word.as_str(),
-            Some(Value::Builtin(word)) => word,
-            _ => "",
-        },
-        _ => "",
+        Value::List(items) => items.first().and_then(word_of),
+        single => word_of(single),
     };
+    let word = word.unwrap_or_default();
     // A Bézier curve also from a spline that is one polynomial.
     let single = || -> Result<(BezierCurve<Fraction>, Form)> {
         let piecewise = matches!(args.value(0)?, Value::Piecewise(_))
@@ -322,8 +345,6 @@ fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Re
         "lagrange" | "newton" | "hermite" | "taylor" | "bernstein" => {
             let (curve, form) = single()?;
             polynomial_pair(args, form, form)?;
-            let n = Value::int(curve.degree() as i64);
-            let power = Value::Text("power".to_owned());
             let target = match (word, target) {
                 ("hermite", Value::Text(_) | Value::Builtin(_)) => {
                     let (a, b) = curve.interval();
@@ -331,12 +352,9 @@ fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Re
                 }
                 _ => target.clone(),
             };
-            let change = super::builtin("change_of_basis").ok_or_else(internal)?;
-            let mut call = Arguments::default();
-            for value in [n, power, target] {
-                call.push(value, args.span(1));
-            }
-            let Value::Matrix(matrix) = (change.call)(machine, &call)? else { return Err(internal()) };
+            crate::budget::charge_terms((curve.degree() as u64 + 1).saturating_pow(2));
+            let basis = read_basis(&target, args.span(1))?;
+            let matrix = change_of_basis(curve.degree(), &Basis::Power, &basis).map_err(basis_error)?;
             let mut rows = Vec::with_capacity(curve.dimension());
             for column in curve.power() {
                 let column = nalgebra::DMatrix::from_vec(column.len(), 1, column);
@@ -349,8 +367,4 @@ fn convert(machine: &mut crate::language::eval::Machine, args: &Arguments) -> Re
             "bezier, bspline, power, polar, pieces, hermite, [lagrange, t_0, ...] or [newton, t_0, ...]",
         )),
     }
-}
-
-fn internal() -> Diagnostic {
-    Diagnostic::error(Code::Internal, "a function of the program is missing")
 }

@@ -1,12 +1,15 @@
 //! Matrices, and the matrices between polynomial bases.
 
+use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
+use crate::language::ops::arithmetic;
+use crate::language::ops::errors::{linalg_error, wrong_kind};
 use nalgebra::DMatrix;
 
 use super::Builtin;
+use super::parameter::{DEGREE, Parameter, Takes, required, size};
+use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::Arguments;
-use crate::language::ops::arithmetic;
-use crate::language::ops::errors::{linalg_error, wrong_kind};
 use crate::language::value::Value;
 use crate::math::basis::{self, Basis, BasisError};
 use crate::math::linalg;
@@ -15,122 +18,113 @@ use crate::math::poly::Fraction;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Matrices and bases";
+const NEW: Builtin = Builtin::about("Matrices and bases");
+
+const MATRIX: Parameter = required("M", Takes::Matrix, "the matrix");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "bernstein_to_power",
-        signature: "bernstein_to_power(n)",
+        parameters: &[DEGREE],
         summary: "A_n: Bézier points over [0, 1] to power coefficients",
         example: "bernstein_to_power(3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("bernstein_to_power(n)", 1..=1, &[])?;
             let n = sized(args, 0)?;
             Ok(lifted(&basis::bernstein_to_power(n)))
         },
+        ..NEW
     },
     Builtin {
         name: "power_to_bernstein",
-        signature: "power_to_bernstein(n)",
+        parameters: &[DEGREE],
         summary: "the inverse of A_n: power coefficients to Bézier points over [0, 1]",
         example: "power_to_bernstein(3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("power_to_bernstein(n)", 1..=1, &[])?;
             let n = sized(args, 0)?;
             Ok(lifted(&basis::power_to_bernstein(n)))
         },
+        ..NEW
     },
     Builtin {
         name: "raising",
-        signature: "raising(m, n)",
+        parameters: &[size("m", "the degree of the points"), size("n", "the degree of the result")],
         summary: "the matrix from Bézier points of degree m to those of degree n >= m",
         example: "raising(2, 3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("raising(m, n)", 2..=2, &[])?;
             let (m, n) = (sized(args, 0)?, sized(args, 1)?);
             basis::raising(m, n).map(|matrix| lifted(&matrix)).map_err(basis_error)
         },
+        ..NEW
     },
     Builtin {
         name: "lowering",
-        signature: "lowering(n, m)",
+        parameters: &[size("n", "the degree of the points"), size("m", "the degree of the result")],
         summary: "a left inverse of raising(m, n): exact for polynomials of degree at most m",
         example: "lowering(3, 2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("lowering(n, m)", 2..=2, &[])?;
             let (n, m) = (sized(args, 0)?, sized(args, 1)?);
             basis::lowering(n, m).map(|matrix| lifted(&matrix)).map_err(basis_error)
         },
+        ..NEW
     },
     Builtin {
         name: "change_of_basis",
-        signature: "change_of_basis(n, from, to)",
+        parameters: &[
+            DEGREE,
+            required("from", Takes::Basis, "the basis of the given coefficients"),
+            required("to", Takes::Basis, "the basis of the result"),
+        ],
         summary: "the matrix between bases: power, bernstein, taylor, lagrange, newton, hermite",
         example: "change_of_basis(2, [bernstein, 0, 2], power)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("change_of_basis(n, from, to)", 3..=3, &["from", "to"])?;
             let n = sized(args, 0)?;
-            let (from, to) = (read_basis(args, 1)?, read_basis(args, 2)?);
+            let (from, to) = (args.basis(1)?, args.basis(2)?);
             basis::change_of_basis(n, &from, &to).map(Value::Matrix).map_err(basis_error)
         },
+        ..NEW
     },
     Builtin {
         name: "inverse",
-        signature: "inverse(M)",
+        parameters: &[MATRIX],
         summary: "the inverse of a square matrix; also written M^-1",
         example: "inverse([1, 2; 3, 4])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("inverse(M)", 1..=1, &[])?;
             linalg::inverse(&args.matrix(0)?).map(Value::Matrix).map_err(linalg_error).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "det",
-        signature: "det(M)",
+        parameters: &[MATRIX],
         summary: "the determinant",
         example: "det([1, 2; 3, 4])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("det(M)", 1..=1, &[])?;
             linalg::determinant(&args.matrix(0)?).map(Value::Scalar).map_err(linalg_error).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "rank",
-        signature: "rank(M)",
+        parameters: &[MATRIX],
         summary: "the rank",
         example: "rank([1, 2; 2, 4])",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("rank(M)", 1..=1, &[])?;
-            Ok(Value::int(linalg::rank(&args.matrix(0)?) as i64))
-        },
+        call: |_, args| Ok(Value::int(linalg::rank(&args.matrix(0)?) as i64)),
+        ..NEW
     },
     Builtin {
         name: "null_space",
-        signature: "null_space(M)",
+        parameters: &[MATRIX],
         summary: "a basis of the x with M x = 0, as columns",
         example: "null_space([1, 2; 2, 4])",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("null_space(M)", 1..=1, &[])?;
-            Ok(Value::Matrix(linalg::null_space(&args.matrix(0)?)))
-        },
+        call: |_, args| Ok(Value::Matrix(linalg::null_space(&args.matrix(0)?))),
+        ..NEW
     },
     Builtin {
         name: "solve",
-        signature: "solve(M, b)",
+        parameters: &[MATRIX, required("b", Takes::Any, "the right side, a list or matrix")],
         summary: "the x with M x = b, for a list or matrix b",
         example: "solve([2, 0; 0, 4], [1, 1])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("solve(M, b)", 2..=2, &[])?;
             let matrix = args.matrix(0)?;
             if let Value::List(_) = args.value(1)? {
                 let column = args.scalars(1)?;
@@ -140,29 +134,26 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             linalg::solve(&matrix, &args.matrix(1)?).map(Value::Matrix).map_err(linalg_error)
         },
+        ..NEW
     },
     Builtin {
         name: "transpose",
-        signature: "transpose(M)",
+        parameters: &[required("M", Takes::Matrix, "the matrix or list")],
         summary: "rows and columns exchanged; a list becomes a column",
         example: "transpose([1, 2; 3, 4])",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("transpose(M)", 1..=1, &[])?;
-            arithmetic::transpose(args.value(0)?.clone()).at(args.span(0))
-        },
+        call: |_, args| arithmetic::transpose(args.value(0)?.clone()).at(args.span(0)),
+        ..NEW
     },
     Builtin {
         name: "identity",
-        signature: "identity(n)",
+        parameters: &[size("n", "the number of rows")],
         summary: "the n x n identity matrix",
         example: "identity(3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("identity(n)", 1..=1, &[])?;
             let n = sized(args, 0)?;
             Ok(Value::Matrix(DMatrix::identity(n, n)))
         },
+        ..NEW
     },
 ];
 
@@ -186,12 +177,17 @@ pub(super) fn basis_error(error: BasisError) -> Diagnostic {
     Diagnostic::error(code, error.to_string())
 }
 
+impl Arguments {
+    fn basis(&self, i: usize) -> Result<Basis<Fraction>> {
+        read_basis(self.value(i)?, self.span(i))
+    }
+}
+
 /// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
-pub(super) fn read_basis(args: &Arguments, i: usize) -> Result<Basis<Fraction>> {
-    let value = args.value(i)?;
+pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
     let wrong = || {
         wrong_kind("a basis", value)
-            .at(args.span(i))
+            .at(span)
             .hint("power, bernstein, [bernstein, a, b], [taylor, a], [lagrange, t0, t1, ...]")
             .hint("or [newton, t0, t1, ...], [hermite, a, b]")
     };
@@ -199,11 +195,7 @@ pub(super) fn read_basis(args: &Arguments, i: usize) -> Result<Basis<Fraction>> 
         Value::List(items) => items.split_first().ok_or_else(wrong)?,
         single => (single, &[] as &[Value]),
     };
-    let name = match name {
-        Value::Text(word) => word.as_str(),
-        Value::Builtin(word) => word,
-        _ => return Err(wrong()),
-    };
+    let name = word_of(name).ok_or_else(wrong)?;
     let numbers: Option<Vec<Fraction>> = rest.iter().map(|item| item.as_scalar().cloned()).collect();
     let numbers = numbers.ok_or_else(wrong)?;
     let ends = |numbers: &[Fraction]| -> Result<(Fraction, Fraction)> {

@@ -1,41 +1,72 @@
 //! What functions such as `derivative` and `elevate` do with curves.
 
-use std::sync::Arc;
-
-use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated, call_geometry, call_piecewise};
 use crate::language::ops::errors::{curve_error, division_by_zero, polar_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::ops::{arithmetic, formula};
+use std::sync::Arc;
+
+use super::parameter::{CURVE, Takes, named, optional, required};
+use super::table::Variant;
+use crate::formula::source::Span;
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
 use crate::math::curve::RationalCurve;
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
 
-/// The meaning of a function for a curve or surface as its first argument, if it has one.
-pub(crate) fn method(name: &str, first: &Value) -> Option<fn(&Arguments) -> Evaluated> {
-    match first {
-        Value::Geometry(geometry) if geometry.is_surface() => super::on_surface::method(name),
-        Value::Geometry(_) | Value::Piecewise(_) => on_curve(name),
-        _ => None,
-    }
-}
+pub(super) const POLAR: Option<Variant> = Variant::new(
+    &[
+        CURVE,
+        named("span=j", Takes::Size, "the only one", "the knot interval of a spline"),
+        named("degree=n", Takes::Size, "the degree of the curve", "the number of arguments"),
+    ],
+    polar,
+);
 
-fn on_curve(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
-    Some(match name {
-        "polar" => polar,
-        "elevate" => elevate,
-        "reduce" => reduce,
-        "derivative" | "diff" => derivative,
-        "integrate" => integrate,
-        "bezier_points" => bezier_points,
-        "compose" => compose,
-        "degree" => degree,
-        "coefficients" => coefficients,
-        _ => return None,
-    })
-}
+pub(super) const ELEVATE: Option<Variant> =
+    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], elevate);
+
+pub(super) const REDUCE: Option<Variant> =
+    Variant::new(&[CURVE, optional("k", Takes::Size, "1", "by how many degrees")], reduce);
+
+pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
+    &[
+        CURVE,
+        optional("variable", Takes::Any, "the parameter", "the variable, as for formulas").shown("t"),
+        optional("k", Takes::Size, "1", "how often, also in the second place"),
+    ],
+    derivative,
+);
+
+pub(super) const INTEGRATE: Option<Variant> = Variant::new(
+    &[
+        CURVE,
+        optional("variable", Takes::Any, "the parameter", "the variable, as for formulas").shown("t"),
+        optional("a", Takes::Scalar, "the whole interval", "the lower bound, also in the second place"),
+        optional("b", Takes::Scalar, "the whole interval", "the upper bound, also in the third place"),
+    ],
+    integrate,
+);
+
+pub(super) const BEZIER_POINTS: Option<Variant> = Variant::new(
+    &[
+        CURVE,
+        optional("a", Takes::Scalar, "its own interval", "the start of the interval"),
+        optional("b", Takes::Scalar, "a + 1", "its end"),
+    ],
+    bezier_points,
+);
+
+pub(super) const COMPOSE: Option<Variant> = Variant::new(
+    &[CURVE, required("G", Takes::Polynomial, "the function that is put in for the parameter")],
+    compose,
+);
+
+pub(super) const DEGREE: Option<Variant> = Variant::new(&[CURVE], degree);
+
+pub(super) const COEFFICIENTS: Option<Variant> = Variant::new(&[CURVE], coefficients);
 
 /// A rational curve has no polar form of its own: only its homogeneous one.
 fn polynomial(form: Form, args: &Arguments) -> Result<(), Diagnostic> {
@@ -71,13 +102,12 @@ fn forms_value(forms: Vec<crate::math::blossom::PolarForm<Fraction>>, form: Form
 }
 
 pub(crate) fn polar(args: &Arguments) -> Evaluated {
-    args.expect("polar(c, span=j)", 1..=1, &["span", "degree"])?;
     let geometry = args.geometry(0)?;
     polynomial(geometry.form(), args)?;
     let curve = match &*geometry {
         Geometry::Bezier(curve, _) => curve.clone(),
         Geometry::Spline(spline, _) => {
-            let span = match args.named_size("span", usize::MAX)? {
+            let span = match args.named_size("span")? {
                 Some(span) => span,
                 None => match spline.knots().spans().as_slice() {
                     [only] => *only,
@@ -96,7 +126,7 @@ pub(crate) fn polar(args: &Arguments) -> Evaluated {
         }
         other => return Err(not_a_curve(other, args)),
     };
-    let by = match args.named_size("degree", usize::MAX)? {
+    let by = match args.named_size("degree")? {
         Some(degree) => degree.checked_sub(curve.degree()).ok_or_else(|| {
             Diagnostic::error(Code::DegreeTooSmall, format!("the curve has degree {}", curve.degree()))
         })?,
@@ -107,8 +137,7 @@ pub(crate) fn polar(args: &Arguments) -> Evaluated {
 }
 
 fn elevate(args: &Arguments) -> Evaluated {
-    args.expect("elevate(c, k)", 1..=2, &["k"])?;
-    let by = args.named_size("k", 1)?.unwrap_or(1);
+    let by = args.optional_size(1)?.unwrap_or(1);
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) => Ok(bezier(curve.elevate(by), *form)),
         Geometry::Spline(s, form) => s.elevate(by).map(|s| spline(s, *form)).map_err(spline_error),
@@ -117,8 +146,7 @@ fn elevate(args: &Arguments) -> Evaluated {
 }
 
 fn reduce(args: &Arguments) -> Evaluated {
-    args.expect("reduce(c, k)", 1..=2, &["k"])?;
-    let by = args.named_size("k", 1)?.unwrap_or(1);
+    let by = args.optional_size(1)?.unwrap_or(1);
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) => {
             curve.reduce(by).map(|c| bezier(c, *form)).map_err(curve_error).at(args.span(0))
@@ -131,13 +159,14 @@ fn reduce(args: &Arguments) -> Evaluated {
 }
 
 pub(crate) fn derivative(args: &Arguments) -> Evaluated {
-    // diff(c, t) names the variable as for formulas.
-    let args = &match args.value(1) {
-        Ok(value) if formula::symbol_of(value).is_some() => args.without_place(1),
-        _ => args.clone(),
+    // diff(c, t) names the variable as for formulas, derivative(c, k) does not.
+    let named = args.given(1).is_none_or(|(value, _)| formula::symbol_of(value).is_some());
+    let order = match args.given(2) {
+        Some(_) if !named => return Err(wrong_kind("a variable", args.value(1)?).at(args.span(1))),
+        Some(_) => args.size(2)?,
+        None if named => 1,
+        None => args.size(1)?,
     };
-    args.expect("derivative(c, k)", 1..=2, &["k"])?;
-    let order = args.named_size("k", 1)?.unwrap_or(1);
     if let Value::Piecewise(function) = args.value(0)? {
         let derived = function.function.derivative(order);
         let variable = function.variable.clone();
@@ -164,27 +193,35 @@ pub(crate) fn derivative(args: &Arguments) -> Evaluated {
     }
 }
 
+/// The error for an integral with one bound.
+pub(super) fn one_bound(args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Arity, "an integral needs both bounds or none").at(args.span(args.len() - 1))
+}
+
 /// The integral over the whole interval, or from a to b.
 fn integrate(args: &Arguments) -> Evaluated {
-    args.expect("integrate(c, a, b)", 1..=4, &[])?;
-    // integrate(c, t, a, b) names the variable as for formulas.
-    let args = &match args.len() {
-        4 => args.without_place(1),
-        _ => args.clone(),
+    // integrate(c, t, a, b) names the variable as for formulas, integrate(c, a, b) does not.
+    let places = match [1, 2, 3].map(|i| args.given(i).is_some()) {
+        [false, false, false] => None,
+        [true, true, false] => Some([1, 2]),
+        [_, true, true] => Some([2, 3]),
+        _ => return Err(one_bound(args)),
     };
-    if args.len() > 1 {
-        args.expect("integrate(c, a, b)", 3..=3, &[])?;
-        let ends = [args.scalar(1)?, args.scalar(2)?];
+    if let Some(places) = places {
+        let [from, to] = [args.scalar(places[0])?, args.scalar(places[1])?];
         let primitive = antiderivative(&args.only(1))?;
-        let at = |i: usize| {
-            let value = [(Value::Scalar(ends[i].clone()), args.span(i + 1))];
+        let at = |end: Fraction, span: Span| {
+            let value = [(Value::Scalar(end), span)];
             match &primitive {
-                Value::Piecewise(function) => call_piecewise(function, &value, args.span(i + 1)),
-                Value::Geometry(geometry) => call_geometry(geometry, &value, args.span(i + 1)),
+                Value::Piecewise(function) => call_piecewise(function, &value, span),
+                Value::Geometry(geometry) => call_geometry(geometry, &value, span),
                 other => Err(wrong_kind("a curve", other)),
             }
         };
-        return arithmetic::add(at(1)?, arithmetic::negate(at(0)?)?);
+        return arithmetic::add(
+            at(to, args.span(places[1]))?,
+            arithmetic::negate(at(from, args.span(places[0]))?)?,
+        );
     }
     if let Value::Piecewise(function) = args.value(0)? {
         return Ok(Value::Scalar(function.function.integral()));
@@ -226,13 +263,14 @@ pub(crate) fn antiderivative(args: &Arguments) -> Evaluated {
 }
 
 fn bezier_points(args: &Arguments) -> Evaluated {
-    args.expect("bezier_points(c)", 1..=3, &[])?;
     let (curve, form) = args.bezier(0)?;
-    let curve = match args.len() {
-        1 => curve,
-        _ => {
-            let (a, b) = super::curves::ends(args, 1)?;
-            curve.part(&a, &b).map_err(curve_error).at(args.span(1))?
+    let curve = match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
+        (None, None) => curve,
+        (a, b) => {
+            let a = a.unwrap_or_else(|| curve.interval().0.clone());
+            let b = b.unwrap_or_else(|| a.plus(&Fraction::one()));
+            let place = if args.given(1).is_some() { 1 } else { 2 };
+            curve.part(&a, &b).map_err(curve_error).at(args.span(place))?
         }
     };
     match form.split(curve.points()) {
@@ -243,9 +281,8 @@ fn bezier_points(args: &Arguments) -> Evaluated {
 
 /// c(G(t)): over the interval that G takes to that of c if G is linear, else over [0, 1].
 fn compose(args: &Arguments) -> Evaluated {
-    args.expect("compose(c, G)", 2..=2, &[])?;
     let (curve, form) = args.bezier(0)?;
-    let inner = args.univariate(1, usize::MAX)?.coefficients;
+    let inner = args.univariate(1)?.coefficients;
     let (a, b) = match inner.as_slice() {
         [shift, slope] if !slope.is_zero() => {
             let inverse = Field::inverse(slope).ok_or_else(division_by_zero)?;
@@ -259,7 +296,6 @@ fn compose(args: &Arguments) -> Evaluated {
 }
 
 fn degree(args: &Arguments) -> Evaluated {
-    args.expect("degree(c)", 1..=1, &[])?;
     if let Value::Piecewise(function) = args.value(0)? {
         return Ok(Value::int(function.function.degree() as i64));
     }
@@ -272,7 +308,6 @@ fn degree(args: &Arguments) -> Evaluated {
 
 /// The power coefficients of each coordinate, lowest first.
 pub(crate) fn coefficients(args: &Arguments) -> Evaluated {
-    args.expect("coefficients(c)", 1..=1, &[])?;
     let (curve, form) = args.bezier(0)?;
     polynomial(form, args)?;
     let mut rows: Vec<Value> = curve.power().into_iter().map(scalar_list).collect();

@@ -1,46 +1,125 @@
-//! What functions such as `derivative`, `casteljau` and `elevate` do with surfaces.
+//! What functions such as `derivative`, `casteljau` and `elevate` do with a surface.
 
-use std::sync::Arc;
-
-use super::surfaces::{polynomial_only, surface, tensor, triangular};
-use crate::formula::{Expr, Kind};
-use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::formula;
+use std::sync::Arc;
+
+use super::parameter::{Need, Parameter, SURFACE, Takes, named, optional, required, size};
+use super::surfaces::{polynomial_only, surface, tensor, triangular};
+use super::table::Variant;
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
-use crate::math::curve::{Direction, EdgeEquation, Scheme, TensorPatch, TrianglePatch, indices};
+use crate::math::curve::{Direction, Scheme, TensorPatch, TrianglePatch, indices};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
-/// The meaning of a function for a surface as its first argument, if it has one.
-pub(super) fn method(name: &str) -> Option<fn(&Arguments) -> Evaluated> {
-    Some(match name {
-        "polar" => polar,
-        "elevate" => elevate,
-        "reduce" => reduce,
-        "derivative" | "diff" => derivative,
-        "integrate" => integrate,
-        "degree" => degree,
-        "casteljau" => casteljau,
-        "subdivide" => subdivide,
-        "part" => part,
-        "pieces" => pieces,
-        "insert_knots" => insert_knots,
-        "control_points" | "bezier_points" => control_points,
-        "labels" => labels,
-        "joining_conditions" => joining_conditions,
-        "continuity" => continuity,
-        "extended" => extended,
-        "derivatives_at" => derivatives_at,
-        "convert" => convert,
-        _ => return None,
-    })
-}
+/// u, v, or both at once.
+const DIRECTIONS: Takes = Takes::Word(&["u", "v", "bilinear"]);
 
-fn not_for(geometry: &Geometry, args: &Arguments) -> Diagnostic {
+pub(super) const POLAR: Option<Variant> = Variant::new(&[SURFACE], polar);
+
+pub(super) const ELEVATE: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        optional("k", Takes::Size, "1", "by how many degrees in u, or of a triangular patch"),
+        optional("l", Takes::Size, "k", "by how many degrees in v"),
+    ],
+    elevate,
+);
+
+pub(super) const REDUCE: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        optional("k", Takes::Size, "1", "by how many degrees in u, or of a triangular patch"),
+        optional("l", Takes::Size, "k", "by how many degrees in v"),
+    ],
+    reduce,
+);
+
+pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required("r", Takes::Any, "how often in u; or a direction, for a triangular patch"),
+        Parameter {
+            need: Need::Many(0, usize::MAX),
+            ..optional("s", Takes::Any, "0", "how often in v; or further directions")
+        },
+    ],
+    derivative,
+);
+
+pub(super) const INTEGRATE: Option<Variant> = Variant::new(&[SURFACE], integrate);
+
+pub(super) const DEGREE: Option<Variant> = Variant::new(&[SURFACE], degree);
+
+pub(super) const CASTELJAU: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required("u", Takes::Any, "the first parameter; or the point, for a triangular patch"),
+        optional("v", Takes::Scalar, "the point is given", "the second parameter"),
+        named("first=u", DIRECTIONS, "u", "which parameter comes first"),
+    ],
+    casteljau,
+);
+
+pub(super) const SUBDIVIDE: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        optional("u", Takes::Any, "no cut", "where u is cut; or the point, for a triangular patch"),
+        optional("v", Takes::Scalar, "no cut", "where v is cut"),
+    ],
+    subdivide,
+);
+
+pub(super) const PART: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required("u", Takes::Any, "the interval of u; or three corners, for a triangular patch")
+            .shown("[a, b]"),
+        optional("v", Takes::Interval, "[0, 1]", "the interval of v").shown("[c, d]"),
+    ],
+    part,
+);
+
+pub(super) const PIECES: Option<Variant> = Variant::new(&[SURFACE], pieces);
+
+pub(super) const INSERT_KNOTS: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        named("u=[t_1, ...]", Takes::ScalarOrList, "none", "the new knots in u"),
+        named("v=[t_1, ...]", Takes::ScalarOrList, "none", "the new knots in v"),
+    ],
+    insert_knots,
+);
+
+pub(super) const CONTROL_POINTS: Option<Variant> = Variant::new(&[SURFACE], control_points);
+
+pub(super) const LABELS: Option<Variant> = Variant::new(&[SURFACE], labels);
+
+pub(super) const EXTENDED: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required("u", Takes::Any, "the first parameter; or the point, for a triangular patch"),
+        optional("v", Takes::Scalar, "the point is given", "the second parameter"),
+    ],
+    extended,
+);
+
+pub(super) const DERIVATIVES_AT: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required("u", Takes::Scalar, "the first parameter"),
+        required("v", Takes::Scalar, "the second parameter"),
+        size("k", "the highest order"),
+    ],
+    derivatives_at,
+);
+
+pub(super) fn not_for(geometry: &Geometry, args: &Arguments) -> Diagnostic {
     Diagnostic::error(Code::Type, format!("this is not offered for {}", geometry.kind()))
         .at(args.span(0))
         .hint("pieces(s) are the Bézier patches of a spline surface")
@@ -61,8 +140,7 @@ fn coordinates(mut list: Vec<Value>, form: Form) -> Value {
     if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
 }
 
-fn polar(args: &Arguments) -> Evaluated {
-    args.expect("polar(s)", 1..=1, &[])?;
+pub(super) fn polar(args: &Arguments) -> Evaluated {
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     polynomial_only(form, args)?;
@@ -79,12 +157,11 @@ fn polar(args: &Arguments) -> Evaluated {
 
 /// Steps in u and in v: 1 and 1 if not given, the same in both if there is one.
 fn both(args: &Arguments) -> Result<(usize, usize), Diagnostic> {
-    let k = args.named_size("k", 1)?.unwrap_or(1);
-    Ok((k, args.named_size("l", 2)?.unwrap_or(k)))
+    let k = args.optional_size(1)?.unwrap_or(1);
+    Ok((k, args.optional_size(2)?.unwrap_or(k)))
 }
 
 fn elevate(args: &Arguments) -> Evaluated {
-    args.expect("elevate(s, k, l)", 1..=3, &["k", "l"])?;
     let (k, l) = both(args)?;
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => Ok(tensor(patch.elevate(k, l), *form)),
@@ -98,7 +175,6 @@ fn elevate(args: &Arguments) -> Evaluated {
 }
 
 fn reduce(args: &Arguments) -> Evaluated {
-    args.expect("reduce(s, k, l)", 1..=3, &["k", "l"])?;
     let (k, l) = both(args)?;
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => {
@@ -117,7 +193,6 @@ fn reduce(args: &Arguments) -> Evaluated {
 
 /// Of a patch by r times u and s times v; of a triangular one also in given directions.
 fn derivative(args: &Arguments) -> Evaluated {
-    args.expect("derivative(s, r, s)", 2..=usize::MAX, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     polynomial_only(form, args)?;
@@ -131,7 +206,7 @@ fn derivative(args: &Arguments) -> Evaluated {
             .map_err(curve_error)
             .at(args.span(1));
     }
-    let (r, s) = (args.size(1)?, if args.len() > 2 { args.size(2)? } else { 0 });
+    let (r, s) = (args.size(1)?, args.optional_size(2)?.unwrap_or(0));
     match &*geometry {
         Geometry::Patch(patch, _) => Ok(tensor(patch.derivative(r, s), form)),
         Geometry::Triangle(patch, _) => Ok(triangular(patch.partial_derivative(r, s), form)),
@@ -144,7 +219,6 @@ fn derivative(args: &Arguments) -> Evaluated {
 
 /// The integral over the domain.
 fn integrate(args: &Arguments) -> Evaluated {
-    args.expect("integrate(s)", 1..=1, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     polynomial_only(form, args)?;
@@ -170,7 +244,6 @@ fn integrate(args: &Arguments) -> Evaluated {
 }
 
 fn degree(args: &Arguments) -> Evaluated {
-    args.expect("degree(s)", 1..=1, &[])?;
     let pair = |m: usize, n: usize| Value::List([m, n].map(|k| Value::int(k as i64)).to_vec());
     Ok(match &*args.geometry(0)? {
         Geometry::Patch(patch, _) => pair(patch.degrees().0, patch.degrees().1),
@@ -181,36 +254,33 @@ fn degree(args: &Arguments) -> Evaluated {
 }
 
 /// The letter u or v given under a name.
-fn direction(args: &Arguments, name: &str) -> Result<Option<Direction>, Diagnostic> {
-    let Some((value, span)) = args.named_or(name, usize::MAX) else { return Ok(None) };
-    match formula::symbol_of(value).as_ref().map(Symbol::base) {
+pub(super) fn direction(args: &Arguments, name: &str) -> Result<Option<Direction>, Diagnostic> {
+    let Some((value, span)) = args.named(name) else { return Ok(None) };
+    match word_of(value) {
         Some("u") => Ok(Some(Direction::U)),
         Some("v") => Ok(Some(Direction::V)),
         _ => Err(wrong_kind("u or v", value).at(span).hint(format!("such as {name}=u"))),
     }
 }
 
-fn net_value(net: &[Vec<Vec<Fraction>>], form: Form) -> Value {
+pub(super) fn net_value(net: &[Vec<Vec<Fraction>>], form: Form) -> Value {
     let row = |row: &Vec<Vec<Fraction>>| Value::List(row.iter().map(|p| form.plain(p.clone())).collect());
     Value::List(net.iter().map(row).collect())
 }
 
 /// All levels of de Casteljau's algorithm.
 fn casteljau(args: &Arguments) -> Evaluated {
-    args.expect("casteljau(s, u, v, first=u)", 2..=3, &["first"])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let mut table = Table::with_header(["level", "points"]);
     match &*geometry {
         Geometry::Patch(patch, _) => {
-            let bilinear = matches!(args.named_or("first", usize::MAX), Some((Value::Text(word), _)) if word == "bilinear");
-            let scheme = if bilinear {
-                Scheme::Bilinear
-            } else {
-                match direction(args, "first")? {
+            let scheme = match args.named("first").and_then(|(value, _)| word_of(value)) {
+                Some("bilinear") => Scheme::Bilinear,
+                _ => match direction(args, "first")? {
                     Some(Direction::V) => Scheme::VFirst,
                     _ => Scheme::UFirst,
-                }
+                },
             };
             let nets = patch.tableau(&args.scalar(1)?, &args.scalar(2)?, scheme).map_err(curve_error)?;
             for (level, net) in nets.iter().enumerate() {
@@ -220,7 +290,7 @@ fn casteljau(args: &Arguments) -> Evaluated {
             }
         }
         Geometry::Triangle(patch, _) => {
-            let p = if args.len() == 3 { vec![args.scalar(1)?, args.scalar(2)?] } else { args.point(1)? };
+            let p = plane_point(args)?;
             let levels = patch.tableau(&p).map_err(curve_error).at(args.span(1))?;
             for (level, points) in levels.into_iter().enumerate() {
                 let points = Value::List(points.into_iter().map(|point| form.plain(point)).collect());
@@ -232,30 +302,33 @@ fn casteljau(args: &Arguments) -> Evaluated {
     Ok(Value::Table(Arc::new(table)))
 }
 
+/// A point of the plane: its two coordinates, or both in a list.
+fn plane_point(args: &Arguments) -> Result<Vec<Fraction>, Diagnostic> {
+    match args.given(2) {
+        Some(_) => Ok(vec![args.scalar(1)?, args.scalar(2)?]),
+        None => args.point(1),
+    }
+}
+
 /// A patch at u and v in four, at u=t or v=t in two; a triangular one at a point in three.
 fn subdivide(args: &Arguments) -> Evaluated {
-    args.expect("subdivide(s, u, v)", 1..=3, &["u", "v"])?;
-    let scalar = |name: &str| match args.named_or(name, usize::MAX) {
-        Some((Value::Scalar(t), _)) => Ok(Some(t.clone())),
-        Some((other, span)) => Err(wrong_kind("a number or symbol", other).at(span)),
-        None => Ok(None),
-    };
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => {
-            let named = (scalar("u")?, scalar("v")?);
             let pair = |direction, t: &Fraction| {
                 let parts = patch.subdivide(direction, t).map_err(curve_error)?;
                 Ok(Value::List(vec![tensor(parts.0, *form), tensor(parts.1, *form)]))
             };
-            match named {
+            match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
                 (Some(u), None) => pair(Direction::U, &u),
                 (None, Some(v)) => pair(Direction::V, &v),
                 (Some(u), Some(v)) => quarters(patch, &u, &v, *form),
-                (None, None) => quarters(patch, &args.scalar(1)?, &args.scalar(2)?, *form),
+                (None, None) => Err(Diagnostic::error(Code::Arity, "where is the patch cut?")
+                    .at(args.span(0))
+                    .hint("subdivide(s, u, v) cuts it in four, subdivide(s, u=t) in two")),
             }
         }
         Geometry::Triangle(patch, form) => {
-            let p = if args.len() == 3 { vec![args.scalar(1)?, args.scalar(2)?] } else { args.point(1)? };
+            let p = plane_point(args)?;
             let parts = patch.subdivide(&p).map_err(curve_error).at(args.span(1))?;
             Ok(Value::List(parts.into_iter().map(|part| triangular(part, *form)).collect()))
         }
@@ -271,7 +344,6 @@ fn quarters(patch: &TensorPatch<Fraction>, u: &Fraction, v: &Fraction, form: For
 
 /// Over a rectangle, or over a triangle.
 fn part(args: &Arguments) -> Evaluated {
-    args.expect("part(s, [a, b], [c, d])", 2..=3, &[])?;
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => Ok(tensor(patch.part(args.interval(1)?, args.interval(2)?), *form)),
         Geometry::Triangle(patch, form) => Ok(triangular(patch.over(args.triangle(1)?), *form)),
@@ -279,8 +351,7 @@ fn part(args: &Arguments) -> Evaluated {
     }
 }
 
-fn pieces(args: &Arguments) -> Evaluated {
-    args.expect("pieces(s)", 1..=1, &[])?;
+pub(super) fn pieces(args: &Arguments) -> Evaluated {
     match &*args.geometry(0)? {
         Geometry::Surface(s, form) => {
             let row = |row: Vec<TensorPatch<Fraction>>| {
@@ -294,7 +365,6 @@ fn pieces(args: &Arguments) -> Evaluated {
 
 /// Row r, entry s: the derivative r times by u and s times by v, for r + s up to k.
 fn derivatives_at(args: &Arguments) -> Evaluated {
-    args.expect("derivatives_at(s, u, v, k)", 4..=4, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let (u, v, k) = (args.scalar(1)?, args.scalar(2)?, args.size(3)?);
@@ -322,13 +392,12 @@ fn derivatives_at(args: &Arguments) -> Evaluated {
 
 /// The value at any parameters.
 fn extended(args: &Arguments) -> Evaluated {
-    args.expect("extended(s, u, v)", 2..=3, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let point = match &*geometry {
         Geometry::Patch(patch, _) => patch.value(&args.scalar(1)?, &args.scalar(2)?),
         Geometry::Triangle(patch, _) => {
-            let p = if args.len() == 3 { vec![args.scalar(1)?, args.scalar(2)?] } else { args.point(1)? };
+            let p = plane_point(args)?;
             patch.value(&p).map_err(curve_error).at(args.span(1))?
         }
         other => return Err(not_for(other, args)),
@@ -338,12 +407,11 @@ fn extended(args: &Arguments) -> Evaluated {
 
 /// Knots named by their direction: u=[…], v=[…].
 fn insert_knots(args: &Arguments) -> Evaluated {
-    args.expect("insert_knots(s, u=[t_1, ...], v=[t_1, ...])", 1..=1, &["u", "v"])?;
     let geometry = args.geometry(0)?;
     let Geometry::Surface(s, form) = &*geometry else { return Err(not_for(&geometry, args)) };
     let mut finer = s.clone();
     for (name, direction) in [("u", Direction::U), ("v", Direction::V)] {
-        let Some((value, span)) = args.named_or(name, usize::MAX) else { continue };
+        let Some((value, span)) = args.named(name) else { continue };
         let list: Option<Vec<Fraction>> = match value {
             Value::Scalar(t) => Some(vec![t.clone()]),
             Value::List(items) => items.iter().map(|item| item.as_scalar().cloned()).collect(),
@@ -356,7 +424,6 @@ fn insert_knots(args: &Arguments) -> Evaluated {
 }
 
 fn control_points(args: &Arguments) -> Evaluated {
-    args.expect("control_points(s)", 1..=1, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let split = |points: &[Vec<Fraction>]| {
@@ -400,7 +467,6 @@ fn corner_label(patch: &TrianglePatch<Fraction>, place: [usize; 3]) -> Expr {
 
 /// Every control point with its polar label.
 fn labels(args: &Arguments) -> Evaluated {
-    args.expect("labels(s)", 1..=1, &[])?;
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let mut table = Table::default();
@@ -443,111 +509,4 @@ fn labels(args: &Arguments) -> Evaluated {
         other => return Err(not_for(other, args)),
     }
     Ok(Value::Table(Arc::new(table)))
-}
-
-/// The equations for two patches to join, as far as asked.
-fn equations(args: &Arguments, k: usize) -> Result<(Vec<EdgeEquation<Fraction>>, Form), Diagnostic> {
-    let (first, second) = (args.geometry(0)?, args.geometry(1)?);
-    polynomial_only(first.form(), args)?;
-    let equations = match (&*first, &*second) {
-        (Geometry::Patch(f, _), Geometry::Patch(g, _)) => match direction(args, "across")? {
-            Some(across) => f.join_conditions(g, across, k),
-            None => f.join_conditions(g, Direction::U, k).or_else(|_| f.join_conditions(g, Direction::V, k)),
-        },
-        (Geometry::Triangle(f, _), Geometry::Triangle(g, _)) => f.join_conditions(g, k),
-        (_, other) => {
-            return Err(Diagnostic::error(
-                Code::Type,
-                format!("{} and {} are not joined", first.kind(), other.kind()),
-            )
-            .at(args.span(1))
-            .hint(
-                "two patches of one kind are; convert(s, tensor) and convert(s, triangle) change the kind",
-            ));
-        }
-    };
-    Ok((equations.map_err(curve_error).at(args.span(1))?, first.form()))
-}
-
-fn equation_row(equation: &EdgeEquation<Fraction>, form: Form) -> Vec<Cell> {
-    vec![
-        Cell::Value(Value::int(equation.order as i64)),
-        Cell::Value(Value::int(equation.place as i64)),
-        Cell::Value(form.plain(equation.required.clone())),
-        Cell::Value(form.plain(equation.found.clone())),
-        Cell::words(super::joins::holds_word(&equation.required, &equation.found)),
-    ]
-}
-
-fn joining_conditions(args: &Arguments) -> Evaluated {
-    args.expect("joining_conditions(s, r, k, across=u)", 2..=3, &["k", "across"])?;
-    let k = args.named_size("k", 2)?.unwrap_or(1);
-    let (equations, form) = equations(args, k)?;
-    let mut table = Table::with_header(["order", "place", "required", "found", "holds"]);
-    table.rows = equations.iter().map(|equation| equation_row(equation, form)).collect();
-    Ok(Value::Table(Arc::new(table)))
-}
-
-/// The largest order up to which two patches join.
-fn continuity(args: &Arguments) -> Evaluated {
-    args.expect("continuity(s, r, across=u)", 2..=2, &["across"])?;
-    let highest = match &*args.geometry(0)? {
-        Geometry::Patch(patch, _) => patch.degrees().0.max(patch.degrees().1),
-        Geometry::Triangle(patch, _) => patch.degree(),
-        other => return Err(not_for(other, args)),
-    };
-    let (equations, form) = equations(args, highest)?;
-    let mut table = Table::with_header(["continuity", "order", "place", "required", "found", "holds"]);
-    match equations.iter().find(|equation| !equation.holds()) {
-        None => {
-            table.header.truncate(1);
-            table.rows.push(vec![Cell::words("one polynomial")]);
-        }
-        Some(equation) => {
-            let mut row = vec![super::joins::class("C", equation.order.checked_sub(1))];
-            row.extend(equation_row(equation, form));
-            table.rows.push(row);
-        }
-    }
-    Ok(Value::Table(Arc::new(table)))
-}
-
-fn convert(args: &Arguments) -> Evaluated {
-    args.expect("convert(s, to, domain, domain)", 2..=4, &["to"])?;
-    let target = args.value(1)?;
-    let word = match target {
-        Value::Text(word) => word.as_str(),
-        Value::Builtin(word) => word,
-        _ => "",
-    };
-    // The domains stand after the word.
-    let rest = |i: usize| args.len() > i;
-    match (&*args.geometry(0)?, word) {
-        (Geometry::Patch(patch, form), "triangle") => {
-            polynomial_only(*form, args)?;
-            let corners = if rest(2) { args.triangle(2)? } else { crate::math::curve::Triangle::unit() };
-            patch.to_triangle(corners).map(|p| triangular(p, *form)).map_err(curve_error).at(args.span(0))
-        }
-        (Geometry::Triangle(patch, form), "tensor") => {
-            polynomial_only(*form, args)?;
-            Ok(tensor(patch.to_tensor(args.interval(2)?, args.interval(3)?), *form))
-        }
-        (Geometry::Patch(..) | Geometry::Triangle(..), "polar") => polar(&args.only(1)),
-        (Geometry::Surface(..), "pieces") => pieces(&args.only(1)),
-        (Geometry::Patch(patch, form), "bspline") => {
-            let knots = |interval: &crate::math::curve::Interval<Fraction>, n: usize| {
-                crate::math::spline::KnotVector::clamped(n, interval.start(), &[], interval.end()).map_err(spline_error)
-            };
-            let (m, n) = patch.degrees();
-            let (u, v) = (knots(patch.u(), m)?, knots(patch.v(), n)?);
-            crate::math::spline::SplineSurface::new(u, v, patch.net().to_vec()).map(|s| surface(s, *form)).map_err(spline_error)
-        }
-        (Geometry::Patch(patch, form), "power") => {
-            polynomial_only(*form, args)?;
-            Ok(net_value(&patch.power_coefficients(), *form))
-        }
-        (geometry, _) => Err(Diagnostic::error(Code::Type, format!("{} has no such representation", geometry.kind()))
-            .at(args.span(1))
-            .hint("patches: triangle, polar, power, bspline; triangular ones: tensor, polar; spline surfaces: pieces")),
-    }
 }

@@ -1,14 +1,15 @@
 //! Polar forms: making, elevating, combining, writing out.
 
-use std::sync::Arc;
-
-use super::Builtin;
-use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::{Arguments, Evaluated};
+use crate::language::eval::Arguments;
 use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::{laws_report, point_argument};
+use std::sync::Arc;
+
+use super::parameter::{START, Takes, VARIABLE, many, named, optional, required, size};
+use super::{Builtin, on_geometry, on_surface};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::laws::Arrangement;
 use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm, symmetrize};
@@ -19,33 +20,46 @@ use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Polar forms";
+const NEW: Builtin = Builtin::about("Polar forms");
 
-pub(crate) const TABLE: &[Builtin] = &[
-    Builtin {
-        name: "polar",
-        signature: "polar(F, degree=n, variable=t)",
-        summary: "the polar form of a polynomial, of its own degree or a larger one",
-        example: "polar(t^2 + 2t, degree=3)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("polar(F, degree=n, variable=t)", 1..=1, &["degree", "variable"])?;
-            let given = args.univariate(0, usize::MAX)?;
-            let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
-            let degree = args.named_size("degree", usize::MAX)?.unwrap_or(own);
-            let form = PolarForm::with_degree(&given.coefficients, degree)
-                .map_err(|error| polar_error(error).hint(format!("use degree={own} or more")))?;
-            Ok(univariate(form, given.variable))
-        },
+/// Also the derivations of polar forms begin with it.
+pub(super) const POLAR: Builtin = Builtin {
+    name: "polar",
+    parameters: &[
+        required("F", Takes::Polynomial, "the polynomial; a list of them for a curve"),
+        named("degree=n", Takes::Size, "the degree of F", "the number of arguments"),
+        VARIABLE,
+    ],
+    summary: "the polar form of a polynomial, of its own degree or a larger one",
+    example: "polar(t^2 + 2t, degree=3)",
+    each: true,
+    on_curve: on_geometry::POLAR,
+    on_surface: on_surface::POLAR,
+    call: |_, args| {
+        let given = args.univariate(0)?;
+        let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+        let degree = args.named_size("degree")?.unwrap_or(own);
+        let form = PolarForm::with_degree(&given.coefficients, degree)
+            .map_err(|error| polar_error(error).hint(format!("use degree={own} or more")))?;
+        Ok(univariate(form, given.variable))
     },
+    ..NEW
+};
+
+pub(super) const TABLE: &[Builtin] = &[
+    POLAR,
     Builtin {
         name: "polar_tensor",
-        signature: "polar_tensor(F, u, v, m, n)",
+        parameters: &[
+            required("F", Takes::Scalar, "the polynomial"),
+            required("u", Takes::Variable, "the first variable"),
+            required("v", Takes::Variable, "the second variable"),
+            optional("m", Takes::Size, "the degree in u", "the number of arguments for u"),
+            optional("n", Takes::Size, "the degree in v", "the number of arguments for v"),
+        ],
         summary: "the tensor-product polar form of a polynomial of degrees m in u and n in v",
         example: "polar_tensor(u v, u, v, 2, 2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("polar_tensor(F, u, v, m, n)", 3..=5, &["m", "n"])?;
             let (formula, u, v) = (args.scalar(0)?, args.symbol(1)?, args.symbol(2)?);
             let rows = formula::coefficients_in(&formula, &u).at(args.span(0))?;
             let mut grid = Vec::with_capacity(rows.len());
@@ -53,8 +67,8 @@ pub(crate) const TABLE: &[Builtin] = &[
                 grid.push(formula::coefficients_in(row, &v).at(args.span(0))?);
             }
             let own = (rows.len() - 1, grid.iter().map(Vec::len).max().unwrap_or(1) - 1);
-            let m = args.named_size("m", 3)?.unwrap_or(own.0);
-            let n = args.named_size("n", 4)?.unwrap_or(own.1);
+            let m = args.optional_size(3)?.unwrap_or(own.0);
+            let n = args.optional_size(4)?.unwrap_or(own.1);
             for (polynomial, asked, i) in [(own.0, m, 3), (own.1, n, 4)] {
                 if asked < polynomial {
                     let error = crate::math::blossom::PolarError::DegreeTooSmall { polynomial, asked };
@@ -67,44 +81,50 @@ pub(crate) const TABLE: &[Builtin] = &[
             let form = TensorPolarForm::new(grid).map_err(polar_error)?;
             Ok(wrap(PolarKind::Tensor(form), vec![u, v]))
         },
+        ..NEW
     },
     Builtin {
         name: "polar_total",
-        signature: "polar_total(F, [u, v], degree=d)",
+        parameters: &[
+            required("F", Takes::Scalar, "the polynomial"),
+            required("variables", Takes::Variables, "its variables").shown("[u, v]"),
+            optional("degree", Takes::Size, "the degree of F", "the number of arguments").shown("degree=d"),
+        ],
         summary: "the polar form of total degree d, whose arguments are points",
         example: "polar_total(u v, [u, v], degree=2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("polar_total(F, [u, v], degree=d)", 2..=3, &["degree"])?;
             let formula = args.scalar(0)?;
             let variables = symbols(args, 1)?;
             let terms = terms_in(&formula, &variables).at(args.span(0))?;
             let own = terms.iter().map(|(e, _)| e.iter().sum::<u32>()).max().unwrap_or(0) as usize;
-            let degree = args.named_size("degree", 2)?.unwrap_or(own);
+            let degree = args.optional_size(2)?.unwrap_or(own);
             let form = TotalDegreePolarForm::new(variables.len(), degree, terms).map_err(polar_error)?;
             Ok(wrap(PolarKind::Total(form), variables))
         },
+        ..NEW
     },
     Builtin {
         name: "diagonal",
-        signature: "diagonal(f)",
+        parameters: &[required("f", Takes::Polar, "the polar form; a list of them for a curve")],
         summary: "the polynomial F(t) = f(t, ..., t)",
         example: "diagonal(polar(t^2 + 1))",
-        topic: TOPIC,
+        each: true,
         call: |_, args| {
-            args.expect("diagonal(f)", 1..=1, &[])?;
             let f = args.polar(0)?;
             Ok(Value::Scalar(f.diagonal()))
         },
+        ..NEW
     },
     Builtin {
         name: "partial",
-        signature: "partial(f, u1, u2, ...)",
+        parameters: &[
+            required("f", Takes::Polar, "the polar form; a list of them for a curve"),
+            many("u1, u2, ...", Takes::Scalar, 0, "the arguments, vectors such as hat(1) too"),
+        ],
         summary: "puts in some arguments and leaves the others free",
         example: "partial(polar(t^3), 0, hat(1))",
-        topic: TOPIC,
+        each: true,
         call: |_, args| {
-            args.expect("partial(f, u1, u2, ...)", 1..=usize::MAX, &[])?;
             let f = args.polar(0)?;
             match &f.kind {
                 PolarKind::Univariate(form) => {
@@ -144,17 +164,22 @@ pub(crate) const TABLE: &[Builtin] = &[
                 .hint("give all arguments: f(u1, u2; v1, v2)")),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "elevate",
-        signature: "elevate(f, k)",
+        parameters: &[
+            required("f", Takes::Polar, "the polar form; a list of them for a curve"),
+            optional("k", Takes::Size, "1", "how many arguments more"),
+        ],
         summary: "the same polynomial with k more arguments (1 if not given)",
         example: "elevate(polar(t^2), 1)",
-        topic: TOPIC,
+        each: true,
+        on_curve: on_geometry::ELEVATE,
+        on_surface: on_surface::ELEVATE,
         call: |_, args| {
-            args.expect("elevate(f, k)", 1..=2, &[])?;
             let f = args.polar(0)?;
-            let by = args.named_size("k", 1)?.unwrap_or(1);
+            let by = args.optional_size(1)?.unwrap_or(1);
             let kind = match &f.kind {
                 PolarKind::Univariate(form) => PolarKind::Univariate(form.elevate(by)),
                 PolarKind::Tensor(form) => PolarKind::Tensor(form.elevate(by, by).map_err(polar_error)?),
@@ -162,17 +187,22 @@ pub(crate) const TABLE: &[Builtin] = &[
             };
             Ok(wrap(kind, f.variables.clone()))
         },
+        ..NEW
     },
     Builtin {
         name: "reduce",
-        signature: "reduce(f, k)",
+        parameters: &[
+            required("f", Takes::Polar, "the polar form; a list of them for a curve"),
+            optional("k", Takes::Size, "1", "how many arguments fewer"),
+        ],
         summary: "the same polynomial with k fewer arguments, where that is exact",
         example: "reduce(polar(t^2, degree=3), 1)",
-        topic: TOPIC,
+        each: true,
+        on_curve: on_geometry::REDUCE,
+        on_surface: on_surface::REDUCE,
         call: |_, args| {
-            args.expect("reduce(f, k)", 1..=2, &[])?;
             let f = args.polar(0)?;
-            let by = args.named_size("k", 1)?.unwrap_or(1);
+            let by = args.optional_size(1)?.unwrap_or(1);
             let kind = match &f.kind {
                 PolarKind::Univariate(form) => form.reduce(by).map(PolarKind::Univariate),
                 PolarKind::Tensor(form) => form.reduce(by, by).map(PolarKind::Tensor),
@@ -180,17 +210,21 @@ pub(crate) const TABLE: &[Builtin] = &[
             };
             Ok(wrap(kind.map_err(polar_error).at(args.span(0))?, f.variables.clone()))
         },
+        ..NEW
     },
     Builtin {
         name: "bezier_points",
-        signature: "bezier_points(f, a, b)",
+        parameters: &[
+            required("f", Takes::Coordinates, "the polar form or polynomial; a list of them for a curve"),
+            START,
+            optional("b", Takes::Scalar, "1", "its end"),
+        ],
         summary: "the Bézier points f(a, ..., a, b, ..., b) over [a, b] (0 and 1 if not given)",
         example: "bezier_points(polar(t^2), 0, 1)",
-        topic: TOPIC,
+        on_curve: on_geometry::BEZIER_POINTS,
+        on_surface: on_surface::CONTROL_POINTS,
         call: |_, args| {
-            args.expect("bezier_points(f, a, b)", 1..=3, &[])?;
-            let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
-            let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            let (a, b) = ends(args)?;
             if let Value::List(coordinates) = args.value(0)? {
                 let mut columns = Vec::with_capacity(coordinates.len());
                 for item in coordinates {
@@ -202,17 +236,19 @@ pub(crate) const TABLE: &[Builtin] = &[
             let form = univariate_form(args, 0)?;
             Ok(Value::List(form.0.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "from_bezier",
-        signature: "from_bezier([b_0, ..., b_n], a, b)",
+        parameters: &[
+            required("points", Takes::Points, "the Bézier points").shown("[b_0, ..., b_n]"),
+            START,
+            optional("b", Takes::Scalar, "1", "its end"),
+        ],
         summary: "the polar form with given Bézier points over [a, b] (0 and 1 if not given)",
         example: "from_bezier([0, 0, 1])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("from_bezier([b_0, ..., b_n], a, b)", 1..=3, &[])?;
-            let a = if args.len() > 1 { args.scalar(1)? } else { Fraction::zero() };
-            let b = if args.len() > 2 { args.scalar(2)? } else { Fraction::one() };
+            let (a, b) = ends(args)?;
             if let Some(columns) = coordinates_of(args.value(0)?) {
                 let forms = columns.iter().map(|column| {
                     PolarForm::from_bezier_points_over(column, &a, &b)
@@ -225,39 +261,51 @@ pub(crate) const TABLE: &[Builtin] = &[
             let form = PolarForm::from_bezier_points_over(&points, &a, &b).map_err(polar_error)?;
             Ok(univariate(form, Symbol::new("t")))
         },
+        ..NEW
     },
     Builtin {
         name: "polar_sum",
-        signature: "polar_sum(F, G)",
+        parameters: &[
+            required("F", Takes::Polynomial, "a polynomial or polar form"),
+            required("G", Takes::Polynomial, "another one"),
+        ],
         summary: "the polar form of F + G, of the larger degree",
         example: "polar_sum(t^2 + 2t, t^3 + 1)",
-        topic: TOPIC,
-        call: |_, args| combine(args, "polar_sum(F, G)", |f, g| f.sum(g)),
+        call: |_, args| combine(args, PolarForm::sum).map(polar_value),
+        ..NEW
     },
     Builtin {
         name: "polar_product",
-        signature: "polar_product(F, G)",
+        parameters: &[
+            required("F", Takes::Polynomial, "a polynomial or polar form"),
+            required("G", Takes::Polynomial, "another one"),
+        ],
         summary: "the polar form of F G: multiply with distinct arguments and symmetrise",
         example: "polar_product(t^2 + 2t, t^3 + 1)",
-        topic: TOPIC,
-        call: |_, args| combine(args, "polar_product(F, G)", |f, g| f.product(g)),
+        call: |_, args| combine(args, PolarForm::product).map(polar_value),
+        ..NEW
     },
     Builtin {
         name: "polar_compose",
-        signature: "polar_compose(F, G)",
+        parameters: &[
+            required("F", Takes::Polynomial, "the outer polynomial or polar form"),
+            required("G", Takes::Polynomial, "the inner one"),
+        ],
         summary: "the polar form of F(G(t))",
         example: "polar_compose(t^2 + 2t, t^3 + 1)",
-        topic: TOPIC,
-        call: |_, args| combine(args, "polar_compose(F, G)", |f, g| f.compose(g)),
+        call: |_, args| combine(args, PolarForm::compose).map(polar_value),
+        ..NEW
     },
     Builtin {
         name: "symmetrize",
-        signature: "symmetrize(expression, [t_1, ..., t_n])",
+        parameters: &[
+            required("expression", Takes::Scalar, "a formula in the arguments"),
+            required("arguments", Takes::Variables, "the arguments that are permuted")
+                .shown("[t_1, ..., t_n]"),
+        ],
         summary: "the mean of an expression over all permutations of the given arguments",
         example: "symmetrize(t1 t2 + t1, [t1, t2])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("symmetrize(expression, [t_1, ..., t_n])", 2..=2, &[])?;
             let expression = args.scalar(0)?;
             let names = symbols(args, 1)?;
             if expression.denominator().variables().iter().any(|s| names.contains(s)) {
@@ -270,15 +318,18 @@ pub(crate) const TABLE: &[Builtin] = &[
                 .map(Value::Scalar)
                 .map_err(|_| division_by_zero())
         },
+        ..NEW
     },
     Builtin {
         name: "sigma",
-        signature: "sigma(i, n, t_1, ..., t_n)",
+        parameters: &[
+            size("i", "how many factors each product has"),
+            size("n", "the number of arguments"),
+            many("t_1, ..., t_n", Takes::ScalarOrList, 0, "the arguments"),
+        ],
         summary: "the mean of all products of i of n arguments; also written sigma_{i,n}(...)",
         example: "sigma(2, 3, t1, t2, t3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("sigma(i, n, t_1, ..., t_n)", 2..=usize::MAX, &[])?;
             let (i, n) = (args.size(0)?, args.size(1)?);
             let list = trailing_scalars(args, 2)?;
             if list.len() != n {
@@ -294,30 +345,35 @@ pub(crate) const TABLE: &[Builtin] = &[
             let share = crate::math::number::Rational::new(Int::ONE, count);
             Ok(Value::Scalar(elementary(&list, i).scaled(&share)))
         },
+        ..NEW
     },
     Builtin {
         name: "esym",
-        signature: "esym(i, t_1, ..., t_n)",
+        parameters: &[
+            size("i", "how many factors each product has"),
+            many("t_1, ..., t_n", Takes::ScalarOrList, 0, "the arguments"),
+        ],
         summary: "the elementary symmetric function e_i: the sum of all products of i arguments",
         example: "esym(2, t1, t2, t3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("esym(i, t_1, ..., t_n)", 1..=usize::MAX, &[])?;
             let i = args.size(0)?;
             Ok(Value::Scalar(elementary(&trailing_scalars(args, 1)?, i)))
         },
+        ..NEW
     },
     Builtin {
         name: "laws",
-        signature: "laws(expression, [t_1, ..., t_n], F)",
+        parameters: &[
+            required("expression", Takes::Scalar, "a formula in the arguments"),
+            required("arguments", Takes::Variables, "the arguments of the form").shown("[t_1, ..., t_n]"),
+            required("F", Takes::Polynomial, "the polynomial"),
+        ],
         summary: "whether an expression is the polar form of F, and if not, which law fails and why",
         example: "laws(t1^2, [t1, t2], t^2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("laws(expression, [t_1, ..., t_n], F)", 3..=3, &[])?;
             let expression = args.scalar(0)?;
             let names = symbols(args, 1)?;
-            let given = args.univariate(2, usize::MAX)?;
+            let given = args.univariate(2)?;
             let form = PolarForm::with_degree(&given.coefficients, names.len()).map_err(polar_error)?;
             let polar = Polar { kind: PolarKind::Univariate(form), variables: vec![given.variable] };
             let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
@@ -327,11 +383,22 @@ pub(crate) const TABLE: &[Builtin] = &[
                 many => Value::List(many.iter().cloned().map(Value::Text).collect()),
             })
         },
+        ..NEW
     },
 ];
 
+fn polar_value(polar: Polar) -> Value {
+    Value::Polar(Arc::new(polar))
+}
+
 fn wrap(kind: PolarKind, variables: Vec<Symbol>) -> Value {
-    Value::Polar(Arc::new(Polar { kind, variables }))
+    polar_value(Polar { kind, variables })
+}
+
+/// The ends of an interval at the second and third place, 0 and 1 if not given.
+fn ends(args: &Arguments) -> Result<(Fraction, Fraction)> {
+    let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
+    Ok((a, args.optional_scalar(2)?.unwrap_or_else(Fraction::one)))
 }
 
 fn univariate(form: PolarForm<Fraction>, variable: Symbol) -> Value {
@@ -356,16 +423,14 @@ fn unused(form: &PolarForm<Fraction>, variable: Symbol) -> Symbol {
 
 /// A polar form, or a polynomial standing for its polar form.
 fn univariate_form(args: &Arguments, i: usize) -> Result<(PolarForm<Fraction>, Symbol)> {
-    let Univariate { variable, coefficients } = args.univariate(i, usize::MAX)?;
+    let Univariate { variable, coefficients } = args.univariate(i)?;
     Ok((PolarForm::new(coefficients), variable))
 }
 
-fn combine(
+pub(super) fn combine(
     args: &Arguments,
-    signature: &str,
     operation: impl Fn(&PolarForm<Fraction>, &PolarForm<Fraction>) -> PolarForm<Fraction>,
-) -> Evaluated {
-    args.expect(signature, 2..=2, &[])?;
+) -> Result<Polar> {
     let (f, variable) = univariate_form(args, 0)?;
     let (g, other) = univariate_form(args, 1)?;
     let formula = |i: usize| args.value(i).is_ok_and(|value| matches!(value, Value::Scalar(_)));
@@ -377,7 +442,9 @@ fn combine(
         .at(args.span(1))
         .hint("write both in the same variable"));
     }
-    Ok(univariate(operation(&f, &g), variable))
+    let form = operation(&f, &g);
+    let variable = unused(&form, variable);
+    Ok(Polar { kind: PolarKind::Univariate(form), variables: vec![variable] })
 }
 
 /// Points with coordinates, as one list for each coordinate; `None` if the value is not a list of
@@ -430,10 +497,10 @@ fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {
 
 /// Scalars from place `from` on, or those of a single list there.
 fn trailing_scalars(args: &Arguments, from: usize) -> Result<Vec<Fraction>> {
-    if args.len() == from + 1 && matches!(args.value(from)?, Value::List(_)) {
-        return args.scalars(from);
+    match args.len() == from + 1 {
+        true => args.scalars_or_list(from),
+        false => args.scalars_from(from),
     }
-    (from..args.len()).map(|i| args.scalar(i)).collect()
 }
 
 /// e_i of any scalars, by the recurrence over the arguments. Cost: O(i n) products.

@@ -1,28 +1,33 @@
 //! Polynomials and rational functions: parts, division, calculus.
 
-use super::Builtin;
+use super::parameter::{DEGREE, Parameter, Takes, free, optional, required, size};
+use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::ops::{arithmetic, calculus, formula};
 use crate::language::value::Value;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MultiPoly};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Polynomials";
+const NEW: Builtin = Builtin::about("Polynomials");
+
+/// The variable of a formula, at its place.
+const LETTER: Parameter =
+    optional("variable", Takes::Variable, "the only variable, or t", "its variable").shown("t");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "degree",
-        signature: "degree(F, t)",
+        parameters: &[required("F", Takes::Polynomial, "the polynomial or polar form"), LETTER],
         summary: "the degree of a polynomial in its variable, or of a polar form",
         example: "degree(t^3 + 1)",
-        topic: TOPIC,
+        on_curve: on_geometry::DEGREE,
+        on_surface: on_surface::DEGREE,
         call: |_, args| {
-            args.expect("degree(F, t)", 1..=2, &[])?;
             if let Value::Polar(polar) = args.value(0)? {
                 let arity = polar.arity();
                 return Ok(match arity.as_slice() {
@@ -30,138 +35,159 @@ pub(super) const TABLE: &[Builtin] = &[
                     many => Value::List(many.iter().map(|n| Value::int(*n as i64)).collect()),
                 });
             }
-            let given = args.univariate(0, 1)?;
+            let given = args.univariate_in(0, args.optional_symbol(1)?)?;
             Ok(match given.coefficients.iter().rposition(|c| !c.is_zero()) {
                 Some(degree) => Value::int(degree as i64),
                 None => Value::Text("the zero polynomial has no degree".to_owned()),
             })
         },
+        ..NEW
     },
     Builtin {
         name: "coefficients",
-        signature: "coefficients(F, t)",
+        parameters: &[required("F", Takes::Polynomial, "the polynomial"), LETTER],
         summary: "the list of coefficients, the constant first",
         example: "coefficients(t^3 + 3t^2 + 5t + 1)",
-        topic: TOPIC,
+        on_curve: on_geometry::COEFFICIENTS,
         call: |_, args| {
-            args.expect("coefficients(F, t)", 1..=2, &[])?;
-            let given = args.univariate(0, 1)?;
+            let given = args.univariate_in(0, args.optional_symbol(1)?)?;
             Ok(Value::List(given.coefficients.into_iter().map(Value::Scalar).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "coefficient",
-        signature: "coefficient(F, t, k)",
+        parameters: &[
+            required("F", Takes::Polynomial, "the polynomial"),
+            required("t", Takes::Variable, "its variable"),
+            size("k", "the exponent"),
+        ],
         summary: "the coefficient of t^k",
         example: "coefficient((t + 1)^5, t, 2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("coefficient(F, t, k)", 3..=3, &[])?;
             let k = args.size(2)?;
-            let given = args.univariate(0, 1)?;
+            let given = args.univariate_in(0, args.optional_symbol(1)?)?;
             Ok(Value::Scalar(given.coefficients.get(k).cloned().unwrap_or_else(Fraction::zero)))
         },
+        ..NEW
     },
     Builtin {
         name: "expand",
-        signature: "expand(F)",
+        parameters: &[required("F", Takes::Any, "the formula")],
         summary: "multiplied out (every value is kept that way; expand shows it)",
         example: "expand((t + 1)^3)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("expand(F)", 1..=1, &[])?;
-            Ok(args.value(0)?.clone())
-        },
+        call: |_, args| Ok(args.value(0)?.clone()),
+        ..NEW
     },
     Builtin {
         name: "subs",
-        signature: "subs(F, t, value)",
+        parameters: &[
+            required("F", Takes::Scalar, "the formula"),
+            required("t", Takes::Variable, "the variable"),
+            required("value", Takes::Scalar, "what stands in its place"),
+            free("t=value", Takes::Scalar, "instead, values for any variables at once, such as t=3, c_0=1"),
+        ],
         summary: "puts a value in place of a variable; subs(F, t=value) is the same",
         example: "subs(t^2 + c_0, t, 3)",
-        topic: TOPIC,
         call: |_, args| {
             let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;
             if values.is_empty() {
-                args.expect("subs(F, t, value)", 3..=3, &[])?;
                 values.push((args.symbol(1)?, args.scalar(2)?));
             }
             formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
         },
+        ..NEW
     },
     Builtin {
         name: "diff",
-        signature: "diff(F, t, k)",
+        parameters: &[
+            required("F", Takes::Function, "the formula, function or polar form; a list of them for a curve"),
+            LETTER,
+            optional("k", Takes::Size, "1", "how often"),
+        ],
         summary: "the k-th derivative (the first if k is not given)",
         example: "diff(t^3, t, 2)",
-        topic: TOPIC,
+        each: true,
+        on_curve: on_geometry::DERIVATIVE,
+        on_surface: on_surface::DERIVATIVE,
         call: |_, args| {
-            args.expect("diff(F, t, k)", 1..=3, &[])?;
-            let order = args.named_size("k", 2)?.unwrap_or(1);
+            let order = args.optional_size(2)?.unwrap_or(1);
             match args.value(0)? {
                 Value::Scalar(formula) => {
-                    let given = if args.len() > 1 { Some(args.symbol(1)?) } else { None };
+                    let given = args.optional_symbol(1)?;
                     let variable = formula::variable_of(formula, given).at(args.span(0))?;
                     Ok(Value::Scalar(calculus::nth_derivative(formula, &variable, order)))
                 }
                 other => calculus::derivative(other, order).at(args.span(0)),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "derivative",
-        signature: "derivative(f, k)",
+        parameters: &[
+            required("f", Takes::Function, "the function, formula or polar form; a list of them for a curve"),
+            optional("k", Takes::Size, "1", "how often"),
+        ],
         summary: "the k-th derivative of a function, formula or polar form (by unit vectors)",
         example: "derivative(polar(t^3), 1)",
-        topic: TOPIC,
+        each: true,
+        on_curve: on_geometry::DERIVATIVE,
+        on_surface: on_surface::DERIVATIVE,
         call: |_, args| {
-            args.expect("derivative(f, k)", 1..=2, &[])?;
-            let order = args.named_size("k", 1)?.unwrap_or(1);
+            let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "integrate",
-        signature: "integrate(F, t, a, b)",
+        parameters: &[
+            required("F", Takes::Scalar, "the formula"),
+            LETTER,
+            optional("a", Takes::Scalar, "no bounds", "the lower bound"),
+            optional("b", Takes::Scalar, "no bounds", "the upper bound"),
+        ],
         summary: "the integral over [a, b]; without bounds the antiderivative that is 0 at 0",
         example: "integrate(t^2, t, 0, 1)",
-        topic: TOPIC,
+        on_curve: on_geometry::INTEGRATE,
+        on_surface: on_surface::INTEGRATE,
         call: |_, args| {
-            args.expect("integrate(F, t, a, b)", 1..=4, &[])?;
             let formula = args.scalar(0)?;
-            let given = if args.len() > 1 { Some(args.symbol(1)?) } else { None };
+            let given = args.optional_symbol(1)?;
             let variable = formula::variable_of(&formula, given).at(args.span(0))?;
-            let bounds = match args.len() {
-                4 => Some((args.scalar(2)?, args.scalar(3)?)),
-                3 => {
-                    return Err(Diagnostic::error(Code::Arity, "an integral needs both bounds or none")
-                        .at(args.span(2)));
-                }
-                _ => None,
+            let bounds = match (args.optional_scalar(2)?, args.optional_scalar(3)?) {
+                (Some(a), Some(b)) => Some((a, b)),
+                (None, None) => None,
+                _ => return Err(on_geometry::one_bound(args)),
             };
             let bounds = bounds.as_ref().map(|(a, b)| (a, b));
             calculus::integrate(&formula, &variable, bounds).map(Value::Scalar).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "compose",
-        signature: "compose(F, G)",
+        parameters: &[
+            required("F", Takes::Function, "the outer function"),
+            required("G", Takes::Function, "the inner function"),
+        ],
         summary: "F(G(t)); also written F ∘ G",
         example: "compose(t^2 + 2t, t^3 + 1)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("compose(F, G)", 2..=2, &[])?;
-            calculus::compose(args.value(0)?, args.value(1)?)
-        },
+        on_curve: on_geometry::COMPOSE,
+        call: |_, args| calculus::compose(args.value(0)?, args.value(1)?),
+        ..NEW
     },
     Builtin {
         name: "gcd",
-        signature: "gcd(a, b)",
+        parameters: &[
+            required("a", Takes::Scalar, "an integer or polynomial"),
+            required("b", Takes::Scalar, "another one"),
+        ],
         summary: "the greatest common divisor of two integers or polynomials",
         example: "gcd(t^2 - 1, t^2 + 2t + 1)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("gcd(a, b)", 2..=2, &[])?;
             let (a, b) = (polynomial(args, 0)?, polynomial(args, 1)?);
             if let (Some(x), Some(y)) = (a.as_constant(), b.as_constant())
                 && x.is_integer()
@@ -172,32 +198,43 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             Ok(Value::Scalar(Fraction::from(a.gcd(&b))))
         },
+        ..NEW
     },
     Builtin {
         name: "quotient",
-        signature: "quotient(F, G, t)",
+        parameters: &[
+            required("F", Takes::Scalar, "the dividend"),
+            required("G", Takes::Scalar, "the divisor"),
+            LETTER,
+        ],
         summary: "the quotient of the division of F by G with remainder",
         example: "quotient(t^3 + 1, t - 1, t)",
-        topic: TOPIC,
-        call: |_, args| divided(args, "quotient(F, G, t)").map(|(q, _)| Value::Scalar(q)),
+        call: |_, args| divided(args).map(|(q, _)| Value::Scalar(q)),
+        ..NEW
     },
     Builtin {
         name: "remainder",
-        signature: "remainder(F, G, t)",
+        parameters: &[
+            required("F", Takes::Scalar, "the dividend"),
+            required("G", Takes::Scalar, "the divisor"),
+            LETTER,
+        ],
         summary: "the remainder of the division of F by G",
         example: "remainder(t^3 + 1, t - 1, t)",
-        topic: TOPIC,
-        call: |_, args| divided(args, "remainder(F, G, t)").map(|(_, r)| Value::Scalar(r)),
+        call: |_, args| divided(args).map(|(_, r)| Value::Scalar(r)),
+        ..NEW
     },
     Builtin {
         name: "count_roots",
-        signature: "count_roots(F, a, b)",
+        parameters: &[
+            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            required("a", Takes::Number, "the lower end, not counted"),
+            required("b", Takes::Number, "the upper end, counted"),
+        ],
         summary: "how many different real roots a polynomial has in (a, b], exactly (Sturm)",
         example: "count_roots(t^3 - t, 0, 2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("count_roots(F, a, b)", 3..=3, &[])?;
-            let given = args.univariate(0, usize::MAX)?;
+            let given = args.univariate(0)?;
             let list: Option<Vec<crate::math::number::Rational>> =
                 given.coefficients.iter().map(Fraction::as_rational).collect();
             let list = list.ok_or_else(|| {
@@ -211,37 +248,34 @@ pub(super) const TABLE: &[Builtin] = &[
                 None => Err(Diagnostic::error(Code::Domain, "every number is a root of 0").at(args.span(0))),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "numerator",
-        signature: "numerator(R)",
+        parameters: &[required("R", Takes::Scalar, "the fraction")],
         summary: "the numerator in lowest terms",
         example: "numerator((t^2 - 1)/(t - 1))",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("numerator(R)", 1..=1, &[])?;
-            Ok(part(&args.scalar(0)?, true))
-        },
+        call: |_, args| Ok(part(&args.scalar(0)?, true)),
+        ..NEW
     },
     Builtin {
         name: "denominator",
-        signature: "denominator(R)",
+        parameters: &[required("R", Takes::Scalar, "the fraction")],
         summary: "the denominator in lowest terms",
         example: "denominator(1/(2t) + 1/3)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("denominator(R)", 1..=1, &[])?;
-            Ok(part(&args.scalar(0)?, false))
-        },
+        call: |_, args| Ok(part(&args.scalar(0)?, false)),
+        ..NEW
     },
     Builtin {
         name: "bernstein",
-        signature: "bernstein(n, i, t)",
+        parameters: &[
+            DEGREE,
+            required("i", Takes::Integer, "its number"),
+            required("t", Takes::Scalar, "the parameter"),
+        ],
         summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), 0 outside 0 <= i <= n",
         example: "bernstein(3, 1, t)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("bernstein(n, i, t)", 3..=3, &[])?;
             let n = args.size(0)?;
             let index = args.value(1)?;
             let i = index.as_int().ok_or_else(|| wrong_kind("an integer", index).at(args.span(1)))?;
@@ -256,6 +290,7 @@ pub(super) const TABLE: &[Builtin] = &[
             ));
             arithmetic::multiply(arithmetic::multiply(count, powers)?, rest)
         },
+        ..NEW
     },
 ];
 
@@ -277,9 +312,8 @@ fn part(f: &Fraction, numerator: bool) -> Value {
 }
 
 /// Quotient and remainder in one variable, coefficients in the field of fractions.
-fn divided(args: &Arguments, signature: &str) -> Result<(Fraction, Fraction)> {
-    args.expect(signature, 2..=3, &[])?;
-    let given: Option<Symbol> = if args.len() > 2 { Some(args.symbol(2)?) } else { None };
+fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
+    let given = args.optional_symbol(2)?;
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
     let variable = formula::variable_of(&f.plus(&g), given).at(args.span(0))?;
     let mut rest = formula::coefficients_in(&f, &variable).at(args.span(0))?;

@@ -1,9 +1,11 @@
 //! Rational curves and surfaces: conics, circles, surfaces of revolution.
 
-use super::Builtin;
+use super::parameter::{CURVE, Parameter, Takes, alternatives, named, required, size};
 use super::surfaces::{tensor, triangular};
+use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
 use crate::language::value::{Form, Value};
@@ -12,43 +14,45 @@ use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-const TOPIC: &str = "Rational curves and surfaces";
+const NEW: Builtin = Builtin::about("Rational curves and surfaces");
 
 const RATIONAL: Form = Form { scalar: false, rational: true };
+
+const ARC_FORMS: &[&str] = &["standard", "rational"];
+const CIRCLE_FORMS: &[&str] = &["quintic", "quartic", "quarters", "thirds"];
+const OCTANT_FORMS: &[&str] = &["tensor", "triangle"];
+
+const THREE: Parameter = required("points", Takes::Points, "the control points").shown("[p_0, p_1, p_2]");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "conic_arc",
-        signature: "conic_arc([p_0, p_1, p_2], w)",
+        parameters: &[THREE, required("w", Takes::Scalar, "the weight of p_1")],
         summary: "the conic of three points with weights 1, w, 1",
         example: "conic_arc([[1, 0], [1, 1], [0, 1]], 1)(1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("conic_arc([p_0, p_1, p_2], w)", 2..=2, &[])?;
             let arc = curve::conic_arc(three_points(args, 0)?, args.scalar(1)?);
             arc.map(rational).map_err(curve_error).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "conic_through",
-        signature: "conic_through([p_0, p_1, p_2], q)",
+        parameters: &[THREE, required("q", Takes::Point, "the point")],
         summary: "the conic from p_0 to p_2 with tangents towards p_1 that passes through q",
         example: "conic_through([[1, 0], [1, 1], [0, 1]], [3/5, 4/5])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("conic_through([p_0, p_1, p_2], q)", 2..=2, &[])?;
             let arc = curve::conic_through(three_points(args, 0)?, &args.point(1)?);
             arc.map(rational).map_err(curve_error).at(args.span(1))
         },
+        ..NEW
     },
     Builtin {
         name: "conic_kind",
-        signature: "conic_kind(c)",
+        parameters: &[CURVE],
         summary: "ellipse, parabola or hyperbola: w_1^2 less than, equal to or greater than w_0 w_2",
         example: "conic_kind(conic_arc([[1, 0], [1, 1], [0, 1]], 1/2))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("conic_kind(c)", 1..=1, &[])?;
             let curve = rational_curve(args, 0)?;
             if curve.degree() != 2 {
                 return Err(Diagnostic::error(
@@ -72,15 +76,14 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             Ok(Value::Text(word.to_owned()))
         },
+        ..NEW
     },
     Builtin {
         name: "implicit_conic",
-        signature: "implicit_conic(c)",
+        parameters: &[CURVE],
         summary: "the polynomial in x and y that vanishes on a rational quadratic curve of the plane",
         example: "implicit_conic(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("implicit_conic(c)", 1..=1, &[])?;
             let conic = ImplicitConic::new(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
             let symbol = |name: &str| Fraction::from(MultiPoly::symbol(Symbol::new(name)));
             let value = conic.value(&[symbol("x"), symbol("y")]).map_err(curve_error)?;
@@ -89,140 +92,159 @@ pub(super) const TABLE: &[Builtin] = &[
                 value.as_polynomial().map_or_else(|| value.clone(), |p| Fraction::from(p.primitive_part())),
             ))
         },
+        ..NEW
     },
     Builtin {
         name: "circle_arc",
-        signature: "circle_arc(m, p, q, form=standard)",
+        parameters: &[
+            required("m", Takes::Point, "the centre"),
+            required("p", Takes::Point, "the start"),
+            required("q", Takes::Point, "the end"),
+            named(
+                "form=standard",
+                Takes::Word(ARC_FORMS),
+                "standard",
+                "which end weights: 1 and 1, or rational",
+            ),
+        ],
         summary: "the arc of the circle about m from p to q; form=rational for other end weights",
         example: "circle_arc([0, 0], [1, 0], [7/25, 24/25])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("circle_arc(m, p, q, form=standard)", 3..=3, &["form"])?;
             let arc = CircleArc::new(args.point(0)?, args.point(1)?, args.point(2)?);
             let arc = arc.map_err(circle_error).at(args.span(2))?;
-            match word(args, "form")?.as_deref() {
-                None | Some("standard") => arc.standard().map(rational).map_err(|error| {
+            match form(args, ARC_FORMS)? {
+                "standard" => arc.standard().map(rational).map_err(|error| {
                     let squared = arc.squared_weight();
                     curve_error(error)
                         .at(args.span(2))
                         .hint(format!("with weights 1, w, 1 it has w^2 = {squared}"))
                         .hint("form=rational gives the same arc with other end weights")
                 }),
-                Some("rational") => Ok(rational(arc.rational())),
-                Some(_) => Err(wrong_form(args, "standard or rational")),
+                _ => Ok(rational(arc.rational())),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "circle",
-        signature: "circle(m, p, form=quintic)",
+        parameters: &[
+            required("m", Takes::Point, "the centre"),
+            required("p", Takes::Point, "a point of the circle"),
+            named(
+                "form=quintic",
+                Takes::Word(CIRCLE_FORMS),
+                "quintic",
+                "one curve of degree 5 or 4, or four or three arcs",
+            ),
+        ],
         summary: "the circle about m through p: quintic or quartic as one curve, quarters or thirds",
         example: "circle([0, 0], [1, 0])(1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("circle(m, p, form=quintic)", 2..=2, &["form"])?;
             let (m, p) = (args.point(0)?, args.point(1)?);
             let list = |pieces: Vec<RationalCurve<Fraction>>| {
                 Value::List(pieces.into_iter().map(rational).collect())
             };
-            let circle = match word(args, "form")?.as_deref() {
-                None | Some("quintic") => curve::circle_quintic(&m, &p).map(rational),
-                Some("quartic") => curve::full_circle(&m, &p).map(rational),
-                Some("quarters") => curve::circle_quarters(&m, &p).map(list),
-                Some("thirds") => curve::circle_thirds(&m, &p).map(list),
-                Some(_) => return Err(wrong_form(args, "quintic, quartic, quarters or thirds")),
+            let circle = match form(args, CIRCLE_FORMS)? {
+                "quintic" => curve::circle_quintic(&m, &p).map(rational),
+                "quartic" => curve::full_circle(&m, &p).map(rational),
+                "quarters" => curve::circle_quarters(&m, &p).map(list),
+                _ => curve::circle_thirds(&m, &p).map(list),
             };
             circle.map_err(circle_error).at(args.span(1))
         },
+        ..NEW
     },
     Builtin {
         name: "standard_form",
-        signature: "standard_form(c)",
+        parameters: &[CURVE],
         summary: "the same rational curve with both end weights 1, where the root is rational",
         example: "standard_form(bezier([0, 1, 2], weights=[1, 2, 4]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("standard_form(c)", 1..=1, &[])?;
             let curve = rational_curve(args, 0)?.standard_form().map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve.homogeneous().clone(), args.bezier(0)?.1))
         },
+        ..NEW
     },
     Builtin {
         name: "shape_invariants",
-        signature: "shape_invariants(c)",
+        parameters: &[CURVE],
         summary: "the quotients w_(i-1) w_(i+1)/w_i^2, which no change of parameter alters",
         example: "shape_invariants(bezier([0, 1, 2], weights=[1, 2, 3]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("shape_invariants(c)", 1..=1, &[])?;
             rational_curve(args, 0)?.shape_invariants().map(scalar_list).map_err(curve_error).at(args.span(0))
         },
+        ..NEW
     },
     Builtin {
         name: "farin_points",
-        signature: "farin_points(c)",
+        parameters: &[CURVE],
         summary: "the weight points (w_i b_i + w_(i+1) b_(i+1))/(w_i + w_(i+1)) on the control polygon",
         example: "farin_points(bezier([0, 1, 2], weights=[1, 2, 1]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("farin_points(c)", 1..=1, &[])?;
             let form = Form { rational: false, ..args.bezier(0)?.1 };
             let points = rational_curve(args, 0)?.farin_points().map_err(curve_error).at(args.span(0))?;
             Ok(Value::List(points.into_iter().map(|point| form.plain(point)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "derivatives_at",
-        signature: "derivatives_at(c, t, k)",
+        parameters: &[CURVE, required("t", Takes::Scalar, "the parameter"), size("k", "the highest order")],
         summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
-        topic: TOPIC,
+        on_surface: on_surface::DERIVATIVES_AT,
         call: |_, args| {
-            args.expect("derivatives_at(c, t, k)", 3..=3, &["k"])?;
             let form = Form { rational: false, ..args.bezier(0)?.1 };
-            let order = args.named_size("k", 2)?.unwrap_or(1);
+            let order = args.size(2)?;
             crate::budget::charge_terms(order as u64);
             let list = rational_curve(args, 0)?.derivatives(&args.scalar(1)?, order);
             let list = list.map_err(curve_error).at(args.span(1))?;
             Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "sphere_octant",
-        signature: "sphere_octant(m, r, form=tensor)",
+        parameters: &[
+            required("m", Takes::Point, "the centre"),
+            required("r", Takes::Scalar, "the radius"),
+            named(
+                "form=tensor",
+                Takes::Word(OCTANT_FORMS),
+                "tensor",
+                "a biquadratic patch, or a triangular one of degree 4",
+            ),
+        ],
         summary: "an octant of a sphere: a biquadratic patch, or form=triangle of degree 4",
         example: "sphere_octant([0, 0, 0], 1)(1/2, 1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("sphere_octant(m, r, form=tensor)", 2..=2, &["form"])?;
             let (m, r) = (args.point(0)?, args.scalar(1)?);
-            match word(args, "form")?.as_deref() {
-                None | Some("tensor") => {
+            match form(args, OCTANT_FORMS)? {
+                "tensor" => {
                     let patch = curve::sphere_octant(&m, &r).map_err(circle_error).at(args.span(1))?;
                     Ok(tensor(patch.homogeneous().clone(), RATIONAL))
                 }
-                Some("triangle") => {
+                _ => {
                     let unit = curve::Triangle::unit();
                     let patch =
                         curve::sphere_octant_triangle(&m, &r, unit).map_err(curve_error).at(args.span(0))?;
                     Ok(triangular(patch.homogeneous().clone(), RATIONAL))
                 }
-                Some(_) => Err(wrong_form(args, "tensor or triangle")),
             }
         },
+        ..NEW
     },
     Builtin {
         name: "revolve",
-        signature: "revolve(c)",
+        parameters: &[CURVE],
         summary: "the surface of revolution of a profile (x, z) about the z axis: four patches",
         example: "revolve(bezier([[2, 0], [0, 1]]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("revolve(c)", 1..=1, &[])?;
             let patches = curve::revolve(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
             let wrap = |patch: curve::RationalPatch<Fraction>| tensor(patch.homogeneous().clone(), RATIONAL);
             Ok(Value::List(patches.into_iter().map(wrap).collect()))
         },
+        ..NEW
     },
 ];
 
@@ -256,19 +278,12 @@ fn circle_error(error: curve::CurveError) -> Diagnostic {
     }
 }
 
-/// A word given under a name.
-fn word(args: &Arguments, name: &str) -> Result<Option<String>> {
-    match args.named_or(name, usize::MAX) {
-        None => Ok(None),
-        Some((Value::Text(word), _)) => Ok(Some(word.clone())),
-        Some((other, span)) => Err(wrong_kind("a word", other).at(span).hint("such as form=standard")),
-    }
-}
-
-fn wrong_form(args: &Arguments, known: &str) -> Diagnostic {
-    let error = Diagnostic::error(Code::Domain, format!("the form is {known}"));
-    match args.named_or("form", usize::MAX) {
-        Some((_, span)) => error.at(span),
-        None => error,
-    }
+/// The word given as `form=…`, or the usual one, the first.
+fn form(args: &Arguments, words: &[&'static str]) -> Result<&'static str> {
+    let Some((value, span)) = args.named("form") else { return Ok(words[0]) };
+    let word =
+        word_of(value).ok_or_else(|| wrong_kind("a word", value).at(span).hint("such as form=standard"))?;
+    words.iter().find(|known| **known == word).copied().ok_or_else(|| {
+        Diagnostic::error(Code::Domain, format!("the form is {}", alternatives(words))).at(span)
+    })
 }

@@ -1,57 +1,71 @@
 //! Surfaces: tensor-product and triangular patches, spline surfaces.
 
-use std::sync::Arc;
-
-use super::Builtin;
-use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, spline};
+use std::sync::Arc;
+
+use super::Builtin;
+use super::parameter::{HOMOGENEOUS, SURFACE, Takes, named, optional, required, size};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{Corner, Side, TensorPatch, TrianglePatch};
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
 
-const TOPIC: &str = "Surfaces";
+const NEW: Builtin = Builtin::about("Surfaces");
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "patch",
-        signature: "patch([[b_00, b_01, ...], ...], [a, b], [c, d], weights=[[...], ...])",
+        parameters: &[
+            required("net", Takes::Net, "the control points, rows in u").shown("[[b_00, b_01, ...], ...]"),
+            optional("u", Takes::Interval, "[0, 1]", "the interval of u").shown("[a, b]"),
+            optional("v", Takes::Interval, "[0, 1]", "the interval of v").shown("[c, d]"),
+            named("weights=[[...], ...]", Takes::Rows, "all 1", "the weights of the points"),
+            HOMOGENEOUS,
+        ],
         summary: "the tensor-product Bézier patch of a net, rows in u, over [a, b] x [c, d]",
         example: "patch([[0, 1], [2, 5]])(1/2, 1/2)",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "patch([[b_00, b_01, ...], ...], [a, b], [c, d], weights=[[...], ...])";
-            args.expect(signature, 1..=3, &["weights", "homogeneous"])?;
             let (net, form) = args.net(0)?;
             let (u, v) = (args.interval(1)?, args.interval(2)?);
             let patch = TensorPatch::new(net, u, v).map_err(curve_error).at(args.span(0))?;
             Ok(tensor(patch, form))
         },
+        ..NEW
     },
     Builtin {
         name: "triangle_patch",
-        signature: "triangle_patch([b_n00, ..., b_00n], [p, q, r], weights=[...])",
+        parameters: &[
+            required("points", Takes::Points, "the control points").shown("[b_n00, ..., b_00n]"),
+            optional("corners", Takes::Triangle, "[0, 0], [1, 0], [0, 1]", "the corners of the domain")
+                .shown("[p, q, r]"),
+            named("weights=[...]", Takes::Scalars, "all 1", "the weights of the points"),
+            HOMOGENEOUS,
+        ],
         summary: "the triangular patch with points f(p^i q^j r^k): i, then j descending",
         example: "triangle_patch([b_200, b_110, b_101, b_020, b_011, b_002])",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "triangle_patch([b_n00, ..., b_00n], [p, q, r], weights=[...])";
-            args.expect(signature, 1..=2, &["weights", "homogeneous"])?;
             let (points, form) = args.control_points(0)?;
             let patch = TrianglePatch::new(points, args.triangle(1)?).map_err(curve_error).at(args.span(0))?;
             Ok(triangular(patch, form))
         },
+        ..NEW
     },
     Builtin {
         name: "spline_surface",
-        signature: "spline_surface(m, n, [u_0, ...], [v_0, ...], [[d_00, d_01, ...], ...], weights=[[...], ...])",
+        parameters: &[
+            size("m", "the degree in u"),
+            size("n", "the degree in v"),
+            required("u", Takes::Scalars, "the knots in u").shown("[u_0, ...]"),
+            required("v", Takes::Scalars, "the knots in v").shown("[v_0, ...]"),
+            required("net", Takes::Net, "the control points, rows in u").shown("[[d_00, d_01, ...], ...]"),
+            named("weights=[[...], ...]", Takes::Rows, "all 1", "the weights of the points"),
+            HOMOGENEOUS,
+        ],
         summary: "the B-spline surface of degrees m and n with these knots and net",
         example: "spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[0, 1], [2, 3], [0, 1]])(1/2, 1)",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "spline_surface(m, n, [u_0, ...], [v_0, ...], [[d_00, d_01, ...], ...])";
-            args.expect(signature, 5..=5, &["weights", "homogeneous"])?;
             let knots = |degree: usize, list: usize| {
                 KnotVector::new(args.size(degree)?, args.scalars(list)?)
                     .map_err(spline_error)
@@ -62,15 +76,14 @@ pub(super) const TABLE: &[Builtin] = &[
             let s = SplineSurface::new(u, v, net).map_err(spline_error).at(args.span(4))?;
             Ok(surface(s, form))
         },
+        ..NEW
     },
     Builtin {
         name: "boundary_curves",
-        signature: "boundary_curves(s)",
+        parameters: &[SURFACE],
         summary: "the boundary of a surface: u = a, u = b, v = c, v = d; or opposite the three corners",
         example: "boundary_curves(patch([[0, 1], [2, 5]]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("boundary_curves(s)", 1..=1, &[])?;
             let curves = match &*args.geometry(0)? {
                 Geometry::Patch(patch, form) => [Side::UStart, Side::UEnd, Side::VStart, Side::VEnd]
                     .map(|side| bezier(patch.boundary_curve(side), *form))
@@ -97,43 +110,41 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             Ok(Value::List(curves))
         },
+        ..NEW
     },
     Builtin {
         name: "normal",
-        signature: "normal(s)",
+        parameters: &[SURFACE],
         summary: "the cross product of the partial derivatives of a polynomial patch, as a patch",
         example: "normal(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]))(0, 0)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("normal(s)", 1..=1, &[])?;
-            match &*args.geometry(0)? {
-                geometry if geometry.form().rational => {
-                    Err(Diagnostic::error(Code::NotPolynomial, "this surface is rational")
-                        .at(args.span(0))
-                        .hint("normal_at(s, u, v) is the normal at one point"))
-                }
-                Geometry::Patch(patch, _) => {
-                    patch.normal().map(|n| tensor(n, Form::default())).map_err(curve_error).at(args.span(0))
-                }
-                Geometry::Triangle(patch, _) => patch
-                    .normal()
-                    .map(|n| triangular(n, Form::default()))
-                    .map_err(curve_error)
-                    .at(args.span(0)),
-                _ => Err(wrong_kind("a patch", args.value(0)?)
+        call: |_, args| match &*args.geometry(0)? {
+            geometry if geometry.form().rational => {
+                Err(Diagnostic::error(Code::NotPolynomial, "this surface is rational")
                     .at(args.span(0))
-                    .hint("pieces(s) are its patches")),
+                    .hint("normal_at(s, u, v) is the normal at one point"))
+            }
+            Geometry::Patch(patch, _) => {
+                patch.normal().map(|n| tensor(n, Form::default())).map_err(curve_error).at(args.span(0))
+            }
+            Geometry::Triangle(patch, _) => {
+                patch.normal().map(|n| triangular(n, Form::default())).map_err(curve_error).at(args.span(0))
+            }
+            _ => {
+                Err(wrong_kind("a patch", args.value(0)?).at(args.span(0)).hint("pieces(s) are its patches"))
             }
         },
+        ..NEW
     },
     Builtin {
         name: "normal_at",
-        signature: "normal_at(s, u, v)",
+        parameters: &[
+            SURFACE,
+            required("u", Takes::Scalar, "the first parameter"),
+            required("v", Takes::Scalar, "the second parameter"),
+        ],
         summary: "the cross product of the partial derivatives of a patch at one point",
         example: "normal_at(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("normal_at(s, u, v)", 3..=3, &[])?;
             let (u, v) = (args.scalar(1)?, args.scalar(2)?);
             let point = match &*args.geometry(0)? {
                 Geometry::Patch(patch, form) if form.rational => {
@@ -150,6 +161,7 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             Ok(Form::default().plain(point.map_err(curve_error).at(args.span(0))?))
         },
+        ..NEW
     },
 ];
 

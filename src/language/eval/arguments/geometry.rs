@@ -26,9 +26,8 @@ impl Arguments {
                 .at(self.span(i))
                 .hint("such as [[0, 0], [1, 2], [2, 0]], or [b_0, b_1, b_2] for symbols")
         })?;
-        let wanted = self.named_or("homogeneous", usize::MAX);
-        let already = wanted.is_some_and(|(value, _)| value.as_int() == Some(1));
-        let Some((weights, span)) = self.named_or("weights", usize::MAX) else {
+        let already = self.flag("homogeneous", false)?;
+        let Some((weights, span)) = self.named("weights") else {
             let form =
                 Form { scalar: (scalar && !already) || (already && points[0].len() == 2), rational: already };
             if already && points[0].len() < 2 {
@@ -137,7 +136,7 @@ impl Arguments {
             Value::Matrix(matrix) => matrix.row_iter().map(|row| scalar_list(row.iter().cloned())).collect(),
             other => return Err(wrong(other)),
         };
-        let weights = match self.named_or("weights", usize::MAX) {
+        let weights = match self.named("weights") {
             None => None,
             Some((Value::List(rows), _)) => Some(rows.clone()),
             Some((Value::Matrix(matrix), _)) => {
@@ -160,10 +159,10 @@ impl Arguments {
             let mut part = Arguments::default();
             part.push(row, self.span(i));
             if let Some(weights) = &weights {
-                let place = self.named_or("weights", usize::MAX).map_or(self.span(i), |(_, span)| span);
+                let place = self.named("weights").map_or(self.span(i), |(_, span)| span);
                 part.push_named("weights".to_owned(), weights[k].clone(), place);
             }
-            if let Some((value, span)) = self.named_or("homogeneous", usize::MAX) {
+            if let Some((value, span)) = self.named("homogeneous") {
                 part.push_named("homogeneous".to_owned(), value.clone(), span);
             }
             let (points, own) = part.control_points(0)?;
@@ -175,7 +174,7 @@ impl Arguments {
 
     /// An interval `[a, b]` at a place; [0, 1] if it is missing.
     pub(crate) fn interval(&self, i: usize) -> Result<Interval<Fraction>> {
-        if self.len() <= i {
+        if self.given(i).is_none() {
             return Ok(Interval::unit());
         }
         let list = self.scalars(i)?;
@@ -189,7 +188,7 @@ impl Arguments {
 
     /// A triangle `[[0, 0], [1, 0], [0, 1]]` in the plane at a place; that one if it is missing.
     pub(crate) fn triangle(&self, i: usize) -> Result<Triangle<Fraction>> {
-        if self.len() <= i {
+        if self.given(i).is_none() {
             return Ok(Triangle::unit());
         }
         let value = self.value(i)?;

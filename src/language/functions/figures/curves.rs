@@ -3,7 +3,7 @@
 use super::numeric::{
     Placed, Space, affine, form_name, local, number, place, placed, point_names, with_axes,
 };
-use super::options::{Labels, drawn, expect, finished, flag, labels};
+use super::options::{LABELS, Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Accent, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -21,15 +21,6 @@ use crate::scene::pictures::{
 use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
-
-pub(super) const BEZIER: &str =
-    "figure_bezier(c_1, ..., c_k, at=[t_1, ...], hull=1, polygon=0, labels=polar)";
-pub(super) const CASTELJAU: &str = "figure_casteljau(c, t, labels=polar)";
-pub(super) const BSPLINE: &str = "figure_bspline(s, labels=polar, bezier=1)";
-pub(super) const CONTINUITY: &str = "figure_continuity(c, d, order=2, labels=polar)";
-pub(super) const HODOGRAPH: &str = "figure_hodograph(c, labels=points)";
-
-const ALL: &[Labels] = &[Labels::Polar, Labels::Points, Labels::None];
 
 /// Polar labels of a larger degree are too long to stand beside points.
 const LONGEST_POLAR: usize = 5;
@@ -52,7 +43,7 @@ fn names(curve: &BezierCurve<Fraction>, k: usize, labels: Labels) -> Vec<Expr> {
 
 /// Polar labels speak of a polynomial.
 fn no_polar(args: &Arguments, wanted: Option<Labels>, form: Form) -> Result<()> {
-    match (wanted, args.named_or("labels", usize::MAX)) {
+    match (wanted, args.named("labels")) {
         (Some(Labels::Polar), Some((_, span))) if form.rational => {
             Err(Diagnostic::error(Code::NotPolynomial, "a rational curve has no polar form of its own")
                 .at(span)
@@ -80,7 +71,7 @@ fn one_space(spaces: impl Iterator<Item = (Space, Span)>) -> Result<Space> {
 
 /// The parameters given as one number or as a list.
 fn parameters(args: &Arguments) -> Result<(Vec<Fraction>, Span)> {
-    match args.named_or("at", usize::MAX) {
+    match args.named("at") {
         None => Ok((Vec::new(), Span::default())),
         Some((Value::Scalar(t), span)) => Ok((vec![t.clone()], span)),
         Some((Value::List(items), span)) => {
@@ -100,9 +91,8 @@ fn equation(name: &str, value: &Fraction) -> Expr {
 }
 
 pub(super) fn bezier(args: &Arguments) -> Evaluated {
-    expect(args, BEZIER, 1..=usize::MAX, &["at", "hull", "polygon", "labels"])?;
     let given = args.curves()?;
-    let wanted = labels(args, ALL)?;
+    let wanted = labels(args, LABELS)?;
     let mut curves = Vec::with_capacity(given.len());
     let mut spaces = Vec::with_capacity(given.len());
     let mut all = Vec::new();
@@ -133,15 +123,14 @@ pub(super) fn bezier(args: &Arguments) -> Evaluated {
                 .hint(format!("the interval is [{a}, {b}]; over(c, a, b) moves a curve")));
         }
     }
-    let polygon = flag(args, "polygon", true)?;
-    let picture = BezierPicture { curves, parameters: Vec::new(), polygon, hull: flag(args, "hull", false)? };
+    let polygon = args.flag("polygon", true)?;
+    let picture = BezierPicture { curves, parameters: Vec::new(), polygon, hull: args.flag("hull", false)? };
     let place = args.span(0);
     let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &all, &[])), place)?;
     finished(args, scene)
 }
 
 pub(super) fn casteljau(args: &Arguments) -> Evaluated {
-    expect(args, CASTELJAU, 2..=2, &["labels"])?;
     let (curve, form) = args.curve(0)?;
     let t = args.scalar(1)?;
     let at = local(&curve, &t, args.span(1))?;
@@ -154,7 +143,7 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
     let free = ![a, b].iter().any(|end| end.variables().contains(&letter));
     let short = t.as_rational().is_some_and(|q| q.is_integer()) || !free;
     let name = if short { polynomial_expr(&t) } else { Expr::name("t") };
-    let wanted = labels(args, ALL)?.unwrap_or_else(|| usual(degree, false));
+    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(degree, false));
     let labels = match wanted {
         Labels::Polar => {
             casteljau_labels(&form_name(0), degree, &polynomial_expr(a), &polynomial_expr(b), &name)
@@ -200,10 +189,9 @@ fn extrapolated(points: &[Plane], t: &Rational) -> Vec<Plane> {
 }
 
 pub(super) fn bspline(args: &Arguments) -> Evaluated {
-    expect(args, BSPLINE, 1..=1, &["labels", "bezier"])?;
     let span = args.span(0);
     let (spline, form) = args.spline(0)?;
-    let wanted = labels(args, ALL)?;
+    let wanted = labels(args, LABELS)?;
     no_polar(args, wanted, form)?;
     let knots = spline.knots();
     let greville = || (0..knots.count()).map(|i| number(&knots.greville(i), span)).collect();
@@ -244,14 +232,13 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
         pieces: drawings,
         points: Curve::rational(points).with_labels(names),
         knots: if space == Space::Graph { Vec::new() } else { ends },
-        bezier_points: flag(args, "bezier", false)?,
+        bezier_points: args.flag("bezier", false)?,
     };
     let scene = drawn(picture.scene().and_then(|scene| with_axes(scene, space, &range, &marks)), span)?;
     finished(args, scene)
 }
 
 pub(super) fn continuity(args: &Arguments) -> Evaluated {
-    expect(args, CONTINUITY, 2..=2, &["order", "labels"])?;
     let ((f, left), (g, right)) = (args.curve(0)?, args.curve(1)?);
     let ((r, s), (also, u)) = (f.interval(), g.interval());
     if s != also {
@@ -269,8 +256,8 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
     let second = place(&g, right, args.span(1))?;
     let space = one_space([(first.space, args.span(0)), (second.space, args.span(1))].into_iter())?;
     let (first, second) = (first.polynomial(args.span(0))?, second.polynomial(args.span(1))?);
-    let wanted = labels(args, ALL)?.unwrap_or_else(|| usual(n, false));
-    let order = args.named_size("order", usize::MAX)?.unwrap_or(2);
+    let wanted = labels(args, LABELS)?.unwrap_or_else(|| usual(n, false));
+    let order = args.named_size("order")?.unwrap_or(2);
     let marks = knots.clone();
     let mut range = first.clone();
     range.extend(second.iter().cloned());
@@ -288,10 +275,9 @@ pub(super) fn continuity(args: &Arguments) -> Evaluated {
 }
 
 pub(super) fn hodograph(args: &Arguments) -> Evaluated {
-    expect(args, HODOGRAPH, 1..=1, &["labels"])?;
     let span = args.span(0);
     let (curve, form) = args.curve(0)?;
-    let wanted = labels(args, ALL)?.unwrap_or(Labels::Points);
+    let wanted = labels(args, LABELS)?.unwrap_or(Labels::Points);
     if curve.degree() == 0 {
         return Err(Diagnostic::error(Code::ControlPoints, "a single point has no derivative to draw")
             .at(span)

@@ -1,13 +1,12 @@
 //! Graphs of functions.
 
 use super::numeric::{HEIGHT, number, numbers};
-use super::options::{Labels, drawn, expect, finished, labels};
+use super::options::{GRAPH_LABELS, Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::{piecewise_error, spline_error, wrong_kind};
-use crate::language::ops::formula;
 use crate::language::value::{Geometry, Value, polynomial_expr, symbol_expr};
 use crate::math::basis::bernstein_to_power;
 use crate::math::number::{Rational, integer};
@@ -19,9 +18,6 @@ use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-pub(super) const BASIS: &str = "figure_basis(n, [t_0, ..., t_k], labels=none)";
-pub(super) const FUNCTIONS: &str = "figure_functions([F, G, ...], a, b, labels=none)";
-
 /// More names would cover the graphs.
 const MOST_NAMED: usize = 14;
 
@@ -29,7 +25,7 @@ const MOST_NAMED: usize = 14;
 const LONGEST_NAME: usize = 24;
 
 fn named(args: &Arguments, count: usize) -> Result<bool> {
-    Ok(match labels(args, &[Labels::Points, Labels::None])? {
+    Ok(match labels(args, GRAPH_LABELS)? {
         Some(labels) => labels == Labels::Points,
         None => count <= MOST_NAMED,
     })
@@ -42,9 +38,8 @@ fn member(family: &str, i: usize, n: usize) -> Expr {
 }
 
 pub(super) fn basis(args: &Arguments) -> Evaluated {
-    expect(args, BASIS, 1..=2, &["labels"])?;
     let n = args.size(0)?;
-    if args.len() == 1 {
+    if args.given(1).is_none() {
         crate::budget::charge_terms((n as u64 + 1).saturating_pow(2));
         let named = named(args, n + 1)?;
         let interval = [integer(0), integer(1)];
@@ -102,14 +97,8 @@ enum Given {
 }
 
 pub(super) fn functions(args: &Arguments) -> Evaluated {
-    expect(args, FUNCTIONS, 1..=3, &["variable", "labels"])?;
     let span = args.span(0);
-    let variable = match args.named_or("variable", usize::MAX) {
-        Some((value, span)) => {
-            Some(formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))?)
-        }
-        None => None,
-    };
+    let variable = args.variable()?;
     let items: Vec<Value> = match args.value(0)? {
         Value::List(items) if items.is_empty() => {
             return Err(Diagnostic::error(Code::Empty, "there are no functions to draw")
@@ -145,7 +134,7 @@ pub(super) fn functions(args: &Arguments) -> Evaluated {
         height: HEIGHT,
         ..BasisPicture::of(drawings, interval)
     };
-    let end = if args.len() == 3 { args.span(2) } else { span };
+    let end = args.given(2).map_or(span, |(_, span)| span);
     let title = if count == 1 { "Graph of a function" } else { "Graphs of functions" };
     finished(args, drawn(picture.scene(), end)?.with_title(title))
 }
@@ -202,19 +191,24 @@ fn interval(args: &Arguments, given: &[Given]) -> Result<[Rational; 2]> {
         Given::Piecewise(function, _) => Some([function.breaks().first()?, function.breaks().last()?]),
         Given::Polynomial(..) => None,
     });
-    let mut whole = whole.fold(None, |all: Option<[Rational; 2]>, [a, b]| match all {
+    let whole = whole.fold(None, |all: Option<[Rational; 2]>, [a, b]| match all {
         None => Some([a.clone(), b.clone()]),
         Some([least, greatest]) => Some([least.min(a.clone()), greatest.max(b.clone())]),
     });
-    if args.len() > 1 {
-        let a = number(&args.scalar(1)?, args.span(1))?;
-        let b = match args.len() {
-            3 => number(&args.scalar(2)?, args.span(2))?,
-            _ => &a + integer(1),
-        };
-        whole = Some([a, b]);
-    }
-    Ok(whole.unwrap_or_else(|| [integer(0), integer(1)]))
+    let end = |i: usize| args.optional_scalar(i)?.map(|end| number(&end, args.span(i))).transpose();
+    let (a, b) = (end(1)?, end(2)?);
+    Ok(match (a, b, whole) {
+        (None, None, Some(whole)) => whole,
+        (a, b, whole) => {
+            let start = match (a, whole) {
+                (Some(a), _) => a,
+                (None, Some([a, _])) => a,
+                (None, None) => integer(0),
+            };
+            let b = b.unwrap_or_else(|| &start + integer(1));
+            [start, b]
+        }
+    })
 }
 
 /// The pieces, with zero around them where the function is that.

@@ -12,101 +12,169 @@ mod schemes;
 mod surfaces;
 
 use super::Builtin;
+use super::parameter::{
+    CURVE, DEGREE, Need, Parameter, SPAN, SPLINE, Takes, VARIABLE, many, named, optional, required,
+};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::value::Value;
 use crate::scene::Scene;
 
-const TOPIC: &str = "Figures";
+use options::{COMMON, GRAPH_LABELS, LABELS, POLYGON, label_words};
+
+const NEW: Builtin = Builtin { common: COMMON, ..Builtin::about("Figures") };
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "figure_bezier",
-        signature: curves::BEZIER,
+        parameters: &[
+            many("c_1, ..., c_k", Takes::Curve, 1, "the curves, those in lists too"),
+            named("at=[t_1, ...]", Takes::ScalarOrList, "none", "parameters whose points are marked"),
+            named("hull=1", Takes::Flag, "0", "whether the convex hull is drawn"),
+            POLYGON,
+            label_words("labels=polar", LABELS, "polar up to degree 5, else points"),
+        ],
         summary: "Bézier curves with control polygons, hulls, and points at parameters",
         example: "figure_bezier(bezier([[0, 0], [1, 3], [4, 4], [6, 1]]), at=1/2, hull=1)",
-        topic: TOPIC,
         call: |_, args| curves::bezier(args),
+        ..NEW
     },
     Builtin {
         name: "figure_casteljau",
-        signature: curves::CASTELJAU,
+        parameters: &[
+            CURVE,
+            required("t", Takes::Scalar, "the parameter"),
+            label_words("labels=polar", LABELS, "polar up to degree 5, else points"),
+        ],
         summary: "all points of de Casteljau's algorithm, level by level",
         example: "figure_casteljau(bezier([[0, 0], [1, 3], [4, 4], [6, 1]]), 2/5)",
-        topic: TOPIC,
         call: |_, args| curves::casteljau(args),
+        ..NEW
     },
     Builtin {
         name: "figure_bspline",
-        signature: curves::BSPLINE,
+        parameters: &[
+            SPLINE,
+            label_words("labels=polar", LABELS, "polar up to degree 5, else points"),
+            named("bezier=1", Takes::Flag, "0", "whether the Bézier points of the pieces are drawn"),
+        ],
         summary: "a spline by its pieces, with its control points and its knots on the curve",
         example: "figure_bspline(bspline(2, [0, 0, 0, 1, 2, 2, 2], [[0, 0], [1, 3], [4, 3], [5, 0]]))",
-        topic: TOPIC,
         call: |_, args| curves::bspline(args),
+        ..NEW
     },
     Builtin {
         name: "figure_basis",
-        signature: functions::BASIS,
+        parameters: &[
+            DEGREE,
+            optional("knots", Takes::Scalars, "Bernstein polynomials", "the knots of B-splines")
+                .shown("[t_0, ..., t_k]"),
+            label_words("labels=none", GRAPH_LABELS, "points up to 14 graphs"),
+        ],
         summary: "the Bernstein polynomials of degree n, or the B-splines over knots",
         example: "figure_basis(2, [0, 0, 0, 1, 3, 3, 3])",
-        topic: TOPIC,
         call: |_, args| functions::basis(args),
+        ..NEW
     },
     Builtin {
         name: "figure_functions",
-        signature: functions::FUNCTIONS,
+        parameters: &[
+            required("functions", Takes::Coordinates, "the functions").shown("[F, G, ...]"),
+            optional("a", Takes::Scalar, "where the functions start, or 0", "the start of the interval"),
+            optional("b", Takes::Scalar, "where the functions end, or a + 1", "its end"),
+            label_words("labels=none", GRAPH_LABELS, "points up to 14 graphs"),
+            VARIABLE,
+        ],
         summary: "the graphs of polynomials and piecewise polynomials over [a, b]",
         example: "figure_functions([t^2, t^3 - t], -1, 1)",
-        topic: TOPIC,
         call: |_, args| functions::functions(args),
+        ..NEW
     },
     Builtin {
         name: "figure_pyramid",
-        signature: schemes::PYRAMID,
+        parameters: &[
+            required("c", Takes::Any, "the curve or spline, or a list of nodes"),
+            many(
+                "u_1, ..., u_n",
+                Takes::ScalarOrList,
+                1,
+                "one parameter, or as many as the degree; or the values at the nodes",
+            ),
+            label_words(
+                "labels=values",
+                &["polar", "points", "values"],
+                "polar; values for divided differences",
+            ),
+            named("weights=0", Takes::Flag, "1", "whether the weights stand at the arrows"),
+            named(
+                "apex=top",
+                Takes::Word(&["right", "top", "bottom"]),
+                "right",
+                "where the last entry stands",
+            ),
+            SPAN,
+        ],
         summary: "de Casteljau's or de Boor's scheme, or divided differences, as a triangle",
         example: "figure_pyramid(bezier([b_0, b_1, b_2], r, s), t)",
-        topic: TOPIC,
         call: |_, args| schemes::pyramid(args),
+        ..NEW
     },
     Builtin {
         name: "figure_continuity",
-        signature: curves::CONTINUITY,
+        parameters: &[
+            required("c", Takes::Curve, "the first curve"),
+            required("d", Takes::Curve, "the second curve"),
+            named("order=2", Takes::Size, "2", "the order up to which the construction is drawn"),
+            label_words("labels=polar", LABELS, "polar up to degree 5, else points"),
+        ],
         summary: "two curves, and the construction that tells how smoothly they join",
         example: "figure_continuity(bezier([[0, 0], [1, 2], [2, 2]]), bezier([[2, 2], [3, 2], [4, 0]], 1, 2))",
-        topic: TOPIC,
         call: |_, args| curves::continuity(args),
+        ..NEW
     },
     Builtin {
         name: "figure_hodograph",
-        signature: curves::HODOGRAPH,
+        parameters: &[CURVE, label_words("labels=points", LABELS, "points")],
         summary: "a curve beside the curve of its derivatives",
         example: "figure_hodograph(bezier([[0, 0], [1, 3], [4, 4], [6, 1]]))",
-        topic: TOPIC,
         call: |_, args| curves::hodograph(args),
+        ..NEW
     },
     Builtin {
         name: "figure_patch",
-        signature: surfaces::PATCH,
+        parameters: &[
+            required("net", Takes::Net, "the points or heights, or a patch")
+                .shown("[[b_00, ..., b_0n], ..., [b_m0, ..., b_mn]]"),
+            label_words("labels=points", LABELS, "none"),
+            POLYGON,
+        ],
         summary: "a tensor-product surface with its net of points, or of heights over a square",
         example: "figure_patch([[0, 2, 0], [1, 4, 1], [0, 2, 0]])",
-        topic: TOPIC,
         call: |_, args| surfaces::patch(args),
+        ..NEW
     },
     Builtin {
         name: "figure_triangle",
-        signature: surfaces::TRIANGLE,
+        parameters: &[
+            required("points", Takes::Any, "the degree, the points or heights, or a patch")
+                .shown("n or [b_n00, ..., b_00n]"),
+            optional("corners", Takes::Scalars, "[r, s, t]", "the names of the corners").shown("[r, s, t]"),
+            label_words("labels=points", LABELS, "polar for a degree or with corners, else none"),
+            POLYGON,
+        ],
         summary: "the polar values of a triangular surface of degree n, or one with these points",
         example: "figure_triangle(2, [r, s, t])",
-        topic: TOPIC,
         call: |_, args| surfaces::triangle(args),
+        ..NEW
     },
     Builtin {
         name: "beside",
-        signature: "beside(figure_1, ..., figure_k)",
+        parameters: &[Parameter {
+            need: Need::Many(1, 8),
+            ..many("figure_1, ..., figure_k", Takes::Figure, 1, "the figures")
+        }],
         summary: "figures side by side",
         example: "beside(figure_basis(1), figure_basis(2))",
-        topic: TOPIC,
         call: |_, args| {
-            options::expect(args, "beside(figure_1, ..., figure_k)", 1..=8, &[])?;
             let mut scenes = Vec::with_capacity(args.len());
             for i in 0..args.len() {
                 match args.value(i)? {
@@ -120,5 +188,6 @@ pub(super) const TABLE: &[Builtin] = &[
             let all = scenes.into_iter().reduce(Scene::beside);
             options::finished(args, all.unwrap_or_else(|| Scene::new("")))
         },
+        ..NEW
     },
 ];

@@ -1,18 +1,42 @@
 //! What all figures can be told, and how a picture becomes a value.
 
+use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
+use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::Arguments;
-use crate::language::ops::errors::wrong_kind;
+use crate::language::functions::parameter::{Parameter, Takes, alternatives, named};
 use crate::language::value::Value;
 use crate::scene::{Scene, SceneError};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-/// Arguments of every figure.
-const COMMON: [&str; 3] = ["width", "title", "caption"];
+/// What every figure can be told.
+pub(super) const COMMON: &[Parameter] = &[
+    named("width=560", Takes::Size, "560", "the width in pixels, 80 to 10000"),
+    named("title=\"...\"", Takes::Text, "what is drawn", "the title, read to those who do not see it"),
+    named("caption=\"...\"", Takes::Text, "none", "the words below the picture"),
+];
+
+/// The words for labels of curves and surfaces.
+pub(super) const LABELS: &[&str] = &["polar", "points", "none"];
+
+/// The words for labels of graphs.
+pub(super) const GRAPH_LABELS: &[&str] = &["points", "none"];
+
+pub(super) const POLYGON: Parameter =
+    named("polygon=0", Takes::Flag, "1", "whether the control polygon or net is drawn");
+
+/// `labels=…`
+pub(super) const fn label_words(
+    form: &'static str,
+    words: &'static [&'static str],
+    default: &'static str,
+) -> Parameter {
+    named(form, Takes::Word(words), default, "what is written at the points")
+}
 
 /// What is written at points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,60 +60,24 @@ impl Labels {
     ];
 }
 
-/// Checks the arguments of a figure: its own names and those of every figure.
-pub(super) fn expect(
-    args: &Arguments,
-    signature: &str,
-    count: std::ops::RangeInclusive<usize>,
-    own: &[&str],
-) -> Result<()> {
-    let names: Vec<&str> = own.iter().copied().chain(COMMON).collect();
-    args.expect(signature, count, &names)
-}
-
 /// The value of `labels=…`, which must be among those allowed.
-pub(super) fn labels(args: &Arguments, allowed: &[Labels]) -> Result<Option<Labels>> {
-    let Some((value, span)) = args.named_or("labels", usize::MAX) else { return Ok(None) };
-    let allowed = || Labels::WORDS.iter().filter(|(_, labels)| allowed.contains(labels));
-    let word = word(value);
-    if let Some((_, labels)) = allowed().find(|(name, _)| word == Some(*name)) {
+pub(super) fn labels(args: &Arguments, words: &[&str]) -> Result<Option<Labels>> {
+    let Some((value, span)) = args.named("labels") else { return Ok(None) };
+    let word = word_of(value);
+    let known = Labels::WORDS.iter().find(|(name, _)| words.contains(name) && word == Some(*name));
+    if let Some((_, labels)) = known {
         return Ok(Some(*labels));
     }
-    let names: Vec<&str> = allowed().map(|(name, _)| *name).collect();
-    let (last, rest) = names
-        .split_last()
-        .map_or(("", ""), |(last, rest)| (*last, if rest.is_empty() { "" } else { " or " }));
-    let list = format!("{}{rest}{last}", names[..names.len().saturating_sub(1)].join(", "));
+    let (list, last) = (alternatives(words), words.last().copied().unwrap_or_default());
     let found = word.map_or_else(|| value.kind().to_owned(), |word| format!("'{word}'"));
     Err(Diagnostic::error(Code::Domain, format!("labels are {list} here, not {found}"))
         .at(span)
         .hint(format!("for example labels={last}")))
 }
 
-/// A word as an argument: a text or the bare name of a function.
-pub(super) fn word(value: &Value) -> Option<&str> {
-    match value {
-        Value::Text(word) => Some(word),
-        Value::Builtin(word) => Some(word),
-        _ => None,
-    }
-}
-
-/// The value of `name=1` or `name=0`.
-pub(super) fn flag(args: &Arguments, name: &str, default: bool) -> Result<bool> {
-    match args.named_or(name, usize::MAX) {
-        None => Ok(default),
-        Some((value, span)) => match value.as_int() {
-            Some(0) => Ok(false),
-            Some(1) => Ok(true),
-            _ => Err(wrong_kind("0 or 1", value).at(span).hint(format!("{name}=1 or {name}=0"))),
-        },
-    }
-}
-
 /// The scene as a value, with the width, title and caption that were asked for.
 pub(super) fn finished(args: &Arguments, mut scene: Scene) -> Result<Value> {
-    if let Some((value, span)) = args.named_or("width", usize::MAX) {
+    if let Some((value, span)) = args.named("width") {
         let width = value.as_int().filter(|width| (80..=10_000).contains(width)).ok_or_else(|| {
             Diagnostic::error(Code::Domain, "the width of a figure is 80 to 10000 pixels")
                 .at(span)
@@ -97,7 +85,7 @@ pub(super) fn finished(args: &Arguments, mut scene: Scene) -> Result<Value> {
         })?;
         scene = scene.with_width(width as f64);
     }
-    let words = |name: &str| match args.named_or(name, usize::MAX) {
+    let words = |name: &str| match args.named(name) {
         None => Ok(None),
         Some((Value::Text(words), _)) => Ok(Some(words.clone())),
         Some((other, span)) => {

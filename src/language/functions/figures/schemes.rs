@@ -1,9 +1,10 @@
 //! Triangular schemes: de Casteljau, de Boor, divided differences.
 
 use super::numeric::form_name;
-use super::options::{Labels, drawn, expect, finished, flag, labels, word};
+use super::options::{Labels, drawn, finished, labels};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated};
 use crate::language::functions::splines;
 use crate::language::ops::errors::curve_error;
@@ -17,16 +18,13 @@ use num_traits::One;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
-pub(super) const PYRAMID: &str = "figure_pyramid(c, u_1, ..., u_n, labels=values, weights=0, apex=top)";
-
 /// A scheme of more entries is not read any more.
 const LARGEST: usize = 24;
 
 pub(super) fn pyramid(args: &Arguments) -> Evaluated {
-    expect(args, PYRAMID, 2..=usize::MAX, &["labels", "weights", "apex", "span"])?;
-    let apex = match args.named_or("apex", usize::MAX) {
+    let apex = match args.named("apex") {
         None => Apex::Right,
-        Some((value, span)) => match word(value) {
+        Some((value, span)) => match word_of(value) {
             Some("right") => Apex::Right,
             Some("top") => Apex::Top,
             Some("bottom") => Apex::Bottom,
@@ -50,7 +48,7 @@ pub(super) fn pyramid(args: &Arguments) -> Evaluated {
         .hint("casteljau(c, t) and deboor(s, t) print schemes of any size"));
     }
     let last = levels.len() - 1;
-    let shown = flag(args, "weights", true)?;
+    let shown = args.flag("weights", true)?;
     let picture = PyramidPicture {
         weights: if shown { weights } else { Vec::new() },
         apex,
@@ -64,7 +62,7 @@ type Scheme = (Vec<Vec<Expr>>, Vec<Vec<[Expr; 2]>>, String);
 
 /// De Casteljau's scheme of a Bézier curve, or de Boor's of a spline.
 fn blossom(args: &Arguments) -> Result<Scheme> {
-    let wanted = labels(args, &[Labels::Polar, Labels::Values])?.unwrap_or(Labels::Polar);
+    let wanted = labels(args, &["polar", "values"])?.unwrap_or(Labels::Polar);
     if let Value::Geometry(geometry) = args.value(0)?
         && let Geometry::Spline(spline, form) = &**geometry
     {
@@ -114,7 +112,7 @@ fn divided_differences(args: &Arguments) -> Result<Scheme> {
             .at(args.span(2))
             .hint("figure_pyramid([0, 1, 2], [1, 3, 2])"));
     }
-    let wanted = labels(args, &[Labels::Values, Labels::Points])?.unwrap_or(Labels::Values);
+    let wanted = labels(args, &["points", "values"])?.unwrap_or(Labels::Values);
     let (nodes, values) = (args.scalars(0)?, args.scalars(1)?);
     let table = DividedDifferences::with_repeats(&nodes, &values).map_err(|error| {
         let (code, span) = match error {

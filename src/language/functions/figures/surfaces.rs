@@ -1,7 +1,7 @@
 //! Figures of surfaces.
 
 use super::numeric::{form_name, number};
-use super::options::{Labels, drawn, expect, finished, flag, labels};
+use super::options::{LABELS, Labels, drawn, finished, labels};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -17,9 +17,6 @@ use crate::scene::pictures::{PatchPicture, TriangleDomain, TrianglePicture, tria
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 type Space = [Rational; 3];
-
-pub(super) const PATCH: &str = "figure_patch([[b_00, ..., b_0n], ..., [b_m0, ..., b_mn]], labels=points)";
-pub(super) const TRIANGLE: &str = "figure_triangle(n or [b_n00, ..., b_00n], [r, s, t], labels=points)";
 
 /// A domain of more points is not legible.
 const LARGEST_DOMAIN: usize = 40;
@@ -78,9 +75,8 @@ fn polynomial(form: Form, span: Span) -> Result<()> {
 }
 
 pub(super) fn patch(args: &Arguments) -> Evaluated {
-    expect(args, PATCH, 1..=1, &["labels", "polygon"])?;
     let span = args.span(0);
-    let wanted = labels(args, &[Labels::Polar, Labels::Points, Labels::None])?.unwrap_or(Labels::None);
+    let wanted = labels(args, LABELS)?.unwrap_or(Labels::None);
     let value = args.value(0)?;
     let wrong = |value: &Value| {
         wrong_kind("rows of control points or heights", value)
@@ -138,18 +134,17 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
                 .map(|(i, row)| (0..row.len()).map(|j| label(i, j, row.len() - 1)).collect())
                 .collect(),
         },
-        polygon: flag(args, "polygon", true)?,
+        polygon: args.flag("polygon", true)?,
         ..PatchPicture::of(net)
     };
     finished(args, drawn(picture.scene(), span)?)
 }
 
 pub(super) fn triangle(args: &Arguments) -> Evaluated {
-    expect(args, TRIANGLE, 1..=2, &["labels", "polygon"])?;
     let span = args.span(0);
-    let wanted = labels(args, &[Labels::Polar, Labels::Points, Labels::None])?;
-    let corners: Option<[Expr; 3]> = match args.len() {
-        2 => {
+    let wanted = labels(args, LABELS)?;
+    let corners: Option<[Expr; 3]> = match args.given(1) {
+        Some(_) => {
             let given = args.scalars(1)?;
             let corners: Vec<Expr> = given.iter().map(polynomial_expr).collect();
             Some(corners.try_into().map_err(|given: Vec<Expr>| {
@@ -158,7 +153,7 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
                     .hint("for example figure_triangle(2, [r, s, t])")
             })?)
         }
-        _ => None,
+        None => None,
     };
     let names = |n: usize, usual: Labels| {
         let usual = if n > LONGEST_NAMED { Labels::None } else { usual };
@@ -217,7 +212,7 @@ pub(super) fn triangle(args: &Arguments) -> Evaluated {
         degree: n,
         points: placed.collect::<Result<_>>()?,
         labels: names(n, usual),
-        polygon: flag(args, "polygon", true)?,
+        polygon: args.flag("polygon", true)?,
     };
     finished(args, drawn(picture.scene(), span)?)
 }

@@ -1,14 +1,17 @@
 //! Least squares, and parameters for points.
 
+use crate::language::eval::{Arguments, Machine};
+use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
-use super::TOPIC;
+use super::NEW;
 use super::data::{Datum, Result, Samples, data, datum, interpolation_error, numbers, polynomial, word};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::{Arguments, Machine};
 use crate::language::functions::Builtin;
 use crate::language::functions::matrices::read_basis;
-use crate::language::ops::errors::wrong_kind;
+use crate::language::functions::parameter::{
+    NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, required,
+};
 use crate::language::value::{Cell, Form, Table, Value};
 use crate::math::basis::Basis;
 use crate::math::interpolate::{
@@ -20,63 +23,95 @@ use crate::math::poly::Fraction;
 /// A system with more coefficients is not shown as a matrix.
 const LARGEST_SHOWN: usize = 6;
 
+const FIT_DEGREE: Parameter = required("degree", Takes::Size, "the degree of the polynomial").shown("n");
+
+const FIT_WEIGHTS: Parameter =
+    named("weights=[w_0, ..., w_m]", Takes::Scalars, "all 1", "the weights of the nodes");
+
+const THROUGH: Parameter =
+    named("through=[[x, y], ...]", Takes::Rows, "none", "points through which the polynomial goes exactly");
+
+const BASIS: Parameter = named("basis=power", Takes::Basis, "power", "the basis in which it is found");
+
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "least_squares",
-        signature: "least_squares([x_0, ..., x_m], [y_0, ..., y_m], n, weights=[w_0, ..., w_m], through=[[x, y], ...])",
+        parameters: &[
+            NODES.shown("[x_0, ..., x_m]"),
+            VALUES.shown("[y_0, ..., y_m]"),
+            FIT_DEGREE,
+            FIT_WEIGHTS,
+            THROUGH,
+            BASIS,
+            RESULT_VARIABLE,
+        ],
         summary: "the polynomial of degree n with the least sum of w_i (y_i - p(x_i))^2",
         example: "least_squares([0, 1, 2, 3], [0, 1, 1, 2], 1)",
-        topic: TOPIC,
         call: |_, args| {
-            let (samples, fit) = fitted(args, "least_squares")?;
+            let (samples, fit) = fitted(args)?;
             Ok(polynomial(&fit.power, samples.form, &samples.variable(args)?))
         },
+        ..NEW
     },
     Builtin {
         name: "least_squares_report",
-        signature: "least_squares_report([x_0, ..., x_m], [y_0, ..., y_m], n, basis=power)",
+        parameters: &[
+            NODES.shown("[x_0, ..., x_m]"),
+            VALUES.shown("[y_0, ..., y_m]"),
+            FIT_DEGREE,
+            FIT_WEIGHTS,
+            THROUGH,
+            BASIS,
+            RESULT_VARIABLE,
+        ],
         summary: "its coefficients in a basis, residuals, their squared norm and the normal equations",
         example: "least_squares_report([-1, 0, 1, 2], [1, 0, 0, 2], 2)",
-        topic: TOPIC,
         call: |_, args| {
-            let (samples, fit) = fitted(args, "least_squares_report")?;
+            let (samples, fit) = fitted(args)?;
             let variable = samples.variable(args)?;
             let polynomial = polynomial(&fit.power, samples.form, &variable);
             Ok(Value::Table(Arc::new(report(&fit, polynomial, samples.form))))
         },
+        ..NEW
     },
     Builtin {
         name: "parameters",
-        signature: "parameters([p_0, ..., p_n], method, decimals=k, scale=unit)",
+        parameters: &[
+            required("points", Takes::Points, "the points").shown("[p_0, ..., p_n]"),
+            required(
+                "method",
+                Takes::Word(&["uniform", "chord", "centripetal", "foley"]),
+                "how distances make them",
+            ),
+            named(
+                "decimals=k",
+                Takes::Size,
+                "exact values",
+                "to how many decimals irrational values are rounded",
+            ),
+            named(
+                "scale=unit",
+                Takes::Word(&["unit", "length"]),
+                "unit",
+                "whether they end at 1 or at the sum of all distances",
+            ),
+        ],
         summary: "parameters for points; methods are uniform, chord, centripetal and foley",
         example: "parameters([[0, 0], [3, 4], [9, 12]], chord)",
-        topic: TOPIC,
         call: parameters_of,
+        ..NEW
     },
 ];
 
 /// The data and the fit.
-fn fitted(args: &Arguments, name: &str) -> Result<(Samples, PolynomialFit<Fraction, Datum>)> {
-    let names = &["degree", "weights", "basis", "through", "variable"];
-    args.expect(&format!("{name}(nodes, values, degree)"), 2..=3, names)?;
+fn fitted(args: &Arguments) -> Result<(Samples, PolynomialFit<Fraction, Datum>)> {
     let samples = Samples::read(args)?;
-    let degree = args.named_size("degree", 2)?.ok_or_else(|| {
-        Diagnostic::error(Code::Arity, "the degree of the polynomial is missing")
-            .hint(format!("write it third: {name}(nodes, values, 1) is a straight line"))
-    })?;
+    let degree = args.size(2)?;
     let size = samples.nodes.len() as u64;
     crate::budget::charge_terms((degree as u64).saturating_add(1).saturating_mul(size.max(1)));
-    let span_of = |name: &str| args.named_or(name, usize::MAX).map(|(_, span)| span);
-    // An argument given by name, as the first of others.
-    let alone = |name: &str| {
-        args.named_or(name, usize::MAX).map(|(value, span)| {
-            let mut own = Arguments::default();
-            own.push(value.clone(), span);
-            own
-        })
-    };
-    let weights = alone("weights").map(|own| own.scalars(0)).transpose()?;
-    let basis = alone("basis").map_or(Ok(Basis::Power), |own| read_basis(&own, 0))?;
+    let span_of = |name: &str| args.named(name).map(|(_, span)| span);
+    let weights = args.named_scalars("weights")?;
+    let basis = args.named("basis").map_or(Ok(Basis::Power), |(value, span)| read_basis(value, span))?;
     let conditions = conditions(args, samples.form)?;
     let options = FitOptions { basis, weights, conditions };
     let fit = fit_polynomial(&samples.nodes, &samples.values, degree, options).map_err(|error| {
@@ -101,7 +136,7 @@ fn fitted(args: &Arguments, name: &str) -> Result<(Samples, PolynomialFit<Fracti
 
 /// through=[[x, y], …]
 fn conditions(args: &Arguments, form: Form) -> Result<Vec<(Fraction, Datum)>> {
-    let Some((value, span)) = args.named_or("through", usize::MAX) else { return Ok(Vec::new()) };
+    let Some((value, span)) = args.named("through") else { return Ok(Vec::new()) };
     let wrong = |value: &Value| {
         wrong_kind("a list of points [x, y]", value).at(span).hint("such as through=[[0, 1], [2, 3]]")
     };
@@ -137,8 +172,6 @@ fn report(fit: &PolynomialFit<Fraction, Datum>, polynomial: Value, form: Form) -
 }
 
 fn parameters_of(machine: &mut Machine, args: &Arguments) -> Result<Value> {
-    let signature = "parameters([p_0, ..., p_n], method, decimals=k, scale=unit)";
-    args.expect(signature, 1..=2, &["method", "decimals", "scale"])?;
     let value = args.value(0)?;
     let span = args.span(0);
     let (points, _) = data(value).ok_or_else(|| {
@@ -146,20 +179,17 @@ fn parameters_of(machine: &mut Machine, args: &Arguments) -> Result<Value> {
     })?;
     let row = |point: &Datum| numbers(point, "the distance of points", span);
     let points: Vec<Vec<Rational>> = points.iter().map(row).collect::<Result<_>>()?;
-    let method = match word(args, "method", 1) {
+    let method = match word(args.given(1)) {
         Some(("uniform", ..)) => Parameterization::Uniform,
         Some(("chord", ..)) => Parameterization::Chord,
         Some(("centripetal", ..)) => Parameterization::Centripetal,
         Some(("foley", ..)) => Parameterization::Foley,
-        other => {
-            let problem = match other {
-                Some((_, value, span)) => wrong_kind("a way to parameters", value).at(span),
-                None => Diagnostic::error(Code::Arity, "the way to the parameters is missing"),
-            };
+        _ => {
+            let problem = wrong_kind("a way to parameters", args.value(1)?).at(args.span(1));
             return Err(problem.hint("uniform, chord, centripetal or foley"));
         }
     };
-    let scale = match word(args, "scale", usize::MAX) {
+    let scale = match word(args.named("scale")) {
         None | Some(("unit", ..)) => Scale::Unit,
         Some(("length", ..)) => Scale::Sum,
         Some((_, value, span)) => {
@@ -168,7 +198,7 @@ fn parameters_of(machine: &mut Machine, args: &Arguments) -> Result<Value> {
                 .hint("scale=unit ends at 1, scale=length at the sum of all distances"));
         }
     };
-    let decimals = args.named_size("decimals", usize::MAX)?;
+    let decimals = args.named_size("decimals")?;
     let decimals = decimals.map(|decimals| u32::try_from(decimals).unwrap_or(u32::MAX));
     let found = parameters(&points, method, scale, decimals).map_err(interpolation_error).at(span)?;
     if let Some(decimals) = found.decimals.filter(|_| !found.exact) {

@@ -4,9 +4,9 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
 use crate::language::functions::matrices::basis_error;
 use crate::language::ops::errors::wrong_kind;
-use crate::language::ops::formula;
 use crate::language::ops::geometry::{point_of, points_of};
 use crate::language::value::{Cell, Form, Value, polynomial_expr};
 use crate::math::interpolate::{InterpolationError, Norm};
@@ -98,7 +98,7 @@ impl Samples {
             return Err(occurs(&variable).at(args.span(0)));
         }
         if self.values.iter().flatten().any(used) {
-            let place = if args.len() > 1 { 1 } else { 0 };
+            let place = if args.given(1).is_some() { 1 } else { 0 };
             return Err(occurs(&variable).at(args.span(place)));
         }
         Ok(variable)
@@ -115,12 +115,7 @@ pub(crate) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
 
 /// The variable named in the call, or t.
 pub(crate) fn variable(args: &Arguments) -> Result<Symbol> {
-    match args.named_or("variable", usize::MAX) {
-        Some((value, span)) => {
-            formula::symbol_of(value).ok_or_else(|| wrong_kind("a variable", value).at(span))
-        }
-        None => Ok(Symbol::new("t")),
-    }
+    Ok(args.variable()?.unwrap_or_else(|| Symbol::new("t")))
 }
 
 pub(crate) fn occurs(variable: &Symbol) -> Diagnostic {
@@ -174,21 +169,14 @@ pub(crate) fn pair(value: &Value, form: Form, span: Span) -> Result<(Datum, Datu
     }
 }
 
-/// A word given under a name or at a place.
-pub(crate) fn word<'a>(args: &'a Arguments, name: &str, place: usize) -> Option<(&'a str, &'a Value, Span)> {
-    args.named_or(name, place).map(|(value, span)| {
-        let word = match value {
-            Value::Text(word) => word.as_str(),
-            Value::Builtin(word) => word,
-            _ => "",
-        };
-        (word, value, span)
-    })
+/// The word that an argument is, with the argument; the empty word for other values.
+pub(crate) fn word(given: Option<(&Value, Span)>) -> Option<(&str, &Value, Span)> {
+    given.map(|(value, span)| (word_of(value).unwrap_or_default(), value, span))
 }
 
 /// norm=one or norm=infinity.
 pub(crate) fn norm(args: &Arguments, place: usize) -> Result<Norm> {
-    match word(args, "norm", place) {
+    match word(args.given(place)) {
         None | Some(("infinity", ..)) => Ok(Norm::Infinity),
         Some(("one", ..)) => Ok(Norm::One),
         Some((_, value, _)) if value.as_int() == Some(1) => Ok(Norm::One),

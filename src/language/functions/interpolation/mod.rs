@@ -10,6 +10,8 @@ pub(crate) use approximation::TABLE as APPROXIMATION;
 pub(crate) use data::Samples;
 pub(crate) use polynomials::TABLE as POLYNOMIALS;
 pub(crate) use splines::TABLE as SPLINES;
-pub(crate) use splines::ends;
+pub(crate) use splines::{ENDS, MOMENTS, SLOPES, ends};
 
-const TOPIC: &str = "Interpolation and approximation";
+use super::Builtin;
+
+const NEW: Builtin = Builtin::about("Interpolation and approximation");

@@ -1,10 +1,12 @@
 //! Interpolating polynomials in the forms of Lagrange, Newton, Hermite, Neville and Aitken.
 
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{linalg_error, wrong_kind};
 use std::sync::Arc;
 
 use num_traits::Zero;
 
-use super::TOPIC;
+use super::NEW;
 use super::data::{
     Datum, Result, Samples, datum, difference_label, indexed, interpolation_error, norm, numbers, occurs,
     polynomial, scalar_polynomial, symbol,
@@ -12,9 +14,10 @@ use super::data::{
 use super::tables;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::At;
-use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
-use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::functions::parameter::{
+    DEGREE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, VARIABLE, optional, required,
+};
 use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
 use crate::math::interpolate::{
     DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
@@ -22,30 +25,37 @@ use crate::math::interpolate::{
 };
 use crate::math::poly::{Fraction, Symbol};
 
+const DATA: Parameter = required("data", Takes::Rows, "each node with its value and derivatives")
+    .shown("[[x_0, f, f', ...], ..., [x_n, f, f', ...]]");
+
+const NORM: Parameter = optional(
+    "norm",
+    Takes::Word(&["infinity", "one"]),
+    "infinity",
+    "the sums of rows (infinity) or of columns (one)",
+)
+.shown("norm=infinity");
+
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "lagrange",
-        signature: "lagrange([x_0, ..., x_n], [y_0, ..., y_n], variable=t)",
+        parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the polynomial of degree at most n through n + 1 points, by Lagrange's formula",
         example: "lagrange([0, 1, 2], [1, 3, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "lagrange([x_0, ..., x_n], [y_0, ..., y_n], variable=t)";
-            args.expect(signature, 2..=2, &["variable"])?;
             let samples = Samples::read(args)?;
             let power = polynomial_through(&samples.nodes, &samples.values);
             let power = power.map_err(Samples::failed(args))?;
             Ok(polynomial(&power, samples.form, &samples.variable(args)?))
         },
+        ..NEW
     },
     Builtin {
         name: "lagrange_basis",
-        signature: "lagrange_basis([x_0, ..., x_n], variable=t)",
+        parameters: &[NODES, RESULT_VARIABLE],
         summary: "Lagrange's polynomials L_0, ..., L_n: L_j is 1 at x_j and 0 at the other nodes",
         example: "lagrange_basis([0, 1, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("lagrange_basis([x_0, ..., x_n], variable=t)", 1..=1, &["variable"])?;
             let nodes = args.scalars(0)?;
             let form = LagrangeForm::new(&nodes, &nodes).map_err(Samples::failed(args))?;
             let samples = Samples { nodes, values: Vec::new(), form: Form::default() };
@@ -53,122 +63,118 @@ pub(crate) const TABLE: &[Builtin] = &[
             let basis = form.basis_polynomials();
             Ok(Value::List(basis.iter().map(|p| scalar_polynomial(p, &variable)).collect()))
         },
+        ..NEW
     },
     Builtin {
         name: "newton",
-        signature: "newton([x_0, ..., x_n], [y_0, ..., y_n], variable=t)",
+        parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the same polynomial as a function in Newton's form c_0 + c_1 (t - x_0) + ...",
         example: "newton([0, 1, 3], [1, 3, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "newton([x_0, ..., x_n], [y_0, ..., y_n], variable=t)";
-            args.expect(signature, 2..=2, &["variable"])?;
             let samples = Samples::read(args)?;
             let table = DividedDifferences::new(&samples.nodes, &samples.values);
             let table = table.map_err(Samples::failed(args))?;
             let variable = samples.variable(args)?;
             newton_form(&table, samples.form, &variable)
         },
+        ..NEW
     },
     Builtin {
         name: "divided_differences",
-        signature: "divided_differences([x_0, ..., x_n], [y_0, ..., y_n])",
+        parameters: &[NODES, VALUES],
         summary: "the triangle of divided differences; its diagonal has the coefficients of newton",
         example: "divided_differences([0, 1, 3], [1, 3, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("divided_differences([x_0, ..., x_n], [y_0, ..., y_n])", 2..=2, &[])?;
             let samples = Samples::read(args)?;
             let table = DividedDifferences::new(&samples.nodes, &samples.values);
             let table = table.map_err(Samples::failed(args))?;
             let places: Vec<usize> = (0..samples.nodes.len()).collect();
             Ok(Value::Table(Arc::new(tables::differences(&table, &places, samples.form))))
         },
+        ..NEW
     },
     Builtin {
         name: "hermite",
-        signature: "hermite([[x_0, f, f', ...], ..., [x_n, f, f', ...]], variable=t)",
+        parameters: &[DATA, RESULT_VARIABLE],
         summary: "the polynomial with given values and derivatives at the nodes",
         example: "hermite([[0, 0, 0], [1, 1, 0]])",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "hermite([[x_0, f, f', ...], ..., [x_n, f, f', ...]], variable=t)";
-            args.expect(signature, 1..=1, &["variable"])?;
             let (table, _, samples) = hermite_differences(args)?;
             Ok(polynomial(&table.newton_form().to_power(), samples.form, &samples.variable(args)?))
         },
+        ..NEW
     },
     Builtin {
         name: "hermite_table",
-        signature: "hermite_table([[x_0, f, f', ...], ..., [x_n, f, f', ...]])",
+        parameters: &[DATA],
         summary: "divided differences with repeated nodes; f[x_0, ..., x_0] is a derivative over k!",
         example: "hermite_table([[0, 0, 0], [1, 1, 0]])",
-        topic: TOPIC,
         call: |_, args| {
-            let signature = "hermite_table([[x_0, f, f', ...], ..., [x_n, f, f', ...]])";
-            args.expect(signature, 1..=1, &[])?;
             let (table, places, samples) = hermite_differences(args)?;
             Ok(Value::Table(Arc::new(tables::differences(&table, &places, samples.form))))
         },
+        ..NEW
     },
     Builtin {
         name: "neville",
-        signature: "neville([x_0, ..., x_n], [y_0, ..., y_n], t)",
+        parameters: &[
+            NODES,
+            VALUES,
+            optional("t", Takes::Scalar, "the variable", "the parameter"),
+            RESULT_VARIABLE,
+        ],
         summary: "Neville's tableau at a parameter: p_{0,1,2} interpolates at x_0, x_1, x_2",
         example: "neville([0, 1, 3], [1, 3, 2], 2)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("neville([x_0, ..., x_n], [y_0, ..., y_n], t)", 2..=3, &["variable"])?;
-            pyramid(args, Scheme::Neville)
-        },
+        call: |_, args| pyramid(args, Scheme::Neville),
+        ..NEW
     },
     Builtin {
         name: "aitken",
-        signature: "aitken([x_0, ..., x_n], [y_0, ..., y_n], t)",
+        parameters: &[
+            NODES,
+            VALUES,
+            optional("t", Takes::Scalar, "the variable", "the parameter"),
+            RESULT_VARIABLE,
+        ],
         summary: "Aitken's tableau at a parameter, where each new node is joined to x_0, ..., x_k",
         example: "aitken([0, 1, 3], [1, 3, 2], 2)",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("aitken([x_0, ..., x_n], [y_0, ..., y_n], t)", 2..=3, &["variable"])?;
-            pyramid(args, Scheme::Aitken)
-        },
+        call: |_, args| pyramid(args, Scheme::Aitken),
+        ..NEW
     },
     Builtin {
         name: "vandermonde",
-        signature: "vandermonde([x_0, ..., x_n], degree=k)",
+        parameters: &[
+            NODES,
+            optional("degree", Takes::Size, "one less than the number of nodes", "the degree")
+                .shown("degree=k"),
+        ],
         summary: "the matrix of 1, x_i, x_i^2, ..., of degree n if not given",
         example: "vandermonde([a, b, c])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("vandermonde([x_0, ..., x_n], degree=k)", 1..=2, &["degree"])?;
             let nodes = args.scalars(0)?;
             let Some(own) = nodes.len().checked_sub(1) else {
                 return Err(Samples::failed(args)(InterpolationError::TooFewPoints { needed: 1, given: 0 }));
             };
-            let degree = args.named_size("degree", 1)?.unwrap_or(own);
+            let degree = args.optional_size(1)?.unwrap_or(own);
             Ok(Value::Matrix(vandermonde(&nodes, degree)))
         },
+        ..NEW
     },
     Builtin {
         name: "vandermonde_det",
-        signature: "vandermonde_det([x_0, ..., x_n])",
+        parameters: &[NODES],
         summary: "its determinant, the product of all x_j - x_i with i < j",
         example: "vandermonde_det([1, 2, 4])",
-        topic: TOPIC,
-        call: |_, args| {
-            args.expect("vandermonde_det([x_0, ..., x_n])", 1..=1, &[])?;
-            Ok(Value::Scalar(vandermonde_determinant(&args.scalars(0)?)))
-        },
+        call: |_, args| Ok(Value::Scalar(vandermonde_determinant(&args.scalars(0)?))),
+        ..NEW
     },
     Builtin {
         name: "interpolation_error",
-        signature: "interpolation_error(F, [x_0, ..., x_n])",
+        parameters: &[required("F", Takes::Polynomial, "the polynomial"), NODES, VARIABLE],
         summary: "F minus its interpolant p: the quotient f[x_0, ..., x_n, t] and the node polynomial",
         example: "interpolation_error(t^4, [-1, 0, 1])",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("interpolation_error(F, [x_0, ..., x_n])", 2..=2, &["variable"])?;
-            let given = args.univariate(0, usize::MAX)?;
+            let given = args.univariate(0)?;
             let nodes = args.scalars(1)?;
             let variable = given.variable;
             if nodes.iter().any(|x| x.variables().contains(&variable)) {
@@ -181,34 +187,33 @@ pub(crate) const TABLE: &[Builtin] = &[
             let remainder = Remainder::new(&power, &nodes).map_err(interpolation_error).at(args.span(1))?;
             Ok(Value::Table(Arc::new(error_table(&remainder, &nodes, &variable))))
         },
+        ..NEW
     },
     Builtin {
         name: "condition_number",
-        signature: "condition_number(M, norm=infinity)",
+        parameters: &[required("M", Takes::Matrix, "the matrix"), NORM],
         summary: "|M| |M^-1| exactly, for norm=infinity (sums of rows) or norm=one (of columns)",
         example: "condition_number(vandermonde([0, 1, 2]))",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("condition_number(M, norm=infinity)", 1..=2, &["norm"])?;
             let matrix = args.matrix(0)?;
             let entries = numbers(matrix.iter(), "the condition of a matrix", args.span(0))?;
             let matrix = nalgebra::DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries);
             let condition = matrix_condition(&matrix, norm(args, 1)?);
             Ok(Value::number(condition.map_err(linalg_error).at(args.span(0))?.number()))
         },
+        ..NEW
     },
     Builtin {
         name: "basis_condition",
-        signature: "basis_condition(n, norm=infinity)",
+        parameters: &[DEGREE, NORM],
         summary: "the condition number of the change from Bézier points to powers, of degree n",
         example: "basis_condition(3)",
-        topic: TOPIC,
         call: |_, args| {
-            args.expect("basis_condition(n, norm=infinity)", 1..=2, &["norm"])?;
             let n = args.size(0)?;
             crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
             Ok(Value::number(power_bernstein_condition(n, norm(args, 1)?).number()))
         },
+        ..NEW
     },
 ];
 
@@ -276,9 +281,9 @@ fn hermite_differences(
 /// Neville's or Aitken's tableau at the third argument, or as polynomials.
 fn pyramid(args: &Arguments, scheme: Scheme) -> Result<Value> {
     let samples = Samples::read(args)?;
-    let at = match args.len() {
-        2 => symbol(&samples.variable(args)?),
-        _ => args.scalar(2)?,
+    let at = match args.optional_scalar(2)? {
+        Some(t) => t,
+        None => symbol(&samples.variable(args)?),
     };
     let tableau = Tableau::new(scheme, &samples.nodes, &samples.values, &at);
     let tableau = tableau.map_err(Samples::failed(args))?;

@@ -1,28 +1,51 @@
 //! Interpolating cubic splines and their systems of equations.
 
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
-use super::TOPIC;
+use super::NEW;
 use super::data::{Datum, Result, Samples, indexed, pair, word};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::Arguments;
 use crate::language::functions::Builtin;
-use crate::language::ops::errors::wrong_kind;
+use crate::language::functions::parameter::{
+    NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
+};
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
 use crate::math::interpolate::{CubicSpline, Ends, Unknowns};
 use crate::math::poly::Fraction;
 
+pub(crate) const ENDS: Parameter = optional(
+    "ends",
+    Takes::Word(&["natural", "clamped", "periodic", "not_a_knot"]),
+    "natural, or clamped with slopes",
+    "what holds at the ends",
+)
+.shown("ends=natural");
+
+pub(crate) const SLOPES: Parameter =
+    named("slopes=[a, b]", Takes::Points, "none", "the slopes of clamped ends");
+
+pub(crate) const MOMENTS: Parameter =
+    named("moments=[a, b]", Takes::Points, "none", "the second derivatives at the ends");
+
+const METHOD: Parameter = named(
+    "method=moments",
+    Takes::Word(&["moments", "slopes"]),
+    "moments",
+    "the unknowns of the system that is solved",
+);
+
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cubic_spline",
-        signature: "cubic_spline([x_0, ..., x_n], [y_0, ..., y_n], ends=natural, slopes=[a, b], moments=[a, b])",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD, RESULT_VARIABLE],
         summary: "the cubic spline; ends are natural, clamped (with slopes), periodic or not_a_knot",
         example: "cubic_spline([0, 1, 2], [0, 1, 0])",
-        topic: TOPIC,
         call: |_, args| {
-            let given = Given::read(args, "cubic_spline")?;
+            let given = Given::read(args)?;
             let variable = given.samples.variable(args)?;
             let spline = given.spline(args)?;
             let piecewise = |function| {
@@ -31,39 +54,40 @@ pub(crate) const TABLE: &[Builtin] = &[
             let mut list: Vec<Value> = spline.to_piecewise().into_iter().map(piecewise).collect();
             Ok(if given.samples.form.scalar { list.swap_remove(0) } else { Value::List(list) })
         },
+        ..NEW
     },
     Builtin {
         name: "spline_system",
-        signature: "spline_system([x_0, ..., x_n], [y_0, ..., y_n], ends=natural, method=moments)",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         summary: "the tridiagonal system of a cubic spline for its moments M_i or slopes m_i, solved",
         example: "spline_system([0, 1, 3, 4], [0, 1, -1, 2])",
-        topic: TOPIC,
         call: |_, args| {
-            let given = Given::read(args, "spline_system")?;
+            let given = Given::read(args)?;
             Ok(Value::Table(Arc::new(system(&given.spline(args)?, given.samples.form))))
         },
+        ..NEW
     },
     Builtin {
         name: "spline_moments",
-        signature: "spline_moments([x_0, ..., x_n], [y_0, ..., y_n], ends=natural)",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         summary: "the second derivatives M_0, ..., M_n of a cubic spline at its nodes",
         example: "spline_moments([0, 1, 2], [0, 1, 0])",
-        topic: TOPIC,
         call: |_, args| {
-            let given = Given::read(args, "spline_moments")?;
+            let given = Given::read(args)?;
             Ok(given.list(given.spline(args)?.moments()))
         },
+        ..NEW
     },
     Builtin {
         name: "spline_slopes",
-        signature: "spline_slopes([x_0, ..., x_n], [y_0, ..., y_n], ends=natural)",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
         summary: "the first derivatives m_0, ..., m_n of a cubic spline at its nodes",
         example: "spline_slopes([0, 1, 2], [0, 1, 0])",
-        topic: TOPIC,
         call: |_, args| {
-            let given = Given::read(args, "spline_slopes")?;
+            let given = Given::read(args)?;
             Ok(given.list(given.spline(args)?.slopes()))
         },
+        ..NEW
     },
 ];
 
@@ -75,11 +99,9 @@ struct Given {
 }
 
 impl Given {
-    fn read(args: &Arguments, name: &str) -> Result<Self> {
-        let names = &["ends", "slopes", "moments", "method", "variable"];
-        args.expect(&format!("{name}(nodes, values, ends=natural)"), 2..=3, names)?;
+    fn read(args: &Arguments) -> Result<Self> {
         let samples = Samples::read(args)?;
-        let unknowns = match word(args, "method", usize::MAX) {
+        let unknowns = match word(args.named("method")) {
             None | Some(("moments", ..)) => Unknowns::Moments,
             Some(("slopes", ..)) => Unknowns::Slopes,
             Some((_, value, span)) => {
@@ -106,14 +128,14 @@ impl Given {
 
 /// The ends by their word, or by the slopes or moments that are given.
 pub(crate) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
-    let slopes = args.named_or("slopes", usize::MAX);
-    let moments = args.named_or("moments", usize::MAX);
+    let slopes = args.named("slopes");
+    let moments = args.named("moments");
     let unwanted = |what: &str, span: Span, hint: &str| {
         Err(Diagnostic::error(Code::Arity, format!("these ends take no {what}")).at(span).hint(hint))
     };
     let slopes_hint = "slopes=[a, b] are those of clamped ends";
     let moments_hint = "moments=[a, b] stand alone: they are the second derivatives at the ends";
-    match (word(args, "ends", 2), slopes, moments) {
+    match (word(args.given(2)), slopes, moments) {
         (_, Some(_), Some((_, span))) => unwanted("moments", span, moments_hint),
         (None | Some(("clamped", ..)), Some((value, span)), None) => {
             pair(value, form, span).map(|(first, last)| Ends::clamped(first, last))

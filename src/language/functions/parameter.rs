@@ -1,0 +1,298 @@
+//! What a function can be told: its parameters, from which checks, forms, hints and help come.
+
+use std::borrow::Cow;
+
+/// One thing a function can be told.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// The name by which it can be given, as in `degree=3`.
+    pub name: &'static str,
+    /// How the form of the function shows it, such as `[t_0, ..., t_k]`.
+    pub form: &'static str,
+    /// Whether and how it has to be given.
+    pub need: Need,
+    /// What it has to be.
+    pub kind: Takes,
+    /// What it means, in one line.
+    pub doc: &'static str,
+}
+
+/// Whether and how a parameter has to be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// At its place or by its name.
+    Required,
+    /// At its place or by its name, or not at all: what holds then.
+    Optional(&'static str),
+    /// By its name or not at all: what holds then.
+    Named(&'static str),
+    /// Any number of arguments, at least and at most so many, from its place on.
+    Many(usize, usize),
+    /// Any names of the caller's, such as `t=3`, in place of all arguments after the first.
+    Free,
+}
+
+/// What an argument has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// 0, 1, 2, …
+    Size,
+    /// …, −1, 0, 1, …
+    Integer,
+    /// A rational number.
+    Number,
+    /// A number or formula.
+    Scalar,
+    /// A list of numbers or formulas.
+    Scalars,
+    /// One number or formula, or a list of them.
+    ScalarOrList,
+    /// A symbol such as t.
+    Variable,
+    /// A list of symbols.
+    Variables,
+    /// A formula, a function of one formula or a polar form.
+    Polynomial,
+    /// Polynomials, one for each coordinate.
+    Coordinates,
+    /// What can be differentiated and composed: formulas, functions, polar forms.
+    Function,
+    /// A polar form.
+    Polar,
+    /// A Bézier curve, or what can be read as one.
+    Curve,
+    /// A spline, or what can be read as one.
+    Spline,
+    /// A curve or surface.
+    Geometry,
+    /// A surface.
+    Surface,
+    /// Coordinates.
+    Point,
+    /// A list of points, or of numbers.
+    Points,
+    /// A list of lists of points, or of numbers.
+    Net,
+    /// Rows of numbers or formulas.
+    Rows,
+    /// Two ends.
+    Interval,
+    /// Three points of the plane.
+    Triangle,
+    /// A matrix.
+    Matrix,
+    /// A basis of polynomials.
+    Basis,
+    /// A list of anything.
+    List,
+    /// A picture.
+    Figure,
+    /// 1 or 0.
+    Flag,
+    /// Words in quotation marks.
+    Text,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// Anything: the function says what it can use.
+    Any,
+}
+
+/// The bases of [`Takes::Basis`] that a word names.
+const BASES: &[&str] = &["power", "bernstein", "taylor", "lagrange", "newton", "hermite"];
+
+impl Takes {
+    /// The words that mean something here.
+    pub fn words(self) -> &'static [&'static str] {
+        match self {
+            Takes::Word(words) => words,
+            Takes::Basis => BASES,
+            _ => &[],
+        }
+    }
+
+    /// What is expected, in words.
+    pub fn description(self) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
+            Takes::Size => "an integer that is 0 or more",
+            Takes::Integer => "an integer",
+            Takes::Number => "a number",
+            Takes::Scalar => "a number or formula",
+            Takes::Scalars => "a list of numbers or formulas",
+            Takes::ScalarOrList => "a number or formula, or a list of them",
+            Takes::Variable => "a variable",
+            Takes::Variables => "a list of variables",
+            Takes::Polynomial => "a polynomial in one variable",
+            Takes::Coordinates => "a polynomial, or a list of them",
+            Takes::Function => "a function or formula",
+            Takes::Polar => "a polar form",
+            Takes::Curve => "a Bézier curve",
+            Takes::Spline => "a spline",
+            Takes::Geometry => "a curve or surface",
+            Takes::Surface => "a surface",
+            Takes::Point => "a point",
+            Takes::Points => "a list of points or numbers",
+            Takes::Net => "rows of points or numbers",
+            Takes::Rows => "rows of numbers",
+            Takes::Interval => "an interval [a, b]",
+            Takes::Triangle => "three points of the plane",
+            Takes::Matrix => "a matrix",
+            Takes::Basis => "power, bernstein or a list such as [bernstein, a, b] or [lagrange, t_0, ...]",
+            Takes::List => "a list",
+            Takes::Figure => "a figure",
+            Takes::Flag => "1 or 0",
+            Takes::Text => "words in quotation marks",
+            Takes::Word(words) => return Cow::Owned(alternatives(words)),
+            Takes::Any => "any value",
+        })
+    }
+}
+
+/// a, b or c
+pub(super) fn alternatives(words: &[&str]) -> String {
+    match words {
+        [rest @ .., last] if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        words => words.concat(),
+    }
+}
+
+impl Parameter {
+    /// The same parameter as the form of the function shows it.
+    pub(super) const fn shown(mut self, form: &'static str) -> Self {
+        self.form = form;
+        self
+    }
+
+    /// Whether the function is called with it at a place.
+    pub(super) fn has_place(&self) -> bool {
+        !matches!(self.need, Need::Named(_) | Need::Free)
+    }
+
+    /// Whether one argument may be given by this name.
+    pub(super) fn has_name(&self) -> bool {
+        !matches!(self.need, Need::Many(..) | Need::Free)
+    }
+
+    /// What it means, what it has to be and what holds otherwise:
+    /// `how often (an integer that is 0 or more; else 1)`.
+    pub fn explanation(&self) -> String {
+        let kind = (self.kind != Takes::Any).then(|| self.kind.description().into_owned());
+        let default = self.default().map(|default| format!("else {default}"));
+        match kind.into_iter().chain(default).collect::<Vec<_>>().join("; ") {
+            more if more.is_empty() => self.doc.to_owned(),
+            more => format!("{} ({more})", self.doc),
+        }
+    }
+
+    /// How it is given, by its name if it has one: `knots=[t_0, ..., t_k]`.
+    pub fn called(&self) -> String {
+        match self.has_name() && self.form != self.name && !self.form.contains('=') {
+            true => format!("{}={}", self.name, self.form),
+            false => self.form.to_owned(),
+        }
+    }
+
+    /// What holds if it is not given.
+    pub fn default(&self) -> Option<&'static str> {
+        match self.need {
+            Need::Optional(default) | Need::Named(default) => Some(default),
+            _ => None,
+        }
+    }
+}
+
+/// A parameter that has to be given.
+pub(super) const fn required(name: &'static str, kind: Takes, doc: &'static str) -> Parameter {
+    Parameter { name, form: name, need: Need::Required, kind, doc }
+}
+
+/// A parameter with a place that may be left out.
+pub(super) const fn optional(
+    name: &'static str,
+    kind: Takes,
+    default: &'static str,
+    doc: &'static str,
+) -> Parameter {
+    Parameter { name, form: name, need: Need::Optional(default), kind, doc }
+}
+
+/// A parameter given as `name=…` only; `form` shows an example, such as `degree=n`.
+pub(super) const fn named(
+    form: &'static str,
+    kind: Takes,
+    default: &'static str,
+    doc: &'static str,
+) -> Parameter {
+    let (mut end, bytes) = (0, form.as_bytes());
+    while bytes[end] != b'=' {
+        end += 1;
+    }
+    Parameter { name: form.split_at(end).0, form, need: Need::Named(default), kind, doc }
+}
+
+/// Any number of arguments, at least so many.
+pub(super) const fn many(form: &'static str, kind: Takes, least: usize, doc: &'static str) -> Parameter {
+    Parameter { name: form, form, need: Need::Many(least, usize::MAX), kind, doc }
+}
+
+/// Values for any names of the caller's.
+pub(super) const fn free(form: &'static str, kind: Takes, doc: &'static str) -> Parameter {
+    Parameter { name: form, form, need: Need::Free, kind, doc }
+}
+
+/// An integer that tells a degree, a size or an order.
+pub(super) const fn size(name: &'static str, doc: &'static str) -> Parameter {
+    required(name, Takes::Size, doc)
+}
+
+/// A curve, called c in the form.
+pub(super) const CURVE: Parameter = required("curve", Takes::Curve, "the curve").shown("c");
+
+/// A spline, called s in the form.
+pub(super) const SPLINE: Parameter = required("spline", Takes::Spline, "the spline").shown("s");
+
+/// A surface, called s in the form.
+pub(super) const SURFACE: Parameter = required("surface", Takes::Surface, "the surface").shown("s");
+
+/// The letter of the parameter, where formulas have several.
+pub(super) const VARIABLE: Parameter = named(
+    "variable=t",
+    Takes::Variable,
+    "the only variable, or t",
+    "the variable of the polynomial; other letters are constants",
+);
+
+/// The letter of a polynomial that is made.
+pub(super) const RESULT_VARIABLE: Parameter =
+    named("variable=t", Takes::Variable, "t", "the variable of the result");
+
+/// The number of a knot interval.
+pub(super) const SPAN: Parameter = named(
+    "span=j",
+    Takes::Size,
+    "the one that contains the parameter",
+    "the knot interval [t_j, t_(j+1)], needed for symbols",
+);
+
+/// Points with their weights as last coordinates.
+pub(super) const HOMOGENEOUS: Parameter =
+    named("homogeneous=1", Takes::Flag, "0", "whether the last coordinate of each point is its weight");
+
+/// The knots of a spline.
+pub(super) const KNOTS: Parameter =
+    required("knots", Takes::Scalars, "the knots in increasing order").shown("[t_0, ..., t_k]");
+
+/// The degree of a spline.
+pub(super) const DEGREE: Parameter = size("n", "the degree");
+
+/// The nodes of an interpolation.
+pub(super) const NODES: Parameter = required("nodes", Takes::Scalars, "the nodes").shown("[x_0, ..., x_n]");
+
+/// The values at the nodes.
+pub(super) const VALUES: Parameter =
+    required("values", Takes::Points, "a number or point for each node").shown("[y_0, ..., y_n]");
+
+/// The start of an interval.
+pub(super) const START: Parameter = optional("a", Takes::Scalar, "0", "the start of the interval");
+
+/// The end of an interval.
+pub(super) const END: Parameter = optional("b", Takes::Scalar, "a + 1", "its end");

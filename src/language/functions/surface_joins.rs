@@ -1,0 +1,139 @@
+//! How surfaces meet, and surfaces in other representations.
+
+use crate::language::eval::arguments::word_of;
+use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::errors::{curve_error, spline_error};
+use std::sync::Arc;
+
+use super::on_surface::{direction, net_value, not_for, pieces, polar};
+use super::parameter::{Parameter, SURFACE, Takes, named, optional, required};
+use super::surfaces::{polynomial_only, surface, tensor, triangular};
+use super::table::Variant;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::value::{Cell, Form, Geometry, Table, Value};
+use crate::math::curve::{Direction, EdgeEquation};
+use crate::math::poly::Fraction;
+
+/// A second surface.
+const SECOND: Parameter = required("second", Takes::Surface, "the other surface").shown("r");
+
+const ACROSS: Parameter =
+    named("across=u", Takes::Word(&["u", "v"]), "the one that fits", "the direction across the common edge");
+
+pub(super) const JOINING_CONDITIONS: Option<Variant> = Variant::new(
+    &[SURFACE, SECOND, optional("k", Takes::Size, "1", "the order"), ACROSS],
+    joining_conditions,
+);
+
+pub(super) const CONTINUITY: Option<Variant> = Variant::new(&[SURFACE, SECOND, ACROSS], continuity);
+
+pub(super) const CONVERT: Option<Variant> = Variant::new(
+    &[
+        SURFACE,
+        required(
+            "to",
+            Takes::Word(&["triangle", "tensor", "polar", "pieces", "bspline", "power"]),
+            "the representation",
+        ),
+        optional("domain", Takes::Any, "the unit square or triangle", "the triangle, or the interval of u"),
+        optional("second", Takes::Interval, "[0, 1]", "the interval of v").shown("domain"),
+    ],
+    convert,
+);
+
+/// The equations for two patches to join, as far as asked.
+fn equations(args: &Arguments, k: usize) -> Result<(Vec<EdgeEquation<Fraction>>, Form), Diagnostic> {
+    let (first, second) = (args.geometry(0)?, args.geometry(1)?);
+    polynomial_only(first.form(), args)?;
+    let equations = match (&*first, &*second) {
+        (Geometry::Patch(f, _), Geometry::Patch(g, _)) => match direction(args, "across")? {
+            Some(across) => f.join_conditions(g, across, k),
+            None => f.join_conditions(g, Direction::U, k).or_else(|_| f.join_conditions(g, Direction::V, k)),
+        },
+        (Geometry::Triangle(f, _), Geometry::Triangle(g, _)) => f.join_conditions(g, k),
+        (_, other) => {
+            return Err(Diagnostic::error(
+                Code::Type,
+                format!("{} and {} are not joined", first.kind(), other.kind()),
+            )
+            .at(args.span(1))
+            .hint(
+                "two patches of one kind are; convert(s, tensor) and convert(s, triangle) change the kind",
+            ));
+        }
+    };
+    Ok((equations.map_err(curve_error).at(args.span(1))?, first.form()))
+}
+
+fn equation_row(equation: &EdgeEquation<Fraction>, form: Form) -> Vec<Cell> {
+    vec![
+        Cell::Value(Value::int(equation.order as i64)),
+        Cell::Value(Value::int(equation.place as i64)),
+        Cell::Value(form.plain(equation.required.clone())),
+        Cell::Value(form.plain(equation.found.clone())),
+        Cell::words(super::joins::holds_word(&equation.required, &equation.found)),
+    ]
+}
+
+fn joining_conditions(args: &Arguments) -> Evaluated {
+    let k = args.optional_size(2)?.unwrap_or(1);
+    let (equations, form) = equations(args, k)?;
+    let mut table = Table::with_header(["order", "place", "required", "found", "holds"]);
+    table.rows = equations.iter().map(|equation| equation_row(equation, form)).collect();
+    Ok(Value::Table(Arc::new(table)))
+}
+
+/// The largest order up to which two patches join.
+fn continuity(args: &Arguments) -> Evaluated {
+    let highest = match &*args.geometry(0)? {
+        Geometry::Patch(patch, _) => patch.degrees().0.max(patch.degrees().1),
+        Geometry::Triangle(patch, _) => patch.degree(),
+        other => return Err(not_for(other, args)),
+    };
+    let (equations, form) = equations(args, highest)?;
+    let mut table = Table::with_header(["continuity", "order", "place", "required", "found", "holds"]);
+    match equations.iter().find(|equation| !equation.holds()) {
+        None => {
+            table.header.truncate(1);
+            table.rows.push(vec![Cell::words("one polynomial")]);
+        }
+        Some(equation) => {
+            let mut row = vec![super::joins::class("C", equation.order.checked_sub(1))];
+            row.extend(equation_row(equation, form));
+            table.rows.push(row);
+        }
+    }
+    Ok(Value::Table(Arc::new(table)))
+}
+
+fn convert(args: &Arguments) -> Evaluated {
+    let target = args.value(1)?;
+    // The domains stand after the word.
+    match (&*args.geometry(0)?, word_of(target).unwrap_or_default()) {
+        (Geometry::Patch(patch, form), "triangle") => {
+            polynomial_only(*form, args)?;
+            patch.to_triangle(args.triangle(2)?).map(|p| triangular(p, *form)).map_err(curve_error).at(args.span(0))
+        }
+        (Geometry::Triangle(patch, form), "tensor") => {
+            polynomial_only(*form, args)?;
+            Ok(tensor(patch.to_tensor(args.interval(2)?, args.interval(3)?), *form))
+        }
+        (Geometry::Patch(..) | Geometry::Triangle(..), "polar") => polar(&args.only(1)),
+        (Geometry::Surface(..), "pieces") => pieces(&args.only(1)),
+        (Geometry::Patch(patch, form), "bspline") => {
+            let knots = |interval: &crate::math::curve::Interval<Fraction>, n: usize| {
+                crate::math::spline::KnotVector::clamped(n, interval.start(), &[], interval.end()).map_err(spline_error)
+            };
+            let (m, n) = patch.degrees();
+            let (u, v) = (knots(patch.u(), m)?, knots(patch.v(), n)?);
+            crate::math::spline::SplineSurface::new(u, v, patch.net().to_vec()).map(|s| surface(s, *form)).map_err(spline_error)
+        }
+        (Geometry::Patch(patch, form), "power") => {
+            polynomial_only(*form, args)?;
+            Ok(net_value(&patch.power_coefficients(), *form))
+        }
+        (geometry, _) => Err(Diagnostic::error(Code::Type, format!("{} has no such representation", geometry.kind()))
+            .at(args.span(1))
+            .hint("patches: triangle, polar, power, bspline; triangular ones: tensor, polar; spline surfaces: pieces")),
+    }
+}
