@@ -16,6 +16,7 @@
 //! Dijkstra's shunting-yard algorithm (*Algol 60 translation*, 1961).
 
 mod chars;
+mod items;
 mod lexer;
 mod parser;
 mod statement;
@@ -25,6 +26,7 @@ mod token;
 mod tests;
 
 pub use chars::{greek_char, greek_name};
+pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub use token::MAX_TOKENS;
 
