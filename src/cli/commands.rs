@@ -202,7 +202,8 @@ fn matrix(reader: &mut ArgumentReader, wanted: &MatrixArguments) -> Failed<Expr>
         let span = higher.span;
         return Ok(call("raising", vec![degree, higher], span));
     }
-    let (from, to) = (reader.formula("from", &wanted.from)?, reader.formula("to", &wanted.to)?);
+    let from = named_basis(reader.formula("from", &wanted.from)?);
+    let to = named_basis(reader.formula("to", &wanted.to)?);
     if wanted.steps {
         let subject = if wanted.inverse { derivable(&to, &from) } else { derivable(&from, &to) };
         let Some(subject) = subject else {
@@ -222,6 +223,27 @@ fn matrix(reader: &mut ArgumentReader, wanted: &MatrixArguments) -> Failed<Expr>
     let (from, to) = (over(from, &ends, span), over(to, &ends, span));
     let (from, to) = if wanted.inverse { (to, from) } else { (from, to) };
     Ok(call("change_of_basis", vec![degree, from, to], span))
+}
+
+/// A basis whose name was read letter by letter, as LaTeX reads words, gets its name back.
+fn named_basis(basis: Expr) -> Expr {
+    const NAMES: [&str; 6] = ["power", "bernstein", "taylor", "lagrange", "newton", "hermite"];
+    let span = basis.span;
+    match basis.kind {
+        Kind::List(mut items) if !items.is_empty() => {
+            let name = named_basis(items.remove(0));
+            items.insert(0, name);
+            Expr::new(Kind::List(items), span)
+        }
+        Kind::Mul(letters) => {
+            let word: String = letters.iter().filter_map(basis_name).collect();
+            match NAMES.iter().find(|name| **name == word) {
+                Some(name) => Expr::new(Kind::Name((*name).to_owned()), span),
+                None => Expr::new(Kind::Mul(letters), span),
+            }
+        }
+        kind => Expr::new(kind, span),
+    }
 }
 
 fn basis_name(basis: &Expr) -> Option<&str> {
