@@ -208,8 +208,9 @@ fn matrix(reader: &mut ArgumentReader, wanted: &MatrixArguments) -> Failed<Expr>
         let subject = if wanted.inverse { derivable(&to, &from) } else { derivable(&from, &to) };
         let Some(subject) = subject else {
             let message = format!("there are no steps from {} to {}", wanted.from, wanted.to);
+            let odd = if matches!(basis_name(&from), Some("bernstein" | "power")) { &to } else { &from };
             let problem = Diagnostic::error(Code::Unsupported, message)
-                .at(from.span)
+                .at(odd.span)
                 .hint("--steps is for the matrix from bernstein to power, and its inverse");
             return Err(reader.failure(problem));
         };
