@@ -48,6 +48,16 @@
 //! | results woven into lecture notes | [`weave`] |
 //! | limits on time and size | [`budget`] |
 //!
+//! # Features
+//! | feature | gives | for |
+//! | --- | --- | --- |
+//! | none | mathematics, language, judge, session, [`scene`] | `default-features = false`: at most 40 crates |
+//! | `figure` | [`figure`] | scenes as SVG, TikZ, JSON and in characters |
+//! | `document` | [`document`] | files of notes taken apart, in any encoding; part of `notes` and `weave` |
+//! | `notes` | [`notes`] | a verdict for every formula of lecture notes, and reports |
+//! | `weave` | [`weave`] | results filled into lecture notes, with `figure` |
+//! | `cli` (default) | the program `polarform` | with all of the above |
+//!
 //! The modules form floors, described in `docs/architecture.md`; `docs/design.md` says why.
 //!
 //! # What is not supported
@@ -60,16 +70,22 @@
 //! Library functions work without limits; run them under [`budget::run`] to bound time and
 //! size. Functions that panic say so; what can go wrong with an input is an error.
 pub mod budget;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "document")]
 pub mod document;
+#[cfg(feature = "figure")]
 pub mod figure;
 pub mod formula;
 pub mod judge;
 pub mod language;
 pub mod math;
+#[cfg(feature = "notes")]
 pub mod notes;
 pub mod scene;
 pub mod session;
+#[cfg(feature = "weave")]
 pub mod weave;
 
 pub use formula as expr;

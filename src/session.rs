@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Sign, Term};
 use crate::judge::evaluator;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals, Outcome};
@@ -155,6 +155,60 @@ pub fn read(file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
             problem.labels.iter_mut().for_each(|label| label.span = label.span.shifted(span.start));
             Err(problem)
         }
+    }
+}
+
+/// Reads the items of a list that is given by itself: `a, b, c`, in plain notation or LaTeX.
+///
+/// In plain notation blanks separate numbers and points as well, and a range of integers stands for
+/// its numbers, so that `0 0 1..3 3` are the items 0, 0, 1, 2, 3, 3.
+///
+/// # Errors
+/// What is wrong with the text; also a sign that might be that of an item or a difference (`1 -1`).
+///
+/// ```
+/// use polarform::session::read_items;
+/// use polarform::source::SourceFile;
+/// let count = |text| read_items(&SourceFile::new("<knots>", text)).map(|items| items.len());
+/// assert_eq!(count("0, 1/2, t"), Ok(3));
+/// assert_eq!(count(r"0, \frac12, t"), Ok(3));
+/// assert_eq!(count("0 0 1..3 3"), Ok(6));
+/// assert!(count("1 -1").is_err());
+/// ```
+pub fn read_items(file: &SourceFile) -> Result<Vec<Expr>, Diagnostic> {
+    let text = file.text();
+    let spaced = if syntax::looks_like_latex(text) { None } else { syntax::spaced_items(text)? };
+    let items = match spaced {
+        Some(spans) => spans.into_iter().map(|span| read(file, Some(span))).collect::<Result<_, _>>()?,
+        None => match read(file, None)? {
+            Expr { kind: Kind::Sequence(items), .. } => items,
+            one => vec![one],
+        },
+    };
+    Ok(items.into_iter().flat_map(numbers_of_range).collect())
+}
+
+/// The numbers of a range of integers; anything else as it is, also a range that is very long.
+fn numbers_of_range(item: Expr) -> Vec<Expr> {
+    const LONGEST: i64 = 10_000;
+    let Kind::Range(first, last) = &item.kind else { return vec![item] };
+    match (integer(first), integer(last)) {
+        (Some(first), Some(last)) if last.saturating_sub(first) < LONGEST => {
+            (first..=last).map(|number| Expr { span: item.span, ..Expr::int(number) }).collect()
+        }
+        _ => vec![item],
+    }
+}
+
+/// The integer written here, with or without a minus sign.
+fn integer(expr: &Expr) -> Option<i64> {
+    match &expr.kind {
+        Kind::Number(value) if value.is_integer() => value.numer().as_small(),
+        Kind::Add(terms) => match terms.as_slice() {
+            [Term { sign: Sign::Minus, expr }] => integer(expr).map(|value| -value),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

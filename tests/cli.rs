@@ -277,3 +277,144 @@ fn every_code_and_function_is_explained() {
         assert!(ran.out.lines().count() > 2, "{code}: {}", ran.out);
     }
 }
+
+// Arguments: each is read by itself and becomes a part of the query.
+
+#[test]
+fn latex_in_any_argument() {
+    for (arguments, result) in [
+        (&["bezier", "0, 1, 4", "--at", r"\frac12"][..], "3/2\n"),
+        (&["bezier", "0, 1, 4", "--at", r"$\frac{1}{2}$"], "3/2\n"),
+        (&["bezier", r"\frac12, 1", "--interval", r"0, \frac12", "--at", "1/4"], "3/4\n"),
+        (&["bezier", r"0, \frac12, 1", "--weights", r"1, \frac12, 1", "--at", r"\frac12"], "1/2\n"),
+        (
+            &["bezier", "0, 2", "--subdivide", r"\frac12"],
+            "[bezier([0, 1], 0, 1/2), bezier([1, 2], 1/2, 1)]\n",
+        ),
+        (
+            &[
+                "bspline",
+                "-n",
+                "1",
+                "--knots",
+                r"0, 0, \frac12, 1, 1",
+                "--points",
+                r"0, \frac12, 2",
+                "--at",
+                r"\frac12",
+            ],
+            "1/2\n",
+        ),
+        (&["bspline", "-n", "1", "--knots", "0,1,2", "--basis", "0", "--at", r"\frac12"], "1/2\n"),
+        (&["polar", r"\frac12 t^2", "--at", r"\hat{1}, \frac12"], "f(hat(1), 1/2) = 1/4\n"),
+        (&["polar", "a t^2", "--variable", r"\mathbf{t}"], "f(t1, t2) = a t1 t2\n"),
+        (&["sum", "t^2", r"\frac12 t"], "h(t1, t2) = t1 t2 + 1/4 (t1 + t2)\n"),
+        (&["matrix", "-n", "1", "--interval", r"0, \frac12"], "[1, 0; -2, 2]\n"),
+        (&["matrix", "-n", "1", "--from", r"[lagrange, 0, \frac12]"], "[1, 0; -2, 2]\n"),
+        (
+            &["interpolate", "--nodes", r"0, \frac12", "--values", r"0, \frac14", "--at", r"\frac12"],
+            "p(1/2) = 1/4\n",
+        ),
+        (&["check", r"\frac12 = 0.5"], "true\n"),
+    ] {
+        let ran = run(arguments);
+        assert_eq!((ran.out.as_str(), ran.status), (result, Some(0)), "{arguments:?}: {}", ran.err);
+    }
+    let plain = run(&["figure", "bezier", "0, 1, 4", "--at", "1/2", "--format", "json"]);
+    let latex = run(&["figure", "bezier", "0, 1, 4", "--at", r"\frac12", "--format", "json"]);
+    assert_eq!((latex.out, latex.status), (plain.out, Some(0)), "{}", latex.err);
+}
+
+/// The place that a message shows, and the line with the caret.
+fn place(ran: &common::Run) -> (String, String) {
+    let line = |start: &str| ran.err.lines().find(|line| line.trim_start().starts_with(start));
+    let caret = ran.err.lines().find(|line| line.contains('^')).unwrap_or_default();
+    (line("--> ").unwrap_or_default().trim().to_owned(), caret.trim_start_matches([' ', '|']).to_owned())
+}
+
+#[test]
+fn a_problem_is_shown_in_its_argument() {
+    let curve = &["bezier", "0, 1, 4"][..];
+    let spline = &["bspline", "-n", "2", "--knots", "0,0,0,1,2,2,2", "--points", "1,3,2,4"][..];
+    for (start, more, at) in [
+        (curve, &["--at", "1/2) + (100"][..], "<at>:1:4"),
+        (curve, &["--at", "1/2, 1/3"], "<at>:1:1"),
+        (curve, &["--at", "1/whoknows"], "<at>:1:3"),
+        (curve, &["--at", r"1 + \farc{1}{2}"], "<at>:1:5"),
+        (curve, &["--weights", "1, 1"], "<weights>:1:1"),
+        (curve, &["--weights", "1], [2"], "<weights>:1:2"),
+        (curve, &["--interval", "0, 1/0"], "<interval>:1:6"),
+        (curve, &["--scheme", "1/2), (1"], "<scheme>:1:4"),
+        (spline, &["--remove", "1"], "<remove>:1:1"),
+        (spline, &["--insert", "7"], "<insert>:1:1"),
+        (&["polar", "t^2"], &["--at", "0, 1/0"], "<at>:1:6"),
+        (&["polar", "t^2"], &["--at", "1, degree = 2"], "<at>:1:4"),
+        (&["polar", "t^2"], &["--at", "0, 1, 2"], "<at>:1:1"),
+        (&["product", "t^2"], &["1/t"], "<G>:1:1"),
+        (&["matrix", "-n", "2"], &["--from", "[bernstein, whoknows, 1]"], "<from>:1:13"),
+        (&["interpolate", "--nodes", "0, 1"], &["--values", "1, 1/0"], "<values>:1:6"),
+        (&["figure", "bezier", "0, 1, 4"], &["--at", "1/2, whoknows"], "<at>:1:6"),
+        (&["figure", "basis", "3"], &["--hull"], "<hull>:1:1"),
+    ] {
+        let ran = run(&[start, more].concat());
+        assert_eq!((ran.status, ran.out.as_str()), (Some(2), ""), "{more:?}");
+        assert_eq!(place(&ran).0, format!("--> {at}"), "{more:?}: {}", ran.err);
+        assert!(place(&ran).1.starts_with('^'), "{more:?}: {}", ran.err);
+    }
+}
+
+#[test]
+fn lists_need_no_commas_where_nothing_is_in_doubt() {
+    let polar = |at: &str| run(&["polar", "t^3 + t", "--at", at]).out;
+    let value = polar("0, 0, 1");
+    assert_eq!(value, "f(0, 0, 1) = 1/3\n");
+    assert_eq!(polar("(0,0,1)"), value);
+    assert_eq!(polar("0 0 1"), value);
+    assert_eq!(polar("-1 0 1/2"), polar("-1, 0, 1/2"));
+    assert_eq!(polar("0..2"), polar("0, 1, 2"));
+
+    let knots =
+        |knots: &str, points: &str| run(&["bspline", "-n", "2", "--knots", knots, "--points", points]).out;
+    let spline = knots("0,0,0,1,1,1", "1,2,3");
+    assert_eq!(spline, "bspline(2, [0, 0, 0, 1, 1, 1], [1, 2, 3])\n");
+    for (list, points) in [("0 0 0 1 1 1", "1 2 3"), ("[0,0,0,1,1,1]", "1..3"), ("(0,0,0,1,1,1)", "1, 2, 3")]
+    {
+        assert_eq!(knots(list, points), spline, "{list}");
+    }
+    assert_eq!(knots("0..5", "1,2,3"), knots("0,1,2,3,4,5", "1,2,3"));
+    assert_eq!(knots("0 0 0..2 2 2", "1,2,3,4"), knots("0,0,0,1,2,2,2", "1,2,3,4"));
+    assert_eq!(knots("0,0,0,1,1,1", "[0,0] [1,2] [2,0]"), knots("0,0,0,1,1,1", "[0,0], [1,2], [2,0]"));
+    assert_eq!(run(&["bezier", "(0,0) (1,2) (2,0)", "--at", "1/2"]).out, "[1, 1]\n");
+    // One pair of brackets is a point, not a list of control points.
+    assert_eq!(run(&["bezier", "[1, 2]"]).out, "bezier([[1, 2]])\n");
+
+    // A sign might belong to an item.
+    for at in ["1 -1", "0 1 -1"] {
+        let ran = run(&["polar", "t^2", "--at", at]);
+        assert_eq!(ran.status, Some(2));
+        assert!(ran.err.contains("1, -1"), "the hint shows the commas: {}", ran.err);
+        assert!(ran.err.contains("<at>:1:"), "{}", ran.err);
+    }
+    // A difference is one.
+    assert_eq!(run(&["bezier", "0, 2", "--at", "3/2 - 1"]).out, "1\n");
+}
+
+#[test]
+fn names_of_arguments_are_those_of_the_user() {
+    // None of them means something that the program made.
+    assert_eq!(run(&["polar", "t^2", "--at", "a, F"]).out, "f(a, F) = F a\n");
+    assert_eq!(
+        run(&["interpolate", "--nodes", "0,1", "--values", "0,1", "--at", "u + p"]).out,
+        "p(u + p) = p + u\n"
+    );
+}
+
+#[test]
+fn a_time_limit_is_a_number_of_seconds() {
+    for wrong in ["--timeout=-1", "--timeout=nan", "--timeout=inf", "--timeout=-inf", "--timeout=soon"] {
+        let ran = run(&["eval", "1 + 1", wrong]);
+        assert_eq!((ran.status, ran.out.as_str()), (Some(2), ""), "{wrong}");
+        assert!(ran.err.contains("--timeout") && ran.err.contains("seconds"), "{wrong}: {}", ran.err);
+    }
+    assert_eq!(run(&["eval", "1 + 1", "--timeout", "1e9"]).out, "2\n");
+}

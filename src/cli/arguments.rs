@@ -50,7 +50,8 @@ pub(super) struct Global {
     #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
     pub color: Color,
     /// Time allowed for each statement (0: no limit) [default: 60; 5 for a formula of notes]
-    #[arg(long, global = true, value_name = "SECONDS")]
+    #[arg(long, global = true, value_name = "SECONDS", allow_negative_numbers = true,
+          value_parser = parse_seconds)]
     pub timeout: Option<f64>,
     /// Number of terms a value may have
     #[arg(long, global = true, default_value_t = 4_000_000, value_name = "N")]
@@ -78,6 +79,13 @@ fn parse_format(text: &str) -> Result<FormatArgument, String> {
         .map_err(|error: crate::language::write::UnknownFormat| error.to_string())
 }
 
+fn parse_seconds(text: &str) -> Result<f64, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    seconds
+        .filter(|seconds| seconds.is_finite() && *seconds >= 0.0)
+        .ok_or_else(|| "expected a number of seconds such as 2.5, or 0 for no limit".to_owned())
+}
+
 fn parse_language(text: &str) -> Result<Language, String> {
     text.parse()
 }
@@ -95,9 +103,7 @@ impl Global {
     /// The limits they ask for, with this many seconds if they say nothing about time.
     pub fn limits_or(&self, seconds: f64) -> Limits {
         let seconds = self.timeout.unwrap_or(seconds);
-        let time = (seconds > 0.0 && seconds.is_finite())
-            .then(|| Duration::try_from_secs_f64(seconds).ok())
-            .flatten();
+        let time = (seconds > 0.0).then(|| Duration::try_from_secs_f64(seconds).ok()).flatten();
         Limits { time, terms: self.max_terms, depth: self.max_depth, ..Limits::default() }
     }
 
@@ -175,27 +181,7 @@ pub(super) enum Command {
         polarform polar \"t^3 + 3t^2 + 5t + 1\"\n  \
         polarform polar \"t^2 + 2t\" --degree 3 --at \"0, 1/2, hat(1)\"\n  \
         polarform polar \"c_0 + c_1 t + c_2 t^2\" --method taylor --steps")]
-    Polar {
-        /// The polynomial, in plain notation or LaTeX
-        #[arg(allow_hyphen_values = true)]
-        polynomial: String,
-        /// The number of arguments (the degree of the polynomial if not given)
-        #[arg(long, short = 'n', value_name = "N")]
-        degree: Option<usize>,
-        /// The variable, if there are several symbols
-        #[arg(long, value_name = "NAME")]
-        variable: Option<String>,
-        /// How to derive it
-        #[arg(long, value_parser = parse_method, default_value = "elementary", value_name = "METHOD",
-              help = "elementary, probability, taylor, parts, laguerre or bezier")]
-        method: Method,
-        /// The value at these arguments; hat(v) is a vector
-        #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true)]
-        at: Option<String>,
-        /// Show the steps
-        #[arg(long)]
-        steps: bool,
-    },
+    Polar(PolarArguments),
     /// The polar form of a sum F + G
     Sum(Two),
     /// The polar form of a product F G
@@ -208,29 +194,7 @@ pub(super) enum Command {
         polarform matrix --degree 3 --inverse\n  \
         polarform matrix --degree 2 --raise-to 3\n  \
         polarform matrix --degree 2 --interval r,s --format latex")]
-    Matrix {
-        /// The degree
-        #[arg(long, short = 'n', value_name = "N")]
-        degree: usize,
-        /// The basis of the given coefficients: power, bernstein, or e.g. [lagrange, 0, 1/2, 1]
-        #[arg(long, default_value = "bernstein", value_name = "BASIS")]
-        from: String,
-        /// The basis of the wanted coefficients
-        #[arg(long, default_value = "power", value_name = "BASIS")]
-        to: String,
-        /// The inverse of that matrix
-        #[arg(long)]
-        inverse: bool,
-        /// The interval of Bernstein bases
-        #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
-        interval: Option<String>,
-        /// The matrix from Bézier points of this degree to those of a higher one
-        #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
-        raise_to: Option<usize>,
-        /// Show the steps, from Bézier points to powers or back
-        #[arg(long, conflicts_with_all = ["interval", "raise_to"])]
-        steps: bool,
-    },
+    Matrix(MatrixArguments),
     /// A Bézier curve: values, de Casteljau's scheme, subdivision, degree, derivatives
     #[command(after_help = "Examples:\n  \
         polarform bezier \"[0, 0], [1, 2], [2, 0]\" --at 1/2\n  \
@@ -295,6 +259,56 @@ pub(super) enum Command {
         /// A name
         name: Option<String>,
     },
+}
+
+/// Which polar form, and what of it.
+#[derive(Debug, Args)]
+pub(super) struct PolarArguments {
+    /// The polynomial, in plain notation or LaTeX
+    #[arg(allow_hyphen_values = true)]
+    pub polynomial: String,
+    /// The number of arguments (the degree of the polynomial if not given)
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: Option<usize>,
+    /// The variable, if there are several symbols
+    #[arg(long, value_name = "NAME")]
+    pub variable: Option<String>,
+    /// How to derive it
+    #[arg(long, value_parser = parse_method, default_value = "elementary", value_name = "METHOD",
+          help = "elementary, probability, taylor, parts, laguerre or bezier")]
+    pub method: Method,
+    /// The value at these arguments; hat(v) is a vector
+    #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Show the steps
+    #[arg(long)]
+    pub steps: bool,
+}
+
+/// Which matrix.
+#[derive(Debug, Args)]
+pub(super) struct MatrixArguments {
+    /// The degree
+    #[arg(long, short = 'n', value_name = "N")]
+    pub degree: usize,
+    /// The basis of the given coefficients: power, bernstein, or e.g. [lagrange, 0, 1/2, 1]
+    #[arg(long, default_value = "bernstein", value_name = "BASIS")]
+    pub from: String,
+    /// The basis of the wanted coefficients
+    #[arg(long, default_value = "power", value_name = "BASIS")]
+    pub to: String,
+    /// The inverse of that matrix
+    #[arg(long)]
+    pub inverse: bool,
+    /// The interval of Bernstein bases
+    #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
+    pub interval: Option<String>,
+    /// The matrix from Bézier points of this degree to those of a higher one
+    #[arg(long, value_name = "M", conflicts_with_all = ["from", "to", "interval", "inverse"])]
+    pub raise_to: Option<usize>,
+    /// Show the steps, from Bézier points to powers or back
+    #[arg(long, conflicts_with_all = ["interval", "raise_to"])]
+    pub steps: bool,
 }
 
 /// What to ask about a Bézier curve.

@@ -5,17 +5,16 @@ use std::io::{self, IsTerminal, Read};
 use std::path::Path;
 
 use super::Status;
-use super::arguments::{Arguments, Command, FormatArgument, Global, Two};
+use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
+use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
 use super::output::{Output, Trouble};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::eval::Equals;
 use crate::language::functions::{BUILTINS, builtin};
 use crate::language::syntax;
-use crate::language::value::{Value, Verdict, symbol_expr};
-use crate::language::write::text;
-use crate::math::poly::Symbol;
+use crate::language::value::{PolarKind, Value, Verdict, symbol_expr};
 use crate::session::{Answer, Failure, Session, read};
 
 /// Why a command ends before its end.
@@ -112,80 +111,24 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
             Ok(status)
         }
         Command::Run { file, stop } => script(session, output, file, *stop),
-        Command::Polar { polynomial, degree, variable, method, at, steps } => {
-            let file = SourceFile::new("<polynomial>", polynomial.as_str());
-            let value = operand(session, &file)?;
-            let mut named = vec![];
-            if let Some(degree) = degree {
-                named.push(("degree", Expr::int(i64::try_from(*degree).unwrap_or(i64::MAX))));
-            }
-            if let Some(variable) = variable {
-                let file = SourceFile::new("<variable>", variable.as_str());
-                named.push(("variable", formula(&file)?));
-            }
-            session.env.set(Symbol::new("F"), value);
-            let whole = Span::new(0, polynomial.len());
-            let polar = query(session, &file, whole, "polar", vec![Expr::name("F")], named)?;
-            if *steps {
-                session.env.set(Symbol::new("F"), polar.clone());
-                let subject = vec![Expr::name("polar"), Expr::name("F")];
-                let method = vec![("method", Expr::name(method.name()))];
-                output.value(&query(session, &file, whole, "derive", subject, method)?, None)?;
-                if at.is_none() {
-                    return Ok(Status::Fine);
-                }
-            }
-            match at {
-                None => output.value(&polar, None)?,
-                Some(at) => {
-                    let file = SourceFile::new("<at>", at.as_str());
-                    let arguments = list(&file)?;
-                    session.env.set(Symbol::new("f"), polar.clone());
-                    let call = Expr::new(
-                        Kind::Apply(Box::new(Expr::name("f")), vec![arguments]),
-                        Span::new(0, at.len()),
-                    );
-                    let value = evaluated(session, &file, call.clone())?;
-                    output.value(&value, Some(call))?;
-                }
-            }
-            Ok(Status::Fine)
-        }
+        Command::Polar(wanted) => polar(wanted, session, output),
         Command::Sum(two) => combine(session, output, two, "sum"),
         Command::Product(two) => combine(session, output, two, "product"),
         Command::Compose(two) => combine(session, output, two, "compose"),
-        Command::Matrix { degree, from, to, inverse, interval, raise_to, steps } => {
-            // The query is written out, so that what is wrong is shown in it.
-            let query = match raise_to {
-                Some(m) => format!("raising({degree}, {m})"),
-                None if *steps => {
-                    let (from, to) = if *inverse { (to, from) } else { (from, to) };
-                    format!("derive({}, {degree})", derivable_matrix(from, to)?)
-                }
-                None => {
-                    let ends = match interval {
-                        Some(interval) => list(&SourceFile::new("<interval>", interval.as_str()))?,
-                        None => Vec::new(),
-                    };
-                    let from = basis("<from>", from, &ends)?;
-                    let to = basis("<to>", to, &ends)?;
-                    let (from, to) = if *inverse { (to, from) } else { (from, to) };
-                    format!("change_of_basis({degree}, {}, {})", text(&from), text(&to))
-                }
-            };
-            let matrix = operand(session, &SourceFile::new("<matrix>", query))?;
-            output.value(&matrix, None)?;
-            Ok(Status::Fine)
+        Command::Matrix(wanted) => {
+            let mut reader = ArgumentReader::default();
+            let query = matrix(&mut reader, wanted)?;
+            print(session, output, &reader, query)
         }
         Command::Bezier(arguments) => {
-            let query = SourceFile::new("<bezier>", super::curves::bezier(arguments));
-            output.value(&operand(session, &query)?, None)?;
-            Ok(Status::Fine)
+            let mut reader = ArgumentReader::default();
+            let query = super::curves::bezier(&mut reader, arguments)?;
+            print(session, output, &reader, query)
         }
         Command::Bspline(arguments) => {
-            let query = SourceFile::new("<bspline>", super::curves::bspline(arguments));
-            output.value(&operand(session, &query)?, None)?;
-            Ok(Status::Fine)
+            let mut reader = ArgumentReader::default();
+            let query = super::curves::bspline(&mut reader, arguments)?;
+            print(session, output, &reader, query)
         }
         Command::Interpolate(wanted) => super::interpolate::run(wanted, session, output),
         Command::Check { claim, given } => check(session, output, claim, given),
@@ -197,106 +140,159 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
     }
 }
 
-/// The derivation of the matrix from one basis to another.
-fn derivable_matrix(from: &str, to: &str) -> Result<&'static str, Box<Failure>> {
-    match (from.trim(), to.trim()) {
-        ("bernstein", "power") => Ok("matrix"),
-        ("power", "bernstein") => Ok("inverse_matrix"),
-        _ => {
-            let problem =
-                Diagnostic::error(Code::Unsupported, format!("there are no steps from {from} to {to}"))
-                    .hint("--steps is for the matrix from bernstein to power, and its inverse");
-            Err(Box::new(Failure { problem, file: SourceFile::new("<matrix>", "") }))
+/// Evaluates a query and prints what it gives.
+fn print(session: &mut Session, output: &Output, reader: &ArgumentReader, query: Expr) -> Ran {
+    output.value(&reader.evaluate(session, query)?, None)?;
+    Ok(Status::Fine)
+}
+
+fn polar(wanted: &PolarArguments, session: &mut Session, output: &Output) -> Ran {
+    let mut reader = ArgumentReader::default();
+    let (_, polynomial) = reader.operand(session, "polynomial", &wanted.polynomial)?;
+    let whole = polynomial.span;
+    let mut arguments = vec![polynomial];
+    if let Some(degree) = wanted.degree {
+        arguments.push(named("degree", reader.number("degree", degree)));
+    }
+    if let Some(variable) = &wanted.variable {
+        arguments.push(named("variable", reader.formula("variable", variable)?));
+    }
+    let value = reader.evaluate(session, call("polar", arguments, whole))?;
+    let form = bound(session, "<polar>", value.clone(), whole);
+    if wanted.steps {
+        let method = named("method", reader.word("method", wanted.method.name()));
+        let subject = Expr::new(Kind::Name("polar".to_owned()), whole);
+        let query = call("derive", vec![subject, form.clone(), method], whole);
+        output.value(&reader.evaluate(session, query)?, None)?;
+    }
+    match &wanted.at {
+        None if wanted.steps => {}
+        None => output.value(&value, None)?,
+        Some(at) => {
+            let arguments = polar_arguments(&mut reader, at, &value)?;
+            let shown = Expr::apply(Expr::name("f"), arguments.clone());
+            let query = applied(form, arguments, reader.last_span());
+            output.value(&reader.evaluate(session, query)?, Some(shown))?;
         }
+    }
+    Ok(Status::Fine)
+}
+
+/// `0, 1` and also `(0, 1)`, unless the arguments of the form are points: then `(0, 1)` is one of them.
+fn polar_arguments(reader: &mut ArgumentReader, at: &str, form: &Value) -> Failed<Vec<Expr>> {
+    let of_points = match form {
+        Value::Polar(polar) => matches!(polar.kind, PolarKind::Total(_)),
+        _ => false,
+    };
+    if !of_points {
+        return reader.arguments("at", at);
+    }
+    match reader.points("at", at)?.kind {
+        Kind::List(items) => Ok(items),
+        _ => Ok(Vec::new()),
+    }
+}
+
+/// The query of `polarform matrix`.
+fn matrix(reader: &mut ArgumentReader, wanted: &MatrixArguments) -> Failed<Expr> {
+    let degree = reader.number("degree", wanted.degree);
+    let whole = degree.span;
+    if let Some(higher) = wanted.raise_to {
+        let higher = reader.number("raise-to", higher);
+        let span = higher.span;
+        return Ok(call("raising", vec![degree, higher], span));
+    }
+    let from = named_basis(reader.formula("from", &wanted.from)?);
+    let to = named_basis(reader.formula("to", &wanted.to)?);
+    if wanted.steps {
+        let subject = if wanted.inverse { derivable(&to, &from) } else { derivable(&from, &to) };
+        let Some(subject) = subject else {
+            let message = format!("there are no steps from {} to {}", wanted.from, wanted.to);
+            let odd = if matches!(basis_name(&from), Some("bernstein" | "power")) { &to } else { &from };
+            let problem = Diagnostic::error(Code::Unsupported, message)
+                .at(odd.span)
+                .hint("--steps is for the matrix from bernstein to power, and its inverse");
+            return Err(reader.failure(problem));
+        };
+        let subject = Expr::new(Kind::Name(subject.to_owned()), whole);
+        return Ok(call("derive", vec![subject, degree], whole));
+    }
+    let (ends, span) = match &wanted.interval {
+        Some(interval) => (reader.arguments("interval", interval)?, reader.last_span()),
+        None => (Vec::new(), whole),
+    };
+    let (from, to) = (over(from, &ends, span), over(to, &ends, span));
+    let (from, to) = if wanted.inverse { (to, from) } else { (from, to) };
+    Ok(call("change_of_basis", vec![degree, from, to], span))
+}
+
+/// A basis whose name was read letter by letter, as LaTeX reads words, gets its name back.
+fn named_basis(basis: Expr) -> Expr {
+    const NAMES: [&str; 6] = ["power", "bernstein", "taylor", "lagrange", "newton", "hermite"];
+    let span = basis.span;
+    match basis.kind {
+        Kind::List(mut items) if !items.is_empty() => {
+            let name = named_basis(items.remove(0));
+            items.insert(0, name);
+            Expr::new(Kind::List(items), span)
+        }
+        Kind::Mul(letters) => {
+            let word: String = letters.iter().filter_map(basis_name).collect();
+            match NAMES.iter().find(|name| **name == word) {
+                Some(name) => Expr::new(Kind::Name((*name).to_owned()), span),
+                None => Expr::new(Kind::Mul(letters), span),
+            }
+        }
+        kind => Expr::new(kind, span),
+    }
+}
+
+fn basis_name(basis: &Expr) -> Option<&str> {
+    match &basis.kind {
+        Kind::Name(name) => Some(name),
+        _ => None,
+    }
+}
+
+/// The derivation of the matrix from one basis to another.
+fn derivable(from: &Expr, to: &Expr) -> Option<&'static str> {
+    match (basis_name(from)?, basis_name(to)?) {
+        ("bernstein", "power") => Some("matrix"),
+        ("power", "bernstein") => Some("inverse_matrix"),
+        _ => None,
     }
 }
 
 /// `bernstein` with the interval, other bases as they are.
-fn basis(name: &str, text: &str, ends: &[Expr]) -> Result<Expr, Box<Failure>> {
-    let expr = formula(&SourceFile::new(name, text))?;
-    let bernstein = matches!(&expr.kind, Kind::Name(word) if word == "bernstein" || word == "hermite");
-    if bernstein && !ends.is_empty() {
-        let items = std::iter::once(expr).chain(ends.iter().cloned()).collect();
-        return Ok(Kind::List(items).into());
+fn over(basis: Expr, ends: &[Expr], span: Span) -> Expr {
+    if ends.is_empty() || !matches!(basis_name(&basis), Some("bernstein" | "hermite")) {
+        return basis;
     }
-    Ok(expr)
+    Expr::new(Kind::List(std::iter::once(basis).chain(ends.iter().cloned()).collect()), span)
 }
 
 /// Reads a text as one formula.
-pub(super) fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
+fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
     read(file, None).map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
 }
 
-/// Reads `a, b, c`.
-pub(super) fn list(file: &SourceFile) -> Result<Vec<Expr>, Box<Failure>> {
-    Ok(match formula(file)? {
-        Expr { kind: Kind::Sequence(items), .. } => items,
-        one => vec![one],
-    })
-}
-
-pub(super) fn evaluated(
-    session: &mut Session,
-    file: &SourceFile,
-    mut expr: Expr,
-) -> Result<Value, Box<Failure>> {
-    match session.evaluate(&mut expr, Equals::Claims) {
-        Ok(outcome) => Ok(outcome.value),
-        Err(problem) => Err(Box::new(Failure { problem, file: file.clone() })),
-    }
-}
-
-/// The value of an operand given on the command line: `F(t) = t^2` is its right-hand side.
-pub(super) fn operand(session: &mut Session, file: &SourceFile) -> Result<Value, Box<Failure>> {
-    let answer = session.run_statement(file, None, Equals::DefinesUnbound)?;
-    Ok(answer.outcome.value)
-}
-
-/// name(arguments, named), with errors placed at `span` of the file.
-pub(super) fn query(
-    session: &mut Session,
-    file: &SourceFile,
-    span: Span,
-    name: &str,
-    arguments: Vec<Expr>,
-    named: Vec<(&str, Expr)>,
-) -> Result<Value, Box<Failure>> {
-    let mut items = arguments;
-    items.extend(named.into_iter().map(|(name, value)| Expr::relation(Expr::name(name), Rel::Eq, value)));
-    for item in &mut items {
-        if item.span == Span::default() {
-            item.span = span;
-        }
-        if let Kind::Chain(_, links) = &mut item.kind {
-            links.iter_mut().for_each(|link| link.expr.span = span);
-        }
-    }
-    let call = Expr::new(Kind::Apply(Box::new(Expr::name(name)), vec![items]), span);
-    evaluated(session, file, call)
-}
-
 fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran {
-    let (f_file, g_file) = (SourceFile::new("<F>", two.f.as_str()), SourceFile::new("<G>", two.g.as_str()));
-    let f = operand(session, &f_file)?;
-    let g = operand(session, &g_file)?;
-    session.env.set(Symbol::new("F"), f.clone());
-    session.env.set(Symbol::new("G"), g.clone());
-    let whole = Span::new(0, two.f.len());
+    let mut reader = ArgumentReader::default();
+    let (_, f) = reader.operand(session, "F", &two.f)?;
+    let (_, g) = reader.operand(session, "G", &two.g)?;
+    let whole = f.span;
     // Both operands are made polar forms first, so that what is wrong is shown where it stands.
-    let (f_name, g_name) = (Expr::name("F"), Expr::name("G"));
-    let f_polar = query(session, &f_file, whole, "polar", vec![f_name.clone()], vec![])?;
-    let g_whole = Span::new(0, two.g.len());
-    let g_polar = query(session, &g_file, g_whole, "polar", vec![g_name.clone()], vec![])?;
-    session.env.set(Symbol::new("F"), f_polar.clone());
-    session.env.set(Symbol::new("G"), g_polar.clone());
+    let mut polar = |name: &str, operand: Expr| -> Failed<Expr> {
+        let span = operand.span;
+        let value = reader.evaluate(session, call("polar", vec![operand], span))?;
+        Ok(bound(session, name, value, span))
+    };
+    let mut operands = vec![polar("<polar F>", f)?, polar("<polar G>", g)?];
     if two.steps {
-        let subject = vec![Expr::name(name), f_name, g_name];
-        let derivation = query(session, &f_file, whole, "derive", subject, vec![])?;
-        output.value(&derivation, None)?;
-        return Ok(Status::Fine);
+        operands.insert(0, Expr::new(Kind::Name(name.to_owned()), whole));
+        return print(session, output, &reader, call("derive", operands, whole));
     }
-    let name = format!("polar_{name}");
-    let value = query(session, &f_file, whole, &name, vec![f_name, g_name], vec![])?;
+    let value = reader.evaluate(session, call(&format!("polar_{name}"), operands, whole))?;
     output.value(&value, Some(Expr::name("h")))?;
     Ok(Status::Fine)
 }

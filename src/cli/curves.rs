@@ -1,101 +1,132 @@
-//! The commands about curves: each writes out a query of the language.
+//! The commands about curves: each is a query of the language.
 
+use super::argument_reader::{ArgumentReader, Failed, applied, call, named};
 use super::arguments::{BezierArguments, BsplineArguments, Change};
+use crate::formula::Expr;
 
-/// `[…]` around a list that has no brackets of its own around all of it.
-fn bracketed(list: &str) -> String {
-    let trimmed = list.trim();
-    let mut depth = 0;
-    let closes_at_end = trimmed.starts_with('[')
-        && trimmed.char_indices().find_map(|(i, c)| {
-            depth += i32::from(c == '[') - i32::from(c == ']');
-            (depth == 0).then_some(i)
-        }) == Some(trimmed.len() - 1);
-    // `[[0, 0], [1, 2]]` is a list of points, `[0, 0]` a single point.
-    if closes_at_end && trimmed[1..].trim_start().starts_with('[') {
-        trimmed.to_owned()
-    } else {
-        format!("[{trimmed}]")
-    }
+/// function(curve, items); what is wrong with the call is wrong with the items.
+fn with_items(
+    reader: &mut ArgumentReader,
+    function: &str,
+    curve: Expr,
+    option: &str,
+    text: &str,
+) -> Failed<Expr> {
+    let mut arguments = vec![curve];
+    arguments.extend(reader.arguments(option, text)?);
+    Ok(call(function, arguments, reader.last_span()))
 }
 
 /// The curve with the changes made.
-fn changed(mut query: String, change: &Change) -> String {
+fn changed(reader: &mut ArgumentReader, mut curve: Expr, change: &Change) -> Expr {
     for (name, order) in
         [("elevate", change.elevate), ("reduce", change.reduce), ("derivative", change.derivative)]
     {
         if let Some(order) = order {
-            query = format!("{name}({query}, {order})");
+            let order = reader.number(name, order);
+            let span = order.span;
+            curve = call(name, vec![curve, order], span);
         }
     }
-    query
+    curve
+}
+
+/// The value at a parameter.
+fn at(reader: &mut ArgumentReader, curve: Expr, text: &str) -> Failed<Expr> {
+    let parameter = reader.arguments("at", text)?;
+    Ok(applied(curve, parameter, reader.last_span()))
+}
+
+/// The weights, if there are any, among the arguments of a curve.
+fn weigh(reader: &mut ArgumentReader, curve: &mut Vec<Expr>, weights: Option<&String>) -> Failed<()> {
+    if let Some(weights) = weights {
+        curve.push(named("weights", reader.list("weights", weights)?));
+    }
+    Ok(())
 }
 
 /// The query of `polarform bezier`.
-pub(super) fn bezier(arguments: &BezierArguments) -> String {
-    let interval = arguments.interval.as_ref().map_or(String::new(), |ends| format!(", {ends}"));
-    let weights = arguments.weights.as_ref().map_or(String::new(), |list| format!(", weights=[{list}]"));
-    let curve = format!("bezier({}{interval}{weights})", bracketed(&arguments.points));
-    let curve = changed(curve, &arguments.change);
+pub(super) fn bezier(reader: &mut ArgumentReader, arguments: &BezierArguments) -> Failed<Expr> {
+    let mut curve = vec![reader.points("points", &arguments.points)?];
+    let mut span = reader.last_span();
+    if let Some(ends) = &arguments.interval {
+        curve.extend(reader.arguments("interval", ends)?);
+        span = reader.last_span();
+    }
+    weigh(reader, &mut curve, arguments.weights.as_ref())?;
+    let curve = call("bezier", curve, span);
+    let curve = changed(reader, curve, &arguments.change);
     if let Some(t) = &arguments.at {
-        format!("{curve}({t})")
+        at(reader, curve, t)
     } else if let Some(list) = &arguments.scheme {
-        format!("casteljau({curve}, {list})")
+        with_items(reader, "casteljau", curve, "scheme", list)
     } else if let Some(list) = &arguments.subdivide {
-        format!("subdivide({curve}, {list})")
+        with_items(reader, "subdivide", curve, "subdivide", list)
     } else {
-        curve
+        Ok(curve)
     }
 }
 
 /// The query of `polarform bspline`.
-pub(super) fn bspline(arguments: &BsplineArguments) -> String {
-    let start = format!("{}, [{}]", arguments.degree, arguments.knots);
+pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments) -> Failed<Expr> {
+    let degree = reader.number("degree", arguments.degree);
+    let knots = reader.list("knots", &arguments.knots)?;
+    let span = knots.span;
     let Some(points) = &arguments.points else {
-        let index = arguments.basis.unwrap_or(0);
-        let function = format!("bspline_basis({start}, {index})");
-        let function = match arguments.change.derivative {
-            Some(order) => format!("derivative({function}, {order})"),
-            None => function,
-        };
-        return match &arguments.at {
-            Some(t) => format!("{function}({t})"),
-            None => function,
-        };
+        return basis_function(reader, arguments, vec![degree, knots]);
     };
-    let weights = arguments.weights.as_ref().map_or(String::new(), |list| format!(", weights=[{list}]"));
-    let mut curve = format!("bspline({start}, {}{weights})", bracketed(points));
+    let mut curve = vec![degree, knots, reader.points("points", points)?];
+    weigh(reader, &mut curve, arguments.weights.as_ref())?;
+    let mut curve = call("bspline", curve, span);
     if let Some(list) = &arguments.insert {
-        curve = format!("insert_knots({curve}, {list})");
+        curve = with_items(reader, "insert_knots", curve, "insert", list)?;
     }
     if let Some(t) = &arguments.remove {
-        curve = format!("remove_knot({curve}, {t})");
+        curve = with_items(reader, "remove_knot", curve, "remove", t)?;
     }
-    let curve = changed(curve, &arguments.change);
+    let curve = changed(reader, curve, &arguments.change);
+    let span = curve.span;
     if let Some(t) = &arguments.at {
-        format!("{curve}({t})")
+        at(reader, curve, t)
     } else if let Some(list) = &arguments.scheme {
-        let span = arguments.span.map_or(String::new(), |j| format!(", span={j}"));
-        format!("deboor({curve}, {list}{span})")
+        scheme(reader, curve, list, arguments.span)
     } else if arguments.pieces {
-        format!("pieces({curve})")
+        Ok(call("pieces", vec![curve], span))
     } else if arguments.labels {
-        format!("labels({curve})")
+        Ok(call("labels", vec![curve], span))
     } else {
-        curve
+        Ok(curve)
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::bracketed;
-
-    #[test]
-    fn lists_get_one_pair_of_brackets() {
-        assert_eq!(bracketed("1, 2"), "[1, 2]");
-        assert_eq!(bracketed("[0, 0], [1, 2]"), "[[0, 0], [1, 2]]");
-        assert_eq!(bracketed("[[0, 0], [1, 2]]"), "[[0, 0], [1, 2]]");
-        assert_eq!(bracketed("[0, 0]"), "[[0, 0]]");
-        assert_eq!(bracketed(""), "[]");
+fn basis_function(
+    reader: &mut ArgumentReader,
+    arguments: &BsplineArguments,
+    mut start: Vec<Expr>,
+) -> Failed<Expr> {
+    let span = reader.last_span();
+    start.push(reader.number("basis", arguments.basis.unwrap_or(0)));
+    let function = call("bspline_basis", start, span);
+    let function = match arguments.change.derivative {
+        Some(order) => {
+            let order = reader.number("derivative", order);
+            call("derivative", vec![function, order], reader.last_span())
+        }
+        None => function,
+    };
+    match &arguments.at {
+        Some(t) => at(reader, function, t),
+        None => Ok(function),
     }
+}
+
+/// De Boor's scheme.
+fn scheme(reader: &mut ArgumentReader, curve: Expr, list: &str, interval: Option<usize>) -> Failed<Expr> {
+    let mut arguments = vec![curve];
+    arguments.extend(reader.arguments("scheme", list)?);
+    let span = reader.last_span();
+    if let Some(interval) = interval {
+        arguments.push(named("span", reader.number("span", interval)));
+    }
+    Ok(call("deboor", arguments, span))
 }

@@ -1,23 +1,22 @@
 //! `polarform figure`: a figure function of the language, written as a file.
 
-use std::fmt::Write as _;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use super::Status;
+use super::argument_reader::{ArgumentReader, Failed, call, named};
 use super::arguments::{FormatArgument, Global};
-use super::commands::{Ran, evaluated, formula, give};
+use super::commands::{Ran, give};
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
 use super::output::{Output, PREVIEW, Trouble};
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
-use crate::formula::Kind;
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::syntax;
 use crate::language::value::Value;
-use crate::language::write::{Format, text};
+use crate::language::write::Format;
 use crate::scene::Scene;
-use crate::session::{Failure, Session};
+use crate::session::Session;
 use crate::weave::write_file;
 
 /// What is written.
@@ -39,15 +38,15 @@ pub(super) fn run(
     // What cannot be written is refused before anything is computed.
     let target = target(arguments, global.format)?;
     give(session, &arguments.given)?;
-    let query = SourceFile::new("<figure>", query(arguments)?);
-    let mut expr = formula(&query)?;
-    expr.span = Span::new(0, query.text().len());
-    let value = evaluated(session, &query, expr)?;
+    let mut reader = ArgumentReader::default();
+    let query = query(&mut reader, arguments)?;
+    let whole = query.span;
+    let value = reader.evaluate(session, query)?;
     let Value::Figure(scene) = &value else {
         let problem = Diagnostic::error(Code::Type, format!("this is no figure but {}", value.kind()))
-            .at(Span::new(0, query.text().len()))
+            .at(whole)
             .hint("polarform functions lists the functions that draw");
-        return Err(Box::new(Failure { problem, file: query }).into());
+        return Err(reader.failure(problem).into());
     };
     let scene = changed((**scene).clone(), arguments);
     let drawing = output.limited(|| draw(&scene, target, arguments))?;
@@ -128,56 +127,65 @@ fn by_extension(path: &Path) -> Result<Target, Diagnostic> {
     }
 }
 
-/// The query of the language, written out, so that what is wrong is shown in it.
-fn query(arguments: &FigureArguments) -> Result<String, Box<Failure>> {
+/// The query of the language.
+fn query(reader: &mut ArgumentReader, arguments: &FigureArguments) -> Failed<Expr> {
     let mut parts = Vec::with_capacity(arguments.queries.len());
+    let mut whole = Span::default();
     for (i, query) in arguments.queries.iter().enumerate() {
         let name = match arguments.queries.len() {
-            1 => "<query>".to_owned(),
-            _ => format!("<query {}>", i + 1),
+            1 => "query".to_owned(),
+            _ => format!("query {}", i + 1),
         };
-        parts.push(part(&SourceFile::new(name, query.as_str()), arguments.kind)?);
+        parts.extend(part(reader, &name, query, arguments.kind)?);
+        if i == 0 {
+            whole = reader.last_span();
+        }
     }
     let Some(function) = arguments.kind.function() else {
-        return Ok(parts.join(", "));
+        return Ok(match parts.len() {
+            1 => parts.remove(0),
+            _ => Expr::new(Kind::Sequence(parts), whole),
+        });
     };
     if let Some(at) = &arguments.at {
-        let at = part(&SourceFile::new("<at>", at.as_str()), FigureKind::Query)?;
-        parts.push(format!("at=[{at}]"));
+        parts.push(named("at", reader.list("at", at)?));
     }
-    let flags = [
-        (arguments.hull, "hull=1"),
-        (arguments.no_polygon, "polygon=0"),
-        (arguments.bezier_points, "bezier=1"),
-        (arguments.no_weights, "weights=0"),
-    ];
-    parts.extend(flags.iter().filter(|(wanted, _)| *wanted).map(|(_, flag)| (*flag).to_owned()));
+    for (wanted, option, name, value) in [
+        (arguments.hull, "hull", "hull", 1),
+        (arguments.no_polygon, "no-polygon", "polygon", 0),
+        (arguments.bezier_points, "bezier-points", "bezier", 1),
+        (arguments.no_weights, "no-weights", "weights", 0),
+    ] {
+        if wanted {
+            parts.push(named(name, reader.flag(option, value)));
+        }
+    }
     if let Some(labels) = arguments.labels {
-        parts.push(format!("labels={}", labels.word()));
+        parts.push(named("labels", reader.word("labels", labels.word())));
     }
     if let Some(apex) = arguments.apex {
-        parts.push(format!("apex={}", apex.word()));
+        parts.push(named("apex", reader.word("apex", apex.word())));
     }
     if let Some(order) = arguments.order {
-        parts.push(format!("order={order}"));
+        parts.push(named("order", reader.number("order", order)));
     }
-    let mut query = String::new();
-    let _ = write!(query, "{function}({})", parts.join(", "));
-    Ok(query)
+    Ok(call(function, parts, whole))
 }
 
-/// One query as it stands in the call: LaTeX becomes plain notation, and points without brackets
-/// around them become a list.
-fn part(file: &SourceFile, kind: FigureKind) -> Result<String, Box<Failure>> {
-    let expr = formula(file)?;
-    let plain =
-        if syntax::looks_like_latex(file.text()) { text(&expr) } else { file.text().trim().to_owned() };
-    let points = match &expr.kind {
-        Kind::Sequence(items) => {
-            // Calls make curves; anything else is a point or an ordinate.
-            items.iter().all(|item| !matches!(item.kind, Kind::Apply(..)))
-        }
-        _ => false,
-    };
-    Ok(if points && kind.takes_points() { format!("[{plain}]") } else { plain })
+/// One query as it stands in the call: points without brackets around them become a list.
+fn part(reader: &mut ArgumentReader, name: &str, text: &str, kind: FigureKind) -> Failed<Vec<Expr>> {
+    if !kind.takes_points() {
+        let formula = reader.formula(name, text)?;
+        return Ok(match formula.kind {
+            Kind::Sequence(items) => items,
+            _ => vec![formula],
+        });
+    }
+    let items = reader.items(name, text)?;
+    // Calls make curves; anything else is a point or an ordinate.
+    Ok(if items.len() > 1 && items.iter().all(|item| !matches!(item.kind, Kind::Apply(..))) {
+        vec![Expr::new(Kind::List(items), reader.last_span())]
+    } else {
+        items
+    })
 }

@@ -1,34 +1,26 @@
 //! `polarform interpolate`: queries for polynomials and splines through points.
 
 use super::Status;
+use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
 use super::arguments::{Interpolate, Interpolation};
-use super::commands::{Ran, evaluated, formula, list, operand, query};
+use super::commands::Ran;
 use super::output::Output;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Value, symbol_expr};
-use crate::language::write::{Format, text};
+use crate::language::write::Format;
 use crate::math::poly::Symbol;
 use crate::session::{Failure, Session};
 
-type Failed<T> = Result<T, Box<Failure>>;
-
 pub(super) fn run(wanted: &Interpolate, session: &mut Session, output: &Output) -> Ran {
     fitting(wanted)?;
-    let file = SourceFile::new("<variable>", wanted.variable.as_str());
-    let variable = variable(session, &file)?;
-    // Queries are written out, so that what is wrong is shown in them.
-    let ask = |session: &mut Session, text: String| operand(session, &SourceFile::new("<interpolate>", text));
-    let Data { positional, options } = data(wanted)?;
-    let call = |function: &str, more: &str| format!("{function}({positional}{options}{more})");
-    let named = |function: &str| call(function, &format!(", variable={}", wanted.variable));
+    let mut reader = ArgumentReader::default();
+    let (variable, symbol) = variable(&mut reader, session, &wanted.variable)?;
+    let data = Data::read(&mut reader, wanted)?;
     let at = match &wanted.at {
         None => None,
-        Some(at) => {
-            let file = SourceFile::new("<at>", at.as_str());
-            Some((operand(session, &file)?, formula(&file)?, file))
-        }
+        Some(at) => Some(reader.formula("at", at)?),
     };
     let (function, letter) = match wanted.method {
         Interpolation::Lagrange | Interpolation::Neville | Interpolation::Aitken => ("lagrange", "p"),
@@ -37,22 +29,20 @@ pub(super) fn run(wanted: &Interpolate, session: &mut Session, output: &Output) 
         Interpolation::Spline => ("cubic_spline", "S"),
         Interpolation::LeastSquares => ("least_squares", "p"),
     };
-    let value = ask(session, named(function))?;
-    let t = || symbol_expr(&variable);
+    let value = reader.evaluate(session, data.with_variable(function, &variable))?;
+    let t = || symbol_expr(&symbol);
     if wanted.steps {
-        let parameter = wanted.at.as_deref().unwrap_or(&wanted.variable);
+        let parameter = || at.clone().unwrap_or_else(|| variable.clone());
         let steps = match wanted.method {
-            Interpolation::Lagrange => {
-                format!("lagrange_basis({}, variable={})", nodes(wanted)?, wanted.variable)
-            }
-            Interpolation::Newton => call("divided_differences", ""),
-            Interpolation::Hermite => call("hermite_table", ""),
-            Interpolation::Neville => call("neville", &format!(", {parameter}")),
-            Interpolation::Aitken => call("aitken", &format!(", {parameter}")),
-            Interpolation::Spline => call("spline_system", ""),
-            Interpolation::LeastSquares => named("least_squares_report"),
+            Interpolation::Lagrange => data.of_nodes("lagrange_basis", &variable),
+            Interpolation::Newton => data.call("divided_differences", vec![]),
+            Interpolation::Hermite => data.call("hermite_table", vec![]),
+            Interpolation::Neville => data.call("neville", vec![parameter()]),
+            Interpolation::Aitken => data.call("aitken", vec![parameter()]),
+            Interpolation::Spline => data.call("spline_system", vec![]),
+            Interpolation::LeastSquares => data.with_variable("least_squares_report", &variable),
         };
-        match ask(session, steps)? {
+        match reader.evaluate(session, steps)? {
             Value::List(items) => {
                 for (j, item) in items.iter().enumerate() {
                     output.value(item, Some(Expr::apply(Expr::indexed("L", j as i64), vec![t()])))?;
@@ -63,10 +53,9 @@ pub(super) fn run(wanted: &Interpolate, session: &mut Session, output: &Output) 
     }
     match at {
         None => named_value(output, &value, Expr::apply(Expr::name(letter), vec![t()]))?,
-        Some((parameter, shown, file)) => {
-            session.env.set(Symbol::new("u"), parameter);
-            let found = value_at(session, &file, &value, &variable)?;
-            output.value(&found, Some(Expr::apply(Expr::name(letter), vec![shown])))?;
+        Some(at) => {
+            let found = value_at(&reader, session, &value, &variable, &at)?;
+            output.value(&found, Some(Expr::apply(Expr::name(letter), vec![at])))?;
         }
     }
     Ok(Status::Fine)
@@ -102,108 +91,114 @@ fn failure(problem: Diagnostic, option: &str, text: &str) -> Box<Failure> {
     Box::new(Failure { problem: problem.at(Span::new(0, text.len())), file })
 }
 
-fn variable(session: &mut Session, file: &SourceFile) -> Failed<Symbol> {
-    let value = operand(session, file)?;
+/// The variable as it was given, and what it is.
+fn variable(reader: &mut ArgumentReader, session: &mut Session, name: &str) -> Failed<(Expr, Symbol)> {
+    let variable = reader.formula("variable", name)?;
+    let value = reader.evaluate(session, variable.clone())?;
     let symbol = value.as_scalar().and_then(|f| match f.as_polynomial()?.variables() {
         [symbol] if value == Value::symbol(symbol.clone()) => Some(symbol.clone()),
         _ => None,
     });
-    symbol.ok_or_else(|| {
-        let problem = Diagnostic::error(Code::Type, format!("expected a variable, found {}", value.kind()));
-        failure(problem.hint("a single letter such as s"), "variable", file.text())
-    })
+    match symbol {
+        Some(symbol) => Ok((variable, symbol)),
+        None => {
+            let message = format!("expected a variable, found {}", value.kind());
+            let problem = Diagnostic::error(Code::Type, message).at(variable.span);
+            Err(reader.failure(problem.hint("a single letter such as s")))
+        }
+    }
 }
 
-/// The first arguments of a query, and those with names.
+/// What is interpolated, and how.
 struct Data {
-    positional: String,
-    options: String,
+    nodes: Expr,
+    /// The arguments of a query.
+    all: Vec<Expr>,
 }
 
-fn data(wanted: &Interpolate) -> Failed<Data> {
-    let nodes = nodes(wanted)?;
-    let positional = match wanted.method {
-        Interpolation::Hermite => hermite_rows(wanted)?,
-        _ => format!("{nodes}, {}", bracketed("values", &wanted.values)?),
-    };
-    let mut options = String::new();
-    if let Some(degree) = wanted.degree {
-        options.push_str(&format!(", {degree}"));
-    }
-    for (name, given) in [("slopes", &wanted.slopes), ("weights", &wanted.weights)] {
-        if let Some(given) = given {
-            options.push_str(&format!(", {name}={}", bracketed(name, given)?));
+impl Data {
+    fn read(reader: &mut ArgumentReader, wanted: &Interpolate) -> Failed<Self> {
+        let (nodes, mut all) = match wanted.method {
+            Interpolation::Hermite => {
+                let rows = hermite_rows(reader, wanted)?;
+                (rows.clone(), vec![rows])
+            }
+            _ => {
+                let nodes = reader.list("nodes", &wanted.nodes)?;
+                (nodes.clone(), vec![nodes, reader.list("values", &wanted.values)?])
+            }
+        };
+        if let Some(degree) = wanted.degree {
+            all.push(reader.number("degree", degree));
         }
-    }
-    for (name, option, given) in [("ends", "ends", &wanted.ends), ("method", "by", &wanted.by)] {
-        if let Some(given) = given {
-            let word = formula(&SourceFile::new(format!("<{option}>"), given.as_str()))?;
-            options.push_str(&format!(", {name}={}", text(&word)));
+        for (name, given) in [("slopes", &wanted.slopes), ("weights", &wanted.weights)] {
+            if let Some(given) = given {
+                all.push(named(name, reader.list(name, given)?));
+            }
         }
-    }
-    Ok(Data { positional, options })
-}
-
-fn nodes(wanted: &Interpolate) -> Failed<String> {
-    bracketed("nodes", &wanted.nodes)
-}
-
-/// `0, 1, 2` as a list; a list or a range stays one.
-fn bracketed(name: &str, given: &str) -> Failed<String> {
-    let items = list(&SourceFile::new(format!("<{name}>"), given))?;
-    Ok(match items.as_slice() {
-        [Expr { kind: Kind::Range(..), .. }] => text(&items[0]),
-        [Expr { kind: Kind::List(inner), .. }] if !inner.iter().any(is_list) || inner.iter().all(is_list) => {
-            text(&items[0])
+        for (name, option, given) in [("ends", "ends", &wanted.ends), ("method", "by", &wanted.by)] {
+            if let Some(given) = given {
+                all.push(named(name, reader.formula(option, given)?));
+            }
         }
-        _ => text(&Kind::List(items).into()),
-    })
-}
+        Ok(Data { nodes, all })
+    }
 
-fn is_list(expr: &Expr) -> bool {
-    matches!(expr.kind, Kind::List(_))
+    fn call(&self, function: &str, more: Vec<Expr>) -> Expr {
+        call(function, self.all.iter().cloned().chain(more).collect(), self.nodes.span)
+    }
+
+    fn with_variable(&self, function: &str, variable: &Expr) -> Expr {
+        self.call(function, vec![named("variable", variable.clone())])
+    }
+
+    fn of_nodes(&self, function: &str, variable: &Expr) -> Expr {
+        call(function, vec![self.nodes.clone(), named("variable", variable.clone())], self.nodes.span)
+    }
 }
 
 /// `[[x_0, f, f', …], …]`
-fn hermite_rows(wanted: &Interpolate) -> Failed<String> {
-    let nodes = list(&SourceFile::new("<nodes>", wanted.nodes.as_str()))?;
-    let values = list(&SourceFile::new("<values>", wanted.values.as_str()))?;
+fn hermite_rows(reader: &mut ArgumentReader, wanted: &Interpolate) -> Failed<Expr> {
+    let nodes = reader.items("nodes", &wanted.nodes)?;
+    let whole = reader.last_span();
+    let values = reader.items("values", &wanted.values)?;
     if nodes.len() != values.len() {
         let message = format!("{} lists of values needed, {} given", nodes.len(), values.len());
-        let problem = Diagnostic::error(Code::Shape, message).hint("give [f, f', ...] for each node");
-        return Err(failure(problem, "values", &wanted.values));
+        let problem = Diagnostic::error(Code::Shape, message).at(reader.last_span());
+        return Err(reader.failure(problem.hint("give [f, f', ...] for each node")));
     }
     let rows = nodes.into_iter().zip(values).map(|(node, own)| {
+        let span = node.span;
         let mut row = vec![node];
         match own.kind {
-            Kind::List(items) => row.extend(items),
+            Kind::List(items) | Kind::Tuple(items) => row.extend(items),
             _ => row.push(own),
         }
-        Kind::List(row).into()
+        Expr::new(Kind::List(row), span)
     });
-    Ok(text(&Kind::List(rows.collect()).into()))
+    Ok(Expr::new(Kind::List(rows.collect()), whole))
 }
 
-/// The value of what was found at the parameter called u.
-fn value_at(session: &mut Session, file: &SourceFile, value: &Value, variable: &Symbol) -> Failed<Value> {
-    let span = Span::new(0, file.text().len());
+/// The value of what was found, at a parameter.
+fn value_at(
+    reader: &ArgumentReader,
+    session: &mut Session,
+    value: &Value,
+    variable: &Expr,
+    at: &Expr,
+) -> Failed<Value> {
+    let span = at.span;
+    let found = bound(session, "<found>", value.clone(), span);
     match value {
         Value::List(items) => items
             .iter()
-            .map(|item| value_at(session, file, item, variable))
+            .map(|item| value_at(reader, session, item, variable, at))
             .collect::<Failed<_>>()
             .map(Value::List),
         Value::Scalar(_) => {
-            session.env.set(Symbol::new("p"), value.clone());
-            let arguments = vec![Expr::name("p"), symbol_expr(variable), Expr::name("u")];
-            query(session, file, span, "subs", arguments, vec![])
+            reader.evaluate(session, call("subs", vec![found, variable.clone(), at.clone()], span))
         }
-        _ => {
-            session.env.set(Symbol::new("S"), value.clone());
-            let argument = Expr::new(Kind::Name("u".to_owned()), span);
-            let call = Kind::Apply(Box::new(Expr::name("S")), vec![vec![argument]]);
-            evaluated(session, file, Expr::new(call, span))
-        }
+        _ => reader.evaluate(session, applied(found, vec![at.clone()], span)),
     }
 }
 

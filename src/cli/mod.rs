@@ -1,5 +1,6 @@
 //! The command line: the only place that prints.
 
+mod argument_reader;
 mod arguments;
 mod commands;
 mod curves;

@@ -11,13 +11,14 @@ use rustyline::history::FileHistory;
 use rustyline::{Config, Editor};
 
 use super::Status;
+use super::argument_reader::{ArgumentReader, call, named};
 use super::commands;
 use super::output::{Output, Trouble};
 use super::repl_helper::Helper;
 use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::eval::Equals;
 use crate::language::functions::BUILTINS;
 use crate::language::value::{Notation, Value, symbol_expr};
 use crate::language::write::{Format, text};
@@ -324,14 +325,20 @@ impl Repl<'_> {
         if polynomial.trim().is_empty() {
             return Err(usage(":steps POLYNOMIAL, or :steps taylor POLYNOMIAL"));
         }
-        let query = format!("derive(polar, {polynomial}, method={method})");
-        let file = SourceFile::new("<steps>", query);
+        let mut reader = ArgumentReader::default();
+        // What follows the polynomial may be named arguments, such as degree = 3.
+        let query = reader.items("steps", polynomial).map(|mut arguments| {
+            let whole = reader.last_span();
+            arguments.insert(0, Expr::new(Kind::Name("polar".to_owned()), whole));
+            arguments.push(named("method", reader.word("method", method.name())));
+            call("derive", arguments, whole)
+        });
         // The names stay as they are: only the value is of interest.
         let before = self.session.env.clone();
-        let result = self.session.run_statement(&file, None, Equals::Claims);
+        let result = query.and_then(|query| reader.evaluate(self.session, query));
         self.session.env = before;
         match result {
-            Ok(answer) => self.output.value(&answer.outcome.value, None)?,
+            Ok(derivation) => self.output.value(&derivation, None)?,
             Err(failure) => self.output.failure(&failure),
         }
         Ok(())

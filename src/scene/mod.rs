@@ -39,6 +39,7 @@ pub use item::{
     Anchor, Axis, Direction, Entry, Item, Label, Marker, Orientation, Path, Segment, Shape, Size, Text, Tick,
 };
 pub use layout::layout;
+#[cfg(feature = "figure")]
 pub(crate) use page::trace;
 pub use page::{Extent, Layout, Mark, Placed, Rect, Stroke};
 pub use sample::{bezier_path, rational_bezier_path};
@@ -164,6 +165,7 @@ impl Scene {
     }
 
     /// The same without legends and captions.
+    #[cfg(feature = "figure")]
     pub(crate) fn without_words_below(mut self) -> Self {
         for panel in &mut self.panels {
             panel.legend.clear();

@@ -6,6 +6,7 @@ mod suggest;
 
 pub use code::Code;
 pub use render::{render, render_json};
+#[cfg(feature = "notes")]
 pub(crate) use render::{shortened, with_column};
 pub use suggest::nearest;
 

@@ -16,6 +16,7 @@
 //! Dijkstra's shunting-yard algorithm (*Algol 60 translation*, 1961).
 
 mod chars;
+mod items;
 mod lexer;
 mod parser;
 mod statement;
@@ -24,6 +25,7 @@ mod token;
 #[cfg(test)]
 mod tests;
 
+pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub use token::MAX_TOKENS;
 

@@ -52,6 +52,7 @@ pub use latex::{latex, write_latex};
 pub use sympy::{WriteError, sympy, write_sympy};
 pub use table::{latex_table, table_json, write_table};
 pub use text::{text, write_text};
+#[cfg(feature = "figure")]
 pub(crate) use unicode::relation as unicode_relation;
 pub use unicode::{unicode, write_unicode};
 pub use words::write_words;
