@@ -10,8 +10,8 @@ use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Clause, Function, Parameter, Polar, PolarKind, Shape, Value};
-use crate::math::number::{Combinations, Int, Rational};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::number::Combinations;
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 /// F^(k) of a function given by one formula, or the polar form of the derivative.
@@ -70,24 +70,10 @@ pub(crate) fn integrate(
     variable: &Symbol,
     bounds: Option<(&Fraction, &Fraction)>,
 ) -> Result<Fraction, Diagnostic> {
-    let coefficients = coefficients_in(formula, variable)?;
-    let primitive: Vec<Fraction> = std::iter::once(num_traits::Zero::zero())
-        .chain(
-            coefficients
-                .iter()
-                .enumerate()
-                .map(|(i, c)| c.scaled(&Rational::new(Int::ONE, Int::from(i + 1)))),
-        )
-        .collect();
-    let at = |x: &Fraction| {
-        primitive
-            .iter()
-            .rev()
-            .fold(Fraction::from_rational(&Rational::from_integer(Int::ZERO)), |s, c| s.times(x).plus(c))
-    };
+    let primitive = Coefficients::new(coefficients_in(formula, variable)?).antiderivative();
     Ok(match bounds {
-        Some((a, b)) => at(b).minus(&at(a)),
-        None => at(&Fraction::from(crate::math::poly::MultiPoly::symbol(variable.clone()))),
+        Some((a, b)) => primitive.value(b).minus(&primitive.value(a)),
+        None => primitive.value(&Fraction::from(MultiPoly::symbol(variable.clone()))),
     })
 }
 

@@ -12,7 +12,7 @@ use crate::language::eval::wrong_kind;
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{self, BezierCurve, Tableau, affine};
 use crate::math::number::Rational;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
 
@@ -270,9 +270,10 @@ pub(super) const TABLE: &[Builtin] = &[
                 2 => args.scalar(1)?,
                 _ => Fraction::from(MultiPoly::symbol(Symbol::new("t"))),
             };
-            let lifted = |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Vec<_>>();
+            let lifted =
+                |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Coefficients<_>>();
             let basis = curve::bezier_edge_basis(n);
-            Ok(scalar_list(basis.iter().map(|p| crate::math::piecewise::horner(&lifted(p), &t))))
+            Ok(scalar_list(basis.iter().map(|p| lifted(p).value(&t))))
         },
     },
     Builtin {

@@ -6,7 +6,7 @@ use crate::language::eval::arguments::{self, Arguments};
 use crate::language::eval::arithmetic::{self, division_by_zero};
 use crate::language::eval::{calculus, wrong_kind};
 use crate::language::value::Value;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -282,27 +282,9 @@ fn divided(args: &Arguments, signature: &str) -> Result<(Fraction, Fraction)> {
     let given: Option<Symbol> = if args.len() > 2 { Some(args.symbol(2)?) } else { None };
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
     let variable = arguments::variable_of(&f.plus(&g), given).at(args.span(0))?;
-    let mut rest = arguments::coefficients_in(&f, &variable).at(args.span(0))?;
-    let mut by = arguments::coefficients_in(&g, &variable).at(args.span(1))?;
-    while by.last().is_some_and(Zero::is_zero) {
-        by.pop();
-    }
-    let lead = by
-        .last()
-        .and_then(crate::math::ring::Field::inverse)
-        .ok_or_else(|| division_by_zero().at(args.span(1)))?;
-    let mut quotient = vec![Fraction::zero(); (rest.len() + 1).saturating_sub(by.len()).max(1)];
-    while rest.len() >= by.len() {
-        crate::budget::steps(by.len() as u32);
-        let Some(top) = rest.pop() else { break };
-        let shift = rest.len() + 1 - by.len();
-        let factor = top.times(&lead);
-        for (j, c) in by[..by.len() - 1].iter().enumerate() {
-            rest[shift + j] = rest[shift + j].minus(&c.times(&factor));
-        }
-        quotient[shift] = factor;
-    }
+    let dividend = Coefficients::new(arguments::coefficients_in(&f, &variable).at(args.span(0))?);
+    let divisor = Coefficients::new(arguments::coefficients_in(&g, &variable).at(args.span(1))?);
+    let (quotient, rest) = dividend.div_rem(&divisor).ok_or_else(|| division_by_zero().at(args.span(1)))?;
     let t = Fraction::from(MultiPoly::symbol(variable));
-    let horner = |list: &[Fraction]| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&t).plus(c));
-    Ok((horner(&quotient), horner(&rest)))
+    Ok((quotient.value(&t), rest.value(&t)))
 }

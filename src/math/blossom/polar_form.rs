@@ -18,6 +18,7 @@ use std::fmt;
 
 use super::evaluator::Evaluator;
 use crate::math::number::{Int, Rational, binomial_row};
+use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
 use num_integer::Integer;
 
@@ -175,13 +176,9 @@ impl<C: Ring> PolarForm<C> {
         &self.coefficients
     }
 
-    /// The power coefficients of the diagonal F(t) = f(t, …, t), without leading zeros.
-    pub fn diagonal(&self) -> Vec<C> {
-        let mut list = self.coefficients.clone();
-        while list.last().is_some_and(C::is_zero) {
-            list.pop();
-        }
-        list
+    /// The diagonal F(t) = f(t, …, t).
+    pub fn diagonal(&self) -> Coefficients<C> {
+        Coefficients::new(self.coefficients.clone())
     }
 
     /// c_i / C(n, i): the coefficients of the elementary symmetric functions e_i.

@@ -74,7 +74,7 @@ impl Fraction {
         }
         let primitive = denominator.primitive_part();
         // denominator = factor · primitive with a rational factor.
-        let factor = exact(&denominator, &primitive).as_constant().unwrap_or_else(Rational::one);
+        let factor = denominator.leading_coefficient() / primitive.leading_coefficient();
         let result = Fraction { numerator: numerator.scaled(&factor.recip()), denominator: primitive };
         debug_assert!(result.is_canonical());
         result
