@@ -10,6 +10,8 @@ fn main() -> Result<(), PolarError> {
     let polynomial = Poly::from_coefficients([1, 5, 3, 1].map(integer).to_vec());
     let f = PolarForm::new(polynomial.coefficients());
 
+    println!("{f}");
+
     // Points give values; equal points give values of F.
     println!("f(0, 1, 2) = {}", f.value_at(&[0, 1, 2].map(integer))?);
     let half = rational(1, 2);

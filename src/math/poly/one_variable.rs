@@ -267,7 +267,7 @@ mod tests {
         assert_eq!(in_t(&[(2_000_000_000, 1), (0, -1)], 1).pow(2).len(), 3);
         let far = in_t(&[(2_000_000_000, 1), (1, -1)], 1);
         assert_eq!(far.pow(2).len(), 3);
-        assert_eq!(in_t(&[(2, 1), (1, 1), (0, 1)], 1).substitute(&[(Symbol::new("t"), far)]).len(), 5);
+        assert_eq!(in_t(&[(2, 1), (1, 1), (0, 1)], 1).substitute(&[(Symbol::new("t"), far)]).len(), 6);
     }
 
     #[test]
