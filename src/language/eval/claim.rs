@@ -432,7 +432,7 @@ pub(crate) fn find_witness(
             })
             .collect();
         let at = |f: &Fraction| {
-            f.evaluate(&|symbol: &Symbol| {
+            f.value(&|symbol: &Symbol| {
                 assignment.iter().find(|(name, _)| name == symbol).map(|(_, value)| value.clone())
             })
         };

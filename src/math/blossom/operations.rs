@@ -162,7 +162,7 @@ mod tests {
             for (i, point) in points.iter().enumerate() {
                 let mut arguments = vec![a.clone(); f.degree() - i];
                 arguments.extend(vec![b.clone(); i]);
-                assert_eq!(f.value_at(&arguments).as_ref(), Ok(point));
+                assert_eq!(f.value(&arguments).as_ref(), Ok(point));
             }
             assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b), Ok(f));
         }
@@ -176,7 +176,7 @@ mod tests {
             }
             let derivative = f.derivative(k);
             let expected = list.iter().rev().fold(integer(0), |s, c| s * integer(t) + c);
-            let value = derivative.value_at(&vec![integer(t); derivative.degree()]);
+            let value = derivative.value(&vec![integer(t); derivative.degree()]);
             assert_eq!(value, Ok(expected));
         }
     }

@@ -46,7 +46,7 @@ proptest! {
         for (points, labels) in tableau.levels.iter().zip(&tableau.labels) {
             for (point, label) in points.iter().zip(labels) {
                 for (x, form) in point.iter().zip(&forms) {
-                    prop_assert_eq!(x, &form.value_at(label).unwrap());
+                    prop_assert_eq!(x, &form.value(label).unwrap());
                 }
             }
         }

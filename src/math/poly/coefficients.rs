@@ -314,7 +314,7 @@ mod tests {
 
     fn at_zero(p: &Coefficients<Fraction>) -> Coefficients<Rational> {
         let zero = |_: &Symbol| Some(integer(0));
-        Coefficients::new(p.iter().map(|c| c.evaluate(&zero).unwrap()).collect())
+        Coefficients::new(p.iter().map(|c| c.value(&zero).unwrap()).collect())
     }
 
     proptest! {

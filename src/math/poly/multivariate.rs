@@ -433,7 +433,7 @@ impl MultiPoly {
 
     /// Puts in numbers for some symbols. Integers for all of them are the fast case: powers and
     /// one sum, whatever the degree.
-    pub fn evaluate(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Self {
+    pub fn value(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Self {
         if let [symbol] = &*self.vars {
             return match value(symbol) {
                 Some(x) => MultiPoly::constant(one_variable::value(self, &x)),

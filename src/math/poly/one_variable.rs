@@ -242,7 +242,7 @@ mod tests {
             prop_assert!(a.times(&b).is_canonical());
             prop_assert_eq!(at(&a.times(&b)), at(&a) * at(&b));
             prop_assert_eq!(at(&a.pow(3)), at(&a).powered(3));
-            prop_assert_eq!(a.evaluate(&|_: &Symbol| Some(x.clone())).as_constant(), Some(at(&a)));
+            prop_assert_eq!(a.value(&|_: &Symbol| Some(x.clone())).as_constant(), Some(at(&a)));
             let composed = a.substitute(&[(t, b.clone())]);
             prop_assert!(composed.is_canonical());
             prop_assert_eq!(at(&composed), by_terms(&a, &at(&b)));

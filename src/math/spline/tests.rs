@@ -100,7 +100,7 @@ proptest! {
         let forms = piece.polar_forms();
         for (points, labels) in tableau.tableau.levels.iter().zip(&tableau.tableau.labels) {
             for (point, label) in points.iter().zip(labels) {
-                let expected: Vec<Rational> = forms.iter().map(|f| f.value_at(label).unwrap()).collect();
+                let expected: Vec<Rational> = forms.iter().map(|f| f.value(label).unwrap()).collect();
                 prop_assert_eq!(point, &expected);
             }
         }
