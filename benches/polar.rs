@@ -18,7 +18,7 @@ use polarform::write::{Format, write_expanded};
 fn checksum(form: &PolarForm<Rational>) -> u64 {
     let points: Vec<Rational> =
         (1..=form.degree()).map(|i| Rational::from_integer(Int::from(point(i as u64)))).collect();
-    modp(&Evaluator::new(form).value_at(&points).expect("as many points as arguments"))
+    modp(&Evaluator::new(form).value(&points).expect("as many points as arguments"))
 }
 
 /// Every monomial written out; the output goes to memory.
@@ -59,11 +59,11 @@ fn values(c: &mut Criterion) {
         let (coefficients, points) = in_w3(n);
         let form = PolarForm::new(coefficients);
         let evaluator = Evaluator::new(&form);
-        let value = evaluator.value_at(&points).expect("as many points as arguments");
+        let value = evaluator.value(&points).expect("as many points as arguments");
         assert_eq!(modp(&value), expected(&format!("W3/{n}")));
-        group.bench_function(format!("W3/{n}"), |b| b.iter(|| evaluator.value_at(black_box(&points))));
+        group.bench_function(format!("W3/{n}"), |b| b.iter(|| evaluator.value(black_box(&points))));
         group.bench_function(format!("W3/{n}, unprepared"), |b| {
-            b.iter(|| black_box(&form).value_at(black_box(&points)));
+            b.iter(|| black_box(&form).value(black_box(&points)));
         });
     }
     group.finish();

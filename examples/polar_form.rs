@@ -10,11 +10,13 @@ fn main() -> Result<(), PolarError> {
     let polynomial = Poly::from_coefficients([1, 5, 3, 1].map(integer).to_vec());
     let f = PolarForm::new(polynomial.coefficients());
 
+    println!("{f}");
+
     // Points give values; equal points give values of F.
-    println!("f(0, 1, 2) = {}", f.value_at(&[0, 1, 2].map(integer))?);
+    println!("f(0, 1, 2) = {}", f.value(&[0, 1, 2].map(integer))?);
     let half = rational(1, 2);
-    let diagonal = f.value_at(&[half.clone(), half.clone(), half.clone()])?;
-    assert_eq!(diagonal, polynomial.eval(&half));
+    let diagonal = f.value(&[half.clone(), half.clone(), half.clone()])?;
+    assert_eq!(diagonal, polynomial.value(&half));
     println!("f(1/2, 1/2, 1/2) = F(1/2) = {diagonal}");
 
     // A unit vector for one argument gives a third of the derivative: F'(t) = 3 f(t, t, 1̂).
@@ -22,12 +24,12 @@ fn main() -> Result<(), PolarError> {
     let slope =
         f.value(&[Argument::Point(t.clone()), Argument::Point(t.clone()), Argument::Vector(integer(1))])?
             * integer(3);
-    assert_eq!(slope, polynomial.derivative().eval(&t));
+    assert_eq!(slope, polynomial.derivative().value(&t));
     println!("F'(2) = 3 f(2, 2, 1^) = {slope}");
 
     // Putting in one argument leaves a polar form of degree 2.
     let rest = f.partial(&[Argument::Point(integer(1))])?;
-    println!("f(1, 0, 1) = {}", rest.value_at(&[0, 1].map(integer))?);
+    println!("f(1, 0, 1) = {}", rest.value(&[0, 1].map(integer))?);
 
     // The Bézier points over [0, 1] are f(0,0,0), f(0,0,1), f(0,1,1), f(1,1,1).
     let points = f.bezier_points(&integer(0), &integer(1));

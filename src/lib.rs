@@ -10,7 +10,8 @@
 //!
 //! // F(t) = t^2 + 2t, whose polar form is f(t1, t2) = t1 t2 + t1 + t2
 //! let f = PolarForm::new([0, 2, 1].map(integer).to_vec());
-//! assert_eq!(f.value_at(&[integer(2), integer(3)])?, integer(11));
+//! assert_eq!(f.to_string(), "f(t1, t2) = t1 t2 + (t1 + t2)");
+//! assert_eq!(f.value(&[integer(2), integer(3)])?, integer(11));
 //!
 //! // Vectors give derivatives: F'(3) = 2 f(3, 1̂) = 8
 //! let half = f.value(&[Argument::Point(integer(3)), Argument::Vector(integer(1))])?;

@@ -326,7 +326,7 @@ fn latex_in_any_argument() {
 }
 
 /// The place that a message shows, and the line with the caret.
-fn place(ran: &common::Run) -> (String, String) {
+fn place(ran: &crate::common::Run) -> (String, String) {
     let line = |start: &str| ran.err.lines().find(|line| line.trim_start().starts_with(start));
     let caret = ran.err.lines().find(|line| line.contains('^')).unwrap_or_default();
     (line("--> ").unwrap_or_default().trim().to_owned(), caret.trim_start_matches([' ', '|']).to_owned())

@@ -139,8 +139,8 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
             }
             // > on the open interval
             let open =
-                f.count_roots(&from, &to).is_some_and(|roots| roots == usize::from(f.eval(&to).is_zero()));
-            return if open && f.eval(&middle).is_positive() {
+                f.count_roots(&from, &to).is_some_and(|roots| roots == usize::from(f.value(&to).is_zero()));
+            return if open && f.value(&middle).is_positive() {
                 Outcome::Holds
             } else {
                 Outcome::Unclear("equality occurs within the range".to_owned())
@@ -152,9 +152,9 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
         let steps = 64;
         for k in 0..=steps {
             let at = &from + (&to - &from) * Rational::new(k.into(), steps.into());
-            let value = f.eval(&at);
+            let value = f.value(&at);
             if value.is_negative() {
-                let put = |formula: &Fraction| formula.evaluate(&|s| (s == variable).then(|| at.clone()));
+                let put = |formula: &Fraction| formula.value(&|s| (s == variable).then(|| at.clone()));
                 if let (Some(left_value), Some(right_value)) = (put(a), put(b)) {
                     let witness = Witness {
                         assignment: vec![(variable.clone(), at.clone())],

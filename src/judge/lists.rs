@@ -70,7 +70,7 @@ impl Checker {
             let points: Vec<Vec<Fraction>> = (1..=degree as i64)
                 .map(|i| variables.iter().map(|v| Fraction::from(MultiPoly::symbol(v.numbered(i)))).collect())
                 .collect();
-            let expanded = form.value_at(&points).ok()?;
+            let expanded = form.value(&points).ok()?;
             let outcome = super::compare::relation(
                 Rel::Eq,
                 &Value::Scalar(claimed.clone()),

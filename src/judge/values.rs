@@ -318,7 +318,7 @@ fn find_witness(
             })
             .collect();
         let at = |f: &Fraction| {
-            f.evaluate(&|symbol: &Symbol| {
+            f.value(&|symbol: &Symbol| {
                 assignment.iter().find(|(name, _)| name == symbol).map(|(_, value)| value.clone())
             })
         };

@@ -1,7 +1,7 @@
 //! Piecewise polynomials, exact, with breakpoints that may be symbols.
 //!
 //! Definition: breakpoints x_0 < x_1 < … < x_m and on each [x_i, x_{i+1}) one polynomial, kept
-//! by its power coefficients in t (lowest first, no leading zero). The last interval includes
+//! by its coefficients in t. The last interval includes
 //! its end, unless the function is made half-open. Outside, the function is 0 or has no value, as [`Outside`] says.
 //!
 //! **Invariant.** m ≥ 1; two neighbouring breakpoints are never equal, and in increasing order
@@ -16,7 +16,7 @@ use std::fmt;
 use num_traits::{Signed, Zero};
 
 use crate::budget;
-use crate::math::number::{Int, Rational};
+use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
 
 /// What a piecewise polynomial is outside of its breakpoints.
@@ -87,7 +87,7 @@ pub fn compare<C: Ring>(x: &C, y: &C) -> Option<Ordering> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piecewise<C> {
     breaks: Vec<C>,
-    pieces: Vec<Vec<C>>,
+    pieces: Vec<Coefficients<C>>,
     outside: Outside,
     half_open: bool,
 }
@@ -110,7 +110,11 @@ impl<C: Ring> Piecewise<C> {
     /// assert_eq!(hat.smoothness(1), Some(0));
     /// # Ok::<(), polarform::piecewise::PiecewiseError>(())
     /// ```
-    pub fn new(breaks: Vec<C>, pieces: Vec<Vec<C>>, outside: Outside) -> Result<Self, PiecewiseError> {
+    pub fn new(
+        breaks: Vec<C>,
+        pieces: Vec<impl Into<Coefficients<C>>>,
+        outside: Outside,
+    ) -> Result<Self, PiecewiseError> {
         if pieces.is_empty() || breaks.len() != pieces.len() + 1 {
             return Err(PiecewiseError::Counts { breaks: breaks.len(), pieces: pieces.len() });
         }
@@ -119,7 +123,7 @@ impl<C: Ring> Piecewise<C> {
                 return Err(PiecewiseError::Order { index: i + 1 });
             }
         }
-        let pieces = pieces.into_iter().map(trimmed).collect();
+        let pieces = pieces.into_iter().map(Into::into).collect();
         Ok(Piecewise { breaks, pieces, outside, half_open: false })
     }
 
@@ -128,7 +132,7 @@ impl<C: Ring> Piecewise<C> {
     #[must_use]
     pub fn half_open(mut self) -> Self {
         let end = &self.breaks[self.breaks.len() - 1];
-        self.half_open = !horner(&self.pieces[self.pieces.len() - 1], end).is_zero();
+        self.half_open = !self.pieces[self.pieces.len() - 1].value(end).is_zero();
         self
     }
 
@@ -142,8 +146,8 @@ impl<C: Ring> Piecewise<C> {
         &self.breaks
     }
 
-    /// The power coefficients of each piece, lowest first, without leading zeros.
-    pub fn pieces(&self) -> &[Vec<C>] {
+    /// The polynomial on each interval.
+    pub fn pieces(&self) -> &[Coefficients<C>] {
         &self.pieces
     }
 
@@ -154,7 +158,7 @@ impl<C: Ring> Piecewise<C> {
 
     /// The largest degree of a piece; 0 for the zero function.
     pub fn degree(&self) -> usize {
-        self.pieces.iter().map(|piece| piece.len().saturating_sub(1)).max().unwrap_or(0)
+        self.pieces.iter().filter_map(Coefficients::degree).max().unwrap_or(0)
     }
 
     /// Which piece a parameter lies on: i with x_i ≤ t < x_{i+1}, the last one at its end.
@@ -175,7 +179,7 @@ impl<C: Ring> Piecewise<C> {
                 Outside::Zero => Ok(C::zero()),
                 Outside::Undefined => Err(PiecewiseError::OutsideDomain),
             },
-            Ok(i) => Ok(horner(&self.pieces[i], t)),
+            Ok(i) => Ok(self.pieces[i].value(t)),
             Err(PiecewiseError::OutsideDomain) if self.outside == Outside::Zero => Ok(C::zero()),
             Err(error) => Err(error),
         }
@@ -183,13 +187,7 @@ impl<C: Ring> Piecewise<C> {
 
     /// The k-th derivative on each piece.
     pub fn derivative(&self, k: usize) -> Self {
-        let pieces = self.pieces.iter().map(|piece| {
-            let mut piece = piece.clone();
-            for _ in 0..k.min(piece.len()) {
-                piece = derivative(&piece);
-            }
-            piece
-        });
+        let pieces = self.pieces.iter().map(|piece| piece.nth_derivative(k));
         Piecewise { pieces: pieces.collect(), ..self.clone() }.settled()
     }
 
@@ -198,10 +196,10 @@ impl<C: Ring> Piecewise<C> {
         let mut start = C::zero();
         let mut pieces = Vec::with_capacity(self.pieces.len());
         for (piece, ends) in self.pieces.iter().zip(self.breaks.windows(2)) {
-            let mut primitive = antiderivative(piece);
-            let shift = start.minus(&horner(&primitive, &ends[0]));
-            add_constant(&mut primitive, shift);
-            start = horner(&primitive, &ends[1]);
+            let primitive = piece.antiderivative();
+            let shift = start.minus(&primitive.value(&ends[0]));
+            let primitive = primitive.plus(&Coefficients::constant(shift));
+            start = primitive.value(&ends[1]);
             pieces.push(primitive);
         }
         Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined, half_open: false }
@@ -211,7 +209,7 @@ impl<C: Ring> Piecewise<C> {
     pub fn integral(&self) -> C {
         let primitive = self.antiderivative();
         let last = primitive.breaks.last().expect("there are at least two breakpoints");
-        horner(&primitive.pieces[primitive.pieces.len() - 1], last)
+        primitive.pieces[primitive.pieces.len() - 1].value(last)
     }
 
     /// The largest k ≤ degree such that the pieces meet with equal derivatives of order 0, …, k
@@ -221,15 +219,14 @@ impl<C: Ring> Piecewise<C> {
     /// If i is not in 1..m.
     pub fn smoothness(&self, i: usize) -> Option<usize> {
         assert!(i >= 1 && i < self.pieces.len(), "an inner breakpoint");
-        let difference = subtracted(&self.pieces[i], &self.pieces[i - 1]);
-        let mut rest = trimmed(difference);
+        let mut rest = self.pieces[i].minus(&self.pieces[i - 1]);
         let mut order = None;
         for k in 0..=self.degree() {
-            if !horner(&rest, &self.breaks[i]).is_zero() {
+            if !rest.value(&self.breaks[i]).is_zero() {
                 break;
             }
             order = Some(k);
-            rest = derivative(&rest);
+            rest = rest.derivative();
         }
         order
     }
@@ -237,7 +234,7 @@ impl<C: Ring> Piecewise<C> {
     /// The same function with neighbouring equal pieces joined.
     pub fn merged(&self) -> Self {
         let mut breaks = vec![self.breaks[0].clone()];
-        let mut pieces: Vec<Vec<C>> = Vec::new();
+        let mut pieces: Vec<Coefficients<C>> = Vec::new();
         for (piece, end) in self.pieces.iter().zip(&self.breaks[1..]) {
             if pieces.last() == Some(piece) {
                 breaks.pop();
@@ -250,8 +247,8 @@ impl<C: Ring> Piecewise<C> {
     }
 
     /// The function with every piece changed by a map of polynomials.
-    pub fn map(&self, mut change: impl FnMut(&[C]) -> Vec<C>) -> Self {
-        let pieces = self.pieces.iter().map(|piece| trimmed(change(piece))).collect();
+    pub fn map(&self, change: impl FnMut(&Coefficients<C>) -> Coefficients<C>) -> Self {
+        let pieces = self.pieces.iter().map(change).collect();
         Piecewise { pieces, ..self.clone() }.settled()
     }
 
@@ -284,16 +281,14 @@ impl<C: Ring> Piecewise<C> {
             .collect();
         let (&first, &last) = (kept.first()?, kept.last()?);
         let breaks = breaks[first..=last + 1].to_vec();
-        let piece = |f: &Self, a: &C| -> Vec<C> {
+        let piece = |f: &Self, a: &C| -> Coefficients<C> {
             match f.locate(a) {
                 Ok(i) if a != &f.breaks[f.breaks.len() - 1] => f.pieces[i].clone(),
-                _ => Vec::new(),
+                _ => Coefficients::zero(),
             }
         };
-        let pieces = breaks[..breaks.len() - 1]
-            .iter()
-            .map(|a| trimmed(added(&piece(self, a), &piece(other, a))))
-            .collect();
+        let pieces =
+            breaks[..breaks.len() - 1].iter().map(|a| piece(self, a).plus(&piece(other, a))).collect();
         let outside = match (self.outside, other.outside) {
             (Outside::Zero, Outside::Zero) => Outside::Zero,
             _ => Outside::Undefined,
@@ -346,77 +341,6 @@ pub fn interval_of<C: Ring>(breaks: &[C], t: &C) -> Result<usize, PiecewiseError
     Err(PiecewiseError::Unordered)
 }
 
-/// p without leading zeros.
-pub fn trimmed<C: Ring>(mut p: Vec<C>) -> Vec<C> {
-    while p.last().is_some_and(Zero::is_zero) {
-        p.pop();
-    }
-    p
-}
-
-/// p(t)
-pub fn horner<C: Ring>(p: &[C], t: &C) -> C {
-    p.iter().rev().fold(C::zero(), |sum, c| {
-        budget::step();
-        sum.times(t).plus(c)
-    })
-}
-
-/// p + q
-pub fn added<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
-    let (long, short) = if p.len() >= q.len() { (p, q) } else { (q, p) };
-    let mut sum = long.to_vec();
-    for (x, y) in sum.iter_mut().zip(short) {
-        *x = x.plus(y);
-    }
-    sum
-}
-
-/// p − q
-pub fn subtracted<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
-    let negative: Vec<C> = q.iter().map(|c| -c.clone()).collect();
-    added(p, &negative)
-}
-
-/// p q. Cost: the product of their lengths.
-pub fn multiplied<C: Ring>(p: &[C], q: &[C]) -> Vec<C> {
-    if p.is_empty() || q.is_empty() {
-        return Vec::new();
-    }
-    budget::charge_terms((p.len() + q.len()) as u64);
-    let mut product = vec![C::zero(); p.len() + q.len() - 1];
-    for (i, x) in p.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-        for (j, y) in q.iter().enumerate() {
-            budget::step();
-            product[i + j] += x.times(y);
-        }
-    }
-    product
-}
-
-/// p'
-pub fn derivative<C: Ring>(p: &[C]) -> Vec<C> {
-    p.iter().enumerate().skip(1).map(|(k, c)| c.scaled(&Rational::from_integer(Int::from(k)))).collect()
-}
-
-/// The antiderivative that is 0 at 0.
-pub fn antiderivative<C: Ring>(p: &[C]) -> Vec<C> {
-    let share = |k: usize| Rational::new(Int::ONE, Int::from(k + 1));
-    let terms = p.iter().enumerate().map(|(k, c)| c.scaled(&share(k)));
-    trimmed(std::iter::once(C::zero()).chain(terms).collect())
-}
-
-fn add_constant<C: Ring>(p: &mut Vec<C>, c: C) {
-    match p.first_mut() {
-        Some(first) => *first += c,
-        None if c.is_zero() => {}
-        None => p.push(c),
-    }
-    while p.last().is_some_and(Zero::is_zero) {
-        p.pop();
-    }
-}
-
 impl<C: Field> Piecewise<C> {
     /// (t − a)/(b − a) put in for t: the function over other parameters, breakpoints moved along.
     ///
@@ -424,18 +348,9 @@ impl<C: Field> Piecewise<C> {
     pub fn reparameterized(&self, origin: &C, scale: &C) -> Option<Self> {
         let inverse = scale.inverse()?;
         let moved = |x: &C| x.minus(origin).times(&inverse);
-        let substituted = |p: &Vec<C>| {
-            p.iter().rev().fold(Vec::new(), |sum: Vec<C>, c| {
-                let mut next = multiplied(&sum, &[origin.clone(), scale.clone()]);
-                if next.is_empty() {
-                    next.push(C::zero());
-                }
-                next[0] += c.clone();
-                trimmed(next)
-            })
-        };
+        let back = Coefficients::new(vec![origin.clone(), scale.clone()]);
         let mut breaks: Vec<C> = self.breaks.iter().map(moved).collect();
-        let mut pieces: Vec<Vec<C>> = self.pieces.iter().map(substituted).collect();
+        let mut pieces: Vec<Coefficients<C>> = self.pieces.iter().map(|p| p.compose(&back)).collect();
         if scale.as_rational().is_some_and(|q| q.is_negative()) {
             breaks.reverse();
             pieces.reverse();
@@ -447,7 +362,7 @@ impl<C: Field> Piecewise<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::number::{integer as z, rational as q};
+    use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
     fn hat() -> Piecewise<Rational> {
@@ -492,7 +407,7 @@ mod tests {
             Piecewise::new(vec![z(0), z(1), z(2), z(3)], vec![p.clone(), p.clone(), vec![]], Outside::Zero);
         let merged = f.unwrap().merged();
         assert_eq!(merged.breaks(), [z(0), z(2), z(3)]);
-        assert_eq!(merged.pieces(), [p, vec![]]);
+        assert_eq!(merged.pieces(), [p.into(), Coefficients::zero()]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::language::value::Value;
 use crate::math::basis;
 use crate::math::blossom::{Argument, PolarForm};
 use crate::math::number::Rational;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -147,7 +147,7 @@ impl Model {
             self.record.borrow_mut().unknown.insert(head.base.clone());
             (0..=USUAL_DEGREE as i64).map(|k| variable(name.numbered(k))).collect()
         };
-        Ok(Value::Scalar(coefficients.iter().rev().fold(zero(), |sum, c| sum.times(z).plus(c))))
+        Ok(Value::Scalar(Coefficients::new(coefficients).value(z)))
     }
 
     fn diagonal(&self, machine: &mut Machine, small: &str, argument: &Value) -> Option<Evaluated> {

@@ -264,7 +264,7 @@ fn is_nonzero_from(p: &MultiPoly, n: &Symbol, start: &Linear) -> bool {
     let bound = sizes.iter().copied().max().unwrap_or(0).saturating_add(1);
     bound <= MAX_ROOT
         && (start..=bound).all(|x| {
-            let value = p.evaluate(&|_| Some(integer(x)));
+            let value = p.value(&|_| Some(integer(x)));
             value.as_constant().is_some_and(|value| !value.is_zero())
         })
 }

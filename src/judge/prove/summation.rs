@@ -21,7 +21,7 @@ use super::linear::Linear;
 use super::term::{Term, add};
 use crate::budget;
 use crate::math::number::{Int, Rational, binomial};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 
 /// Polynomials of higher degree in the variable are not summed.
@@ -497,6 +497,6 @@ impl<'a> Sum<'a> {
             q[k] = rest.times(&divisor);
         }
         let j = Fraction::from(MultiPoly::symbol(self.variable.clone()));
-        Some(q.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&j).plus(c)))
+        Some(Coefficients::new(q).value(&j))
     }
 }

@@ -57,7 +57,7 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         arguments.extend(vec![integer(1); j]);
         arguments.extend(vec![integer(0); k - j]);
         // There are n arguments.
-        form.value_at(&arguments).unwrap_or_else(|_| Fraction::zero())
+        form.value(&arguments).unwrap_or_else(|_| Fraction::zero())
     };
     for j in (0..=k).rev() {
         let sides = [with(ends(j)), polynomial_expr(&value(j))];

@@ -137,7 +137,7 @@ impl Pair<'_> {
         let body = |form: &PolarForm<Fraction>, offset: usize| {
             let arguments: Vec<Fraction> =
                 (1..=form.degree()).map(|k| symbol(&self.t.numbered((offset + k) as i64))).collect();
-            form.value_at(&arguments).map_or_else(|_| Expr::int(0), |value| polynomial_expr(&value))
+            form.value(&arguments).map_or_else(|_| Expr::int(0), |value| polynomial_expr(&value))
         };
         if m == 0 || n == 0 {
             lines.push(line(
@@ -190,10 +190,10 @@ impl Pair<'_> {
             .map(|block| {
                 let arguments: Vec<Fraction> =
                     block.iter().map(|&k| symbol(&self.t.numbered(k as i64 + 1))).collect();
-                self.right.value_at(&arguments).ok()
+                self.right.value(&arguments).ok()
             })
             .collect();
-        if let Some(value) = values.and_then(|values| self.left.value_at(&values).ok()) {
+        if let Some(value) = values.and_then(|values| self.left.value(&values).ok()) {
             lines.push(line(chain([outer(&first), polynomial_expr(&value)]), Reason::DistinctInside));
         }
         let count = block_count(m, n);

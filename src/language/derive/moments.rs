@@ -6,7 +6,7 @@ use super::words::{AtEnds, Reason, Title};
 use crate::formula::{Delimiter, Expr, Kind, Sign, Term};
 use crate::language::value::{Derivation, Form, Line, polynomial_expr};
 use crate::math::curve::Point;
-use crate::math::interpolate::{CubicSpline, Datum, End, Ends, SplineSystem, Unknowns};
+use crate::math::interpolate::{CubicSpline, End, Ends, SplineSystem, Unknowns, value_of};
 use crate::math::number::integer;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -189,8 +189,7 @@ impl Moments<'_> {
             linear(i + 1, before()),
         ]);
         let power = self.spline.power(i);
-        let start = power[0].origin();
-        let by_powers = power.iter().rev().fold(start, |sum, c| sum.multiple(&t).added(c));
+        let by_powers = value_of(&power, &t).expect("a piece has four coefficients");
         let left = || Expr::apply(name("S", i), vec![variable()]);
         [
             line(chain([left(), general]), Reason::Piece(i)),

@@ -8,7 +8,7 @@ use super::words::{Reason, Title};
 use crate::formula::{Expr, Kind, Sign, Term};
 use crate::language::value::{Derivation, Form, Line, polynomial_expr};
 use crate::math::curve::Point;
-use crate::math::interpolate::{Datum, DividedDifferences};
+use crate::math::interpolate::{Datum, DividedDifferences, value_of};
 use crate::math::number::{Rational, factorial};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
@@ -129,8 +129,7 @@ impl Newton<'_> {
             }
         });
         let by_power = self.table.newton_form().to_power();
-        let start = by_power[0].origin();
-        let by_powers = by_power.iter().rev().fold(start, |sum, c| sum.multiple(&t).added(c));
+        let by_powers = value_of(&by_power, &t).expect("a table has at least one value");
         [
             line(chain([left(), Expr::sum(names.collect())]), Reason::NewtonForm),
             line(chain([left(), Expr::sum(numbers.collect())]), Reason::NumbersPutIn),

@@ -15,7 +15,7 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{self, BezierCurve, Tableau, affine};
 use crate::math::number::Rational;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
 
@@ -279,9 +279,10 @@ pub(super) const TABLE: &[Builtin] = &[
             crate::budget::charge_terms((n as u64 + 1).saturating_mul(n as u64 + 1));
             let letter = || Fraction::from(MultiPoly::symbol(Symbol::new("t")));
             let t = args.optional_scalar(1)?.unwrap_or_else(letter);
-            let lifted = |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Vec<_>>();
+            let lifted =
+                |p: &Vec<Rational>| p.iter().map(Fraction::from_rational).collect::<Coefficients<_>>();
             let basis = curve::bezier_edge_basis(n);
-            Ok(scalar_list(basis.iter().map(|p| crate::math::piecewise::horner(&lifted(p), &t))))
+            Ok(scalar_list(basis.iter().map(|p| lifted(p).value(&t))))
         },
         ..NEW
     },

@@ -7,7 +7,7 @@ use crate::language::eval::Arguments;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::ops::{arithmetic, calculus, formula};
 use crate::language::value::Value;
-use crate::math::poly::{Fraction, MultiPoly};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -316,27 +316,9 @@ fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let given = args.optional_symbol(2)?;
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
     let variable = formula::variable_of(&f.plus(&g), given).at(args.span(0))?;
-    let mut rest = formula::coefficients_in(&f, &variable).at(args.span(0))?;
-    let mut by = formula::coefficients_in(&g, &variable).at(args.span(1))?;
-    while by.last().is_some_and(Zero::is_zero) {
-        by.pop();
-    }
-    let lead = by
-        .last()
-        .and_then(crate::math::ring::Field::inverse)
-        .ok_or_else(|| division_by_zero().at(args.span(1)))?;
-    let mut quotient = vec![Fraction::zero(); (rest.len() + 1).saturating_sub(by.len()).max(1)];
-    while rest.len() >= by.len() {
-        crate::budget::steps(by.len() as u32);
-        let Some(top) = rest.pop() else { break };
-        let shift = rest.len() + 1 - by.len();
-        let factor = top.times(&lead);
-        for (j, c) in by[..by.len() - 1].iter().enumerate() {
-            rest[shift + j] = rest[shift + j].minus(&c.times(&factor));
-        }
-        quotient[shift] = factor;
-    }
+    let dividend = Coefficients::new(formula::coefficients_in(&f, &variable).at(args.span(0))?);
+    let divisor = Coefficients::new(formula::coefficients_in(&g, &variable).at(args.span(1))?);
+    let (quotient, rest) = dividend.div_rem(&divisor).ok_or_else(|| division_by_zero().at(args.span(1)))?;
     let t = Fraction::from(MultiPoly::symbol(variable));
-    let horner = |list: &[Fraction]| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&t).plus(c));
-    Ok((horner(&quotient), horner(&rest)))
+    Ok((quotient.value(&t), rest.value(&t)))
 }

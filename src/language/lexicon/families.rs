@@ -3,8 +3,7 @@
 use crate::math::basis;
 use crate::math::blossom::{PolarError, PolarForm};
 use crate::math::number::{Rational, binomial, multinomial};
-use crate::math::piecewise::horner;
-use crate::math::poly::Fraction;
+use crate::math::poly::{Coefficients, Fraction};
 use crate::math::ring::Ring;
 use crate::math::spline::KnotVector;
 use num_traits::{One, Zero};
@@ -154,7 +153,7 @@ pub(crate) fn triangular(indices: &[usize], at: &[Fraction]) -> Fraction {
 pub(crate) fn symmetric_mean(i: usize, at: &[Fraction]) -> Result<Fraction, PolarError> {
     let mut power = vec![Fraction::zero(); i];
     power.push(Fraction::one());
-    PolarForm::with_degree(&power, at.len())?.value_at(at)
+    PolarForm::with_degree(&power, at.len())?.value(at)
 }
 
 /// The mean of the products of i arguments and of the complements 1 − t_j of the others: the polar
@@ -169,7 +168,7 @@ pub(crate) fn complementary_mean(i: usize, at: &[Fraction]) -> Result<Fraction, 
         let weight = Rational::from_integer(binomial(others, j));
         Fraction::from_rational(&if j % 2 == 0 { weight } else { -weight })
     }));
-    PolarForm::with_degree(&polynomial, at.len())?.value_at(at)
+    PolarForm::with_degree(&polynomial, at.len())?.value(at)
 }
 
 /// The B-spline over the given distinct knots on the interval with a number, counted from 0 at its
@@ -180,8 +179,9 @@ pub(crate) fn spline(knots: &[Rational], interval: i64, t: &Fraction) -> Option<
         return Some(Fraction::zero());
     };
     let function = KnotVector::new(degree, knots.to_vec()).ok()?.basis_function(0).ok()?;
-    let piece: Vec<Fraction> = function.pieces()[interval].iter().map(Fraction::from_rational).collect();
-    Some(horner(&piece, t))
+    let piece: Coefficients<Fraction> =
+        function.pieces()[interval].iter().map(Fraction::from_rational).collect();
+    Some(piece.value(t))
 }
 
 #[cfg(test)]

@@ -7,8 +7,7 @@ use super::formula::{coefficients_in, variable_of};
 use super::function::formula_function;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
-use crate::math::number::{Int, Rational};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -60,24 +59,10 @@ pub(crate) fn integrate(
     variable: &Symbol,
     bounds: Option<(&Fraction, &Fraction)>,
 ) -> Result<Fraction> {
-    let coefficients = coefficients_in(formula, variable)?;
-    let primitive: Vec<Fraction> = std::iter::once(num_traits::Zero::zero())
-        .chain(
-            coefficients
-                .iter()
-                .enumerate()
-                .map(|(i, c)| c.scaled(&Rational::new(Int::ONE, Int::from(i + 1)))),
-        )
-        .collect();
-    let at = |x: &Fraction| {
-        primitive
-            .iter()
-            .rev()
-            .fold(Fraction::from_rational(&Rational::from_integer(Int::ZERO)), |s, c| s.times(x).plus(c))
-    };
+    let primitive = Coefficients::new(coefficients_in(formula, variable)?).antiderivative();
     Ok(match bounds {
-        Some((a, b)) => at(b).minus(&at(a)),
-        None => at(&Fraction::from(MultiPoly::symbol(variable.clone()))),
+        Some((a, b)) => primitive.value(b).minus(&primitive.value(a)),
+        None => primitive.value(&Fraction::from(MultiPoly::symbol(variable.clone()))),
     })
 }
 

@@ -130,7 +130,7 @@ pub(crate) fn polynomial_pieces(
     }
     let piece = |i: usize| {
         let padded = |function: &&PiecewiseFunction| {
-            let mut piece = function.function.pieces()[i].clone();
+            let mut piece = function.function.pieces()[i].to_vec();
             piece.resize(piece.len().max(1), Fraction::zero());
             piece
         };
@@ -151,7 +151,7 @@ pub(crate) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Res
 
 /// A multiple of a piecewise polynomial.
 pub(crate) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
-    let function = f.function.map(|piece| piece.iter().map(|c| c.times(factor)).collect());
+    let function = f.function.map(|piece| piece.scaled(factor));
     Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
 }
 

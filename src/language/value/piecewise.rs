@@ -26,7 +26,7 @@ impl PiecewiseFunction {
     /// The pieces as polynomials in the variable.
     pub fn formulas(&self) -> Vec<Fraction> {
         let t = Fraction::from(MultiPoly::symbol(self.variable.clone()));
-        self.function.pieces().iter().map(|piece| crate::math::piecewise::horner(piece, &t)).collect()
+        self.function.pieces().iter().map(|piece| piece.value(&t)).collect()
     }
 
     /// The value at a parameter.

@@ -19,6 +19,7 @@ use super::{Basis, BasisError, bernstein_to_power, power_to_bernstein};
 use crate::budget;
 use crate::math::linalg::multiply;
 use crate::math::number::{Int, Rational, factorial};
+use crate::math::poly::Coefficients;
 use crate::math::ring::Field;
 
 /// The matrix M that takes coefficients in one basis to coefficients in another.
@@ -119,13 +120,13 @@ fn local_polynomials<F: Field>(n: usize, basis: &Basis<F>) -> Local<F> {
         }
         Basis::Newton(nodes) => {
             let origin = nodes.first().cloned().unwrap_or_else(F::zero);
-            let mut product = vec![F::one()];
+            let mut product = Coefficients::constant(F::one());
             let mut columns = Vec::with_capacity(n + 1);
             for node in &nodes[..n] {
-                columns.push(padded(&product, n));
-                product = times_linear(product, &node.minus(&origin));
+                columns.push(product.clone().padded(n));
+                product.multiply_by_root(&node.minus(&origin));
             }
-            columns.push(product);
+            columns.push(product.into_vec());
             Local { origin, columns }
         }
         Basis::Lagrange(nodes) => lagrange_polynomials(nodes),
@@ -183,44 +184,13 @@ fn hermite_to_bernstein(n: usize) -> DMatrix<Rational> {
 fn lagrange_polynomials<F: Field>(nodes: &[F]) -> Local<F> {
     let origin = nodes.first().cloned().unwrap_or_else(F::zero);
     let nodes: Vec<F> = nodes.iter().map(|node| node.minus(&origin)).collect();
-    let product = nodes.iter().fold(vec![F::one()], |product, node| times_linear(product, node));
+    let product = Coefficients::from_roots(&nodes);
     let column = |node: &F| {
-        // Horner's scheme: the quotient by t − x_j; its value there is w'(x_j).
-        let mut quotient = vec![F::zero(); product.len() - 1];
-        let mut carry = F::zero();
-        for (place, coefficient) in quotient.iter_mut().zip(&product[1..]).rev() {
-            budget::step();
-            carry = carry.times(node).plus(coefficient);
-            *place = carry.clone();
-        }
-        let scale = reciprocal(&horner(&quotient, node));
-        quotient.iter().map(|x| x.times(&scale)).collect()
+        // The value of the quotient at x_j is w'(x_j).
+        let (quotient, _) = product.divided_by_root(node);
+        quotient.scaled(&reciprocal(&quotient.value(node))).into_vec()
     };
     Local { columns: nodes.iter().map(column).collect(), origin }
-}
-
-/// p(t) (t − node)
-fn times_linear<F: Field>(mut polynomial: Vec<F>, node: &F) -> Vec<F> {
-    polynomial.insert(0, F::zero());
-    for i in 1..polynomial.len() {
-        budget::step();
-        let lower = polynomial[i].times(node);
-        polynomial[i - 1] -= lower;
-    }
-    polynomial
-}
-
-fn padded<F: Field>(polynomial: &[F], n: usize) -> Vec<F> {
-    let mut padded = polynomial.to_vec();
-    padded.resize(n + 1, F::zero());
-    padded
-}
-
-fn horner<F: Field>(polynomial: &[F], t: &F) -> F {
-    polynomial.iter().rev().fold(F::zero(), |value, coefficient| {
-        budget::step();
-        value.times(t).plus(coefficient)
-    })
 }
 
 /// Divides by t − x_0, the quotient by t − x_1 and so on, in place: the k-th entry becomes
@@ -277,7 +247,10 @@ impl<F: Field> Target<F> {
                 divide_out(&mut polynomial, nodes);
                 polynomial
             }
-            Target::Lagrange(nodes) => nodes.iter().map(|node| horner(&polynomial, node)).collect(),
+            Target::Lagrange(nodes) => {
+                let polynomial = Coefficients::new(polynomial);
+                nodes.iter().map(|node| polynomial.value(node)).collect()
+            }
             Target::Bernstein(start, lengths, matrix) => {
                 divide_out(&mut polynomial, std::iter::repeat_n(start, lengths.len()));
                 for (coefficient, power) in polynomial.iter_mut().zip(lengths) {

@@ -34,7 +34,7 @@ const SMALL_PRIMES_BELOW: u64 = 1100;
 /// // F(t) = t^2, f(u, v) = u v
 /// let f = PolarForm::new(vec![integer(0), integer(0), integer(1)]);
 /// let evaluator = Evaluator::new(&f);
-/// assert_eq!(evaluator.value_at(&[rational(1, 2), rational(2, 3)]), Ok(rational(1, 3)));
+/// assert_eq!(evaluator.value(&[rational(1, 2), rational(2, 3)]), Ok(rational(1, 3)));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Evaluator {
@@ -72,53 +72,28 @@ impl Evaluator {
         Evaluator { degree: n, weights, weight_bits, words, rest, form: form.clone() }
     }
 
-    /// f(u_1, …, u_n) at points.
-    ///
-    /// # Errors
-    /// [`PolarError::ArgumentCount`] unless exactly n points are given.
-    pub fn value_at(&self, points: &[Rational]) -> Result<Rational, PolarError> {
-        let factors: Option<Vec<Factor>> =
-            points.iter().map(|u| Some((u.denom().as_small()?, u.numer().as_small()?))).collect();
-        self.dispatch(factors, points.iter().map(Rational::denom), points.len(), || {
-            points.iter().cloned().map(Argument::Point).collect()
-        })
-    }
-
-    /// f at points and vectors, mixed.
+    /// f at points, or at points and vectors, mixed.
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] unless exactly n arguments are given.
-    pub fn value(&self, arguments: &[Argument<Rational>]) -> Result<Rational, PolarError> {
-        let factors: Option<Vec<Factor>> = arguments
-            .iter()
-            .map(|argument| match argument {
-                Argument::Point(u) => Some((u.denom().as_small()?, u.numer().as_small()?)),
-                Argument::Vector(v) => Some((0, v.numer().as_small()?)),
-            })
-            .collect();
-        let denominators = arguments.iter().map(|argument| argument.coordinate().denom());
-        self.dispatch(factors, denominators, arguments.len(), || arguments.to_vec())
-    }
-
-    fn dispatch<'a>(
+    pub fn value<A: Clone + Into<Argument<Rational>>>(
         &self,
-        factors: Option<Vec<Factor>>,
-        denominators: impl Iterator<Item = &'a Int>,
-        given: usize,
-        arguments: impl FnOnce() -> Vec<Argument<Rational>>,
+        arguments: &[A],
     ) -> Result<Rational, PolarError> {
-        if given != self.degree {
-            return Err(PolarError::ArgumentCount { expected: self.degree, given });
+        let arguments: Vec<Argument<Rational>> = arguments.iter().cloned().map(Into::into).collect();
+        if arguments.len() != self.degree {
+            return Err(PolarError::ArgumentCount { expected: self.degree, given: arguments.len() });
         }
+        let factors = arguments.iter().map(|argument| match argument {
+            Argument::Point(u) => Some((u.denom().as_small()?, u.numer().as_small()?)),
+            Argument::Vector(v) => Some((0, v.numer().as_small()?)),
+        });
+        let denominators = arguments.iter().map(|argument| argument.coordinate().denom().as_small());
         // Entries beyond a word are rare: the generic way serves them.
-        let Some((factors, denominators)) =
-            factors.zip(denominators.map(Int::as_small).collect::<Option<Vec<i64>>>())
-        else {
-            return self.form.value_generic(&arguments());
-        };
-        match self.numerator(&factors) {
-            Some(numerator) => Ok(self.reduced(numerator, &denominators)),
-            None => self.form.value_generic(&arguments()),
+        let words = factors.collect::<Option<Vec<Factor>>>().zip(denominators.collect::<Option<Vec<i64>>>());
+        match words.and_then(|(factors, denominators)| Some((self.numerator(&factors)?, denominators))) {
+            Some((numerator, denominators)) => Ok(self.reduced(numerator, &denominators)),
+            None => self.form.value_generic(&arguments),
         }
     }
 
@@ -358,12 +333,12 @@ mod tests {
         let points: Vec<Rational> = (0..n).map(|j| rational(7 * j - 300, 1 + j % 17)).collect();
         let evaluator = Evaluator::new(&form);
         let arguments: Vec<_> = points.iter().cloned().map(Argument::Point).collect();
-        assert_eq!(evaluator.value_at(&points), form.value_generic(&arguments));
+        assert_eq!(evaluator.value(&points), form.value_generic(&arguments));
         assert_eq!(
-            evaluator.value_at(&points[1..]),
+            evaluator.value(&points[1..]),
             Err(PolarError::ArgumentCount { expected: 150, given: 149 })
         );
         let zero = Evaluator::new(&PolarForm::new(vec![integer(0); 4]));
-        assert_eq!(zero.value_at(&[integer(1), integer(2), integer(3)]), Ok(integer(0)));
+        assert_eq!(zero.value(&[integer(1), integer(2), integer(3)]), Ok(integer(0)));
     }
 }

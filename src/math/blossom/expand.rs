@@ -267,7 +267,7 @@ mod tests {
         assert_eq!(symmetrize(&product, &all), expand_univariate(&f.product(&g), &all));
         // The composition f(g(t1, t2, t3), g(t4, t5, t6)).
         let inner = [pick(1, 3), pick(4, 6)].map(|a| expand_univariate(&g, &a));
-        let outer = f.map(|c| MultiPoly::constant(c.clone())).value_at(&inner).unwrap();
+        let outer = f.map(|c| MultiPoly::constant(c.clone())).value(&inner).unwrap();
         let all = pick(1, 6);
         assert_eq!(symmetrize(&outer, &all), expand_univariate(&f.compose(&g), &all));
     }

@@ -13,6 +13,7 @@ use std::str::FromStr;
 
 use super::polar_form::PolarForm;
 use crate::math::number::{Int, Rational, binomial, binomial_row, factorial};
+use crate::math::poly::Coefficients;
 use crate::math::ring::Ring;
 
 /// The six derivations.
@@ -223,20 +224,10 @@ fn probability<C: Ring>(c: &[C]) -> Outcome<C> {
     (weights, steps)
 }
 
-/// F^{(i)} as power coefficients, for i = 0..=n.
-fn derivatives<C: Ring>(c: &[C]) -> Vec<Vec<C>> {
-    let mut all = vec![c.to_vec()];
-    for _ in 1..c.len() {
-        let last = &all[all.len() - 1];
-        let next = last
-            .iter()
-            .enumerate()
-            .skip(1)
-            .map(|(i, c)| c.scaled(&Rational::from_integer(Int::from(i))))
-            .collect();
-        all.push(next);
-    }
-    all
+/// F^{(i)} for i = 0..=n.
+fn derivatives<C: Ring>(c: &[C]) -> Vec<Coefficients<C>> {
+    let first = Coefficients::new(c.to_vec());
+    std::iter::successors(Some(first), |last| Some(last.derivative())).take(c.len()).collect()
 }
 
 /// Φ(τ) = ∏ (t_j − τ) = Σ_k (−τ)^{n−k} e_k: its m-th derivative as coefficients in τ, each the
@@ -262,10 +253,6 @@ fn evaluate_at<C: Ring>(by_power: &[Weights<C>], tau: &C) -> Weights<C> {
     result
 }
 
-fn horner<C: Ring>(c: &[C], tau: &C) -> C {
-    c.iter().rev().fold(C::zero(), |s, c| s.times(tau).plus(c))
-}
-
 fn taylor_factor(n: usize, i: usize) -> Rational {
     let magnitude = Rational::new(Int::ONE, factorial(n));
     if (n - i).is_multiple_of(2) { magnitude } else { -magnitude }
@@ -277,7 +264,7 @@ fn taylor<C: Ring>(c: &[C], tau: &C) -> Outcome<C> {
     let mut steps = Vec::with_capacity(n + 1);
     for (i, derived) in derivatives(c).iter().enumerate() {
         crate::budget::steps(n as u32 + 1);
-        let derivative = horner(derived, tau);
+        let derivative = derived.value(tau);
         let auxiliary = evaluate_at(&auxiliary_derivative(n, n - i), tau);
         let factor = taylor_factor(n, i);
         let term: Weights<C> = auxiliary.iter().map(|w| w.times(&derivative).scaled(&factor)).collect();
@@ -313,7 +300,7 @@ fn parts<C: Ring>(c: &[C]) -> Outcome<C> {
     for (i, function) in derived.iter().enumerate() {
         crate::budget::steps((n * n) as u32 + 1);
         let factor = taylor_factor(n, i);
-        let next = derived.get(i + 1).map_or(&[] as &[C], Vec::as_slice);
+        let next = derived.get(i + 1).map_or(&[] as &[C], |p| p);
         steps.push(Step::Telescope {
             order: i,
             left: multiply_in_tau(&auxiliary_derivative(n, n - i + 1), function, &factor),

@@ -1,4 +1,5 @@
 //! Polar forms (blossoms): values, operations, derivations, laws.
+mod display;
 mod evaluator;
 mod expand;
 pub mod laws;

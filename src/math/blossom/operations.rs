@@ -12,7 +12,6 @@
 use super::polar_form::{PolarError, PolarForm};
 use crate::budget;
 use crate::math::number::{Int, Rational, binomial, binomial_row};
-use crate::math::poly::Poly;
 use crate::math::ring::Ring;
 
 impl<C: Ring> PolarForm<C> {
@@ -35,12 +34,7 @@ impl<C: Ring> PolarForm<C> {
     ///
     /// Cost: (m + 1)(n + 1) ring operations.
     pub fn product(&self, other: &Self) -> Self {
-        if self.degree() * other.degree() > FEW_PRODUCTS
-            && let (Some(f), Some(g)) = (polynomial(self), polynomial(other))
-        {
-            return from_polynomial(&(&f * &g), self.degree() + other.degree());
-        }
-        PolarForm::new(multiply(self.coefficients(), other.coefficients()))
+        PolarForm::new(self.diagonal().times(&other.diagonal()).padded(self.degree() + other.degree()))
     }
 
     /// The same by symmetrising f(t_1, …, t_m) g(t_{m+1}, …, t_{m+n}) over all choices of m
@@ -74,21 +68,11 @@ impl<C: Ring> PolarForm<C> {
 
     /// The polar form of F ∘ G, of degree m n, by composing the diagonals (Horner).
     ///
-    /// Cost: O(m² n²) ring operations; with numbers as coefficients that of [`Poly::compose`].
+    /// Cost: O(m² n²) ring operations; with numbers as coefficients that of [`Poly::compose`](crate::math::poly::Poly::compose).
     pub fn compose(&self, inner: &Self) -> Self {
-        let size = self.degree() * inner.degree() + 1;
-        budget::charge_terms(size as u64);
-        if let (Some(f), Some(g)) = (polynomial(self), polynomial(inner)) {
-            return from_polynomial(&f.compose(&g), size - 1);
-        }
-        let mut result: Vec<C> = vec![C::zero()];
-        for c in self.coefficients().iter().rev() {
-            result = multiply(&result, inner.coefficients());
-            result.truncate(size);
-            result[0] += c.clone();
-        }
-        result.resize(size, C::zero());
-        PolarForm::new(result)
+        let degree = self.degree() * inner.degree();
+        budget::charge_terms(degree as u64 + 1);
+        PolarForm::new(self.diagonal().compose(&inner.diagonal()).padded(degree))
     }
 
     /// The same by putting polar forms of G with distinct arguments into f and symmetrising:
@@ -150,33 +134,6 @@ impl<C: Ring> PolarForm<C> {
     }
 }
 
-/// Up to this many products of coefficients the plain way is as good as any.
-const FEW_PRODUCTS: usize = 64;
-
-/// The diagonal as a polynomial over Q, if all coefficients are numbers.
-fn polynomial<C: Ring>(form: &PolarForm<C>) -> Option<Poly> {
-    let list: Option<Vec<Rational>> = form.coefficients().iter().map(Ring::as_rational).collect();
-    list.map(Poly::from_coefficients)
-}
-
-fn from_polynomial<C: Ring>(diagonal: &Poly, degree: usize) -> PolarForm<C> {
-    let mut list: Vec<C> = diagonal.coefficients().iter().map(C::from_rational).collect();
-    list.resize(degree + 1, C::zero());
-    PolarForm::new(list)
-}
-
-/// Product of two coefficient lists.
-fn multiply<C: Ring>(a: &[C], b: &[C]) -> Vec<C> {
-    let mut result = vec![C::zero(); a.len() + b.len() - 1];
-    for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-        budget::steps(b.len() as u32);
-        for (j, y) in b.iter().enumerate() {
-            result[i + j] += x.times(y);
-        }
-    }
-    result
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,7 +162,7 @@ mod tests {
             for (i, point) in points.iter().enumerate() {
                 let mut arguments = vec![a.clone(); f.degree() - i];
                 arguments.extend(vec![b.clone(); i]);
-                assert_eq!(f.value_at(&arguments).as_ref(), Ok(point));
+                assert_eq!(f.value(&arguments).as_ref(), Ok(point));
             }
             assert_eq!(PolarForm::from_bezier_points_over(&points, &a, &b), Ok(f));
         }
@@ -219,7 +176,7 @@ mod tests {
             }
             let derivative = f.derivative(k);
             let expected = list.iter().rev().fold(integer(0), |s, c| s * integer(t) + c);
-            let value = derivative.value_at(&vec![integer(t); derivative.degree()]);
+            let value = derivative.value(&vec![integer(t); derivative.degree()]);
             assert_eq!(value, Ok(expected));
         }
     }

@@ -18,6 +18,7 @@ use std::fmt;
 
 use super::evaluator::Evaluator;
 use crate::math::number::{Int, Rational, binomial_row};
+use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
 use num_integer::Integer;
 
@@ -28,9 +29,9 @@ use num_integer::Integer;
 /// use polarform::number::{integer, rational};
 /// // F(t) = t^3 + 3t^2 + 5t + 1
 /// let f = PolarForm::new([1, 5, 3, 1].map(integer).to_vec());
-/// let value = f.value_at(&[integer(0), integer(1), integer(2)]).unwrap();
+/// let value = f.value(&[integer(0), integer(1), integer(2)]).unwrap();
 /// assert_eq!(value, integer(8)); // 0 + (0 + 0 + 2) + 5/3 · 3 + 1
-/// assert_eq!(f.value_at(&[rational(1, 2), rational(1, 2), rational(1, 2)]).unwrap(),
+/// assert_eq!(f.value(&[rational(1, 2), rational(1, 2), rational(1, 2)]).unwrap(),
 ///            rational(35, 8)); // the diagonal is F(1/2)
 /// ```
 #[doc(alias = "blossom")]
@@ -49,6 +50,12 @@ pub enum Argument<C> {
     Point(C),
     /// A difference of parameter values, written with a hat.
     Vector(C),
+}
+
+impl<C> From<C> for Argument<C> {
+    fn from(point: C) -> Self {
+        Argument::Point(point)
+    }
 }
 
 impl<C> Argument<C> {
@@ -152,7 +159,7 @@ impl<C: Ring> PolarForm<C> {
     /// use polarform::number::integer;
     /// let t = [integer(0), integer(1)];
     /// let f = PolarForm::with_degree(&t, 3).unwrap(); // (t1 + t2 + t3)/3
-    /// assert_eq!(f.value_at(&[integer(1), integer(2), integer(6)]), Ok(integer(3)));
+    /// assert_eq!(f.value(&[integer(1), integer(2), integer(6)]), Ok(integer(3)));
     /// ```
     pub fn with_degree(coefficients: &[C], degree: usize) -> Result<Self, PolarError> {
         let polynomial = coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
@@ -175,13 +182,9 @@ impl<C: Ring> PolarForm<C> {
         &self.coefficients
     }
 
-    /// The power coefficients of the diagonal F(t) = f(t, …, t), without leading zeros.
-    pub fn diagonal(&self) -> Vec<C> {
-        let mut list = self.coefficients.clone();
-        while list.last().is_some_and(C::is_zero) {
-            list.pop();
-        }
-        list
+    /// The diagonal F(t) = f(t, …, t).
+    pub fn diagonal(&self) -> Coefficients<C> {
+        Coefficients::new(self.coefficients.clone())
     }
 
     /// c_i / C(n, i): the coefficients of the elementary symmetric functions e_i.
@@ -195,37 +198,27 @@ impl<C: Ring> PolarForm<C> {
         PolarForm::new(weights.iter().zip(row).map(|(w, b)| w.scaled(&Rational::from_integer(b))).collect())
     }
 
-    /// f(u_1, …, u_n) at points.
-    ///
-    /// Cost: see [`PolarForm::value`].
-    ///
-    /// # Errors
-    /// [`PolarError::ArgumentCount`] unless exactly n points are given.
-    pub fn value_at(&self, points: &[C]) -> Result<C, PolarError> {
-        let arguments: Vec<_> = points.iter().cloned().map(Argument::Point).collect();
-        self.value(&arguments)
-    }
-
-    /// f at points and vectors, mixed.
+    /// f at points, or at points and vectors, mixed.
     ///
     /// Cost: O(n²) ring operations; over Q word operations on integers with one reduction
     /// at the end (prepare an [`Evaluator`] for many values of one form).
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] unless exactly n arguments are given.
-    pub fn value(&self, arguments: &[Argument<C>]) -> Result<C, PolarError> {
+    pub fn value<A: Clone + Into<Argument<C>>>(&self, arguments: &[A]) -> Result<C, PolarError> {
+        let arguments: Vec<Argument<C>> = arguments.iter().cloned().map(Into::into).collect();
         // Over Q there is a much faster way with the same result.
         let form: &dyn Any = self;
         if self.degree() > 4
             && let Some(form) = form.downcast_ref::<PolarForm<Rational>>()
-            && let Some(list) = rational_arguments(arguments)
+            && let Some(list) = rational_arguments(&arguments)
         {
             let value: Box<dyn Any> = Box::new(Evaluator::new(form).value(&list)?);
             if let Ok(value) = value.downcast::<C>() {
                 return Ok(*value);
             }
         }
-        self.value_generic(arguments)
+        self.value_generic(&arguments)
     }
 
     /// The value in any ring: one argument after the other is put in.

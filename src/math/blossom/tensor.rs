@@ -23,7 +23,7 @@ use crate::math::ring::Ring;
 /// let mut grid = vec![vec![zero.clone(); 3]; 3];
 /// grid[1][1] = one;
 /// let f = TensorPolarForm::new(grid).unwrap();
-/// let value = f.value_at(&[integer(1), integer(2)], &[integer(3), integer(4)]);
+/// let value = f.value(&[integer(1), integer(2)], &[integer(3), integer(4)]);
 /// assert_eq!(value, Ok(rational(21, 4)));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -80,24 +80,19 @@ impl<C: Ring> TensorPolarForm<C> {
         Ok(self.transposed().in_v(operation)?.transposed())
     }
 
-    /// f(u_1, …, u_m; v_1, …, v_n), points and vectors mixed.
+    /// f(u_1, …, u_m; v_1, …, v_n) at points, or at points and vectors, mixed.
     ///
     /// Cost: O(m n (m + n)) ring operations.
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] for a wrong number in either group.
-    pub fn value(&self, u: &[Argument<C>], v: &[Argument<C>]) -> Result<C, PolarError> {
+    pub fn value<U, V>(&self, u: &[U], v: &[V]) -> Result<C, PolarError>
+    where
+        U: Clone + Into<Argument<C>>,
+        V: Clone + Into<Argument<C>>,
+    {
         let along_v: Result<Vec<C>, _> = self.rows.iter().map(|row| row.value(v)).collect();
         PolarForm::new(along_v?).value(u)
-    }
-
-    /// f at points.
-    ///
-    /// # Errors
-    /// As for [`TensorPolarForm::value`].
-    pub fn value_at(&self, u: &[C], v: &[C]) -> Result<C, PolarError> {
-        let points = |list: &[C]| list.iter().cloned().map(Argument::Point).collect::<Vec<_>>();
-        self.value(&points(u), &points(v))
     }
 
     /// Puts in some arguments of each group and leaves the others free.
@@ -195,7 +190,7 @@ mod tests {
             let (m, n) = f.degrees();
             let u: Vec<_> = (0..m as i64).map(|k| rational(seed + 3 * k, 2)).collect();
             let v: Vec<_> = (0..n as i64).map(|k| rational(5 * k - seed, 3)).collect();
-            assert_eq!(f.value_at(&u, &v), f.transposed().value_at(&v, &u));
+            assert_eq!(f.value(&u, &v), f.transposed().value(&v, &u));
             let net = f.bezier_net((&integer(0), &integer(1)), (&integer(0), &integer(1)));
             assert_eq!(TensorPolarForm::from_bezier_net(net.clone()).unwrap(), f);
             for (i, row) in net.iter().enumerate() {
@@ -203,7 +198,7 @@ mod tests {
                     let ends = |n: usize, i: usize| -> Vec<Rational> {
                         (0..n).map(|k| integer(i64::from(k < i))).collect()
                     };
-                    assert_eq!(f.value_at(&ends(m, i), &ends(n, j)).as_ref(), Ok(point));
+                    assert_eq!(f.value(&ends(m, i), &ends(n, j)).as_ref(), Ok(point));
                 }
             }
             assert_eq!(f.elevate(2, 1).unwrap().reduce(2, 1), Ok(f));
@@ -213,7 +208,7 @@ mod tests {
         fn products_on_the_diagonal(f in any_form(), g in any_form(), u in -5i64..6, v in -5i64..6) {
             let at = |f: &TensorPolarForm<Rational>| {
                 let (m, n) = f.degrees();
-                f.value_at(&vec![integer(u); m], &vec![integer(v); n]).unwrap()
+                f.value(&vec![integer(u); m], &vec![integer(v); n]).unwrap()
             };
             assert_eq!(at(&f.product(&g)), at(&f) * at(&g));
             assert_eq!(at(&f.sum(&g).unwrap()), at(&f) + at(&g));

@@ -32,7 +32,7 @@ type Exponents = Vec<u32>;
 /// use polarform::number::{integer, rational};
 /// // F(u, v) = u v of total degree 2: f = (u1 v2 + u2 v1)/2
 /// let f = TotalDegreePolarForm::new(2, 2, [(vec![1, 1], integer(1))]).unwrap();
-/// let value = f.value_at(&[vec![integer(1), integer(2)], vec![integer(3), integer(4)]]);
+/// let value = f.value(&[vec![integer(1), integer(2)], vec![integer(3), integer(4)]]);
 /// assert_eq!(value, Ok(integer(5))); // (1·4 + 3·2)/2
 /// ```
 #[doc(alias = "triangular")]
@@ -152,25 +152,17 @@ impl<C: Ring> TotalDegreePolarForm<C> {
         Ok(form)
     }
 
-    /// f(p_1, …, p_d), points and vectors mixed.
+    /// f(p_1, …, p_d) at points, or at points and vectors, mixed.
     ///
     /// # Errors
     /// [`PolarError::ArgumentCount`] for a wrong number of arguments or coordinates.
-    pub fn value(&self, arguments: &[PointArgument<C>]) -> Result<C, PolarError> {
+    pub fn value<A: Clone + Into<PointArgument<C>>>(&self, arguments: &[A]) -> Result<C, PolarError> {
         if arguments.len() != self.degree {
             return Err(PolarError::ArgumentCount { expected: self.degree, given: arguments.len() });
         }
-        let form = self.partial(arguments)?;
+        let arguments: Vec<PointArgument<C>> = arguments.iter().cloned().map(Into::into).collect();
+        let form = self.partial(&arguments)?;
         Ok(form.coefficients.into_values().next().unwrap_or_else(C::zero))
-    }
-
-    /// f at points.
-    ///
-    /// # Errors
-    /// As for [`TotalDegreePolarForm::value`].
-    pub fn value_at(&self, points: &[Vec<C>]) -> Result<C, PolarError> {
-        let arguments: Vec<_> = points.iter().cloned().map(Argument::Point).collect();
-        self.value(&arguments)
     }
 
     /// F(p), the diagonal, by its monomials (an independent way to f(p, …, p)).
@@ -348,7 +340,7 @@ mod tests {
             swapped.reverse();
             assert_eq!(f.value(&swapped).unwrap(), value);
             let point: Vec<_> = (0..f.dimension() as i64).map(|k| rational(seed - 9 * k, 3)).collect();
-            assert_eq!(f.value_at(&vec![point.clone(); f.degree()]).unwrap(), f.diagonal_at(&point));
+            assert_eq!(f.value(&vec![point.clone(); f.degree()]).unwrap(), f.diagonal_at(&point));
             assert_eq!(f.elevate(2).reduce(2), Ok(f));
         }
 
@@ -363,7 +355,7 @@ mod tests {
             for (index, value) in points {
                 let list: Vec<Vec<Rational>> = index.iter().zip(&corners)
                     .flat_map(|(&i, c)| vec![c.clone(); i]).collect();
-                assert_eq!(f.value_at(&list).unwrap(), value);
+                assert_eq!(f.value(&list).unwrap(), value);
             }
         }
     }

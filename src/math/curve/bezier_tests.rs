@@ -1,7 +1,7 @@
 use super::*;
 use crate::math::basis::bernstein_all;
 use crate::math::number::{integer as z, rational as q};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use proptest::prelude::*;
 
 type Curve = BezierCurve<Rational>;
@@ -39,14 +39,14 @@ proptest! {
         let n = c.degree();
         let tableau = c.tableau(&vec![t.clone(); n]).unwrap();
         prop_assert_eq!(tableau.result(), &value);
-        let power: Point<Rational> = c.power().iter().map(|p| crate::math::piecewise::horner(p, &t)).collect();
+        let power: Point<Rational> = c.power().iter().map(|p| Coefficients::new(p.clone()).value(&t)).collect();
         prop_assert_eq!(&power, &value);
         // every entry is the value of the polar form at its label
         let forms = c.polar_forms();
         for (points, labels) in tableau.levels.iter().zip(&tableau.labels) {
             for (point, label) in points.iter().zip(labels) {
                 for (x, form) in point.iter().zip(&forms) {
-                    prop_assert_eq!(x, &form.value_at(label).unwrap());
+                    prop_assert_eq!(x, &form.value(label).unwrap());
                 }
             }
         }
@@ -79,7 +79,7 @@ proptest! {
         for k in 0..=n + 1 {
             let derivative = c.derivative(k);
             let forms: Point<Rational> = c.polar_forms().iter()
-                .map(|form| crate::math::piecewise::horner(&form.derivative(k).diagonal(), &t)).collect();
+                .map(|form| form.derivative(k).diagonal().value(&t)).collect();
             prop_assert_eq!(derivative.value(&t), forms);
         }
         let start = vec![z(7); c.dimension()];
@@ -105,7 +105,7 @@ proptest! {
         }
         let inner = PolarForm::new(vec![z(1), q(1, 2), z(-1)]);
         let composed = c.compose(&inner, z(0), z(1)).unwrap();
-        prop_assert_eq!(composed.value(&t), c.value(&crate::math::piecewise::horner(&inner.diagonal(), &t)));
+        prop_assert_eq!(composed.value(&t), c.value(&inner.diagonal().value(&t)));
     }
 
     #[test]
@@ -126,7 +126,7 @@ fn the_edge_basis_follows_its_formula() {
         let basis = bezier_edge_basis(n);
         assert_eq!(basis[0][0], z(1));
         assert!(basis[0][1..].iter().all(num_traits::Zero::is_zero));
-        let mut phi: Vec<Rational> = (1..=n)
+        let mut phi: Coefficients<Rational> = (1..=n)
             .map(|k| {
                 let sign = if k % 2 == 1 { -1 } else { 1 };
                 Rational::from_integer(binomial(n, k)) * z(sign)
@@ -141,7 +141,7 @@ fn the_edge_basis_follows_its_formula() {
             expected.extend(phi.iter().map(|c| c * &factor));
             expected.resize(n + 1, z(0));
             assert_eq!(f, &expected, "f_{i}^{n}");
-            phi = crate::math::piecewise::derivative(&phi);
+            phi = phi.derivative();
         }
     }
 }

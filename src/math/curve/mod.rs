@@ -13,6 +13,7 @@ pub mod affine;
 mod bezier;
 mod circle;
 mod conic;
+pub(crate) mod display;
 mod domain;
 mod edge;
 mod hull;
@@ -25,6 +26,7 @@ mod rational;
 mod rational_surface;
 mod revolve;
 mod sphere;
+mod traits;
 mod triangle;
 
 use std::fmt;
@@ -47,6 +49,7 @@ pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
+pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
 
 /// A point or a vector: its coordinates.

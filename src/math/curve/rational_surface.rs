@@ -361,7 +361,7 @@ mod tests {
 
         fn at(&self, x: &Rational, y: &Rational) -> Rational {
             let value = |s: &Symbol| Some(if s.base() == "x" { x.clone() } else { y.clone() });
-            let [n, d] = [&self.0, &self.1].map(|p| p.evaluate(&value).as_constant().unwrap());
+            let [n, d] = [&self.0, &self.1].map(|p| p.value(&value).as_constant().unwrap());
             n / d
         }
     }

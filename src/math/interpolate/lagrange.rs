@@ -9,8 +9,9 @@
 //! 46 (2004).
 
 use super::InterpolationError;
-use super::datum::{Datum, check, combination, distinct, divided, enough, fitting, reciprocal, times_linear};
+use super::datum::{Datum, check, combination, distinct, divided, enough, fitting, reciprocal};
 use crate::budget;
+use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
 
 /// Values at distinct nodes with their barycentric weights.
@@ -194,5 +195,5 @@ fn weights_of<C: Field>(nodes: &[C]) -> Vec<C> {
 /// The power coefficients of ω(t) = ∏ (t − x_k), lowest first; \[1\] for no nodes. Cost: n²/2
 /// products.
 pub fn nodal_polynomial<C: Ring>(nodes: &[C]) -> Vec<C> {
-    nodes.iter().fold(vec![C::one()], |product, node| times_linear(product, node))
+    Coefficients::from_roots(nodes).into_vec()
 }

@@ -192,8 +192,8 @@ pub fn interpolant_pyramid<C: Field, V: Datum<C>>(
 /// use polarform::number::{integer as z, rational as q};
 /// let levels = polar_pyramid(Scheme::Neville, &[0, 1, 2].map(z), &[0, 1, 4].map(z))?;
 /// // t^2 has the polar form u v
-/// assert_eq!(levels[2][0].value_at(&[z(3), z(5)]), Ok(z(15)));
-/// assert_eq!(levels[1][1].value_at(&[q(5, 3)]), Ok(z(3)));
+/// assert_eq!(levels[2][0].value(&[z(3), z(5)]), Ok(z(15)));
+/// assert_eq!(levels[1][1].value(&[q(5, 3)]), Ok(z(3)));
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
 /// ```
 ///

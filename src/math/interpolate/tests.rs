@@ -10,8 +10,7 @@ use crate::math::blossom::PolarForm;
 use crate::math::linalg::surd::Surd;
 use crate::math::linalg::{LinalgError, determinant, inverse, multiply, solve};
 use crate::math::number::{Int, Rational, factorial, integer as z, rational as q};
-use crate::math::piecewise;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 
 fn s(name: &str) -> Fraction {
@@ -56,11 +55,11 @@ fn data(most: usize) -> impl Strategy<Value = (Vec<Rational>, Vec<Rational>)> {
 
 /// f^{(k)}(t)/k! = f[t, …, t], by repeated differentiation.
 fn derivative_at<C: Ring>(p: &[C], k: usize, t: &C) -> C {
-    let mut p = p.to_vec();
-    for _ in 0..k {
-        p = piecewise::derivative(&p);
-    }
-    piecewise::horner(&p, t)
+    in_powers(p).nth_derivative(k).value(t)
+}
+
+fn in_powers<C: Ring>(coefficients: &[C]) -> Coefficients<C> {
+    Coefficients::new(coefficients.to_vec())
 }
 
 fn check_all_ways<C: Field>(nodes: &[C], values: &[C], t: &C) {
@@ -79,9 +78,9 @@ fn check_all_ways<C: Field>(nodes: &[C], values: &[C], t: &C) {
     let inverted = vandermonde_inverse(nodes).unwrap();
     assert_eq!(multiply(&inverted, &column).unwrap().as_slice(), power);
     assert_eq!(determinant(&matrix).unwrap(), vandermonde_determinant(nodes));
-    let expected = piecewise::horner(&power, t);
+    let expected = in_powers(&power).value(t);
     for (node, value) in nodes.iter().zip(values) {
-        assert_eq!(piecewise::horner(&power, node), *value);
+        assert_eq!(in_powers(&power).value(node), *value);
         assert_eq!(lagrange.value(node), *value);
         assert_eq!(lagrange.barycentric_value(node), *value);
     }
@@ -98,7 +97,7 @@ fn check_all_ways<C: Field>(nodes: &[C], values: &[C], t: &C) {
         let forms = polar_pyramid(scheme, nodes, values).unwrap();
         for k in 0..=n {
             for i in 0..=n - k {
-                assert_eq!(piecewise::horner(&polynomials[k][i], t), tableau.level(k)[i]);
+                assert_eq!(in_powers(&polynomials[k][i]).value(t), tableau.level(k)[i]);
                 assert_eq!(forms[k][i].degree(), k);
                 assert_eq!(forms[k][i].coefficients(), polynomials[k][i]);
             }
@@ -179,10 +178,10 @@ proptest! {
         prop_assert_eq!(grown, table);
         // the error, also when there are fewer nodes than the degree needs
         let remainder = Remainder::new(&polynomial, &nodes).unwrap();
-        let product = piecewise::multiplied(&remainder.quotient, &remainder.nodal);
-        let sum = piecewise::added(&product, &remainder.interpolant.to_power());
-        prop_assert_eq!(piecewise::trimmed(sum), piecewise::trimmed(polynomial.clone()));
-        let values: Vec<Rational> = nodes.iter().map(|node| piecewise::horner(&polynomial, node)).collect();
+        let product = in_powers(&remainder.quotient).times(&in_powers(&remainder.nodal));
+        let sum = product.plus(&in_powers(&remainder.interpolant.to_power()));
+        prop_assert_eq!(sum, in_powers(&polynomial));
+        let values: Vec<Rational> = nodes.iter().map(|node| in_powers(&polynomial).value(node)).collect();
         prop_assert_eq!(
             &remainder.interpolant,
             &DividedDifferences::new(&nodes, &values).unwrap().newton_form()
@@ -190,10 +189,10 @@ proptest! {
         // the quotient is the divided difference with one node more
         if !nodes.contains(&a) {
             let (mut more, mut values) = (nodes.clone(), values);
-            values.push(piecewise::horner(&polynomial, &a));
+            values.push(in_powers(&polynomial).value(&a));
             more.push(a.clone());
             let last = DividedDifferences::new(&more, &values).unwrap().coefficients().pop().unwrap();
-            prop_assert_eq!(piecewise::horner(&remainder.quotient, &a), last);
+            prop_assert_eq!(in_powers(&remainder.quotient).value(&a), last);
         }
     }
 
@@ -265,7 +264,7 @@ proptest! {
         let unit = Basis::Bernstein { a: z(0), b: z(1) };
         let better = value_condition(&unit, &points, &t).unwrap();
         prop_assert!(better <= value_condition(&Basis::Power, &coefficients, &t).unwrap());
-        prop_assert!(piecewise::horner(&coefficients, &t).abs() <= better);
+        prop_assert!(in_powers(&coefficients).value(&t).abs() <= better);
     }
 }
 

@@ -66,7 +66,7 @@ pub(super) fn divided(mut a: Vec<Int>, c: &Int) -> Vec<Int> {
 ///
 /// Looks at no more entries once it is 1, and takes a gcd only for an entry that
 /// the divisor found so far does not divide.
-pub(super) fn common_divisor(start: &Int, a: &[Int]) -> Int {
+pub(super) fn common_divisor<'a>(start: &Int, a: impl IntoIterator<Item = &'a Int>) -> Int {
     let mut divisor = start.abs();
     for x in a {
         if divisor.is_one() {
@@ -205,8 +205,22 @@ fn add_small_product(total: &mut BigInt, big: &BigInt, small: &Int) {
     }
 }
 
-/// a^exponent by repeated squaring.
+/// a^exponent.
+///
+/// Cost: for few words a recurrence with one word product per coefficient of `a` and coefficient of
+/// the result, else repeated squaring.
 pub(super) fn power(a: &[Int], exponent: u32) -> Vec<Int> {
+    let low = a.iter().take_while(|x| x.is_zero()).count();
+    if low > 0 && low < a.len() {
+        let mut out = vec![Int::ZERO; low * exponent as usize];
+        out.extend(power(&a[low..], exponent));
+        return out;
+    }
+    if exponent > 1
+        && let Some(power) = power_by_recurrence(a, exponent)
+    {
+        return power;
+    }
     let mut out = vec![Int::ONE];
     for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
         out = product(&out, &out);
@@ -215,6 +229,49 @@ pub(super) fn power(a: &[Int], exponent: u32) -> Vec<Int> {
         }
     }
     out
+}
+
+/// With at most this many coefficients the recurrence is faster than products.
+const RECURRENCE_LENGTH: usize = 13;
+
+/// a^e for few coefficients a_0 ≠ 0, a_1, …, a_d of one word; `None` for others.
+///
+/// From a (a^e)' = e a' a^e: k a_0 c_k = Σ_{i ≥ 1} (i e − k + i) a_i c_{k−i}, J. C. P. Miller's rule
+/// (Knuth, TAOCP vol. 2, 4.7).
+fn power_by_recurrence(a: &[Int], exponent: u32) -> Option<Vec<Int>> {
+    if a.len() > RECURRENCE_LENGTH {
+        return None;
+    }
+    let words: Vec<i64> = a.iter().map(Int::as_small).collect::<Option<_>>()?;
+    let (first, rest) = words.split_first().filter(|(first, _)| **first != 0)?;
+    let top = i64::try_from(rest.len()).ok()?.checked_mul(i64::from(exponent))?;
+    // |i e − k + i| ≤ top + d, and k ≤ top; thirteen products by words stay within 127 bits.
+    let largest = words.iter().map(|x| x.unsigned_abs()).max()?;
+    let factors = i64::try_from(largest).ok()?.checked_mul(top.checked_add(rest.len() as i64)?)?;
+    if factors >= 1 << 58 {
+        return None;
+    }
+    let mut out = Vec::with_capacity(usize::try_from(top).ok()? + 1);
+    out.push(Int::from(*first).pow(exponent));
+    for k in 1..=top {
+        budget::step();
+        let (mut small, mut big) = (0i128, BigInt::ZERO);
+        for (i, (x, c)) in (1i64..).zip(rest.iter().zip(out.iter().rev())) {
+            let factor = (i * i64::from(exponent) - k + i) * x;
+            match c.as_big() {
+                Some(c) if factor != 0 => big += c * factor,
+                Some(_) => {}
+                None => small += i128::from(c.as_small().unwrap_or(0)) * i128::from(factor),
+            }
+        }
+        let divisor = k * first;
+        out.push(if big.is_zero() {
+            Int::from(small / i128::from(divisor))
+        } else {
+            Int::from((big + small) / divisor)
+        });
+    }
+    Some(out)
 }
 
 /// The result of [`pseudo_division`]: scale · a = quotient · b + remainder.
@@ -338,6 +395,14 @@ pub(super) mod tests {
             let a: Vec<Int> = a.into_iter().map(Int::from).collect();
             let b: Vec<Int> = b.into_iter().map(Int::from).collect();
             prop_assert_eq!(product_of_words(&a, &b), product_schoolbook(&a, &b));
+        }
+
+        #[test]
+        fn powers_are_repeated_products(a in vector(12), e in 0u32..6, word in -99i64..99) {
+            let by_products = |a: &[Int]| (0..e).fold(vec![Int::ONE], |p, _| schoolbook(&p, a));
+            prop_assert_eq!(power(&a, e), by_products(&a));
+            let small: Vec<Int> = a.iter().map(|x| x % Int::from(100)).chain([Int::from(word), Int::ONE]).collect();
+            prop_assert_eq!(power(&small, e), by_products(&small));
         }
 
         #[test]

@@ -74,7 +74,7 @@ impl Fraction {
         }
         let primitive = denominator.primitive_part();
         // denominator = factor · primitive with a rational factor.
-        let factor = exact(&denominator, &primitive).as_constant().unwrap_or_else(Rational::one);
+        let factor = denominator.leading_coefficient() / primitive.leading_coefficient();
         let result = Fraction { numerator: numerator.scaled(&factor.recip()), denominator: primitive };
         debug_assert!(result.is_canonical());
         result
@@ -165,12 +165,12 @@ impl Fraction {
     }
 
     /// The value at numbers for all symbols; `None` if one is missing or the denominator vanishes.
-    pub fn evaluate(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Option<Rational> {
-        let denominator = self.denominator.evaluate(value).as_constant()?;
+    pub fn value(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Option<Rational> {
+        let denominator = self.denominator.value(value).as_constant()?;
         if denominator.is_zero() {
             return None;
         }
-        Some(self.numerator.evaluate(value).as_constant()? / denominator)
+        Some(self.numerator.value(value).as_constant()? / denominator)
     }
 }
 
@@ -342,7 +342,7 @@ mod tests {
     }
 
     fn at(f: &Fraction) -> Option<Rational> {
-        f.evaluate(&|s: &Symbol| Some(if s.base() == "s" { rational(17, 5) } else { rational(-23, 7) }))
+        f.value(&|s: &Symbol| Some(if s.base() == "s" { rational(17, 5) } else { rational(-23, 7) }))
     }
 
     proptest! {
@@ -376,7 +376,7 @@ mod tests {
         fn substitution_agrees_with_evaluation(a in any_fraction(), b in any_fraction()) {
             let (s, t) = (Symbol::new("s"), Symbol::new("t"));
             if let (Ok(c), Some(value)) = (a.substitute(&[(t.clone(), b.clone())]), at(&b)) {
-                let by_hand = a.evaluate(&|x: &Symbol| Some(if *x == s { rational(17, 5) } else { value.clone() }));
+                let by_hand = a.value(&|x: &Symbol| Some(if *x == s { rational(17, 5) } else { value.clone() }));
                 if let (Some(x), Some(y)) = (at(&c), by_hand) { assert_eq!(x, y); }
             }
         }

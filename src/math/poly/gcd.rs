@@ -1,7 +1,7 @@
 //! Exact division and greatest common divisors in several variables.
 //!
 //! The gcd is primitive with positive leading coefficient (lexicographic order). Trivial
-//! cases come first. Then each common variable gets a bound for its degree in the gcd: the
+//! cases come first, and one variable has an algorithm of its own. Then each common variable gets a bound for its degree in the gcd: the
 //! degree of the gcd of the images modulo a prime, all other variables replaced by numbers.
 //! A bound of 0 for all variables proves that the gcd is 1, the common case. Otherwise the
 //! primitive remainder sequence in one variable, with coefficients treated recursively,
@@ -11,6 +11,7 @@
 //! common divisors*, J. ACM 18 (1971) 478–504; Knuth, TAOCP vol. 2, 4.6.1.
 
 use super::multivariate::{Exponents, MultiPoly, Terms, aligned};
+use super::one_variable;
 use super::symbol::Symbol;
 use crate::budget;
 use crate::math::number::{Int, Rational};
@@ -50,6 +51,14 @@ impl MultiPoly {
         // Over Z with primitive operands the quotient is integral (Gauss).
         let (a, b) = (self.primitive_part(), divisor.primitive_part());
         let (vars, dividend, by) = aligned(&a, &b);
+        let scale = self.leading_coefficient()
+            / a.leading_coefficient()
+            / (divisor.leading_coefficient() / b.leading_coefficient());
+        if let [_] = *vars
+            && let Some(quotient) = one_variable::quotient(&dividend, &by)
+        {
+            return Some(MultiPoly::from_sorted(vars, quotient?, Int::ONE).scaled(&scale));
+        }
         let (lead, lead_c) = by.first()?;
         let mut rest: BTreeMap<Exponents, Int> = dividend.iter().cloned().collect();
         let mut quotient: Terms = Vec::new();
@@ -70,7 +79,7 @@ impl MultiPoly {
             quotient.push((shift, q));
         }
         let quotient = MultiPoly::from_sorted(vars, quotient, Int::ONE);
-        Some(quotient.scaled(&(leading(self) / leading(&a) / (leading(divisor) / leading(&b)))))
+        Some(quotient.scaled(&scale))
     }
 
     /// The greatest common divisor: primitive with positive leading coefficient; for 0 and p it
@@ -95,6 +104,9 @@ impl MultiPoly {
         let (a, b) = (self.primitive_part(), other.primitive_part());
         if a.len() == 1 || b.len() == 1 {
             return monomial_gcd(&a, &b);
+        }
+        if one_variable::has_one_variable(&a) && a.variables() == b.variables() {
+            return one_variable::gcd(&a, &b);
         }
         let common: Vec<Symbol> = a.variables().iter().filter(|s| b.degree_in(s) > 0).cloned().collect();
         if common.is_empty() {
@@ -132,11 +144,6 @@ impl MultiPoly {
             None => MultiPoly::zero(),
         }
     }
-}
-
-/// The leading coefficient in lexicographic order.
-fn leading(p: &MultiPoly) -> Rational {
-    p.terms.first().map_or_else(Rational::zero, |(_, c)| Rational::new(c.clone(), p.den.clone()))
 }
 
 /// gcd when one of the two is a monomial with coefficient 1.

@@ -1,19 +1,17 @@
 //! Polynomials in one and in several variables, and their fractions.
 
-mod fraction;
-mod gcd;
-mod multiply;
-mod multivariate;
-mod ring_ops;
-mod symbol;
-
-pub use fraction::{DivisionByZero, Fraction};
-pub use multivariate::{MonomialOrder, MultiPoly, Powers};
-pub use symbol::{Index, Symbol};
+mod coefficients;
 mod dense;
 mod dense_compose;
 mod dense_modular;
 mod dense_ntt;
+mod fraction;
+mod gcd;
+mod multiply;
+mod multivariate;
+mod one_variable;
+mod ring_ops;
+mod symbol;
 mod univariate;
 mod univariate_gcd;
 mod univariate_ops;
@@ -21,4 +19,8 @@ mod univariate_roots;
 #[cfg(test)]
 mod univariate_tests;
 
+pub use coefficients::Coefficients;
+pub use fraction::{DivisionByZero, Fraction};
+pub use multivariate::{MonomialOrder, MultiPoly, Powers};
+pub use symbol::{Index, Symbol};
 pub use univariate::Poly;

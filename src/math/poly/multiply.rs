@@ -4,12 +4,13 @@
 //! product, so that multiplying monomials is adding words and descending words are
 //! descending lexicographic order. Coefficients that fit are summed in 128 bits, with the
 //! bound known beforehand. Many terms in a small box go into a dense array, others into a
-//! table; what does not fit takes the general way.
+//! table; what does not fit takes the general way. One variable has kernels of its own.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 use super::multivariate::{Exponents, MultiPoly, Terms, aligned};
+use super::one_variable;
 use crate::budget;
 use crate::math::number::Int;
 
@@ -38,6 +39,11 @@ pub(super) fn product(a: &MultiPoly, b: &MultiPoly) -> MultiPoly {
             terms.extend(shifted(&right, e, c));
         }
         return MultiPoly::from_unsorted(vars, terms, den);
+    }
+    if let [_] = *vars
+        && let Some(terms) = one_variable::product(&left, &right)
+    {
+        return MultiPoly::from_sorted(vars, terms, den);
     }
     let Some(packing) = Packing::new(&left, &right, vars.len()) else {
         return MultiPoly::from_unsorted(vars, general(&left, &right), den);

@@ -18,6 +18,7 @@ use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 
 use super::symbol::Symbol;
+use super::{dense, one_variable};
 use crate::budget;
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Ring;
@@ -164,13 +165,7 @@ impl MultiPoly {
             return MultiPoly::zero();
         }
         if !den.is_one() {
-            let mut g = den.clone();
-            for (_, c) in &terms {
-                g = g.gcd(c);
-                if g.is_one() {
-                    break;
-                }
-            }
+            let mut g = dense::common_divisor(&den, terms.iter().map(|(_, c)| c));
             if den.is_negative() {
                 g = -g;
             }
@@ -244,6 +239,11 @@ impl MultiPoly {
                 (powers.collect(), Rational::new(c.clone(), self.den.clone()))
             })
             .collect()
+    }
+
+    /// The coefficient of the first term in lexicographic order; 0 for 0.
+    pub(super) fn leading_coefficient(&self) -> Rational {
+        self.terms.first().map_or_else(Rational::zero, |(_, c)| Rational::new(c.clone(), self.den.clone()))
     }
 
     fn place(&self, symbol: &Symbol) -> Option<usize> {
@@ -355,6 +355,12 @@ impl MultiPoly {
         budget::charge_terms(k.saturating_mul(self.len() as u64 - 1).saturating_add(1));
         let bits = self.terms.iter().map(|(_, c)| c.bits()).max().unwrap_or(0);
         budget::charge_bits(bits.max(1).saturating_mul(k));
+        if one_variable::has_one_variable(self)
+            && let Some(terms) = one_variable::power(&self.terms, exponent)
+        {
+            // No common factor appears (Gauss), so the form stays canonical.
+            return MultiPoly { vars: self.vars.clone(), terms, den: self.den.pow(exponent) };
+        }
         let (mut result, mut base, mut left) = (MultiPoly::one(), self.clone(), exponent);
         loop {
             if left & 1 == 1 {
@@ -385,6 +391,14 @@ impl MultiPoly {
         }
         // One replaced symbol: Horner's scheme; several: group the terms by their powers.
         if let [(place, value)] = active.as_slice() {
+            if one_variable::has_one_variable(self) {
+                if let Some(q) = value.as_constant() {
+                    return MultiPoly::constant(one_variable::value(self, &q));
+                }
+                if one_variable::has_one_variable(value) {
+                    return one_variable::composition(self, value);
+                }
+            }
             let symbol = self.vars[*place].clone();
             let mut sum = MultiPoly::zero();
             for c in self.coefficients_in(&symbol).iter().rev() {
@@ -419,7 +433,13 @@ impl MultiPoly {
 
     /// Puts in numbers for some symbols. Integers for all of them are the fast case: powers and
     /// one sum, whatever the degree.
-    pub fn evaluate(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Self {
+    pub fn value(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Self {
+        if let [symbol] = &*self.vars {
+            return match value(symbol) {
+                Some(x) => MultiPoly::constant(one_variable::value(self, &x)),
+                None => self.clone(),
+            };
+        }
         let integers: Option<Vec<Int>> = self
             .vars
             .iter()
@@ -495,17 +515,16 @@ impl MultiPoly {
         MultiPoly::from_coefficients_in(symbol, &shifted)
     }
 
+    /// The integers over the common denominator.
+    fn coefficients(&self) -> impl Iterator<Item = &Int> {
+        self.terms.iter().map(|(_, c)| c)
+    }
+
     /// The positive rational c with self / c primitive (integer coefficients without common factor);
     /// 0 for 0.
     pub fn content(&self) -> Rational {
-        let mut g = Int::ZERO;
-        for (_, c) in &self.terms {
-            g = g.gcd(c);
-            if g.is_one() {
-                break;
-            }
-        }
-        Rational::new(g, self.den.clone())
+        // In lowest terms because the form is canonical.
+        Rational::new_raw(dense::common_divisor(&Int::ZERO, self.coefficients()), self.den.clone())
     }
 
     /// self divided by its content, with positive leading coefficient (lex); 0 for 0.
@@ -513,7 +532,7 @@ impl MultiPoly {
         if self.is_empty() {
             return self.clone();
         }
-        let mut g = self.content().numer().clone();
+        let mut g = dense::common_divisor(&Int::ZERO, self.coefficients());
         if self.terms[0].1.is_negative() {
             g = -g;
         }

@@ -31,7 +31,7 @@ use crate::math::ring::Ring;
 /// let t = Poly::variable();
 /// let f = &t * &t + Poly::constant(rational(5, 3));
 /// assert_eq!(f.to_string(), "t^2 + 5/3");
-/// assert_eq!(f.eval(&rational(1, 3)), rational(16, 9));
+/// assert_eq!(f.value(&rational(1, 3)), rational(16, 9));
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Poly {
@@ -272,9 +272,9 @@ impl Poly {
     /// ```
     /// # use polarform::{number::rational, poly::Poly};
     /// let f = Poly::variable().pow(2) - Poly::constant(rational(1, 4));
-    /// assert_eq!(f.eval(&rational(-1, 2)), rational(0, 1));
+    /// assert_eq!(f.value(&rational(-1, 2)), rational(0, 1));
     /// ```
-    pub fn eval(&self, x: &Rational) -> Rational {
+    pub fn value(&self, x: &Rational) -> Rational {
         let (Some(n), Some(lead)) = (self.degree(), self.num.last()) else {
             return Rational::zero();
         };
@@ -298,9 +298,9 @@ impl Poly {
     /// ```
     /// # use polarform::poly::Poly;
     /// let f = Poly::variable().pow(2) + Poly::one();
-    /// assert_eq!(f.eval_in(&f).to_string(), "t^4 + 2 t^2 + 2");
+    /// assert_eq!(f.value_in(&f).to_string(), "t^4 + 2 t^2 + 2");
     /// ```
-    pub fn eval_in<R: Ring>(&self, x: &R) -> R {
+    pub fn value_in<R: Ring>(&self, x: &R) -> R {
         let constant = |a: &Int| R::from_rational(&Rational::from_integer(a.clone()));
         let Some((lead, rest)) = self.num.split_last() else {
             return R::zero();
@@ -379,7 +379,7 @@ impl Poly {
     /// ```
     pub fn integral(&self, a: &Rational, b: &Rational) -> Rational {
         let antiderivative = self.antiderivative();
-        antiderivative.eval(b) - antiderivative.eval(a)
+        antiderivative.value(b) - antiderivative.value(a)
     }
 
     /// self ∘ inner, that is self(inner(t)), by divide and conquer.

@@ -137,7 +137,7 @@ impl Poly {
 }
 
 /// The greatest common divisor of two primitive nonconstant integer polynomials, primitive.
-fn primitive_gcd(a: &[Int], b: &[Int]) -> Vec<Int> {
+pub(super) fn primitive_gcd(a: &[Int], b: &[Int]) -> Vec<Int> {
     // lead(gcd) divides this, so its multiple with this leading coefficient is integral.
     let lead = a[a.len() - 1].gcd(&b[b.len() - 1]);
     let mut found: Vec<Int> = Vec::new();

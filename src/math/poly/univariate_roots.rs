@@ -112,12 +112,12 @@ impl Poly {
             return true;
         }
         if a == b {
-            return !self.eval(a).is_negative();
+            return !self.value(a).is_negative();
         }
         let odd: Poly =
             self.square_free_factors().into_iter().filter(|(_, m)| m.is_odd()).map(|(p, _)| p).product();
-        let inside = odd.count_roots(a, b).unwrap_or(0) - usize::from(odd.eval(b).is_zero());
+        let inside = odd.count_roots(a, b).unwrap_or(0) - usize::from(odd.value(b).is_zero());
         let middle = (a + b) / Rational::from_integer(Int::from(2));
-        inside == 0 && odd.eval(&middle).is_negative() == self.leading_coefficient().is_negative()
+        inside == 0 && odd.value(&middle).is_negative() == self.leading_coefficient().is_negative()
     }
 }

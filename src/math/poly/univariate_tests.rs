@@ -90,20 +90,20 @@ proptest! {
 
     #[test]
     fn evaluation_is_a_homomorphism(f in any_poly(), g in any_poly(), x in any_rational()) {
-        let value = f.eval(&x);
+        let value = f.value(&x);
         prop_assert_eq!(&Rational::new(value.numer().clone(), value.denom().clone()), &value, "in lowest terms");
         prop_assert_eq!(&value, &horner(&f, &x));
-        prop_assert_eq!(&value, &f.eval_in(&x));
-        prop_assert_eq!((&f + &g).eval(&x), &value + g.eval(&x));
-        prop_assert_eq!((&f * &g).eval(&x), &value * g.eval(&x));
-        prop_assert_eq!(canonical(f.scale(&x)).eval(&x), &value * &x);
+        prop_assert_eq!(&value, &f.value_in(&x));
+        prop_assert_eq!((&f + &g).value(&x), &value + g.value(&x));
+        prop_assert_eq!((&f * &g).value(&x), &value * g.value(&x));
+        prop_assert_eq!(canonical(f.scale(&x)).value(&x), &value * &x);
     }
 
     #[test]
     fn composition_and_shift(f in small_poly(12), g in small_poly(6), x in any_rational()) {
         let composed = canonical(f.compose(&g));
-        prop_assert_eq!(composed.eval(&x), f.eval(&g.eval(&x)));
-        prop_assert_eq!(&composed, &f.eval_in(&g));
+        prop_assert_eq!(composed.value(&x), f.value(&g.value(&x)));
+        prop_assert_eq!(&composed, &f.value_in(&g));
         let line = Poly::variable() + Poly::constant(x.clone());
         prop_assert_eq!(canonical(f.shift(&x)), f.compose(&line));
         prop_assert_eq!(f.shift(&x).shift(&-&x), f.clone());
@@ -111,7 +111,7 @@ proptest! {
         let mut factorial = integer(1);
         for k in 0..f.numerators().len() {
             factorial *= Int::from(k.max(1));
-            prop_assert_eq!(f.shift(&x).coefficient(k), f.nth_derivative(k).eval(&x) / &factorial);
+            prop_assert_eq!(f.shift(&x).coefficient(k), f.nth_derivative(k).value(&x) / &factorial);
         }
         let stretched = Poly::monomial(x.clone(), 1);
         prop_assert_eq!(canonical(f.scale_argument(&x)), f.compose(&stretched));
@@ -124,7 +124,7 @@ proptest! {
         prop_assert_eq!(f.nth_derivative(0), f.clone());
         prop_assert_eq!(canonical(f.antiderivative()).derivative(), f.clone());
         prop_assert!(f.antiderivative().coefficient(0).is_zero());
-        prop_assert_eq!(f.derivative().integral(&a, &b), f.eval(&b) - f.eval(&a));
+        prop_assert_eq!(f.derivative().integral(&a, &b), f.value(&b) - f.value(&a));
     }
 
     #[test]
@@ -139,7 +139,7 @@ proptest! {
     fn reversal(f in any_poly(), x in any_rational()) {
         let reversed = canonical(f.reverse());
         if let Some(n) = f.degree() && !x.is_zero() {
-            prop_assert_eq!(reversed.eval(&x), f.eval(&x.recip()) * x.powered(n as u32));
+            prop_assert_eq!(reversed.value(&x), f.value(&x.recip()) * x.powered(n as u32));
         }
     }
 
@@ -211,7 +211,7 @@ proptest! {
         cuts.insert(0, a.clone());
         cuts.push(b.clone());
         let middles: Vec<Rational> = cuts.windows(2).map(|w| (&w[0] + &w[1]) / integer(2)).collect();
-        let nonnegative = a > b || cuts.iter().chain(&middles).all(|x| !f.eval(x).is_negative());
+        let nonnegative = a > b || cuts.iter().chain(&middles).all(|x| !f.value(x).is_negative());
         prop_assert_eq!(f.is_nonnegative_on(&a, &b), nonnegative);
     }
 }
@@ -230,7 +230,7 @@ fn zero_in_every_role() {
     let (zero, one, x) = (Poly::zero(), Poly::one(), rational(7, 3));
     assert_eq!(zero.degree(), None);
     assert!(zero.leading_coefficient().is_zero() && zero.content().is_zero());
-    assert!(zero.eval(&x).is_zero() && zero.integral(&x, &integer(0)).is_zero());
+    assert!(zero.value(&x).is_zero() && zero.integral(&x, &integer(0)).is_zero());
     for f in [
         zero.derivative(),
         zero.antiderivative(),
@@ -279,10 +279,10 @@ fn long_polynomials() {
     let g: Poly = (0..300i64).map(|k| rational(5 - k, 1 + k % 7)).collect();
     let product = canonical(&f * &g);
     for x in [rational(1, 2), rational(-3, 1), rational(1, 1)] {
-        assert_eq!(product.eval(&x), horner(&f, &x) * horner(&g, &x));
+        assert_eq!(product.value(&x), horner(&f, &x) * horner(&g, &x));
     }
     let shifted = canonical(f.shift(&rational(2, 3)));
-    assert_eq!(shifted.eval(&integer(1)), f.eval(&rational(5, 3)));
+    assert_eq!(shifted.value(&integer(1)), f.value(&rational(5, 3)));
     assert_eq!(shifted.shift(&rational(-2, 3)), f);
     assert_eq!(product.gcd(&(&f * &(&g + Poly::one()))), f.leading_monic());
 }
@@ -312,6 +312,6 @@ fn absurd_sizes_stop_before_they_are_built() {
     assert!(matches!(stopped(&|| Poly::monomial(integer(1), usize::MAX)), Stop::Terms { .. }));
     let big = (&t + Poly::one()).pow(100);
     assert!(matches!(stopped(&|| big.compose(&big)), Stop::Terms { .. }));
-    let value = budget::run(&limits, || big.eval(&rational(1 << 60, (1 << 61) - 1).powered(4)));
+    let value = budget::run(&limits, || big.value(&rational(1 << 60, (1 << 61) - 1).powered(4)));
     assert!(matches!(value, Err(Stop::Bits { .. })));
 }

@@ -100,9 +100,8 @@ impl<C: Field> BSpline<C> {
             raised.push(form.elevate(n - form.degree()));
         }
         let point = |i: usize| {
-            let at = |form: &crate::math::blossom::PolarForm<C>| {
-                form.value_at(knots.label(i)).expect("n arguments")
-            };
+            let at =
+                |form: &crate::math::blossom::PolarForm<C>| form.value(knots.label(i)).expect("n arguments");
             raised.iter().map(at).collect()
         };
         let points = (0..knots.count()).map(point).collect();

@@ -52,7 +52,7 @@ impl<C: Field> BSpline<C> {
             budget::step();
             let label = knots.label(i);
             let value = |k: usize| -> Vec<C> {
-                forms[k].iter().map(|form| form.value_at(label).expect("n arguments")).collect()
+                forms[k].iter().map(|form| form.value(label).expect("n arguments")).collect()
             };
             let support: Vec<usize> =
                 (0..spans.len()).filter(|&k| i <= spans[k] && spans[k] <= i + n).collect();

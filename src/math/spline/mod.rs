@@ -20,6 +20,7 @@ mod degree;
 mod insertion;
 mod integers;
 mod knots;
+mod parts;
 mod surface;
 #[cfg(test)]
 mod tests;

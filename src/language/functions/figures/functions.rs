@@ -11,6 +11,7 @@ use crate::language::value::{Geometry, Value, polynomial_expr, symbol_expr};
 use crate::math::basis::bernstein_to_power;
 use crate::math::number::{Rational, integer};
 use crate::math::piecewise::{Outside, Piecewise};
+use crate::math::poly::Coefficients;
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::spline::KnotVector;
 use crate::scene::pictures::{BasisPicture, Function, Knot, Piece};
@@ -83,9 +84,9 @@ pub(super) fn basis(args: &Arguments) -> Evaluated {
 
 fn pieces(function: &Piecewise<Rational>) -> Vec<Piece> {
     let intervals = function.breaks().windows(2);
-    let piece = |(interval, coefficients): (&[Rational], &Vec<Rational>)| Piece {
+    let piece = |(interval, coefficients): (&[Rational], &Coefficients<Rational>)| Piece {
         interval: [interval[0].clone(), interval[1].clone()],
-        coefficients: coefficients.clone(),
+        coefficients: coefficients.to_vec(),
     };
     intervals.zip(function.pieces()).map(piece).collect()
 }

@@ -11,8 +11,7 @@ use crate::language::ops::geometry::{point_of, points_of};
 use crate::language::value::{Cell, Form, Value, polynomial_expr};
 use crate::math::interpolate::{InterpolationError, Norm};
 use crate::math::number::Rational;
-use crate::math::piecewise::horner;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 
 pub(crate) type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -138,14 +137,14 @@ pub(crate) fn polynomial(power: &[Datum], form: Form, variable: &Symbol) -> Valu
     let dimension = power.first().map_or(0, Vec::len);
     let coordinate = |k: usize| {
         let coefficients: Vec<Fraction> = power.iter().map(|c| c[k].clone()).collect();
-        horner(&coefficients, &t)
+        Coefficients::new(coefficients).value(&t)
     };
     form.plain((0..dimension).map(coordinate).collect())
 }
 
 /// One polynomial with numbers or formulas as power coefficients.
 pub(crate) fn scalar_polynomial(power: &[Fraction], variable: &Symbol) -> Value {
-    Value::Scalar(horner(power, &symbol(variable)))
+    Value::Scalar(Coefficients::new(power.to_vec()).value(&symbol(variable)))
 }
 
 /// A datum given under a name.

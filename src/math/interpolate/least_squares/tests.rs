@@ -5,8 +5,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::math::interpolate::{nodal_polynomial, polynomial_through};
 use crate::math::number::{Rational, integer as z, rational as q};
-use crate::math::piecewise::{added, horner, multiplied, trimmed};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 
 fn number() -> impl Strategy<Value = Rational> {
     prop_oneof![4 => (-5i64..=5).prop_map(z), 2 => (-9i64..=9, 1i64..=6).prop_map(|(p, d)| q(p, d))]
@@ -34,31 +33,33 @@ fn distinct_count(nodes: &[Rational], weights: &[Rational]) -> usize {
     kept.len()
 }
 
+fn horner(p: &[Rational], t: &Rational) -> Rational {
+    Coefficients::new(p.to_vec()).value(t)
+}
+
 /// The projection onto orthogonal polynomials: p_{k+1} = t p_k made orthogonal to p_0, …, p_k.
 fn by_orthogonal_polynomials(
     nodes: &[Rational],
     values: &[Rational],
     weights: &[Rational],
     degree: usize,
-) -> Vec<Rational> {
+) -> Coefficients<Rational> {
     let dot = |f: &[Rational], g: &[Rational]| {
         let terms = f.iter().zip(g).zip(weights);
         terms.fold(Rational::zero(), |sum, ((a, b), w)| sum + a * b * w)
     };
-    let at = |p: &[Rational]| -> Vec<Rational> { nodes.iter().map(|x| horner(p, x)).collect() };
-    let scaled = |p: &[Rational], s: &Rational| -> Vec<Rational> { p.iter().map(|c| c * s).collect() };
-    let mut basis: Vec<Vec<Rational>> = Vec::new();
-    let mut sum = Vec::new();
+    let at = |p: &Coefficients<Rational>| -> Vec<Rational> { nodes.iter().map(|x| p.value(x)).collect() };
+    let mut basis: Vec<Coefficients<Rational>> = Vec::new();
+    let mut sum = Coefficients::zero();
     for k in 0..=degree {
-        let mut next = vec![z(0); k];
-        next.push(z(1));
+        let mut next = Coefficients::new(vec![z(0), z(1)]).powered(k as u32);
         let column = at(&next);
         for p in &basis {
             let factor = dot(&column, &at(p)) / dot(&at(p), &at(p));
-            next = added(&next, &scaled(p, &-factor));
+            next = next.minus(&p.scaled(&factor));
         }
         let factor = dot(values, &at(&next)) / dot(&at(&next), &at(&next));
-        sum = added(&sum, &scaled(&next, &factor));
+        sum = sum.plus(&next.scaled(&factor));
         basis.push(next);
     }
     sum
@@ -81,7 +82,7 @@ proptest! {
         }
         let power = power.unwrap();
         prop_assert_eq!(&power.solution.coefficients, &power.power);
-        prop_assert_eq!(&power.power, &by_orthogonal_polynomials(&nodes, &values, &weights, degree));
+        prop_assert_eq!(&power.power, &by_orthogonal_polynomials(&nodes, &values, &weights, degree).padded(degree));
         let bernstein = fit(Basis::Bernstein { a: other.clone(), b: other + z(3) }).unwrap();
         prop_assert_eq!(&bernstein.power, &power.power);
         prop_assert_eq!(&bernstein.solution.residuals, &power.solution.residuals);
@@ -125,8 +126,9 @@ proptest! {
         let rest: Vec<Rational> = nodes.iter().zip(&values).map(|(x, y)| y - horner(&start, x)).collect();
         match (fit, least_squares(&matrix, &rest, Some(&weights))) {
             (Ok(fit), Ok(other)) => {
-                let sum = added(&start, &multiplied(&product, &other.coefficients));
-                prop_assert_eq!(trimmed(sum), trimmed(fit.power.clone()));
+                let product = Coefficients::new(product).times(&other.coefficients.into());
+                let sum = Coefficients::new(start).plus(&product);
+                prop_assert_eq!(sum, Coefficients::new(fit.power.clone()));
                 prop_assert_eq!(&fit.solution.squared_norm, &other.squared_norm);
                 prop_assert!(fit.solution.orthogonality().iter().all(Zero::is_zero));
                 for (x, y) in at.iter().zip(&targets) {

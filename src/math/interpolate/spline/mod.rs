@@ -32,6 +32,7 @@ use crate::math::interpolate::datum::{
 use crate::math::interpolate::hermite::hermite_bezier;
 use crate::math::number::rational;
 use crate::math::piecewise::{Outside, Piecewise, interval_of};
+use crate::math::poly::Coefficients;
 use crate::math::ring::Field;
 
 pub use ends::{End, Ends};
@@ -355,7 +356,8 @@ impl<C: Field, V: Datum<C>> CubicSpline<C, V> {
         let pieces: Vec<Vec<V>> = (0..self.pieces()).map(|i| self.power(i)).collect();
         let coordinate = |k: usize| {
             let one = |piece: &Vec<V>| piece.iter().map(|c| c.coordinates()[k].clone()).collect();
-            Piecewise::new(self.nodes.clone(), pieces.iter().map(one).collect(), Outside::Undefined)
+            let polynomials: Vec<Coefficients<C>> = pieces.iter().map(one).collect();
+            Piecewise::new(self.nodes.clone(), polynomials, Outside::Undefined)
                 .expect("the nodes increase, and there is a piece between any two")
         };
         (0..self.values[0].dimension()).map(coordinate).collect()

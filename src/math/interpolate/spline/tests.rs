@@ -6,8 +6,7 @@ use super::*;
 use crate::math::blossom::PolarForm;
 use crate::math::linalg::{determinant, solve};
 use crate::math::number::{Rational, integer as z, rational as q};
-use crate::math::piecewise::{horner, multiplied};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 fn number() -> impl Strategy<Value = Rational> {
@@ -42,8 +41,12 @@ fn end() -> impl Strategy<Value = End<Rational>> {
     ]
 }
 
+fn horner(p: &[Rational], t: &Rational) -> Rational {
+    Coefficients::new(p.to_vec()).value(t)
+}
+
 fn derivative(p: &[Rational], k: usize) -> Vec<Rational> {
-    (0..k).fold(p.to_vec(), |p, _| crate::math::piecewise::derivative(&p))
+    Coefficients::new(p.to_vec()).nth_derivative(k).into_vec()
 }
 
 /// Everything that makes it the spline of its data.
@@ -79,7 +82,7 @@ fn check(spline: &CubicSpline<Rational>) {
     assert_eq!(system.matrix.product(&solution[system.first..]), system.right);
     // ∫ S''² the other way
     let second = function.derivative(2);
-    assert_eq!(second.map(|p| multiplied(p, p)).integral(), spline.bending_energy());
+    assert_eq!(second.map(|p| p.times(p)).integral(), spline.bending_energy());
 
     let first_piece = |k: usize| horner(&derivative(&spline.power(0), k), &nodes[0]);
     let last_piece = |k: usize| horner(&derivative(&spline.power(n - 1), k), &nodes[n]);

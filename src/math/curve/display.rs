@@ -1,0 +1,89 @@
+//! Curves as text: the calls by which the query language makes them.
+
+use std::fmt::{Display, Formatter, Result};
+
+use super::{BezierCurve, Point, RationalCurve};
+use crate::math::ring::Field;
+
+/// `[x, y, …]`
+pub(crate) fn list<T>(
+    f: &mut Formatter<'_>,
+    items: &[T],
+    mut write: impl FnMut(&mut Formatter<'_>, &T) -> Result,
+) -> Result {
+    f.write_str("[")?;
+    for (i, item) in items.iter().enumerate() {
+        if i > 0 {
+            f.write_str(", ")?;
+        }
+        write(f, item)?;
+    }
+    f.write_str("]")
+}
+
+/// A number for a point of the line, else its coordinates in parentheses.
+pub(crate) fn points<C: Display>(f: &mut Formatter<'_>, points: &[Point<C>]) -> Result {
+    list(f, points, |f, point| match point.as_slice() {
+        [x] => Display::fmt(x, f),
+        coordinates => {
+            let shown: Vec<String> = coordinates.iter().map(C::to_string).collect();
+            write!(f, "({})", shown.join(", "))
+        }
+    })
+}
+
+fn ends<C: Field + Display>(f: &mut Formatter<'_>, (a, b): (&C, &C)) -> Result {
+    if a.is_zero() && b.is_one() { Ok(()) } else { write!(f, ", {a}, {b}") }
+}
+
+/// `bezier([b_0, …, b_n], a, b)`, without the ends if they are 0 and 1.
+impl<C: Field + Display> Display for BezierCurve<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str("bezier(")?;
+        points(f, self.points())?;
+        ends(f, self.interval())?;
+        f.write_str(")")
+    }
+}
+
+/// As for a polynomial curve, with `weights=[…]`; with `homogeneous=1` and the control vectors if one
+/// has weight 0.
+impl<C: Field + Display> Display for RationalCurve<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str("bezier(")?;
+        match self.points().into_iter().collect::<Option<Vec<_>>>() {
+            Some(finite) => {
+                points(f, &finite)?;
+                ends(f, self.interval())?;
+                f.write_str(", weights=")?;
+                list(f, &self.weights(), |f, w| Display::fmt(w, f))?;
+            }
+            None => {
+                list(f, self.homogeneous().points(), |f, vector| list(f, vector, |f, x| Display::fmt(x, f)))?;
+                ends(f, self.interval())?;
+                f.write_str(", homogeneous=1")?;
+            }
+        }
+        f.write_str(")")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::{Rational, integer as z, rational as q};
+
+    #[test]
+    fn as_the_language_writes_them() {
+        let plane = |p: &[[i64; 2]]| p.iter().map(|p| p.map(z).to_vec()).collect::<Vec<Point<Rational>>>();
+        let curve = BezierCurve::new(plane(&[[0, 0], [1, 2]]), z(0), z(1)).unwrap();
+        assert_eq!(curve.to_string(), "bezier([(0, 0), (1, 2)])");
+        let line = BezierCurve::new(vec![vec![q(1, 2)], vec![z(3)]], z(0), z(2)).unwrap();
+        assert_eq!(line.to_string(), "bezier([1/2, 3], 0, 2)");
+        let arc = RationalCurve::new(plane(&[[1, 0], [1, 1], [0, 1]]), [1, 1, 2].map(z).to_vec(), z(0), z(1));
+        assert_eq!(arc.unwrap().to_string(), "bezier([(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])");
+        let infinite =
+            RationalCurve::from_homogeneous(BezierCurve::new(plane(&[[1, 0], [1, 1]]), z(0), z(1)).unwrap());
+        assert_eq!(infinite.unwrap().to_string(), "bezier([[1, 0], [1, 1]], homogeneous=1)");
+    }
+}
