@@ -130,6 +130,11 @@ impl Checker {
             sides: sides.to_vec(),
             relations: relations.to_vec(),
             conditions: chain.conditions.clone(),
+            hypotheses: earlier
+                .iter()
+                .filter(|condition| place.sees(&condition.place))
+                .map(|condition| condition.expr.clone())
+                .collect(),
             earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
             context: self.context.clone(),
             place,

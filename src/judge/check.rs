@@ -118,6 +118,7 @@ impl Checker {
         let (verdict, reason) = match statement.role {
             Some(Role::Assumed) => (Verdict::Definition, "assumed here"),
             Some(Role::Asked) => (Verdict::Undecided, "asked for, not claimed"),
+            _ if statement.is_case() => (Verdict::Definition, "a condition"),
             _ if chain.partial => (Verdict::Definition, "said of the other cases"),
             _ => return None,
         };
@@ -415,9 +416,11 @@ impl Checker {
         // An equation that nothing decides and nobody claims is a condition that later lines may need.
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
             let at = start + i;
-            let open = findings[at].verdict == Verdict::Undecided && !tally.fails.is_empty()
-                || findings[at].verdict == Verdict::Definition;
-            if open && statement.role != Some(Role::Claimed) && chain.relations[at].0 == Rel::Eq {
+            let given = statement.role == Some(Role::Introduced)
+                && findings[at].verdict == Verdict::Undecided
+                && !tally.fails.is_empty();
+            let open = given || findings[at].verdict == Verdict::Definition;
+            if open && chain.relations[at].0 == Rel::Eq {
                 let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
                 let relation = Expr::relation(left.clone(), Rel::Eq, right.clone());
                 self.condition(relation, findings[at].span, false, place);

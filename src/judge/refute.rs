@@ -9,7 +9,7 @@ use super::check::Checker;
 use super::compare::{self, Outcome};
 use super::model::Curve;
 use super::names::{Head, bases, walk};
-use super::statement::{Chain, Statement};
+use super::statement::{Chain, Role, Statement};
 use super::trial::{Failure, Outcomes, Tally};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
@@ -189,7 +189,8 @@ pub fn decide(
     }
     // The hypotheses say what the left side is.
     let inner = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first());
-    if let (true, Some(failure)) = (tally.determined == tally.fails.len(), inner) {
+    let claimed = statement.role == Some(Role::Claimed) || !chain.conditions.is_empty();
+    if let (true, Some(failure)) = (claimed && tally.determined == tally.fails.len(), inner) {
         return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
     }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);

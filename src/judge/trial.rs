@@ -46,6 +46,8 @@ pub struct Trial<'a> {
     pub conditions: Vec<Expr>,
     /// Conditions said before, that may be needed.
     pub earlier: Vec<Expr>,
+    /// Those of them that stand in the same section, the nearest first.
+    pub hypotheses: Vec<Expr>,
     /// What is known.
     pub context: Rc<Context>,
     /// Where the chain stands.
@@ -609,7 +611,7 @@ impl Conditions<'_> {
         let equations: Vec<(Value, Value)> = self
             .own
             .iter()
-            .chain(self.earlier.iter().take(NEAREST))
+            .chain(trial.hypotheses.iter().take(NEAREST))
             .filter_map(|condition| trial.condition_values(condition, bound, degree))
             .collect();
         let family = |value: &Value| -> BTreeSet<String> {

@@ -8,7 +8,7 @@
 use super::speech::{self, Around};
 use crate::document::{Document, Item};
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::statement::{Role, Said, Side, Statement};
+use crate::judge::statement::{Chain, Role, Said, Statement};
 
 /// Gives every statement its role and every claim the cases of its sentence.
 ///
@@ -149,11 +149,26 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
                 None
             }
             Some(Role::Odd | Role::Even) if !parity => None,
+            // "For f(x) = x^3 we have": an example names a function, a case a value.
+            Some(Role::Case) if matches!(&statement.said, Said::Chain(chain) if names_a_function(chain)) => {
+                Some(Role::Introduced)
+            }
             role if states || parity => role,
             _ => None,
         };
     }
     attach_cases(statements, &|statement| role_of(statement).1);
+}
+
+/// Whether a chain says what a function or a sequence is: f(x) = …, a_k = ….
+fn names_a_function(chain: &Chain) -> bool {
+    let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
+    let plain = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
+    match &chain.sides[0].expr.kind {
+        Kind::Apply(callee, groups) => plain(callee) && groups.iter().flatten().all(plain),
+        Kind::Subscript(base, indices) => plain(base) && indices.iter().all(plain),
+        _ => false,
+    }
 }
 
 /// Hands the cases of a sentence to its claims.
@@ -209,30 +224,24 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
                 }
             }
         }
-        for statement in &mut statements[at..end] {
-            if let (true, Said::Chain(chain)) = (statement.is_case(), &statement.said) {
-                statement.said = Said::Condition(as_side(chain));
-            }
-        }
         at = end;
     }
 }
 
 /// A chain as one formula.
-fn as_side(chain: &crate::judge::statement::Chain) -> Side {
+fn whole(chain: &Chain) -> Expr {
     let mut sides = chain.sides.iter();
     let first = sides.next().map(|side| side.expr.clone());
     let links: Vec<Link> = sides
         .zip(&chain.relations)
         .map(|(side, (rel, span))| Link { rel: *rel, span: *span, expr: side.expr.clone() })
         .collect();
-    let latex: Vec<&str> = chain.sides.iter().map(|side| side.latex.as_str()).collect();
     let span = match (chain.sides.first(), chain.sides.last()) {
         (Some(first), Some(last)) => first.expr.span.to(last.expr.span),
         _ => Default::default(),
     };
     let first = Box::new(first.unwrap_or_else(|| Expr::int(0)));
-    Side { expr: Expr::new(Kind::Chain(first, links), span), latex: latex.join(" ... ") }
+    Expr::new(Kind::Chain(first, links), span)
 }
 
 /// The conditions that a run of cases says; `None` if one of them cannot be said as a formula.
@@ -246,9 +255,9 @@ fn conditions(cases: &[Statement], is_alternative: &dyn Fn(&Statement) -> bool) 
                 Expr::relation(power, Rel::Eq, if role == Role::Odd { Expr::int(-1) } else { Expr::int(1) })
             }
             (Said::Condition(side), Role::Case) => side.expr.clone(),
-            (Said::Chain(chain), Role::Case) => as_side(chain).expr,
+            (Said::Chain(chain), Role::Case) => whole(chain),
             (Said::Condition(side), Role::Except) => negated(&side.expr)?,
-            (Said::Chain(chain), Role::Except) => negated(&as_side(chain).expr)?,
+            (Said::Chain(chain), Role::Except) => negated(&whole(chain))?,
             _ => return None,
         };
         match found.pop_if(|_| is_alternative(case)) {

@@ -6,6 +6,7 @@ use crate::judge::statement::Role;
 
 pub(super) const CUES: &[Cue] = &[
     Before("所以", Role::Claimed),
+    Before("特别地", Role::Claimed),
     Before("故", Role::Claimed),
     Before("于是", Role::Claimed),
     Before("从而", Role::Claimed),
@@ -26,6 +27,10 @@ pub(super) const CUES: &[Cue] = &[
     Before("记", Role::Introduced),
     Before("定义", Role::Introduced),
     Before("其中", Role::Introduced),
+    Before("满足", Role::Introduced),
+    Before("使得", Role::Introduced),
+    Before("条件是", Role::Asked),
+    Before("条件为", Role::Asked),
     Before("假设", Role::Assumed),
     Before("假定", Role::Assumed),
     Opening("令", Role::Case),
