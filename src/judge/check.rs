@@ -2,18 +2,15 @@
 
 use std::rc::Rc;
 
-use super::attempt::{Attempt, restricted};
 use super::context::{Body, Condition, Context, Definition, Letters};
 use super::finding::{Finding, Verdict};
-use super::hypotheses;
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
 use super::names::Head;
-use super::prove::prove;
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
-use super::trial::Tally;
+use super::verdict::Judged;
 use crate::budget::{self, Limits};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -334,7 +331,7 @@ impl Checker {
     }
 
     /// Whether no definition speaks of the family of a symbol.
-    fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
+    pub(super) fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
         let points = curve.as_ref().is_some_and(|curve| curve.points == symbol.base());
         let mut mentioned = false;
         for definition in &self.context.definitions {
@@ -507,188 +504,6 @@ impl Checker {
                 || right.contains(&head.base.to_lowercase());
         (bare && !known).then_some(head.base)
     }
-
-    fn verdict(
-        &self,
-        tally: &Tally,
-        attempt: &Attempt,
-        chain: &Chain,
-        at: usize,
-        statement: &Statement,
-        head: Option<&Head>,
-    ) -> Judged {
-        let mut finding = blank(chain, at);
-        let outcomes = &attempt.outcomes;
-        finding.notes = self.notes(tally);
-        let ranged = !outcomes.integers.is_empty() && !outcomes.fixed || outcomes.degrees;
-        let range = || {
-            let mut names = outcomes.integers.join(", ");
-            if names.is_empty() {
-                names = "the degree".to_owned();
-            }
-            let largest = if outcomes.integers.is_empty() { 4 } else { outcomes.largest };
-            format!("{names} from 0 to {largest}")
-        };
-        if tally.fails.is_empty()
-            && tally.mismatches.len() > tally.holds
-            && let Some((integers, message)) = tally.mismatches.first()
-        {
-            let values: Vec<String> =
-                integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-            finding.verdict = Verdict::Refuted;
-            finding.reason = Some(message.clone());
-            finding.witness = Some(values.join(", "));
-            return Judged::Verdict(Box::new(finding));
-        }
-        if tally.fails.is_empty() && tally.holds > 0 {
-            finding.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
-            if ranged {
-                finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-                let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
-                if tally.holds < 2 || few {
-                    finding.verdict = Verdict::Undecided;
-                    finding.reason = Some("too few instances make sense".to_owned());
-                } else if tally.nonzero == 0 && !says_zero(chain) {
-                    finding.verdict = Verdict::Undecided;
-                    finding.reason =
-                        Some("both sides are 0 in every instance, so nothing was tested".to_owned());
-                }
-            }
-            if let Some(number) = tally.condition {
-                finding.notes.push(format!("uses an earlier condition (number {number})"));
-            }
-            if finding.verdict == Verdict::Sampled
-                && let Some(reason) = self.proof(chain, at, &statement.place, attempt)
-            {
-                finding.verdict = Verdict::Proved;
-                finding.reason = Some(reason);
-            }
-            return Judged::Verdict(Box::new(finding));
-        }
-        if let Some(reason) = restricted(tally, outcomes, chain) {
-            finding.verdict = Verdict::Sampled;
-            finding.reason = Some(reason.to_owned());
-            finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-            if let Some(reason) = self.proof(chain, at, &statement.place, attempt) {
-                finding.verdict = Verdict::Proved;
-                finding.reason = Some(reason);
-            }
-            return Judged::Verdict(Box::new(finding));
-        }
-        finding.verdict = Verdict::Undecided;
-        if tally.fails.is_empty() {
-            let reason = tally
-                .unclear
-                .first()
-                .cloned()
-                .or_else(|| tally.errors.first().map(|error| error.message.clone()));
-            if tally.record.mixed && tally.holds == 0 {
-                finding.warning = tally.errors.first().map(|error| error.message.clone());
-            }
-            if outcomes.integers.len() > 8 {
-                finding.reason = Some("too many integers without values".to_owned());
-            } else {
-                finding.reason = reason.or_else(|| Some("no instance makes sense".to_owned()));
-            }
-            // A new name whose formula cannot be computed is defined all the same.
-            if let Some(head) = head
-                && !chain.sides[1].is_unread()
-                && !refute::is_standard(Some(head))
-                && !refute::calls(&chain.sides[1].expr, &head.base)
-            {
-                return Judged::Redefinition(finding.warning);
-            }
-            return Judged::Verdict(Box::new(finding));
-        }
-        // Names that stand on one side only: the equation says what they are.
-        let introduces = statement.role != Some(Role::Claimed)
-            && matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
-            && tally.determined == 0
-            && tally.holds_inner == 0
-            && tally.fails.iter().take(3).all(|failure| {
-                hypotheses::introduces(&failure.left, &failure.right, &|symbol| {
-                    self.is_open(symbol, &attempt.curve)
-                })
-            });
-        if introduces {
-            finding.verdict = Verdict::Definition;
-            finding.reason = Some("a condition on new names".to_owned());
-            return Judged::Verdict(Box::new(finding));
-        }
-        let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
-        match refutation {
-            refute::Decision::Refuted { failure, reasons } => {
-                finding.verdict = Verdict::Refuted;
-                finding.determined = tally.determined > 0;
-                finding.reason = Some(reasons);
-                finding.witness = refute::counterexample(&failure);
-                if ranged {
-                    finding.instances = Some(format!(
-                        "fails in {} of {} instances: {}",
-                        tally.fails.len(),
-                        tally.fails.len() + tally.holds,
-                        range()
-                    ));
-                }
-            }
-            refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
-            refute::Decision::Sampled(reason) => {
-                finding.verdict = Verdict::Sampled;
-                finding.reason = Some(reason);
-                finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-            }
-            refute::Decision::Open(reason) => {
-                finding.reason = Some(reason);
-            }
-            refute::Decision::Loose(reason) => {
-                finding.reason = Some("it fails as it stands".to_owned());
-                finding.warning = Some(reason);
-            }
-        }
-        Judged::Verdict(Box::new(finding))
-    }
-
-    /// A proof for all integers, if one is found.
-    fn proof(&self, chain: &Chain, at: usize, place: &Place, attempt: &Attempt) -> Option<String> {
-        let choices = attempt.choices;
-        let equal = matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv | Rel::Define);
-        let tally = &attempt.outcomes.tallies[at - (chain.relations.len() - attempt.outcomes.tallies.len())];
-        let plain =
-            tally.record.unknown.is_empty() && tally.record.paired.is_empty() && tally.condition.is_none();
-        if !equal || !plain || choices.total_above || choices.powers || tally.record.infinite {
-            return None;
-        }
-        let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
-        let limits = Limits { time: Some(super::trial::share(&self.limits, 16)), ..self.limits.clone() };
-        let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
-        let proof = budget::run(&limits, || prove(left, right, &lookup)).ok()??;
-        Some(proof.reason)
-    }
-
-    fn notes(&self, tally: &Tally) -> Vec<String> {
-        let mut notes: Vec<String> = tally.record.standard.iter().cloned().collect();
-        for (number, _) in &tally.record.definitions {
-            let definition = &self.context.definitions[*number];
-            notes.push(format!("{} as defined in line {}", definition.head.base, definition.line));
-        }
-        for name in &tally.record.unknown {
-            notes.push(format!("{name} is any polynomial"));
-        }
-        notes
-    }
-}
-
-/// Whether a side is the number 0: then vanishing is what is claimed.
-fn says_zero(chain: &Chain) -> bool {
-    let zero = |side: &Side| matches!(&side.expr.kind, Kind::Number(q) if num_traits::Zero::is_zero(q));
-    chain.sides.iter().any(zero)
-}
-
-/// What comes of one relation.
-enum Judged {
-    Verdict(Box<Finding>),
-    /// It defines its name anew.
-    Redefinition(Option<String>),
 }
 
 /// A finding for a relation, not judged yet.

@@ -2,14 +2,19 @@
 //!
 //! A statement is a chain of relations with its conditions (`statement`). A new name is a definition
 //! (`known`, `context`); a claim is tried on all small instances (`trial`), each with a meaning for
-//! every name (`model`), compared exactly (`compare`). What holds in every instance may have a proof
-//! for all (`prove`); what fails is refuted only if it can be nothing but a claim (`refute`), and
-//! gets a suggestion (`repair`). What comes of each relation is a `finding`.
+//! every name (`model`), compared exactly (`compare`) where the conditions hold (`conditions`,
+//! `hypotheses`). What holds in every instance may have a proof for all (`prove`); what fails is
+//! refuted only if it can be nothing but a claim (`verdict`, `refute`), and gets a suggestion
+//! (`repair`). What comes of each relation is a `finding`.
+//!
+//! A claim within the language (`claim`, `family`) is judged by its values (`values`); `evaluator`
+//! hands this judge and the functions of the program to the evaluator.
 
 mod attempt;
 pub mod check;
 mod claim;
 mod compare;
+mod conditions;
 mod context;
 mod declare;
 pub mod evaluator;
@@ -30,3 +35,4 @@ pub mod statement;
 mod trial;
 mod unfold;
 mod values;
+mod verdict;

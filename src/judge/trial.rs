@@ -8,13 +8,13 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use super::compare::{self, Outcome};
+use super::compare::Outcome;
+use super::conditions::{Conditions, LAST_INTERVAL, knots_around};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
-use super::hypotheses;
-use super::model::{Choices, Curve, FREE_TERMS, Model, Record, holds};
-use super::names::{Head, implied_index, integer_names, own_names, walk};
+use super::model::{Choices, Curve, Model, Record, holds};
+use super::names::{Head, integer_names, walk};
 use super::statement::Place;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
@@ -513,180 +513,6 @@ impl Trial<'_> {
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))
     }
-}
-
-/// The knot intervals that are tried run from number 0 to this one.
-const LAST_INTERVAL: i64 = 3;
-
-/// Whether a condition such as u ∈ [u_j, u_{j+1}) or t_j ≤ t < t_{j+1} allows the knot interval of a number;
-/// other conditions do.
-fn knots_around(condition: &Expr, bound: &[(String, i64)], interval: i64) -> bool {
-    let number = |expr: &Expr| -> Option<i64> {
-        let Kind::Subscript(base, indices) = &expr.kind else { return None };
-        let ([index], true) =
-            (indices.as_slice(), Head::of(base).is_some_and(|head| is_variable(&head.base)))
-        else {
-            return None;
-        };
-        let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
-        evaluator::machine().with_locals(names, |machine| machine.eval_int(index)).ok()
-    };
-    let Kind::Chain(left, links) = &condition.kind else { return true };
-    let ends = match links.as_slice() {
-        [link] if link.rel == Rel::In => match &link.expr.kind {
-            Kind::Apply(_, groups) => groups.first().map(Vec::as_slice),
-            Kind::List(items) | Kind::Tuple(items) => Some(items.as_slice()),
-            _ => None,
-        }
-        .and_then(|items| Some((items.first()?, items.get(1)?))),
-        [one, two] if matches!((one.rel, two.rel), (Rel::Le | Rel::Lt, Rel::Le | Rel::Lt)) => {
-            Some((left.as_ref(), &two.expr))
-        }
-        _ => None,
-    };
-    match ends.map(|(from, to)| (number(from), number(to))) {
-        Some((Some(from), Some(to))) => from <= interval && interval < to,
-        _ => true,
-    }
-}
-
-/// The conditions at hand, those said with the chain first.
-struct Conditions<'a> {
-    own: &'a [Expr],
-    earlier: &'a [Expr],
-}
-
-impl Conditions<'_> {
-    #[allow(clippy::too_many_arguments)]
-    fn compare(
-        &self,
-        trial: &Trial,
-        rel: Rel,
-        left: &Value,
-        right: &Value,
-        bound: &[(String, i64)],
-        degree: Option<usize>,
-        tally: &mut Tally,
-    ) -> Outcome {
-        let ranges: Vec<Expr> = match rel {
-            Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => self.own.iter().chain(self.earlier).cloned().collect(),
-            _ => Vec::new(),
-        };
-        let plain = compare::relation(rel, left, right, &ranges);
-        if !matches!(plain, Outcome::Fails(_)) {
-            return plain;
-        }
-        let mut solved: Vec<(Symbol, crate::math::poly::Fraction)> = Vec::new();
-        let mut plain = plain;
-        for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
-            // A sum of weights runs as far as the weights do that occur.
-            let exactly =
-                if is_bounded(condition) { trial.condition_values(condition, bound, degree) } else { None };
-            let extended = with_upper_bound(condition, left, right);
-            let usable = exactly.filter(|(a, b)| {
-                compare::solved(a, b, &solved, left, right).is_some() || compare::contradicts(a, b)
-            });
-            let values = usable.or_else(|| trial.condition_values(&extended, bound, degree));
-            let Some((a, b)) = values else { continue };
-            if compare::contradicts(&a, &b) && at < self.own.len() + 3 {
-                return Outcome::Unclear("the condition cannot hold".to_owned());
-            }
-            let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
-            solved.push((symbol, value));
-            let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
-            if let (Some(l), Some(r)) = (l, r) {
-                let outcome = compare::relation(rel, &l, &r, &ranges);
-                if matches!(outcome, Outcome::Holds) {
-                    if at >= self.own.len() {
-                        tally.condition = Some(at - self.own.len());
-                    }
-                    return outcome;
-                }
-                // What fails fails where the conditions of the chain hold.
-                if at < self.own.len() {
-                    plain = outcome;
-                }
-            }
-        }
-        let equations: Vec<(Value, Value)> = self
-            .own
-            .iter()
-            .chain(trial.hypotheses.iter().take(NEAREST))
-            .filter_map(|condition| trial.condition_values(condition, bound, degree))
-            .collect();
-        let family = |value: &Value| -> BTreeSet<String> {
-            compare::symbols(value).iter().map(|symbol| symbol.base().to_owned()).collect()
-        };
-        let wanted = family(left);
-        let Some(solution) = hypotheses::solve(&equations, &|symbol| wanted.contains(symbol.base())) else {
-            return plain;
-        };
-        let (Some(l), Some(r)) =
-            (compare::substituted(left, &solution), compare::substituted(right, &solution))
-        else {
-            return plain;
-        };
-        let open = |value: &Value| {
-            compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(s.base())).count()
-        };
-        let touched = |value: &Value| {
-            compare::symbols(value).iter().any(|symbol| solution.iter().any(|(solved, _)| solved == symbol))
-        };
-        if !touched(left) && !touched(right) {
-            return plain;
-        }
-        let outcome = compare::relation(rel, &l, &r, &ranges);
-        tally.condition.get_or_insert(0);
-        match outcome {
-            Outcome::Holds => outcome,
-            // Everything that is claimed about is determined, and it is something else.
-            Outcome::Fails(_) if open(left) > 0 && open(&l) == 0 => {
-                tally.determined += 1;
-                outcome
-            }
-            _ => plain,
-        }
-    }
-}
-
-/// So many earlier conditions, the nearest ones, are solved together.
-const NEAREST: usize = 12;
-
-/// Whether a condition is no sum, or one with both bounds.
-fn is_bounded(condition: &Expr) -> bool {
-    match &condition.kind {
-        Kind::Chain(sum, _) => !matches!(&sum.kind, Kind::Big { upper: None, .. }),
-        _ => false,
-    }
-}
-
-/// The upper bound of a sum of weights, where the instance does not fix it: the largest index of
-/// the weights in the sides.
-fn with_upper_bound(condition: &Expr, left: &Value, right: &Value) -> Expr {
-    let Kind::Chain(sum, links) = &condition.kind else { return condition.clone() };
-    let Kind::Big { op, body, lower, .. } = &sum.kind else { return condition.clone() };
-    let index = own_names(lower).into_iter().next().or_else(|| implied_index(body));
-    let (Some(index), Some(head)) = (index, Head::of(body)) else { return condition.clone() };
-    let most = compare::symbols(left)
-        .into_iter()
-        .chain(compare::symbols(right))
-        .filter(|symbol| symbol.base() == head.base)
-        .filter_map(|symbol| match symbol.indices() {
-            [crate::math::poly::Index::Number(i)] => Some(*i),
-            _ => None,
-        })
-        .max();
-    let least = match lower.first().map(|piece| &piece.kind) {
-        Some(Kind::Chain(_, from)) => from[0].expr.clone(),
-        _ => Expr::int(1),
-    };
-    let sum = Kind::Big {
-        op: *op,
-        lower: vec![Expr::relation(Expr::name(index), Rel::Eq, least)],
-        upper: Some(Box::new(Expr::int(most.unwrap_or(FREE_TERMS)))),
-        body: body.clone(),
-    };
-    Kind::Chain(Box::new(sum.into()), links.clone()).into()
 }
 
 /// Whether a side could not be read or evaluated at all, so that the one before may take its place.

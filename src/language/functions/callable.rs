@@ -1,6 +1,7 @@
 //! The functions of the table as the evaluator calls them.
 
-use super::{BUILTINS, Builtin, builtin};
+use super::record::Builtin;
+use super::table::{BUILTINS, builtin};
 use crate::language::eval::{Arguments, Callable, Evaluated, Machine, Slot};
 
 /// The function of that name, for the evaluator.

@@ -14,6 +14,7 @@ mod parameter;
 mod polar;
 mod polynomials;
 mod rational;
+mod record;
 mod splines;
 mod surface_joins;
 mod surfaces;
@@ -22,7 +23,8 @@ mod table;
 pub(crate) use callable::{callable, names};
 
 pub use parameter::{Need, Parameter, Takes};
-pub use table::{BUILTINS, Builtin, Variant, builtin};
+pub use record::{Builtin, Variant};
+pub use table::{BUILTINS, builtin};
 
 #[cfg(test)]
 mod tests;

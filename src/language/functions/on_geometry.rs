@@ -7,7 +7,7 @@ use crate::language::ops::{arithmetic, formula};
 use std::sync::Arc;
 
 use super::parameter::{CURVE, Takes, named, optional, required};
-use super::table::Variant;
+use super::record::Variant;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};

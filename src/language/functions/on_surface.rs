@@ -6,8 +6,8 @@ use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use std::sync::Arc;
 
 use super::parameter::{Need, Parameter, SURFACE, Takes, named, optional, required, size};
+use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
-use super::table::Variant;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use super::on_surface::{direction, net_value, not_for, pieces, polar};
 use super::parameter::{Parameter, SURFACE, Takes, named, optional, required};
+use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
-use super::table::Variant;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
 use crate::math::curve::{Direction, EdgeEquation};
