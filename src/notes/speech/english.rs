@@ -108,7 +108,6 @@ pub(super) const CUES: &[Cue] = &[
     Before("we need", Role::Asked),
     Before("we require", Role::Asked),
     Before("require that", Role::Asked),
-    Before("so that", Role::Asked),
     Before("subject to", Role::Asked),
     Before("the equation", Role::Asked),
     Before("the equations", Role::Asked),
