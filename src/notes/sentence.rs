@@ -39,8 +39,7 @@ const ABBREVIATIONS: &[&str] = &[
 
 /// The byte after the first end of a sentence in a text, if there is one.
 fn sentence_end(text: &str) -> Option<usize> {
-    let mut characters = text.char_indices().peekable();
-    while let Some((at, c)) = characters.next() {
+    for (at, c) in text.char_indices() {
         let end = at + c.len_utf8();
         match c {
             '。' | '！' | '？' => return Some(end),
