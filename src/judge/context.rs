@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::names::{Head, walk};
+use super::names::{Head, bases, walk};
 use super::statement::{Place, Said, Statement};
 use crate::formula::{Expr, Kind};
+use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
 
 /// What a name stands for.
@@ -68,6 +69,8 @@ pub struct Letters {
     pub pairs: BTreeSet<String>,
     /// Letters with an upper index that is no power: b_i^r.
     pub towers: BTreeSet<String>,
+    /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
+    degrees: [bool; 2],
 }
 
 /// Letters for functions even if nothing else shows it.
@@ -79,6 +82,9 @@ const VARIABLES: &[&str] = &["t", "u", "v", "w", "x", "y", "z", "s", "r", "tau",
 /// Letters that are numbers even before a parenthesis.
 const NUMBERS: &[&str] =
     &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
+
+/// Letters for degrees and other sizes.
+const SIZES: &[&str] = &["n", "m", "d", "N"];
 
 /// Whether a name is usual for a variable.
 pub fn is_variable(name: &str) -> bool {
@@ -123,6 +129,16 @@ impl Letters {
                 }
             }
             Kind::Subscript(base, lower) => {
+                if let (Kind::Name(letter), [first, second]) = (&base.kind, lower.as_slice())
+                    && families::notation(letter, 2, 0).is_some_and(|known| known.family == Family::Bernstein)
+                {
+                    let size = |index: &Expr| bases(index).iter().any(|name| SIZES.contains(&name.as_str()));
+                    match (size(first), size(second)) {
+                        (true, false) => self.degrees[0] = true,
+                        (false, true) => self.degrees[1] = true,
+                        _ => {}
+                    }
+                }
                 if let [index] = lower.as_slice()
                     && let Kind::Name(word) = &index.kind
                     && word.len() == 2
@@ -144,6 +160,15 @@ impl Letters {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Whether the degree is the first index of B_{a,b}, if the letters of the page tell.
+    pub fn degree_first(&self) -> Option<bool> {
+        match self.degrees {
+            [true, false] => Some(true),
+            [false, true] => Some(false),
+            _ => None,
         }
     }
 

@@ -193,6 +193,19 @@ pub fn decide(
     if let (true, Some(failure)) = (claimed && tally.determined == tally.fails.len(), inner) {
         return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
     }
+    // a_0 = 1 and a_{n+1} = 2 a_n: the other members are known by this equation only.
+    if let Some(own) = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty()) {
+        let given = |head: &Head| head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        let mut members = checker
+            .context
+            .visible(&own.base, &statement.place)
+            .filter(|(_, definition, _)| definition.head.lower.len() == own.lower.len())
+            .peekable();
+        let some = members.peek().is_some();
+        if some && !given(&own) && members.all(|(_, definition, _)| given(&definition.head)) {
+            return Decision::Open(format!("it may say what the other {} are", own.base));
+        }
+    }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
     let Some(failure) = best_failure(tally, outcomes, chain) else {
         let reason = format!(

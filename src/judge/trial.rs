@@ -282,12 +282,14 @@ impl Trial<'_> {
 
     /// Whether the conditions on integers hold.
     fn allows(&self, bound: &[(String, i64)]) -> bool {
-        if self.conditions.is_empty() {
-            return true;
-        }
         let names: Vec<(Symbol, Value)> =
             bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
-        self.conditions.iter().all(|condition| {
+        let restricts = |condition: &&Expr| {
+            matches!(&condition.kind, Kind::Chain(left, links)
+            if matches!(left.kind, Kind::Name(_))
+                && links.iter().all(|link| link.rel != Rel::Eq && matches!(link.expr.kind, Kind::Number(_))))
+        };
+        self.conditions.iter().chain(self.hypotheses.iter().filter(restricts)).all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
             let holds =
                 evaluator::machine().with_locals(names.clone(), |machine| Ok(holds(machine, condition)));

@@ -17,7 +17,8 @@ impl Checker {
         let head = Head::of(expr)?;
         if head.is_a(Family::Bernstein) && head.upper.is_empty() && head.arguments.is_some() {
             // B_{i,n}, or B_{n,i}
-            let (i, n) = if choices.degree_first { (1, 0) } else { (0, 1) };
+            let first = self.context.letters.degree_first().unwrap_or(choices.degree_first);
+            let (i, n) = if first { (1, 0) } else { (0, 1) };
             let Kind::Apply(callee, groups) = &expr.kind else { return None };
             let base = Box::new(Expr::name(head.base.clone()));
             let lower = Expr::new(Kind::Subscript(base, vec![head.lower[i].clone()]), callee.span);

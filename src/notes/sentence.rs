@@ -175,7 +175,7 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
     let is_claim = |statement: &Statement| {
         !statement.is_case()
             && matches!(&statement.said, Said::Chain(chain) if !chain.given)
-            && !matches!(statement.role, Some(Role::Assumed | Role::Introduced | Role::Asked))
+            && !matches!(statement.role, Some(Role::Assumed | Role::Asked))
     };
     let Some(begins) = statements.iter().position(|statement| statement.is_case() || is_claim(statement))
     else {

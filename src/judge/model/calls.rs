@@ -226,7 +226,7 @@ impl Model {
                     };
                     return self.derivative(machine, body, order.max(0) as usize, values, expr);
                 }
-                machine.eval(callee)
+                self.derivative_at(machine, callee, body, values, expr)
             }
             // (f + g)(t_1, t_2, t_3): each takes as many arguments as it has.
             Kind::Add(terms) => {
@@ -261,6 +261,42 @@ impl Model {
             }
             _ => self.apply_head(machine, callee, values, expr),
         }
+    }
+
+    /// ∂F/∂u (a, b): the derivative at the function's own variables, then the arguments put in.
+    fn derivative_at(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        function: &Expr,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        let arguments: Option<Vec<Fraction>> =
+            values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
+        let head = Head::of(function);
+        let own: Option<Vec<Symbol>> = head.and_then(|head| {
+            let (_, definition, _) = self.context.visible(&head.base, &self.place).next()?;
+            let name = |argument: &&Expr| match &argument.kind {
+                Kind::Name(name) => Some(Symbol::new(name)),
+                _ => None,
+            };
+            definition.head.flat().iter().map(name).collect()
+        });
+        let (Some(arguments), Some(own)) = (arguments, own) else {
+            return Err(unclear("what the value of this derivative is", expr));
+        };
+        if own.len() != arguments.len() {
+            return Err(unclear("what the value of this derivative is", expr));
+        }
+        let free: Vec<(Symbol, Value)> =
+            own.iter().map(|name| (name.clone(), Value::symbol(name.clone()))).collect();
+        let derivative = machine.with_locals(free, |machine| machine.eval(callee))?;
+        let Value::Scalar(formula) = derivative else {
+            return Err(unclear("what the value of this derivative is", expr));
+        };
+        let put: Vec<(Symbol, Fraction)> = own.into_iter().zip(arguments).collect();
+        formula.substitute(&put).map(Value::Scalar).map_err(|_| division_by_zero())
     }
 
     /// As [`Model::apply`], with the first arguments only if the function takes fewer.

@@ -41,8 +41,11 @@ impl Model {
                 self.note(notation.meaning);
                 let (mut i, mut n) = (*i, *n);
                 if upper.is_empty() {
-                    self.ambiguous(Ambiguity::Bernstein);
-                    if self.choices.degree_first {
+                    let said = self.context.letters.degree_first();
+                    if said.is_none() {
+                        self.ambiguous(Ambiguity::Bernstein);
+                    }
+                    if said.unwrap_or(self.choices.degree_first) {
                         (i, n) = (n, i);
                     }
                 }

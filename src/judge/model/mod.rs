@@ -244,6 +244,11 @@ impl Reading for Model {
             Kind::Big { op, lower, upper, body } => {
                 self.unbounded(machine, *op, lower, upper.as_deref(), body, expr)
             }
+            Kind::Integral { .. } if self.interval.is_some() => {
+                // The piece on one interval is not what is integrated.
+                let why = "integrals of piecewise polynomials are not computed here";
+                Some(Err(Diagnostic::error(Code::Undecided, why).at(expr.span)))
+            }
             Kind::Prime(body, order) => self.derived_name(machine, body, *order as usize, expr),
             Kind::At { body, lower, upper: None } => self.at(machine, body, lower, expr),
             Kind::List(items) | Kind::Tuple(items) if items.len() == 1 => Some(machine.eval(&items[0])),

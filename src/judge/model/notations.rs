@@ -160,13 +160,15 @@ impl Model {
                 _ => vec![piece.clone()],
             })
             .collect();
+        // All B-splines that are not 0 on one of the intervals that are tried.
+        let first = if self.interval.is_some() { -FREE_TERMS } else { 1 };
         match (bound_names.as_slice(), upper) {
             ([], None) => {
                 let name = implied_index(body)?;
-                Some(machine.eval(&range(&name, Expr::int(1), Expr::int(FREE_TERMS))))
+                Some(machine.eval(&range(&name, Expr::int(first), Expr::int(FREE_TERMS))))
             }
             ([one], None) => match &one.kind {
-                Kind::Name(name) => Some(machine.eval(&range(name, Expr::int(1), Expr::int(FREE_TERMS)))),
+                Kind::Name(name) => Some(machine.eval(&range(name, Expr::int(first), Expr::int(FREE_TERMS)))),
                 _ => None,
             },
             ([from], Some(to)) if !matches!(from.kind, Kind::Chain(..)) => {

@@ -8,6 +8,33 @@ use crate::formula::{BigOp, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::math::number::integer;
 
+/// The factors of a product sign end with the last one in which its index occurs: in
+/// `\prod_j (y - t_j) c` the c stands beside it. The others come back by themselves.
+fn up_to_index(body: Expr, lower: &[Expr]) -> (Expr, Vec<Expr>) {
+    let index = lower.iter().find_map(|piece| match &piece.kind {
+        Kind::Chain(left, _) => Some(left.as_ref()),
+        Kind::Name(_) => Some(piece),
+        _ => None,
+    });
+    let (Kind::Mul(factors), Some(index)) = (&body.kind, index) else { return (body, Vec::new()) };
+    fn occurs(expr: &Expr, index: &Expr) -> bool {
+        let mut found = expr.same_as(index);
+        expr.for_each_child(&mut |child| found = found || occurs(child, index));
+        found
+    }
+    let last = factors.iter().rposition(|factor| occurs(factor, index));
+    match last {
+        Some(last) if last + 1 < factors.len() => {
+            let mut own = factors.clone();
+            let rest = own.split_off(last + 1);
+            let span = own[0].span.to(own[last].span);
+            let body = if last == 0 { own.remove(0) } else { Expr::new(Kind::Mul(own), span) };
+            (body, rest)
+        }
+        _ => (body, Vec::new()),
+    }
+}
+
 impl Reader<'_> {
     /// `_{…}` and `^{…}` in any order: what stands below, item by item, and what stands above.
     pub fn bounds(&mut self) -> Result<(Vec<Expr>, Option<Expr>)> {
@@ -84,8 +111,18 @@ impl Reader<'_> {
             return Ok(function);
         }
         let body = self.big_body(sign)?;
+        let (body, rest) = match op {
+            BigOp::Product => up_to_index(body, &lower),
+            _ => (body, Vec::new()),
+        };
+        let end = body.span;
         let kind = Kind::Big { op, lower, upper: upper.map(Box::new), body: Box::new(body) };
-        Ok(self.node(kind, start))
+        let big = self.node(kind, start);
+        if rest.is_empty() {
+            return Ok(big);
+        }
+        let big = Expr { span: sign.to(end), ..big };
+        Ok(self.node(Kind::Mul(std::iter::once(big).chain(rest).collect()), start))
     }
 
     /// `\max(a, b)`, `\min\{a, b\}`, and `\max` alone are names of functions.
