@@ -3,7 +3,7 @@
 //! Run with `cargo run --example curves_and_splines`.
 #![allow(clippy::print_stdout)]
 
-use polarform::curve::{BezierCurve, continuity_at, joining_conditions};
+use polarform::curve::{BezierCurve, Interval, continuity_at, joining_conditions};
 use polarform::number::{Rational, integer, rational};
 use polarform::spline::{BSpline, KnotVector};
 
@@ -16,7 +16,7 @@ fn show(point: &[Rational]) -> String {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let curve = BezierCurve::new(points(&[[0, 0], [1, 2], [3, 2], [4, 0]]), integer(0), integer(1))?;
+    let curve = BezierCurve::new(points(&[[0, 0], [1, 2], [3, 2], [4, 0]]), Interval::unit())?;
     println!("F(1/3) = {}", show(&curve.value(&rational(1, 3))));
     let (left, right) = curve.subdivide(&rational(1, 2))?;
     println!("the halves meet in {}", show(&right.points()[0]));

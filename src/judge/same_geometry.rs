@@ -82,7 +82,7 @@ fn spline(geometry: &Geometry) -> Option<BSpline<Fraction>> {
 
 fn curves(left: &Geometry, right: &Geometry) -> Comparison {
     if let (Geometry::Bezier(a, f), Geometry::Bezier(b, g)) = (left, right)
-        && a.interval() == b.interval()
+        && a.interval().ends() == b.interval().ends()
         && a.dimension() - usize::from(f.rational) == b.dimension() - usize::from(g.rational)
     {
         let (p, q) = (as_rational_form(a, *f), as_rational_form(b, *g));
@@ -112,7 +112,7 @@ fn curves(left: &Geometry, right: &Geometry) -> Comparison {
     };
     for (p, q) in a.bezier_pieces().iter().zip(b.bezier_pieces()) {
         if !same_piece(p, &q) {
-            let (from, to) = p.interval();
+            let (from, to) = p.interval().ends();
             let shown = |x: &Fraction| text(&polynomial_expr(x));
             return Different(format!("they differ on [{}, {}]", shown(from), shown(to)));
         }
@@ -124,8 +124,7 @@ fn curves(left: &Geometry, right: &Geometry) -> Comparison {
 fn same_piece(p: &BezierCurve<Fraction>, q: &BezierCurve<Fraction>) -> bool {
     let weight = |curve: &BezierCurve<Fraction>| {
         let points = curve.points().iter().map(|point| point[point.len() - 1..].to_vec()).collect();
-        let (a, b) = curve.interval();
-        BezierCurve::new(points, a.clone(), b.clone())
+        BezierCurve::new(points, curve.interval().clone())
     };
     let crossed = |p: &BezierCurve<Fraction>, q: &BezierCurve<Fraction>| weight(p).and_then(|w| w.product(q));
     crossed(q, p) == crossed(p, q)

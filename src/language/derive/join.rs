@@ -79,9 +79,9 @@ fn condition_lines(
     condition: &JoiningCondition<Fraction>,
 ) -> [Line; 2] {
     let (n, j) = (left.degree(), condition.order);
-    let (a, b) = left.interval();
+    let (a, b) = left.interval().ends();
     // f(b^{n−j}, c^j) = Σ_i B_i^j(λ) f(a^{j−i}, b^{n−j+i}) with c = (1 − λ) a + λ b.
-    let weights = bernstein_scaling(j, &local(left, right.interval().1));
+    let weights = bernstein_scaling(j, &local(left, right.interval().end()));
     let labels = (0..=j).map(|i| {
         let arguments = [vec![a.clone(); j - i], vec![b.clone(); n - j + i]].concat();
         (weights[i][j].clone(), label("f", &arguments))

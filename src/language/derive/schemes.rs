@@ -112,7 +112,7 @@ pub fn casteljau(
 
 /// (u − a)/(b − a)
 pub(super) fn local(curve: &BezierCurve<Fraction>, u: &Fraction) -> Fraction {
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     u.minus(a).times(&b.minus(a).inverse().expect("the ends of an interval differ"))
 }
 

@@ -41,7 +41,7 @@ pub(crate) fn call_geometry(geometry: &Geometry, values: &[(Value, Span)], span:
         Geometry::Bezier(curve, _) => {
             let [(t, place)] = scalars(geometry, values, span)?;
             if curve.contains(&t) == Some(false) {
-                return Err(outside(place, "interval", curve.interval()));
+                return Err(outside(place, "interval", curve.interval().ends()));
             }
             curve.value(&t)
         }

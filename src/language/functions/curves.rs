@@ -13,10 +13,10 @@ use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
-use crate::math::curve::{self, BezierCurve, Tableau, affine};
+use crate::math::curve::{self, BezierCurve, Interval, Tableau, affine};
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
-use crate::math::ring::{Field, Ring};
+use crate::math::ring::Ring;
 use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -39,8 +39,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
-            let (a, b) = ends(args)?;
-            let curve = BezierCurve::new(points, a, b).map_err(curve_error).at(args.span(0))?;
+            let curve = BezierCurve::new(points, interval(args)?).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
         ..NEW
@@ -65,8 +64,9 @@ pub(super) const TABLE: &[Builtin] = &[
                 args.with_first(item.clone()).univariate_in(0, given.clone()).map(|given| given.coefficients)
             };
             let coordinates = items.iter().map(coordinate).collect::<Result<Vec<_>>>()?;
-            let (a, b) = ends(args)?;
-            let curve = BezierCurve::from_power(&coordinates, a, b).map_err(curve_error).at(args.span(0))?;
+            let curve = BezierCurve::from_power(&coordinates, interval(args)?)
+                .map_err(curve_error)
+                .at(args.span(0))?;
             Ok(bezier(curve, Form { scalar, rational: false }))
         },
         ..NEW
@@ -104,10 +104,8 @@ pub(super) const TABLE: &[Builtin] = &[
             let (curve, form) = args.bezier(0)?;
             let list = repeated(args.scalars_from(1)?, curve.degree());
             let tableau = curve.tableau(&list).map_err(curve_error).at(args.span(1))?;
-            let (a, b) = curve.interval();
-            let unit = Field::inverse(&b.minus(a)).expect("the ends differ");
-            let ratios =
-                list.iter().enumerate().map(|(r, u)| vec![u.minus(a).times(&unit); curve.degree() - r]);
+            let local = |u| curve.interval().local(u);
+            let ratios = list.iter().enumerate().map(|(r, u)| vec![local(u); curve.degree() - r]);
             Ok(scheme(&tableau, &ratios.collect::<Vec<_>>(), form))
         },
         ..NEW
@@ -155,13 +153,13 @@ pub(super) const TABLE: &[Builtin] = &[
             let (curve, form) = args.bezier(0)?;
             let mut places = args.scalars_or_list(1)?;
             if let Some(k) = places.iter().position(|t| curve.contains(t) == Some(false)) {
-                let (a, b) = curve.interval();
+                let (a, b) = curve.interval().ends();
                 return Err(curve_error(crate::math::curve::CurveError::OutsideDomain)
                     .at(args.span(k + 1))
                     .reason(format!("the interval is [{a}, {b}]"))
                     .hint("part(c, r, s) is the polynomial over any interval"));
             }
-            let forwards = crate::math::piecewise::compare(curve.interval().0, curve.interval().1);
+            let forwards = crate::math::piecewise::compare(curve.interval().start(), curve.interval().end());
             places.sort_by(|x, y| {
                 let order = crate::math::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal);
                 if forwards == Some(std::cmp::Ordering::Greater) { order.reverse() } else { order }
@@ -199,8 +197,8 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "over(bezier([0, 1, 4]), 1, 3)",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;
-            let moved = curve.over(args.scalar(1)?, args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
-            Ok(bezier(moved, form))
+            let interval = Interval::new(args.scalar(1)?, args.scalar(2)?);
+            Ok(bezier(curve.over(interval.map_err(curve_error).at(args.span(2))?), form))
         },
         ..NEW
     },
@@ -234,7 +232,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 Value::Geometry(geometry) => (geometry.control_points(), geometry.form()),
                 _ => args.control_points(0)?,
             };
-            let curve = BezierCurve::new(points, Fraction::zero(), Fraction::one());
+            let curve = BezierCurve::new(points, Interval::unit());
             let curve = curve.map_err(curve_error).at(args.span(0))?;
             let list = curve.differences(order.min(curve.degree() + 1));
             Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
@@ -263,8 +261,8 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "from_edges([1, 1, 2])",
         call: |_, args| {
             let (edges, form) = args.control_points(0)?;
-            let (a, b) = ends(args)?;
-            let curve = BezierCurve::from_edges(&edges, a, b).map_err(curve_error).at(args.span(0))?;
+            let curve =
+                BezierCurve::from_edges(&edges, interval(args)?).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
         ..NEW
@@ -420,11 +418,12 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
-/// The ends of an interval at the second and third place; 0 and the number after the start if not given.
-fn ends(args: &Arguments) -> Result<(Fraction, Fraction)> {
+/// The interval with its ends at the second and third place; 0 and the number after the start if not
+/// given.
+fn interval(args: &Arguments) -> Result<Interval<Fraction>> {
     let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
     let b = args.optional_scalar(2)?.unwrap_or_else(|| a.plus(&Fraction::one()));
-    Ok((a, b))
+    Interval::new(a, b).map_err(curve_error).at(args.span(0))
 }
 
 /// One parameter n times, or all arguments as they are.

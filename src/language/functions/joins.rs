@@ -15,7 +15,7 @@ use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::basis::{Basis, change_of_basis};
-use crate::math::curve::{self, BezierCurve, GeometricFailure};
+use crate::math::curve::{self, BezierCurve, GeometricFailure, Interval};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 
@@ -84,7 +84,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let t = match args.given(2) {
                 Some((Value::Scalar(t), _)) => t.clone(),
                 Some((other, span)) => return Err(wrong_kind("a number or symbol", other).at(span)),
-                None if f.interval().1 == g.interval().0 => g.interval().0.clone(),
+                None if f.interval().end() == g.interval().start() => g.interval().start().clone(),
                 None => {
                     return Err(Diagnostic::error(
                         Code::Domain,
@@ -246,8 +246,9 @@ pub(super) fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Resu
 /// The curve over the numbers, if it has no symbols.
 fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
     let points = curve.points().iter().map(|point| point.iter().map(Fraction::as_rational).collect());
-    let (a, b) = curve.interval();
-    BezierCurve::new(points.collect::<Option<_>>()?, a.as_rational()?, b.as_rational()?).ok()
+    let (a, b) = curve.interval().ends();
+    let interval = Interval::new(a.as_rational()?, b.as_rational()?).ok()?;
+    BezierCurve::new(points.collect::<Option<_>>()?, interval).ok()
 }
 
 /// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
@@ -264,7 +265,7 @@ fn geometric_equations(
     }
     let beta = |i: i64| Fraction::from(crate::math::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
     let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| [0, 1, 2].map(|k| curve.derivative(k).value(t));
-    let (left, right) = (jet(f, f.interval().1), jet(g, g.interval().0));
+    let (left, right) = (jet(f, f.interval().end()), jet(g, g.interval().start()));
     let first = curve::scaled(&left[1], &beta(1));
     let square = curve::scaled(&left[2], &(beta(1) * beta(1)));
     let required = [left[0].clone(), first, curve::sum(&square, &curve::scaled(&left[1], &beta(2)))];
@@ -298,7 +299,7 @@ fn convert(args: &Arguments) -> Result<Value> {
             let pieces = s.bezier_pieces();
             let whole = pieces[0].part(a, b).map_err(curve_error)?;
             for (i, piece) in pieces.iter().enumerate() {
-                let (from, to) = piece.interval();
+                let (from, to) = piece.interval().ends();
                 if &whole.part(from, to).map_err(curve_error)? != piece {
                     return Err(Diagnostic::error(
                         Code::NotReducible,
@@ -347,7 +348,7 @@ fn convert(args: &Arguments) -> Result<Value> {
             polynomial_pair(args, form, form)?;
             let target = match (word, target) {
                 ("hermite", Value::Text(_) | Value::Builtin(_)) => {
-                    let (a, b) = curve.interval();
+                    let (a, b) = curve.interval().ends();
                     Value::List(vec![target.clone(), Value::Scalar(a.clone()), Value::Scalar(b.clone())])
                 }
                 _ => target.clone(),

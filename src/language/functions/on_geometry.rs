@@ -11,7 +11,7 @@ use super::record::Variant;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
-use crate::math::curve::RationalCurve;
+use crate::math::curve::{Interval, RationalCurve};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
@@ -267,7 +267,7 @@ fn bezier_points(args: &Arguments) -> Evaluated {
     let curve = match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
         (None, None) => curve,
         (a, b) => {
-            let a = a.unwrap_or_else(|| curve.interval().0.clone());
+            let a = a.unwrap_or_else(|| curve.interval().start().clone());
             let b = b.unwrap_or_else(|| a.plus(&Fraction::one()));
             let place = if args.given(1).is_some() { 1 } else { 2 };
             curve.part(&a, &b).map_err(curve_error).at(args.span(place))?
@@ -283,16 +283,17 @@ fn bezier_points(args: &Arguments) -> Evaluated {
 fn compose(args: &Arguments) -> Evaluated {
     let (curve, form) = args.bezier(0)?;
     let inner = args.univariate(1)?.coefficients;
-    let (a, b) = match inner.as_slice() {
+    let interval = match inner.as_slice() {
         [shift, slope] if !slope.is_zero() => {
             let inverse = Field::inverse(slope).ok_or_else(division_by_zero)?;
-            let (a, b) = curve.interval();
-            (a.minus(shift).times(&inverse), b.minus(shift).times(&inverse))
+            let (a, b) = curve.interval().ends();
+            let taken = |x: &Fraction| x.minus(shift).times(&inverse);
+            Interval::new(taken(a), taken(b)).map_err(curve_error)?
         }
-        _ => (Fraction::zero(), Fraction::one()),
+        _ => Interval::unit(),
     };
     let inner = crate::math::blossom::PolarForm::with_degree(&inner, inner.len() - 1).map_err(polar_error)?;
-    curve.compose(&inner, a, b).map(|c| bezier(c, form)).map_err(curve_error)
+    curve.compose(&inner, interval).map(|c| bezier(c, form)).map_err(curve_error)
 }
 
 fn degree(args: &Arguments) -> Evaluated {

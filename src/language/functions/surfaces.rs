@@ -9,7 +9,7 @@ use super::Builtin;
 use super::parameter::{HOMOGENEOUS, SURFACE, Takes, named, optional, required, size};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, Value};
-use crate::math::curve::{Corner, Side, TensorPatch, TrianglePatch};
+use crate::math::curve::{BezierCurve, Corner, Interval, Side, TensorPatch, TrianglePatch};
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
 
 const NEW: Builtin = Builtin::about("Surfaces");
@@ -92,9 +92,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     let mut curves = Vec::with_capacity(3);
                     for corner in [Corner::A, Corner::B, Corner::C] {
                         let points = patch.boundary(corner);
-                        let zero = num_traits::Zero::zero();
-                        let curve =
-                            crate::math::curve::BezierCurve::new(points, zero, num_traits::One::one());
+                        let curve = BezierCurve::new(points, Interval::unit());
                         curves.push(bezier(curve.map_err(curve_error)?, *form));
                     }
                     curves

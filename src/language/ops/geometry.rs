@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::errors::{curve_error, spline_error};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Form, Geometry, PiecewiseFunction, Value, homogeneous};
-use crate::math::curve::{BezierCurve, CurveError, Point};
+use crate::math::curve::{BezierCurve, CurveError, Interval, Point};
 use crate::math::poly::Fraction;
 use crate::math::ring::Ring;
 use crate::math::spline::{BSpline, KnotVector, SplineError};
@@ -68,7 +68,7 @@ pub(crate) fn spline(spline: BSpline<Fraction>, form: Form) -> Value {
 pub(crate) fn as_spline(
     curve: &BezierCurve<Fraction>,
 ) -> std::result::Result<BSpline<Fraction>, SplineError> {
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     let knots = KnotVector::clamped(curve.degree(), a, &[], b)?;
     BSpline::new(knots, curve.points().to_vec())
 }
@@ -79,8 +79,7 @@ pub(crate) fn as_rational_form(curve: &BezierCurve<Fraction>, form: Form) -> Bez
         return curve.clone();
     }
     let points = curve.points().iter().map(|point| homogeneous(point, &Fraction::one())).collect();
-    let (a, b) = curve.interval();
-    BezierCurve::new(points, a.clone(), b.clone()).expect("only a coordinate was added")
+    BezierCurve::new(points, curve.interval().clone()).expect("only a coordinate was added")
 }
 
 /// The spline with homogeneous coordinates, all weights 1 if it is polynomial.
@@ -95,10 +94,10 @@ pub(crate) fn as_rational_spline(spline: &BSpline<Fraction>, form: Form) -> BSpl
 /// Bézier curves one after the other as a clamped spline with the smallest multiplicities.
 pub(crate) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fraction>> {
     let n = pieces.iter().map(BezierCurve::degree).max().unwrap_or(0);
-    let mut knots = vec![pieces[0].interval().0.clone(); n + 1];
+    let mut knots = vec![pieces[0].interval().start().clone(); n + 1];
     for pair in pieces.windows(2) {
-        let at = pair[1].interval().0.clone();
-        if pair[0].interval().1 != &at {
+        let at = pair[1].interval().start().clone();
+        if pair[0].interval().end() != &at {
             return Err(curve_error(CurveError::NoCommonEnd));
         }
         let order = crate::math::curve::continuity_at(&pair[0], &pair[1], &at).map_err(curve_error)?.order;
@@ -106,7 +105,7 @@ pub(crate) fn joined(pieces: &[BezierCurve<Fraction>]) -> Result<BSpline<Fractio
         let multiplicity = order.map_or(n + 1, |order| (n - order.min(n)).max(1));
         knots.extend(vec![at; multiplicity]);
     }
-    knots.extend(vec![pieces[pieces.len() - 1].interval().1.clone(); n + 1]);
+    knots.extend(vec![pieces[pieces.len() - 1].interval().end().clone(); n + 1]);
     let knots = KnotVector::new(n, knots).map_err(spline_error)?;
     BSpline::from_pieces(knots, pieces).map_err(spline_error)
 }
@@ -135,7 +134,8 @@ pub(crate) fn polynomial_pieces(
             piece
         };
         let coordinates: Vec<Vec<Fraction>> = functions.iter().map(padded).collect();
-        BezierCurve::from_power(&coordinates, breaks[i].clone(), breaks[i + 1].clone())
+        let interval = Interval::new(breaks[i].clone(), breaks[i + 1].clone())?;
+        BezierCurve::from_power(&coordinates, interval)
     };
     Some((0..breaks.len() - 1).map(piece).collect())
 }
@@ -163,7 +163,7 @@ pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
             Diagnostic::error(Code::Type, message).hint("polynomial Bézier curves over one interval can be")
         );
     };
-    if left.rational || right.rational || f.interval() != g.interval() {
+    if left.rational || right.rational || f.interval().ends() != g.interval().ends() {
         return Err(Diagnostic::error(Code::Shape, "only polynomial curves over one interval can be added")
             .hint("over(c, a, b) moves a curve to another interval"));
     }
@@ -173,8 +173,7 @@ pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
     let n = f.degree().max(g.degree());
     let (f, g) = (f.elevate(n - f.degree()), g.elevate(n - g.degree()));
     let points = f.points().iter().zip(g.points()).map(|(p, q)| crate::math::curve::sum(p, q)).collect();
-    let (start, end) = f.interval();
-    let curve = BezierCurve::new(points, start.clone(), end.clone()).map_err(curve_error)?;
+    let curve = BezierCurve::new(points, f.interval().clone()).map_err(curve_error)?;
     Ok(bezier(curve, Form { scalar: left.scalar && right.scalar, rational: false }))
 }
 
@@ -187,9 +186,8 @@ pub(crate) fn scale(factor: &Fraction, c: &Geometry) -> Result<Value> {
     };
     match c {
         Geometry::Bezier(curve, _) => {
-            let (a, b) = curve.interval();
             let points = curve.points().iter().map(scaled).collect();
-            BezierCurve::new(points, a.clone(), b.clone()).map(|c| bezier(c, form)).map_err(curve_error)
+            BezierCurve::new(points, curve.interval().clone()).map(|c| bezier(c, form)).map_err(curve_error)
         }
         Geometry::Spline(s, _) => {
             let points = s.points().iter().map(scaled).collect();

@@ -134,7 +134,7 @@ impl Geometry {
         match self {
             Geometry::Bezier(curve, form) => {
                 let mut arguments = Vec::new();
-                let (a, b) = curve.interval();
+                let (a, b) = curve.interval().ends();
                 let extra = self.points_argument(curve.points(), *form, &mut arguments);
                 if !(a.is_zero() && b.is_one()) {
                     arguments.extend([polynomial_expr(a), polynomial_expr(b)]);
@@ -203,7 +203,7 @@ impl Geometry {
         let t = || Expr::name("t");
         match self {
             Geometry::Bezier(curve, form) => {
-                let (a, b) = curve.interval();
+                let (a, b) = curve.interval().ends();
                 let interval = Interval::new(a.clone(), b.clone()).expect("the ends differ");
                 let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, "t")]);
                 self.combination(curve.points(), *form, &basis)

@@ -89,7 +89,7 @@ fn geometry_json(geometry: &Geometry) -> Json {
     };
     let mut data = match geometry {
         Geometry::Bezier(curve, _) => {
-            let (a, b) = curve.interval();
+            let (a, b) = curve.interval().ends();
             json!({"kind": "bezier", "degree": curve.degree(), "interval": [scalar(a), scalar(b)]})
         }
         Geometry::Patch(patch, _) => {

@@ -5,6 +5,7 @@ use std::fmt;
 use super::plain::{self, Plain};
 use super::walk::{Joint, Notation, Pieces, Tail, to_string, walk};
 use crate::formula::{Expr, Kind, Precedence, Rel};
+use crate::language::value::Value;
 
 /// The formula in the plain notation, which the plain reader reads back to the same tree, up to
 /// parentheses that had to be added. What the notation has no sign for becomes a call.
@@ -30,6 +31,19 @@ pub fn text(expr: &Expr) -> String {
 /// Those of `out`.
 pub fn write_text(out: &mut dyn fmt::Write, expr: &Expr) -> fmt::Result {
     walk(&Text, expr, Precedence::Sequence, out)
+}
+
+/// The value in the plain notation.
+///
+/// ```
+/// use polarform::value::Value;
+/// let list = Value::List(vec![Value::number(polarform::number::rational(5, 3)), Value::int(-1)]);
+/// assert_eq!(list.to_string(), "[5/3, -1]");
+/// ```
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_text(f, &self.to_expr())
+    }
 }
 
 pub(super) struct Text;

@@ -1,8 +1,8 @@
 //! Polar forms as text, their monomials grouped by degree.
 
-use std::fmt::{Display, Formatter, Result};
+use std::fmt::{Debug, Display, Formatter, Result};
 
-use super::PolarForm;
+use super::{Derivation, PolarForm, TensorPolarForm};
 use crate::math::number::Combinations;
 use crate::math::ring::Ring;
 
@@ -45,6 +45,31 @@ impl<C: Ring + Display> Display for PolarForm<C> {
     }
 }
 
+/// `PolarForm(f(t1, t2) = t1 t2)`.
+impl<C: Ring + Display> Debug for PolarForm<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "PolarForm({self})")
+    }
+}
+
+/// The forms in the second group of arguments, one for each power of u.
+impl<C: Ring + Display> Debug for TensorPolarForm<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str("TensorPolarForm")?;
+        f.debug_list().entries(self.rows()).finish()
+    }
+}
+
+impl<C: Ring + Display> Debug for Derivation<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.debug_struct("Derivation")
+            .field("method", &self.method)
+            .field("steps", &self.steps)
+            .field("form", &self.form)
+            .finish()
+    }
+}
+
 /// e_k of n arguments, for k > 0.
 fn symmetric(n: usize, k: usize) -> String {
     if n > MOST_ARGUMENTS {
@@ -74,6 +99,13 @@ mod tests {
         assert_eq!(shown(&[-1, -3]), "f(t1) = -3 t1 - 1");
         assert_eq!(shown(&[0, 0, 0]), "f(t1, t2) = 0");
         assert_eq!(shown(&[7]), "f() = 7");
+        let constant = PolarForm::new(vec![integer(7)]);
+        assert_eq!(format!("{:?}", Some(constant)), "Some(PolarForm(f() = 7))");
+        let grid = vec![vec![integer(1), integer(0)], vec![integer(0), integer(2)]];
+        assert_eq!(
+            format!("{:?}", TensorPolarForm::new(grid).unwrap()),
+            "TensorPolarForm[PolarForm(f(t1) = 1), PolarForm(f(t1) = 2 t1)]"
+        );
         let long =
             PolarForm::new((0..=20).map(|k| if k == 2 { rational(19, 1) } else { integer(0) }).collect());
         assert_eq!(long.to_string(), "f(t1, ..., t20) = 1/10 e_2");

@@ -149,7 +149,7 @@ pub enum Step<C> {
 }
 
 /// A polar form with the way it was found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Derivation<C> {
     /// The method.
     pub method: Method,

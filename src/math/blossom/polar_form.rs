@@ -35,7 +35,7 @@ use num_integer::Integer;
 ///            rational(35, 8)); // the diagonal is F(1/2)
 /// ```
 #[doc(alias = "blossom")]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct PolarForm<C> {
     coefficients: Vec<C>,
 }

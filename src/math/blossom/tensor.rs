@@ -26,10 +26,16 @@ use crate::math::ring::Ring;
 /// let value = f.value(&[integer(1), integer(2)], &[integer(3), integer(4)]);
 /// assert_eq!(value, Ok(rational(21, 4)));
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct TensorPolarForm<C> {
     /// rows[i] holds c_{i0}, …, c_{in}: for each power of u a polar form in v.
     rows: Vec<PolarForm<C>>,
+}
+
+impl<C> TensorPolarForm<C> {
+    pub(super) fn rows(&self) -> &[PolarForm<C>] {
+        &self.rows
+    }
 }
 
 impl<C: Ring> TensorPolarForm<C> {

@@ -258,11 +258,12 @@ impl<C: Ring> TotalDegreePolarForm<C> {
     /// The value by the polarisation identity: with F homogenised to degree d,
     /// f(p_1, …, p_d) = 1/d! Σ_{S ⊆ {1..d}} (−1)^{d−|S|} F(Σ_{j∈S} p_j).
     ///
-    /// Cost: 2^d evaluations; meant as an independent check of small degrees.
+    /// Cost: 2^d evaluations.
     ///
     /// # Errors
     /// As for [`TotalDegreePolarForm::value`].
-    pub fn value_by_polarization(&self, arguments: &[PointArgument<C>]) -> Result<C, PolarError> {
+    #[cfg(test)]
+    fn value_by_polarization(&self, arguments: &[PointArgument<C>]) -> Result<C, PolarError> {
         let d = self.degree;
         if arguments.len() != d {
             return Err(PolarError::ArgumentCount { expected: d, given: arguments.len() });

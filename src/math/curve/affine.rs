@@ -103,7 +103,8 @@ pub fn barycentric<C: Field>(corners: &[Point<C>], p: &[C]) -> Result<Vec<C>, Cu
 ///
 /// # Errors
 /// [`CurveError::TooFewPoints`] if the number of corners is not d + 1, [`CurveError::Dimensions`].
-pub fn signed_volume<C: Field>(corners: &[Point<C>]) -> Result<C, CurveError> {
+#[cfg(test)]
+pub(super) fn signed_volume<C: Field>(corners: &[Point<C>]) -> Result<C, CurveError> {
     let size = dimension(corners)?;
     if corners.len() != size + 1 {
         return Err(CurveError::TooFewPoints { needed: size + 1, given: corners.len() });

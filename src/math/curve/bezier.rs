@@ -6,7 +6,7 @@
 //! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); G. Farin, *Curves and
 //! Surfaces for CAGD*, 5th ed. (2002), chapters 4–6.
 
-use super::{CurveError, Point, combination, difference, dimension, lerp, scaled, sum};
+use super::{CurveError, Interval, Point, combination, difference, dimension, lerp, scaled, sum};
 use crate::budget;
 use crate::math::basis::raising;
 use crate::math::blossom::{Argument, PolarForm};
@@ -16,12 +16,11 @@ use crate::math::ring::{Field, Ring};
 
 /// A polynomial curve by its control points over an interval.
 ///
-/// **Invariant.** At least one point, all of one dimension; a ≠ b.
+/// **Invariant.** At least one point, all of one dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BezierCurve<C> {
     points: Vec<Point<C>>,
-    a: C,
-    b: C,
+    interval: Interval<C>,
 }
 
 /// All intermediate points of de Casteljau's or de Boor's algorithm: `levels[r][i]`, level 0 the
@@ -45,46 +44,44 @@ impl<C> Tableau<C> {
 }
 
 impl<C: Field> BezierCurve<C> {
-    /// The curve with these control points over [a, b].
+    /// The curve with these control points over an interval [a, b].
     ///
     /// # Errors
-    /// [`CurveError::TooFewPoints`], [`CurveError::Dimensions`], [`CurveError::EmptyInterval`].
+    /// [`CurveError::TooFewPoints`], [`CurveError::Dimensions`].
     ///
     /// ```
-    /// use polarform::curve::BezierCurve;
+    /// use polarform::curve::{BezierCurve, Interval};
     /// use polarform::number::{integer as z, rational as q};
-    /// let c = BezierCurve::new(vec![vec![z(0), z(0)], vec![z(1), z(2)], vec![z(2), z(0)]], z(0), z(1))?;
+    /// let c = BezierCurve::new(vec![vec![z(0), z(0)], vec![z(1), z(2)], vec![z(2), z(0)]], Interval::unit())?;
     /// assert_eq!(c.value(&q(1, 2)), [z(1), z(1)]);
     /// # Ok::<(), polarform::curve::CurveError>(())
     /// ```
-    pub fn new(points: Vec<Point<C>>, a: C, b: C) -> Result<Self, CurveError> {
+    pub fn new(points: Vec<Point<C>>, interval: Interval<C>) -> Result<Self, CurveError> {
         dimension(&points)?;
-        if a == b {
-            return Err(CurveError::EmptyInterval);
-        }
-        Ok(BezierCurve { points, a, b })
+        Ok(BezierCurve { points, interval })
     }
 
-    /// The curve over [a, b] whose coordinates have these polar forms, raised to one degree.
+    /// The curve whose coordinates have these polar forms, raised to one degree.
     ///
     /// # Errors
-    /// [`CurveError::TooFewPoints`] without coordinates, [`CurveError::EmptyInterval`].
-    pub fn from_polar_forms(forms: &[PolarForm<C>], a: C, b: C) -> Result<Self, CurveError> {
+    /// [`CurveError::TooFewPoints`] without coordinates.
+    pub fn from_polar_forms(forms: &[PolarForm<C>], interval: Interval<C>) -> Result<Self, CurveError> {
+        let (a, b) = interval.ends();
         let degree = forms.iter().map(PolarForm::degree).max();
         let degree = degree.ok_or(CurveError::TooFewPoints { needed: 1, given: 0 })?;
         let columns: Vec<Vec<C>> =
-            forms.iter().map(|form| form.elevate(degree - form.degree()).bezier_points(&a, &b)).collect();
+            forms.iter().map(|form| form.elevate(degree - form.degree()).bezier_points(a, b)).collect();
         let points = (0..=degree).map(|i| columns.iter().map(|column| column[i].clone()).collect());
-        BezierCurve::new(points.collect(), a, b)
+        BezierCurve::new(points.collect(), interval)
     }
 
     /// The curve whose coordinates have these power coefficients, lowest first.
     ///
     /// # Errors
     /// As [`BezierCurve::from_polar_forms`].
-    pub fn from_power(coordinates: &[Vec<C>], a: C, b: C) -> Result<Self, CurveError> {
+    pub fn from_power(coordinates: &[Vec<C>], interval: Interval<C>) -> Result<Self, CurveError> {
         let forms: Vec<PolarForm<C>> = coordinates.iter().map(|c| PolarForm::new(c.clone())).collect();
-        BezierCurve::from_polar_forms(&forms, a, b)
+        BezierCurve::from_polar_forms(&forms, interval)
     }
 
     /// b_0, …, b_n
@@ -92,9 +89,9 @@ impl<C: Field> BezierCurve<C> {
         &self.points
     }
 
-    /// The ends a and b.
-    pub fn interval(&self) -> (&C, &C) {
-        (&self.a, &self.b)
+    /// [a, b]
+    pub fn interval(&self) -> &Interval<C> {
+        &self.interval
     }
 
     /// The degree n of the representation.
@@ -109,27 +106,18 @@ impl<C: Field> BezierCurve<C> {
 
     /// Whether a parameter lies in [a, b]; `None` if that depends on symbols.
     pub fn contains(&self, t: &C) -> Option<bool> {
-        if t == &self.a || t == &self.b {
+        let (a, b) = self.interval.ends();
+        if t == a || t == b {
             return Some(true);
         }
-        let forwards = compare(&self.a, &self.b)?;
+        let forwards = compare(a, b)?;
         let inside = |x: &C, y: &C| compare(x, y).map(|order| order == forwards);
-        Some(inside(&self.a, t)? && inside(t, &self.b)?)
-    }
-
-    /// (t − a)/(b − a)
-    fn local(&self, t: &C) -> C {
-        t.minus(&self.a).times(&self.unit())
-    }
-
-    /// 1/(b − a)
-    fn unit(&self) -> C {
-        self.b.minus(&self.a).inverse().expect("the ends differ")
+        Some(inside(a, t)? && inside(t, b)?)
     }
 
     /// F(t), also outside of [a, b]. Cost: n²/2 affine combinations, over Q on integers.
     pub fn value(&self, t: &C) -> Point<C> {
-        let s = self.local(t);
+        let s = self.interval.local(t);
         if let Some(value) = super::polygon::value_of_numbers(&self.points, &s) {
             return value;
         }
@@ -161,11 +149,11 @@ impl<C: Field> BezierCurve<C> {
     fn step(&self, level: &[Point<C>], argument: &Argument<C>) -> Vec<Point<C>> {
         match argument {
             Argument::Point(u) => {
-                let s = self.local(u);
+                let s = self.interval.local(u);
                 level.windows(2).map(|pair| lerp(&pair[0], &pair[1], &s)).collect()
             }
             Argument::Vector(v) => {
-                let s = v.times(&self.unit());
+                let s = v.times(self.interval.inverse_width());
                 level.windows(2).map(|pair| scaled(&difference(&pair[1], &pair[0]), &s)).collect()
             }
         }
@@ -177,9 +165,9 @@ impl<C: Field> BezierCurve<C> {
     /// [`CurveError::Arguments`] unless there are n arguments.
     ///
     /// ```
-    /// use polarform::curve::BezierCurve;
+    /// use polarform::curve::{BezierCurve, Interval};
     /// use polarform::number::{integer as z, rational as q};
-    /// let c = BezierCurve::new(vec![vec![z(0)], vec![z(1)], vec![z(4)]], z(0), z(1))?;
+    /// let c = BezierCurve::new(vec![vec![z(0)], vec![z(1)], vec![z(4)]], Interval::unit())?;
     /// let tableau = c.tableau(&[q(1, 2), q(1, 2)])?;
     /// assert_eq!(tableau.levels[1], [[q(1, 2)], [q(5, 2)]]);
     /// assert_eq!(tableau.labels[1], [[z(0), q(1, 2)], [q(1, 2), z(1)]]);
@@ -196,8 +184,8 @@ impl<C: Field> BezierCurve<C> {
             levels.push(self.step(&levels[levels.len() - 1], &Argument::Point(u.clone())));
         }
         let label = |r: usize, i: usize| {
-            let first = std::iter::repeat_n(&self.a, n - r - i);
-            first.chain(&arguments[..r]).chain(std::iter::repeat_n(&self.b, i)).cloned().collect()
+            let first = std::iter::repeat_n(self.interval.start(), n - r - i);
+            first.chain(&arguments[..r]).chain(std::iter::repeat_n(self.interval.end(), i)).cloned().collect()
         };
         let labels = (0..=n).map(|r| (0..=n - r).map(|i| label(r, i)).collect()).collect();
         Ok(Tableau { levels, labels })
@@ -208,11 +196,11 @@ impl<C: Field> BezierCurve<C> {
     /// # Errors
     /// [`CurveError::EmptyInterval`] if t is one of the ends.
     pub fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
+        let (before, after) = self.interval.split(t)?;
         let tableau = self.tableau(&vec![t.clone(); self.degree()])?;
         let left = tableau.levels.iter().map(|level| level[0].clone()).collect();
         let right = tableau.levels.iter().rev().map(|level| level[level.len() - 1].clone()).collect();
-        let left = BezierCurve::new(left, self.a.clone(), t.clone())?;
-        Ok((left, BezierCurve::new(right, t.clone(), self.b.clone())?))
+        Ok((BezierCurve::new(left, before)?, BezierCurve::new(right, after)?))
     }
 
     /// The parts between consecutive parameters a, t_1, …, t_k, b.
@@ -236,6 +224,7 @@ impl<C: Field> BezierCurve<C> {
     /// # Errors
     /// [`CurveError::EmptyInterval`] if r = s.
     pub fn part(&self, r: &C, s: &C) -> Result<Self, CurveError> {
+        let interval = Interval::new(r.clone(), s.clone())?;
         let n = self.degree();
         let mut points = Vec::with_capacity(n + 1);
         // Level i of the tableau for r is f(r^i, …); finish each with s.
@@ -253,15 +242,12 @@ impl<C: Field> BezierCurve<C> {
             }
             points.push(level.remove(0));
         }
-        BezierCurve::new(points, r.clone(), s.clone())
+        BezierCurve::new(points, interval)
     }
 
-    /// The same control points over another interval: the curve F((t−c)/(d−c) (b−a) + a).
-    ///
-    /// # Errors
-    /// [`CurveError::EmptyInterval`] if c = d.
-    pub fn over(&self, c: C, d: C) -> Result<Self, CurveError> {
-        BezierCurve::new(self.points.clone(), c, d)
+    /// The same control points over another interval [c, d]: the curve F((t−c)/(d−c) (b−a) + a).
+    pub fn over(&self, interval: Interval<C>) -> Self {
+        BezierCurve { points: self.points.clone(), interval }
     }
 
     /// The same curve with `by` more control points. Cost: one product for each entry of the
@@ -278,7 +264,7 @@ impl<C: Field> BezierCurve<C> {
             }
             point
         });
-        BezierCurve { points: points.collect(), a: self.a.clone(), b: self.b.clone() }
+        BezierCurve { points: points.collect(), interval: self.interval.clone() }
     }
 
     /// The degree of the polynomial: the largest k with Δ^k b_0 ≠ 0 (0 for a constant).
@@ -305,7 +291,7 @@ impl<C: Field> BezierCurve<C> {
             .into_iter()
             .map(|form| form.reduce(by).expect("the leading differences vanish"))
             .collect();
-        BezierCurve::from_polar_forms(&forms, self.a.clone(), self.b.clone())
+        BezierCurve::from_polar_forms(&forms, self.interval.clone())
     }
 
     /// Δ^k b_0, …, Δ^k b_{n−k}, with Δ b_i = b_{i+1} − b_i; none if k > n.
@@ -321,14 +307,15 @@ impl<C: Field> BezierCurve<C> {
     /// F^{(k)}, of degree n − k: control points n!/(n−k)! Δ^k b_i / (b−a)^k; zero if k > n.
     pub fn derivative(&self, k: usize) -> Self {
         let n = self.degree();
-        let (a, b) = (self.a.clone(), self.b.clone());
+        let interval = self.interval.clone();
         if k > n {
-            return BezierCurve { points: vec![vec![C::zero(); self.dimension()]], a, b };
+            return BezierCurve { points: vec![vec![C::zero(); self.dimension()]], interval };
         }
         let falling: Int = (n - k + 1..=n).fold(Int::ONE, |product, i| product * Int::from(i));
-        let factor = num_traits::pow(self.unit(), k).scaled(&Rational::from_integer(falling));
+        let factor = num_traits::pow(self.interval.inverse_width().clone(), k)
+            .scaled(&Rational::from_integer(falling));
         let points = self.differences(k).iter().map(|d| scaled(d, &factor)).collect();
-        BezierCurve { points, a, b }
+        BezierCurve { points, interval }
     }
 
     /// The antiderivative with value `start` at a, of degree n + 1.
@@ -339,26 +326,33 @@ impl<C: Field> BezierCurve<C> {
         if start.len() != self.dimension() {
             return Err(CurveError::DimensionsOf { left: self.dimension(), right: start.len() });
         }
-        let share = self.b.minus(&self.a).scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
+        let share = self.width().scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
         let mut points = vec![start];
         for point in &self.points {
             points.push(sum(&points[points.len() - 1], &scaled(point, &share)));
         }
-        BezierCurve::new(points, self.a.clone(), self.b.clone())
+        BezierCurve::new(points, self.interval.clone())
     }
 
     /// ∫_a^b F(t) dt = (b − a)/(n + 1) Σ b_i
     pub fn integral(&self) -> Point<C> {
-        let share = self.b.minus(&self.a).scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
+        let share = self.width().scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
         combination(self.dimension(), self.points.iter().map(|point| (&share, point)))
+    }
+
+    /// b − a
+    fn width(&self) -> C {
+        let (a, b) = self.interval.ends();
+        b.minus(a)
     }
 
     /// The polar form of each coordinate.
     pub fn polar_forms(&self) -> Vec<PolarForm<C>> {
+        let (a, b) = self.interval.ends();
         (0..self.dimension())
             .map(|k| {
                 let column: Vec<C> = self.points.iter().map(|point| point[k].clone()).collect();
-                PolarForm::from_bezier_points_over(&column, &self.a, &self.b).expect("the ends differ")
+                PolarForm::from_bezier_points_over(&column, a, b).expect("the ends differ")
             })
             .collect()
     }
@@ -378,7 +372,7 @@ impl<C: Field> BezierCurve<C> {
     ///
     /// # Errors
     /// As [`BezierCurve::new`].
-    pub fn from_edges(edges: &[Point<C>], a: C, b: C) -> Result<Self, CurveError> {
+    pub fn from_edges(edges: &[Point<C>], interval: Interval<C>) -> Result<Self, CurveError> {
         dimension(edges)?;
         let mut points: Vec<Point<C>> = Vec::with_capacity(edges.len());
         for edge in edges {
@@ -387,7 +381,7 @@ impl<C: Field> BezierCurve<C> {
                 None => edge.clone(),
             });
         }
-        BezierCurve::new(points, a, b)
+        BezierCurve::new(points, interval)
     }
 
     /// The product with another curve over the same interval, of degree m + n: of a function and
@@ -398,7 +392,7 @@ impl<C: Field> BezierCurve<C> {
     /// # Errors
     /// [`CurveError::NoCommonEnd`] for different intervals, [`CurveError::DimensionsOf`].
     pub fn product(&self, other: &Self) -> Result<Self, CurveError> {
-        if (&self.a, &self.b) != (&other.a, &other.b) {
+        if self.interval != other.interval {
             return Err(CurveError::NoCommonEnd);
         }
         let (left, right) = (self.dimension(), other.dimension());
@@ -427,16 +421,16 @@ impl<C: Field> BezierCurve<C> {
             }
             points.push(point);
         }
-        BezierCurve::new(points, self.a.clone(), self.b.clone())
+        BezierCurve::new(points, self.interval.clone())
     }
 
-    /// F(G(t)) over [c, d], for a polynomial G given by its polar form.
+    /// F(G(t)) over an interval, for a polynomial G given by its polar form.
     ///
     /// # Errors
-    /// [`CurveError::EmptyInterval`] if c = d.
-    pub fn compose(&self, inner: &PolarForm<C>, c: C, d: C) -> Result<Self, CurveError> {
+    /// [`CurveError::TooFewPoints`] for a curve without coordinates.
+    pub fn compose(&self, inner: &PolarForm<C>, interval: Interval<C>) -> Result<Self, CurveError> {
         let forms: Vec<PolarForm<C>> = self.polar_forms().iter().map(|form| form.compose(inner)).collect();
-        BezierCurve::from_polar_forms(&forms, c, d)
+        BezierCurve::from_polar_forms(&forms, interval)
     }
 }
 

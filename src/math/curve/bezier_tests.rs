@@ -20,13 +20,13 @@ pub(crate) fn any_curve() -> impl Strategy<Value = Curve> {
     });
     (points, small(), small()).prop_map(|(points, a, b)| {
         let b = if a == b { &a + z(1) } else { b };
-        Curve::new(points, a, b).unwrap()
+        Curve::new(points, Interval::new(a, b).unwrap()).unwrap()
     })
 }
 
 /// Σ b_i B_i^n: independent of the lerps.
 fn by_bernstein(c: &Curve, t: &Rational) -> Point<Rational> {
-    let (a, b) = c.interval();
+    let (a, b) = c.interval().ends();
     let weights = bernstein_all(c.degree(), &((t - a) / (b - a)));
     combination(c.dimension(), weights.iter().zip(c.points()))
 }
@@ -58,18 +58,18 @@ proptest! {
         if r != s {
             let part = c.part(&r, &s).unwrap();
             prop_assert_eq!(part.value(&t), value.clone());
-            prop_assert_eq!(part.part(c.interval().0, c.interval().1).unwrap(), c.clone());
+            prop_assert_eq!(part.part(c.interval().start(), c.interval().end()).unwrap(), c.clone());
         }
-        if &r != c.interval().0 && &r != c.interval().1 {
+        if &r != c.interval().start() && &r != c.interval().end() {
             let (left, right) = c.subdivide(&r).unwrap();
-            prop_assert_eq!(&left, &c.part(c.interval().0, &r).unwrap());
-            prop_assert_eq!(&right, &c.part(&r, c.interval().1).unwrap());
+            prop_assert_eq!(&left, &c.part(c.interval().start(), &r).unwrap());
+            prop_assert_eq!(&right, &c.part(&r, c.interval().end()).unwrap());
         }
         let raised = c.elevate(3);
         prop_assert_eq!(raised.value(&t), value.clone());
         prop_assert_eq!(raised.reduce(3).unwrap(), c.clone());
         prop_assert_eq!(raised.exact_degree(), c.exact_degree());
-        let edges = Curve::from_edges(&c.edges(), c.interval().0.clone(), c.interval().1.clone());
+        let edges = Curve::from_edges(&c.edges(), c.interval().clone());
         prop_assert_eq!(edges.unwrap(), c.clone());
     }
 
@@ -85,14 +85,14 @@ proptest! {
         let start = vec![z(7); c.dimension()];
         let primitive = c.antiderivative(start.clone()).unwrap();
         prop_assert_eq!(primitive.derivative(1), c.clone());
-        let (a, b) = c.interval();
+        let (a, b) = c.interval().ends();
         prop_assert_eq!(primitive.value(a), start.clone());
         prop_assert_eq!(difference(&primitive.value(b), &start), c.integral());
     }
 
     #[test]
     fn products(c in any_curve(), d in any_curve(), t in small()) {
-        let d = d.over(c.interval().0.clone(), c.interval().1.clone()).unwrap();
+        let d = d.over(c.interval().clone());
         match c.product(&d) {
             Ok(product) => {
                 let (x, y) = (c.value(&t), d.value(&t));
@@ -104,7 +104,7 @@ proptest! {
             Err(_) => prop_assert!(c.dimension() != d.dimension()),
         }
         let inner = PolarForm::new(vec![z(1), q(1, 2), z(-1)]);
-        let composed = c.compose(&inner, z(0), z(1)).unwrap();
+        let composed = c.compose(&inner, Interval::unit()).unwrap();
         prop_assert_eq!(composed.value(&t), c.value(&inner.diagonal().value(&t)));
     }
 
@@ -164,7 +164,7 @@ fn bernstein_polynomials_are_largest_at_i_over_n() {
 fn symbols() {
     let symbol = |name: &str| Fraction::from(MultiPoly::symbol(Symbol::new(name)));
     let points = vec![vec![symbol("p")], vec![symbol("q")], vec![symbol("w")]];
-    let c = BezierCurve::new(points, symbol("a"), symbol("b")).unwrap();
+    let c = BezierCurve::new(points, Interval::new(symbol("a"), symbol("b")).unwrap()).unwrap();
     let middle = c.blossom(&[Argument::Point(symbol("a")), Argument::Point(symbol("b"))]).unwrap();
     assert_eq!(middle, [symbol("q")]);
     assert_eq!(c.contains(&symbol("a")), Some(true));
@@ -174,11 +174,12 @@ fn symbols() {
 
 #[test]
 fn what_is_wrong_is_said() {
-    assert_eq!(Curve::new(vec![], z(0), z(1)), Err(CurveError::TooFewPoints { needed: 1, given: 0 }));
-    assert_eq!(Curve::new(vec![vec![z(0)]], z(1), z(1)), Err(CurveError::EmptyInterval));
-    let ragged = Curve::new(vec![vec![z(0)], vec![z(0), z(1)]], z(0), z(1));
+    assert_eq!(Curve::new(vec![], Interval::unit()), Err(CurveError::TooFewPoints { needed: 1, given: 0 }));
+    let constant = Curve::new(vec![vec![z(0)]], Interval::unit()).unwrap();
+    assert_eq!(constant.part(&z(1), &z(1)), Err(CurveError::EmptyInterval));
+    let ragged = Curve::new(vec![vec![z(0)], vec![z(0), z(1)]], Interval::unit());
     assert_eq!(ragged, Err(CurveError::Dimensions { index: 1, found: 2, expected: 1 }));
-    let point = Curve::new(vec![vec![z(3)]], z(0), z(1)).unwrap();
+    let point = Curve::new(vec![vec![z(3)]], Interval::unit()).unwrap();
     assert_eq!(point.derivative(1).points(), [[z(0)]]);
     assert_eq!(point.value(&z(9)), [z(3)]);
     assert_eq!(point.contains(&q(1, 2)), Some(true));

@@ -18,7 +18,7 @@ use num_traits::Signed;
 
 use super::domain::determinant;
 use super::rational::RationalCurve;
-use super::{BezierCurve, CurveError, Point, difference, dimension, sum};
+use super::{BezierCurve, CurveError, Interval, Point, difference, dimension, sum};
 use crate::math::number::{Rational, integer, rational};
 use crate::math::ring::{Field, Ring};
 
@@ -56,8 +56,9 @@ fn turned<C: Field>(
         vec![place(0), place(1), weight]
     };
     let [a, b] = [start, start + 1].map(|x| C::from_rational(&integer(x)));
-    let curve = BezierCurve::new(controls.into_iter().map(vector).collect(), a, b);
-    RationalCurve::from_homogeneous(curve.expect("a few vectors of length 3 over an interval of length 1"))
+    let interval = Interval::new(a, b).expect("an interval of length 1");
+    let curve = BezierCurve::new(controls.into_iter().map(vector).collect(), interval);
+    RationalCurve::from_homogeneous(curve.expect("a few vectors of length 3"))
         .expect("vectors of length 3 have a weight")
 }
 
@@ -375,8 +376,8 @@ mod tests {
                 let ends = list.iter().zip(list.iter().cycle().skip(1));
                 for (piece, next) in ends {
                     prop_assert!(on_circle(piece, &centre, &squared));
-                    let (_, end) = piece.interval();
-                    prop_assert_eq!(piece.value(end), next.value(next.interval().0));
+                    let (_, end) = piece.interval().ends();
+                    prop_assert_eq!(piece.value(end), next.value(next.interval().start()));
                 }
             }
             prop_assert_eq!(thirds[2].standard_form().unwrap().weights(), [z(1), q(7, 25), z(1)]);

@@ -17,7 +17,7 @@ use nalgebra::DMatrix;
 
 use super::domain::{Triangle, determinant};
 use super::rational::RationalCurve;
-use super::{CurveError, Point, polygon};
+use super::{CurveError, Interval, Point, polygon};
 use crate::math::linalg;
 use crate::math::number::integer;
 use crate::math::piecewise::compare;
@@ -51,7 +51,7 @@ pub enum ConicKind {
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
 pub fn conic_arc<C: Field>(points: [Point<C>; 3], weight: C) -> Result<RationalCurve<C>, CurveError> {
-    RationalCurve::new(points.to_vec(), vec![C::one(), weight, C::one()], C::zero(), C::one())
+    RationalCurve::new(points.to_vec(), vec![C::one(), weight, C::one()], Interval::unit())
 }
 
 /// The conic over [0, 1] from p_0 to p_2 with tangents towards p_1 that passes through q at 1/2.
@@ -66,7 +66,7 @@ pub fn conic_through<C: Field>(points: [Point<C>; 3], q: &[C]) -> Result<Rationa
     let triangle = Triangle::new(points)?;
     let [first, middle, last] = triangle.barycentric(q)?;
     let weights = vec![first.plus(&first), middle, last.plus(&last)];
-    RationalCurve::new(triangle.corners().to_vec(), weights, C::zero(), C::one())
+    RationalCurve::new(triangle.corners().to_vec(), weights, Interval::unit())
 }
 
 fn quadratic<C: Field>(curve: &RationalCurve<C>) -> Result<[&Point<C>; 3], CurveError> {
@@ -190,7 +190,7 @@ mod tests {
 
     fn any_quadratic() -> impl Strategy<Value = RationalCurve<Rational>> {
         prop::collection::vec(prop::collection::vec((-6i64..7).prop_map(z), 3), 3).prop_map(|vectors| {
-            RationalCurve::from_homogeneous(BezierCurve::new(vectors, z(0), z(1)).unwrap()).unwrap()
+            RationalCurve::from_homogeneous(BezierCurve::new(vectors, Interval::unit()).unwrap()).unwrap()
         })
     }
 
@@ -261,7 +261,7 @@ mod tests {
         let flat = conic_arc([[0], [1], [2]].map(|p| p.map(z).to_vec()), z(2)).unwrap();
         assert_eq!(conic_kind(&flat), Ok(Some(ConicKind::Line)));
         assert!(ImplicitConic::new(&flat).is_err());
-        let line = RationalCurve::new(vec![vec![z(0)]], vec![z(1)], z(0), z(1)).unwrap();
+        let line = RationalCurve::new(vec![vec![z(0)]], vec![z(1)], Interval::unit()).unwrap();
         assert_eq!(conic_kind(&line), Err(CurveError::Degrees { left: 0, right: 2 }));
         assert_eq!(conic_arc(points, z(0)), Err(CurveError::ZeroWeight { index: 1 }));
     }

@@ -41,7 +41,7 @@ impl<C: Field + Display> Display for BezierCurve<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         f.write_str("bezier(")?;
         points(f, self.points())?;
-        ends(f, self.interval())?;
+        ends(f, self.interval().ends())?;
         f.write_str(")")
     }
 }
@@ -54,13 +54,13 @@ impl<C: Field + Display> Display for RationalCurve<C> {
         match self.points().into_iter().collect::<Option<Vec<_>>>() {
             Some(finite) => {
                 points(f, &finite)?;
-                ends(f, self.interval())?;
+                ends(f, self.interval().ends())?;
                 f.write_str(", weights=")?;
                 list(f, &self.weights(), |f, w| Display::fmt(w, f))?;
             }
             None => {
                 list(f, self.homogeneous().points(), |f, vector| list(f, vector, |f, x| Display::fmt(x, f)))?;
-                ends(f, self.interval())?;
+                ends(f, self.interval().ends())?;
                 f.write_str(", homogeneous=1")?;
             }
         }
@@ -71,19 +71,23 @@ impl<C: Field + Display> Display for RationalCurve<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::curve::Interval;
     use crate::math::number::{Rational, integer as z, rational as q};
 
     #[test]
     fn as_the_language_writes_them() {
         let plane = |p: &[[i64; 2]]| p.iter().map(|p| p.map(z).to_vec()).collect::<Vec<Point<Rational>>>();
-        let curve = BezierCurve::new(plane(&[[0, 0], [1, 2]]), z(0), z(1)).unwrap();
+        let curve = BezierCurve::new(plane(&[[0, 0], [1, 2]]), Interval::unit()).unwrap();
         assert_eq!(curve.to_string(), "bezier([(0, 0), (1, 2)])");
-        let line = BezierCurve::new(vec![vec![q(1, 2)], vec![z(3)]], z(0), z(2)).unwrap();
+        let line =
+            BezierCurve::new(vec![vec![q(1, 2)], vec![z(3)]], Interval::new(z(0), z(2)).unwrap()).unwrap();
         assert_eq!(line.to_string(), "bezier([1/2, 3], 0, 2)");
-        let arc = RationalCurve::new(plane(&[[1, 0], [1, 1], [0, 1]]), [1, 1, 2].map(z).to_vec(), z(0), z(1));
+        let arc =
+            RationalCurve::new(plane(&[[1, 0], [1, 1], [0, 1]]), [1, 1, 2].map(z).to_vec(), Interval::unit());
         assert_eq!(arc.unwrap().to_string(), "bezier([(1, 0), (1, 1), (0, 1)], weights=[1, 1, 2])");
-        let infinite =
-            RationalCurve::from_homogeneous(BezierCurve::new(plane(&[[1, 0], [1, 1]]), z(0), z(1)).unwrap());
+        let infinite = RationalCurve::from_homogeneous(
+            BezierCurve::new(plane(&[[1, 0], [1, 1]]), Interval::unit()).unwrap(),
+        );
         assert_eq!(infinite.unwrap().to_string(), "bezier([[1, 0], [1, 1]], homogeneous=1)");
     }
 }

@@ -58,6 +58,11 @@ impl<C: Field> Interval<C> {
         &self.b
     }
 
+    /// a and b.
+    pub fn ends(&self) -> (&C, &C) {
+        (&self.a, &self.b)
+    }
+
     /// 1 / (b − a)
     pub fn inverse_width(&self) -> &C {
         &self.inverse

@@ -80,7 +80,7 @@ pub fn in_convex_polygon(corners: &[Point<Rational>], p: &[Rational]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::curve::BezierCurve;
+    use crate::math::curve::{BezierCurve, Interval};
     use crate::math::number::{integer as z, rational as q};
     use proptest::prelude::*;
 
@@ -94,7 +94,7 @@ mod tests {
             prop_assert!(points.iter().all(|p| in_convex_polygon(&hull, p)));
             prop_assert!(hull.iter().all(|p| points.contains(p)));
             prop_assert_eq!(convex_hull(&hull).unwrap(), hull.clone());
-            let curve = BezierCurve::new(points, z(0), z(1)).unwrap();
+            let curve = BezierCurve::new(points, Interval::unit()).unwrap();
             prop_assert!(in_convex_polygon(&hull, &curve.value(&q(k, 16))));
             prop_assert!(!in_convex_polygon(&hull, &[z(6), z(6)]));
         }

@@ -45,8 +45,8 @@ fn meeting<'a, C: Field>(
     if left.dimension() != right.dimension() {
         return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
     }
-    let (at, end) = right.interval();
-    if left.interval().1 != at {
+    let (at, end) = right.interval().ends();
+    if left.interval().end() != at {
         return Err(CurveError::NoCommonEnd);
     }
     Ok((at, end))
@@ -59,10 +59,10 @@ fn meeting<'a, C: Field>(
 /// [`CurveError::Degrees`], [`CurveError::DimensionsOf`], [`CurveError::NoCommonEnd`].
 ///
 /// ```
-/// use polarform::curve::{BezierCurve, joining_conditions};
+/// use polarform::curve::{BezierCurve, Interval, joining_conditions};
 /// use polarform::number::integer as z;
-/// let f = BezierCurve::new(vec![vec![z(0)], vec![z(1)]], z(0), z(1))?;
-/// let g = BezierCurve::new(vec![vec![z(1)], vec![z(3)]], z(1), z(3))?;
+/// let f = BezierCurve::new(vec![vec![z(0)], vec![z(1)]], Interval::unit())?;
+/// let g = BezierCurve::new(vec![vec![z(1)], vec![z(3)]], Interval::new(z(1), z(3))?)?;
 /// assert!(joining_conditions(&f, &g, 1)?.iter().all(|condition| condition.holds()));
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
@@ -174,7 +174,7 @@ pub fn geometric_continuity(
     if left.dimension() != right.dimension() {
         return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
     }
-    let (s, t) = (left.interval().1, right.interval().0);
+    let (s, t) = (left.interval().end(), right.interval().start());
     let jet = |curve: &BezierCurve<Rational>, at: &Rational| [0, 1, 2].map(|k| curve.derivative(k).value(at));
     let (f, g) = (jet(left, s), jet(right, t));
     let report =
@@ -204,6 +204,7 @@ pub fn geometric_continuity(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::curve::Interval;
     use crate::math::curve::bezier::tests::any_curve;
     use crate::math::number::{integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -214,14 +215,14 @@ mod tests {
         #[test]
         fn three_ways_agree(f in any_curve(), k in 0usize..4, extra in 1i64..4) {
             let n = f.degree();
-            let (_, b) = f.interval();
+            let (_, b) = f.interval().ends();
             let c = b + z(extra);
             // The continuation of f, changed from control point k + 1 on: exactly C^k.
             let mut points = f.part(b, &c).unwrap().points().to_vec();
             if k < n {
                 points[k + 1][0] += z(1);
             }
-            let g = BezierCurve::new(points, b.clone(), c).unwrap();
+            let g = BezierCurve::new(points, Interval::new(b.clone(), c).unwrap()).unwrap();
             let conditions = joining_conditions(&f, &g, n).unwrap();
             let by_points = conditions.iter().take_while(|c| c.holds()).count().checked_sub(1);
             let by_hats = continuity_at(&f, &g, b).unwrap();
@@ -236,10 +237,10 @@ mod tests {
         /// A regular change of parameter keeps G^2 and its β are found.
         #[test]
         fn a_change_of_parameter_is_found(f in any_curve(), b1 in 1i64..5, b2 in -4i64..5) {
-            let b = f.interval().1;
+            let b = f.interval().end();
             // φ(0) = b, φ' = b1, φ'' = b2
             let inner = crate::math::blossom::PolarForm::new(vec![b.clone(), z(b1), q(b2, 2)]);
-            let g = f.compose(&inner, z(0), z(1)).unwrap();
+            let g = f.compose(&inner, Interval::unit()).unwrap();
             let report = geometric_continuity(&f, &g).unwrap();
             if f.derivative(1).value(b).iter().all(num_traits::Zero::is_zero) {
                 prop_assert_eq!(report.failure, Some(GeometricFailure::NotRegular));
@@ -257,8 +258,9 @@ mod tests {
         let net = |name: &str| (0..4).map(|i| vec![symbol(name, i)]).collect::<Vec<_>>();
         let number = |k| Fraction::from_rational(&z(k));
         use crate::math::ring::Ring;
-        let f = BezierCurve::new(net("b"), number(0), number(1)).unwrap();
-        let g = BezierCurve::new(net("c"), number(1), number(2)).unwrap();
+        let f = BezierCurve::new(net("b"), Interval::unit()).unwrap();
+        let after = Interval::new(number(1), number(2)).unwrap();
+        let g = BezierCurve::new(net("c"), after.clone()).unwrap();
         let conditions = joining_conditions(&f, &g, 2).unwrap();
         // c_0 = b_3, c_1 = 2 b_3 − b_2, c_2 = b_1 − 4 b_2 + 4 b_3
         let scaled = |k, x: Fraction| x.scaled(&z(k));
@@ -266,7 +268,7 @@ mod tests {
         let second = symbol("b", 1) + scaled(-4, symbol("b", 2)) + scaled(4, symbol("b", 3));
         assert_eq!(conditions[2].required, [second]);
         assert_eq!(conditions[2].found, [symbol("c", 2)]);
-        let short = BezierCurve::new(vec![vec![number(0)]], number(1), number(2)).unwrap();
+        let short = BezierCurve::new(vec![vec![number(0)]], after).unwrap();
         assert_eq!(joining_conditions(&f, &short, 1), Err(CurveError::Degrees { left: 3, right: 0 }));
         assert_eq!(joining_conditions(&g, &f, 1), Err(CurveError::NoCommonEnd));
     }
@@ -274,7 +276,7 @@ mod tests {
     #[test]
     fn geometric_failures() {
         let line = |p: [i64; 2], r: [i64; 2]| {
-            BezierCurve::new(vec![p.map(z).to_vec(), r.map(z).to_vec()], z(0), z(1)).unwrap()
+            BezierCurve::new(vec![p.map(z).to_vec(), r.map(z).to_vec()], Interval::unit()).unwrap()
         };
         let start = line([0, 0], [1, 0]);
         let failure = |next: &BezierCurve<Rational>| geometric_continuity(&start, next).unwrap().failure;

@@ -302,8 +302,7 @@ impl<C: Field> TensorPatch<C> {
             Side::UStart | Side::UEnd => &self.v,
             Side::VStart | Side::VEnd => &self.u,
         };
-        BezierCurve::new(self.boundary(side), along.start().clone(), along.end().clone())
-            .expect("points of equal dimension over an interval with two ends")
+        BezierCurve::new(self.boundary(side), along.clone()).expect("points of equal dimension")
     }
 
     /// The control points of the derivative across a boundary curve, along it: ∂f/∂u on the sides

@@ -48,23 +48,6 @@ impl<C: Field> TensorPatch<C> {
         let forms: Vec<_> = (0..self.dimension()).map(form).collect();
         TrianglePatch::from_polar_forms(&forms, triangle)
     }
-
-    /// The same surface as a triangular patch of a given degree.
-    ///
-    /// # Errors
-    /// As for [`TensorPatch::to_triangle`], and [`CurveError::NotReducible`] if the total degree
-    /// is larger.
-    pub fn to_triangle_of_degree(
-        &self,
-        degree: usize,
-        triangle: Triangle<C>,
-    ) -> Result<TrianglePatch<C>, CurveError> {
-        let patch = self.to_triangle(triangle)?;
-        if degree >= patch.degree() {
-            return Ok(patch.elevate(degree - patch.degree()));
-        }
-        patch.reduce(patch.degree() - degree)
-    }
 }
 
 impl<C: Field> TrianglePatch<C> {
@@ -146,8 +129,6 @@ mod tests {
             // and back
             let tensor = triangle.to_tensor(patch.u().clone(), patch.v().clone());
             prop_assert_eq!(tensor.reduce(n, m).unwrap(), patch.clone());
-            let higher = patch.to_triangle_of_degree(m + n + 1, over).unwrap();
-            prop_assert_eq!(higher, triangle.elevate(1));
         }
 
         #[test]
@@ -166,8 +147,8 @@ mod tests {
                 patch.blossom(&order.into_iter().enumerate().map(paired).collect::<Vec<_>>()).unwrap()
             });
             prop_assert_eq!(mean(values.collect()), tensor.blossom(&list(0), &list(1)).unwrap());
-            let back = tensor.to_triangle_of_degree(n, patch.triangle().clone());
-            prop_assert_eq!(back.as_ref(), Ok(&patch));
+            let back = tensor.to_triangle(patch.triangle().clone()).unwrap();
+            prop_assert_eq!(back.reduce(back.degree() - n).unwrap(), patch.clone());
 
             let (s, t) = (q(s, 4), q(t, 4));
             let lambda = [z(1) - &s, &s * (z(1) - &t), &s * &t];
@@ -181,7 +162,7 @@ mod tests {
         let net = vec![vec![vec![z(0)], vec![z(0)]], vec![vec![z(0)], vec![z(1)]]];
         let patch = TensorPatch::new(net, Interval::unit(), Interval::unit()).unwrap();
         let error = CurveError::NotReducible { degree: 2, exact: 2, by: 1 };
-        assert_eq!(patch.to_triangle_of_degree(1, Triangle::unit()), Err(error));
+        assert_eq!(patch.to_triangle(Triangle::unit()).unwrap().reduce(1), Err(error));
         let empty = TensorPatch::new(vec![vec![vec![]]], Interval::<Rational>::unit(), Interval::unit());
         assert!(empty.unwrap().to_triangle(Triangle::unit()).is_err());
     }

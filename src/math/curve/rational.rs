@@ -11,7 +11,7 @@
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), chapter 4.
 
 use super::projective::{check_weight, lifted, parted, projected, quotient_derivatives};
-use super::{BezierCurve, CurveError, Point, dimension, polygon, scaled, sum};
+use super::{BezierCurve, CurveError, Interval, Point, dimension, polygon, scaled, sum};
 use crate::math::blossom::Argument;
 use crate::math::number::exact_root;
 use crate::math::ring::Field;
@@ -19,11 +19,11 @@ use crate::math::ring::Field;
 /// A rational curve over an interval.
 ///
 /// ```
-/// use polarform::curve::{CurveError, RationalCurve};
+/// use polarform::curve::{CurveError, Interval, RationalCurve};
 /// use polarform::number::{integer as z, rational as q};
 /// // a quarter of the unit circle
 /// let points = [[1, 0], [1, 1], [0, 1]].map(|p| p.map(z).to_vec()).to_vec();
-/// let quarter = RationalCurve::new(points, [1, 1, 2].map(z).to_vec(), z(0), z(1))?;
+/// let quarter = RationalCurve::new(points, [1, 1, 2].map(z).to_vec(), Interval::unit())?;
 /// assert_eq!(quarter.value(&q(1, 2))?, [q(3, 5), q(4, 5)]);
 /// # Ok::<(), CurveError>(())
 /// ```
@@ -33,13 +33,13 @@ pub struct RationalCurve<C> {
 }
 
 impl<C: Field> RationalCurve<C> {
-    /// The curve with these control points and weights over [a, b].
+    /// The curve with these control points and weights over an interval [a, b].
     ///
     /// # Errors
     /// [`CurveError::WeightCount`], [`CurveError::ZeroWeight`], and those of [`BezierCurve::new`].
-    pub fn new(points: Vec<Point<C>>, weights: Vec<C>, a: C, b: C) -> Result<Self, CurveError> {
+    pub fn new(points: Vec<Point<C>>, weights: Vec<C>, interval: Interval<C>) -> Result<Self, CurveError> {
         dimension(&points)?;
-        Ok(RationalCurve { homogeneous: BezierCurve::new(lifted(&points, &weights)?, a, b)? })
+        Ok(RationalCurve { homogeneous: BezierCurve::new(lifted(&points, &weights)?, interval)? })
     }
 
     /// The image of a polynomial curve, its last coordinate being the weight. Control vectors may
@@ -67,8 +67,8 @@ impl<C: Field> RationalCurve<C> {
         self.homogeneous.dimension() - 1
     }
 
-    /// The ends a and b.
-    pub fn interval(&self) -> (&C, &C) {
+    /// [a, b]
+    pub fn interval(&self) -> &Interval<C> {
         self.homogeneous.interval()
     }
 
@@ -133,9 +133,8 @@ impl<C: Field> RationalCurve<C> {
     }
 
     fn with_points(&self, points: Vec<Point<C>>) -> Self {
-        let (a, b) = self.interval();
-        let homogeneous = BezierCurve::new(points, a.clone(), b.clone());
-        RationalCurve { homogeneous: homogeneous.expect("vectors of equal length over the same interval") }
+        let homogeneous = BezierCurve::new(points, self.interval().clone());
+        RationalCurve { homogeneous: homogeneous.expect("vectors of equal length") }
     }
 
     /// The parts over [a, t] and [t, b].
@@ -177,10 +176,10 @@ impl<C: Field> RationalCurve<C> {
     /// [`CurveError::Impossible`] if λ = 0.
     ///
     /// ```
-    /// use polarform::curve::RationalCurve;
+    /// use polarform::curve::{Interval, RationalCurve};
     /// use polarform::number::{integer as z, rational as q};
     /// let points = vec![vec![z(0)], vec![z(1)]];
-    /// let line = RationalCurve::new(points, vec![z(1), z(1)], z(0), z(1))?;
+    /// let line = RationalCurve::new(points, vec![z(1), z(1)], Interval::unit())?;
     /// let faster = line.reparameterized(&z(2))?;
     /// assert_eq!(faster.weights(), [z(1), z(2)]);
     /// assert_eq!(faster.value(&q(1, 2))?, [q(2, 3)]);
@@ -256,8 +255,7 @@ impl<C: Field> RationalCurve<C> {
     pub fn from_farin_points(
         points: Vec<Point<C>>,
         farin: &[Point<C>],
-        a: C,
-        b: C,
+        interval: Interval<C>,
     ) -> Result<Self, CurveError> {
         let size = dimension(&points)?;
         if farin.len() + 1 != points.len() {
@@ -282,7 +280,7 @@ impl<C: Field> RationalCurve<C> {
                 _ => return Err(off),
             }
         }
-        RationalCurve::new(points, weights, a, b)
+        RationalCurve::new(points, weights, interval)
     }
 }
 
@@ -303,7 +301,7 @@ pub(super) mod tests {
         let control = (prop::collection::vec(coordinate(), 2), weight);
         (prop::collection::vec(control, 1..6), -3i64..3, 1i64..4).prop_map(|(list, a, width)| {
             let (points, weights) = list.into_iter().unzip();
-            RationalCurve::new(points, weights, z(a), z(a + width)).unwrap()
+            RationalCurve::new(points, weights, Interval::new(z(a), z(a + width)).unwrap()).unwrap()
         })
     }
 
@@ -313,7 +311,7 @@ pub(super) mod tests {
         #[test]
         fn values_agree(curve in any_rational(), t in (-9i64..10, 1i64..4), by in 0usize..3) {
             let t = q(t.0, t.1);
-            let (a, b) = curve.interval();
+            let (a, b) = curve.interval().ends();
             let s = (&t - a) / (b - a);
             let basis = bernstein_all(curve.degree(), &s);
             let terms: Vec<Rational> = basis.iter().zip(curve.weights()).map(|(x, w)| x * w).collect();
@@ -331,7 +329,7 @@ pub(super) mod tests {
             if let Ok((left, right)) = curve.subdivide(&q(1, 7)) {
                 prop_assert_eq!(&left.value(&t), &value);
                 prop_assert_eq!(&right.value(&t), &value);
-                let (a, b) = right.interval();
+                let (a, b) = right.interval().ends();
                 prop_assert_eq!(&curve.part(a, b).unwrap(), &right);
             }
         }
@@ -355,7 +353,7 @@ pub(super) mod tests {
         #[test]
         fn projective_changes_of_parameter(curve in any_rational(), l in (1i64..6, 1i64..4), s in (-5i64..6, 1i64..5)) {
             let (lambda, s) = (q(l.0, l.1), q(s.0, s.1));
-            let (a, b) = curve.interval();
+            let (a, b) = curve.interval().ends();
             let changed = curve.reparameterized(&lambda).unwrap();
             let denominator = (z(1) - &s) + &lambda * &s;
             if denominator != z(0) {
@@ -379,7 +377,7 @@ pub(super) mod tests {
             // weights that are powers always have a standard form
             if curve.degree() > 0 {
                 let points: Vec<_> = curve.points().into_iter().map(Option::unwrap).collect();
-                let flat = RationalCurve::new(points.clone(), vec![z(3); points.len()], z(0), z(1)).unwrap();
+                let flat = RationalCurve::new(points.clone(), vec![z(3); points.len()], Interval::unit()).unwrap();
                 let standard = flat.reparameterized(&lambda).unwrap().standard_form().unwrap();
                 prop_assert!(standard.weights().iter().all(|w| *w == z(1)));
             }
@@ -389,8 +387,7 @@ pub(super) mod tests {
         fn farin_points_tell_the_weights(curve in any_rational()) {
             let points: Vec<Point<Rational>> = curve.points().into_iter().map(Option::unwrap).collect();
             let Ok(farin) = curve.farin_points() else { return Ok(()) };
-            let (a, b) = curve.interval();
-            match RationalCurve::from_farin_points(points.clone(), &farin, a.clone(), b.clone()) {
+            match RationalCurve::from_farin_points(points.clone(), &farin, curve.interval().clone()) {
                 Ok(back) => {
                     let first = curve.weights()[0].clone();
                     let weights: Vec<Rational> = back.weights().iter().map(|w| w * &first).collect();
@@ -408,22 +405,21 @@ pub(super) mod tests {
     fn bad_weights_are_refused() {
         let points = vec![vec![z(0)], vec![z(1)]];
         let new = |weights: &[i64]| {
-            RationalCurve::new(points.clone(), weights.iter().map(|&w| z(w)).collect(), z(0), z(1))
+            RationalCurve::new(points.clone(), weights.iter().map(|&w| z(w)).collect(), Interval::unit())
                 .unwrap_err()
         };
         assert_eq!(new(&[1]), CurveError::WeightCount { weights: 1, points: 2 });
         assert_eq!(new(&[1, 0]), CurveError::ZeroWeight { index: 1 });
-        let empty = RationalCurve::new(points.clone(), vec![z(1), z(1)], z(2), z(2));
-        assert_eq!(empty, Err(CurveError::EmptyInterval));
-        let none = RationalCurve::<Rational>::new(vec![], vec![], z(0), z(1));
+        let none = RationalCurve::<Rational>::new(vec![], vec![], Interval::unit());
         assert_eq!(none, Err(CurveError::TooFewPoints { needed: 1, given: 0 }));
-        let bare = BezierCurve::new(vec![vec![]], z(0), z(1)).unwrap();
+        let bare = BezierCurve::new(vec![vec![]], Interval::unit()).unwrap();
         assert!(RationalCurve::<Rational>::from_homogeneous(bare).is_err());
-        let line = RationalCurve::new(points.clone(), vec![z(1), z(-1)], z(0), z(1)).unwrap();
+        let line = RationalCurve::new(points.clone(), vec![z(1), z(-1)], Interval::unit()).unwrap();
         assert_eq!(line.value(&q(1, 2)), Err(CurveError::ZeroDenominator));
         assert_eq!(line.farin_points(), Err(CurveError::ZeroDenominator));
         assert!(line.reparameterized(&z(0)).is_err());
-        let farin = |x: i64| RationalCurve::from_farin_points(points.clone(), &[vec![z(x)]], z(0), z(1));
+        let farin =
+            |x: i64| RationalCurve::from_farin_points(points.clone(), &[vec![z(x)]], Interval::unit());
         assert!(matches!(farin(1), Err(CurveError::Impossible { .. })));
         assert!(matches!(farin(0), Err(CurveError::Impossible { .. })));
     }
@@ -432,7 +428,8 @@ pub(super) mod tests {
     fn points_at_infinity() {
         // a half circle: the middle control vector is the direction (0, 1)
         let vectors = [[1, 0, 1], [0, 1, 0], [-1, 0, 1]].map(|v| v.map(z).to_vec()).to_vec();
-        let half = RationalCurve::from_homogeneous(BezierCurve::new(vectors, z(0), z(1)).unwrap()).unwrap();
+        let half =
+            RationalCurve::from_homogeneous(BezierCurve::new(vectors, Interval::unit()).unwrap()).unwrap();
         assert_eq!(half.points()[1], None);
         assert_eq!(half.value(&q(1, 2)).unwrap(), [z(0), z(1)]);
         assert_eq!(half.shape_invariants(), Err(CurveError::ZeroWeight { index: 1 }));
@@ -442,13 +439,13 @@ pub(super) mod tests {
     #[test]
     fn symbolic_weights() {
         let name = |s: &str| Fraction::from(MultiPoly::symbol(Symbol::new(s)));
-        let (zero, one) = (Fraction::from(z(0)), Fraction::from(z(1)));
+        let one = Fraction::from(z(1));
         let points = ["p", "q", "r"].map(|s| vec![name(s)]).to_vec();
         let weights = vec![one.clone(), name("w"), one.clone()];
-        let conic = RationalCurve::new(points, weights, zero.clone(), one).unwrap();
+        let conic = RationalCurve::new(points, weights, Interval::unit()).unwrap();
         assert_eq!(conic.standard_form().unwrap(), conic);
         // the derivative at the start: n w_1/w_0 (p_1 − p_0)
-        let list = conic.derivatives(&zero, 1).unwrap();
+        let list = conic.derivatives(&Fraction::from(z(0)), 1).unwrap();
         assert_eq!(list[1], [Fraction::from(z(2)) * name("w") * (name("q") - name("p"))]);
     }
 }

@@ -318,7 +318,7 @@ impl<C: Field> RationalTriangle<C> {
 
     /// The edge opposite to a corner, over [0, 1].
     pub fn boundary_curve(&self, opposite: Corner) -> RationalCurve<C> {
-        let curve = BezierCurve::new(self.homogeneous.boundary(opposite), C::zero(), C::one());
+        let curve = BezierCurve::new(self.homogeneous.boundary(opposite), Interval::unit());
         let curve = curve.expect("points of equal dimension over [0, 1]");
         RationalCurve::from_homogeneous(curve).expect("the patch has a weight, so its boundary has one")
     }

@@ -7,7 +7,6 @@
 //! Reference: L. Piegl, W. Tiller, *The NURBS Book* (1997), section 8.5.
 
 use super::circle::circle_quarters;
-use super::domain::Interval;
 use super::patch::TensorPatch;
 use super::rational::RationalCurve;
 use super::rational_surface::RationalPatch;
@@ -34,9 +33,8 @@ pub fn revolve_along<C: Field>(
     };
     let (around, along) = (circle.homogeneous(), profile.homogeneous());
     let row = |a: &Point<C>| along.points().iter().map(|p| vector(a, p)).collect();
-    let interval = |(a, b): (&C, &C)| Interval::new(a.clone(), b.clone());
     let net = around.points().iter().map(row).collect();
-    let patch = TensorPatch::new(net, interval(around.interval())?, interval(along.interval())?)?;
+    let patch = TensorPatch::new(net, around.interval().clone(), along.interval().clone())?;
     RationalPatch::from_homogeneous(patch)
 }
 
@@ -47,11 +45,11 @@ pub fn revolve_along<C: Field>(
 /// [`CurveError::DimensionsOf`] unless the profile is in the plane.
 ///
 /// ```
-/// use polarform::curve::{RationalCurve, revolve};
+/// use polarform::curve::{Interval, RationalCurve, revolve};
 /// use polarform::number::{integer as z, rational as q};
 /// // a cone: the segment from (2, 0) to (0, 1)
 /// let profile = [[2, 0], [0, 1]].map(|p| p.map(z).to_vec()).to_vec();
-/// let profile = RationalCurve::new(profile, vec![z(1), z(1)], z(0), z(1))?;
+/// let profile = RationalCurve::new(profile, vec![z(1), z(1)], Interval::unit())?;
 /// let patches = revolve(&profile)?;
 /// assert_eq!(patches[0].value(&q(1, 2), &q(1, 2))?, [q(3, 5), q(4, 5), q(1, 2)]);
 /// assert_eq!(patches[2].value(&z(2), &z(0))?, [z(-2), z(0), z(0)]);
@@ -65,6 +63,7 @@ pub fn revolve<C: Field>(profile: &RationalCurve<C>) -> Result<Vec<RationalPatch
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::curve::Interval;
     use crate::math::curve::circle::circle_quintic;
     use crate::math::curve::rational::tests::any_rational;
     use crate::math::number::{Rational, integer as z, rational as q};
@@ -115,15 +114,13 @@ mod tests {
         let name = |s: &str| Fraction::from(MultiPoly::symbol(Symbol::new(s)));
         let one = || Fraction::from(z(1));
         let points = vec![vec![name("a"), name("b")], vec![name("c"), name("d")]];
-        let profile =
-            RationalCurve::new(points, vec![one(), name("w")], Fraction::from(z(0)), one()).unwrap();
+        let profile = RationalCurve::new(points, vec![one(), name("w")], Interval::unit()).unwrap();
         let patch = revolve(&profile).unwrap().swap_remove(0);
         let (x, y) = (name("u"), name("v"));
         let p = patch.value(&x, &y).unwrap();
         let r = profile.value(&y).unwrap().swap_remove(0);
         assert_eq!(p[0].clone() * p[0].clone() + p[1].clone() * p[1].clone(), r.clone() * r);
-        let space =
-            RationalCurve::new(vec![vec![one(); 3]], vec![one()], Fraction::from(z(0)), one()).unwrap();
+        let space = RationalCurve::new(vec![vec![one(); 3]], vec![one()], Interval::unit()).unwrap();
         assert_eq!(revolve(&space), Err(CurveError::DimensionsOf { left: 3, right: 2 }));
     }
 }

@@ -15,7 +15,7 @@ use super::rational::RationalCurve;
 use super::rational_surface::{RationalPatch, RationalTriangle};
 use super::revolve::revolve_along;
 use super::triangle::{TrianglePatch, product};
-use super::{CurveError, Point, difference, sum};
+use super::{CurveError, Interval, Point, difference, sum};
 use crate::math::number::rational;
 use crate::math::ring::Field;
 
@@ -52,7 +52,7 @@ pub fn sphere_octant<C: Field>(centre: &[C], radius: &C) -> Result<RationalPatch
     check_sphere(centre, radius)?;
     let number = |x: i64| C::from_rational(&rational(x, 1));
     let points = [[1, 0], [1, 1], [0, 1]].map(|p| p.map(number).to_vec()).to_vec();
-    let quarter = RationalCurve::new(points, [1, 1, 2].map(number).to_vec(), C::zero(), C::one())?;
+    let quarter = RationalCurve::new(points, [1, 1, 2].map(number).to_vec(), Interval::unit())?;
     let unit = revolve_along(&quarter, &quarter)?;
     let patch = unit.homogeneous();
     let place = |row: &Vec<Point<C>>| row.iter().map(|vector| placed(vector, centre, radius)).collect();

@@ -10,7 +10,7 @@ use crate::math::ring::Field;
 /// A curve over an interval: polynomial, rational or a spline.
 ///
 /// ```
-/// use polarform::curve::{BezierCurve, Curve};
+/// use polarform::curve::{BezierCurve, Curve, Interval};
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::ring::Field;
 /// use polarform::spline::{BSpline, KnotVector};
@@ -24,7 +24,7 @@ use crate::math::ring::Field;
 ///     Ok(left.value(&t)?.swap_remove(0))
 /// }
 /// let points = || [0, 1, 4].map(|x| vec![z(x)]).to_vec();
-/// assert_eq!(middle(&BezierCurve::new(points(), z(0), z(1)).unwrap()), Ok(q(3, 2)));
+/// assert_eq!(middle(&BezierCurve::new(points(), Interval::unit()).unwrap()), Ok(q(3, 2)));
 /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
 /// assert_eq!(middle(&BSpline::new(knots, points()).unwrap()), Ok(z(1)));
 /// ```
@@ -87,7 +87,7 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
         self.dimension()
     }
     fn ends(&self) -> (&C, &C) {
-        self.interval()
+        self.interval().ends()
     }
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         Ok(self.value(t))
@@ -118,7 +118,7 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
         self.dimension()
     }
     fn ends(&self) -> (&C, &C) {
-        self.interval()
+        self.interval().ends()
     }
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         self.value(t)

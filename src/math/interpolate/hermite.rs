@@ -148,7 +148,8 @@ fn from_one_end<C: Field, V: Datum<C>>(n: usize, data: &[V], h: &C) -> Vec<V> {
 ///
 /// # Errors
 /// [`InterpolationError`] when a = b, or there are fewer than `orders` + 1 points.
-pub fn end_derivatives<C: Field, V: Datum<C>>(
+#[cfg(test)]
+pub(super) fn end_derivatives<C: Field, V: Datum<C>>(
     a: &C,
     b: &C,
     points: &[V],

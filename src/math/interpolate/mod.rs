@@ -44,7 +44,7 @@ pub use condition::{
 };
 pub use datum::{Datum, value_of};
 pub use error::InterpolationError;
-pub use hermite::{end_derivatives, hermite_basis, hermite_bezier};
+pub use hermite::{hermite_basis, hermite_bezier};
 pub use lagrange::{LagrangeForm, barycentric_weights, nodal_polynomial, polynomial_through};
 pub use least_squares::{
     Conditions, FitOptions, LeastSquares, PolynomialFit, fit_polynomial, least_squares, least_squares_under,

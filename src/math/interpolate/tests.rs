@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
+use super::hermite::end_derivatives;
 use super::*;
 use crate::math::basis::{Basis, basis_polynomials};
 use crate::math::blossom::PolarForm;

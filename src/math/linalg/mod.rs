@@ -294,14 +294,8 @@ pub fn null_space<F: Field>(a: &DMatrix<F>) -> DMatrix<F> {
 }
 
 /// Whether all entries above the diagonal are 0. The matrix need not be square.
-///
-/// ```
-/// use nalgebra::DMatrix;
-/// use polarform::{linalg::is_lower_triangular, number::integer};
-/// let a = DMatrix::from_row_slice(2, 2, &[1, 0, 5, 2].map(integer));
-/// assert!(is_lower_triangular(&a) && !is_lower_triangular(&a.transpose()));
-/// ```
-pub fn is_lower_triangular<C: Ring>(a: &DMatrix<C>) -> bool {
+#[cfg(test)]
+pub(crate) fn is_lower_triangular<C: Ring>(a: &DMatrix<C>) -> bool {
     (0..a.ncols()).all(|j| (0..a.nrows().min(j)).all(|i| a[(i, j)].is_zero()))
 }
 

@@ -326,6 +326,15 @@ mod tests {
     use crate::math::number::rational;
     use proptest::prelude::*;
 
+    #[test]
+    fn debugged_as_displayed() {
+        let (x, y) = (MultiPoly::symbol(Symbol::new("x")), MultiPoly::symbol(Symbol::new("y")));
+        let quotient = Fraction::from(x.clone()) / Fraction::from(y);
+        assert_eq!(format!("{:?}", (x, quotient)), "(x, x/y)");
+        let poly = crate::math::poly::Poly::variable() - crate::math::poly::Poly::one();
+        assert_eq!(format!("{:?}", Some(poly)), "Some(t - 1)");
+    }
+
     fn any_poly() -> impl Strategy<Value = MultiPoly> {
         let term = (prop::collection::vec(0u32..3, 2), -4i64..5, 1i64..4);
         prop::collection::vec(term, 0..4).prop_map(|terms| {

@@ -539,12 +539,6 @@ impl MultiPoly {
         let terms = self.terms.iter().map(|(e, c)| (e.clone(), c.div_exact(&g))).collect();
         MultiPoly { vars: self.vars.clone(), terms, den: Int::ONE }
     }
-
-    /// Whether all terms have the same total degree.
-    pub fn is_homogeneous(&self) -> bool {
-        let total = |e: &Exponents| e.iter().sum::<u32>();
-        self.terms.windows(2).all(|pair| total(&pair[0].0) == total(&pair[1].0))
-    }
 }
 
 /// A list of terms, borrowed if no variable had to be added.

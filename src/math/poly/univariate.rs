@@ -427,27 +427,6 @@ impl Poly {
         Poly::reduced(num, den.clone(), &den)
     }
 
-    /// F(a t)
-    ///
-    /// ```
-    /// # use polarform::{number::rational, poly::Poly};
-    /// assert_eq!(Poly::variable().pow(2).scale_argument(&rational(2, 3)).to_string(), "4/9 t^2");
-    /// ```
-    pub fn scale_argument(&self, a: &Rational) -> Poly {
-        let Some(n) = self.degree() else {
-            return Poly::zero();
-        };
-        let (p, q) = (a.numer(), a.denom());
-        let bits = |x: &Int| x.bits().saturating_sub(1).saturating_mul(n as u64);
-        budget::charge_bits(bits(p).max(bits(q)));
-        let mut num = self.num.clone();
-        dense_compose::scale_by_powers(num.iter_mut(), p);
-        dense_compose::scale_by_powers(num.iter_mut().rev(), q);
-        dense::trim(&mut num);
-        let den = &self.den * q.pow(n as u32);
-        Poly::reduced(num, den.clone(), &den)
-    }
-
     /// t^n F(1/t) with n the degree: the coefficients in reverse order.
     ///
     /// ```

@@ -6,10 +6,8 @@
 //! [t_j, t_{j+1}] is the polynomial whose polar form is 1 at the label of N_i and 0 at the other
 //! labels of that interval.
 
-use super::bspline::BSpline;
 use super::{KnotVector, SplineError};
 use crate::budget;
-use crate::math::blossom::PolarForm;
 use crate::math::number::Rational;
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::Coefficients;
@@ -57,44 +55,6 @@ impl<C: Field> KnotVector<C> {
             .collect()
     }
 
-    /// N_i^n by blossoming: on each interval the polynomial whose control points over the knots
-    /// are 0 but for the i-th, which is 1. Equal to [`KnotVector::basis_function`].
-    ///
-    /// # Errors
-    /// [`SplineError::NoSuchFunction`].
-    pub fn basis_function_by_blossom(&self, i: usize) -> Result<Piecewise<C>, SplineError> {
-        self.check_index(i)?;
-        let n = self.degree();
-        // Outside knots further to both sides do not matter for this function.
-        let inner = &self.knots()[i..=i + n + 1];
-        let step = |a: &C, b: &C| if a == b { C::one() } else { b.minus(a) };
-        let spread = step(&inner[0], &inner[n + 1]);
-        let mut knots: Vec<C> = Vec::with_capacity(3 * n + 2);
-        let shifted = |k: usize, sign: &C| inner[0].plus(&sign.times(&times(&spread, k)));
-        knots.extend((1..=n).rev().map(|k| shifted(k, &-C::one())));
-        knots.extend_from_slice(inner);
-        let after = |k: usize| inner[n + 1].plus(&times(&spread, k));
-        knots.extend((1..=n).map(after));
-        let extended = KnotVector::new(n, knots)?;
-        let points = (0..extended.count()).map(|k| vec![if k == n { C::one() } else { C::zero() }]);
-        let spline = BSpline::new(extended, points.collect())?;
-        let (mut breaks, mut pieces) = (vec![inner[0].clone()], Vec::new());
-        for j in n..=2 * n {
-            let (a, b) = (&spline.knots().knots()[j], &spline.knots().knots()[j + 1]);
-            if a == b {
-                continue;
-            }
-            let ordinates: Vec<C> =
-                spline.bezier_piece(j)?.points().iter().map(|point| point[0].clone()).collect();
-            let form =
-                PolarForm::from_bezier_points_over(&ordinates, a, b).map_err(|_| SplineError::NoDomain)?;
-            pieces.push(form.diagonal());
-            breaks.push(b.clone());
-        }
-        let function = Piecewise::new(breaks, pieces, Outside::Zero)?;
-        Ok(if self.is_last(i) { function } else { function.half_open() })
-    }
-
     /// Whether a basis function ends with the last knot, which belongs to it.
     fn is_last(&self, i: usize) -> bool {
         self.knots()[i + self.degree() + 1] == self.knots()[self.knots().len() - 1]
@@ -104,10 +64,6 @@ impl<C: Field> KnotVector<C> {
         let count = self.count();
         if index < count { Ok(()) } else { Err(SplineError::NoSuchFunction { index, count }) }
     }
-}
-
-fn times<C: Field>(x: &C, k: usize) -> C {
-    x.scaled(&Rational::from_integer(crate::math::number::Int::from(k)))
 }
 
 /// All functions of degree n over these knots; over integers if they are numbers.
@@ -182,5 +138,59 @@ mod tests {
                 assert_eq!(fast, plain);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod by_blossom {
+    use super::super::bspline::BSpline;
+    use super::*;
+    use crate::math::blossom::PolarForm;
+
+    impl<C: Field> KnotVector<C> {
+        /// N_i^n by blossoming: on each interval the polynomial whose control points over the knots
+        /// are 0 but for the i-th, which is 1. Equal to [`KnotVector::basis_function`].
+        ///
+        /// # Errors
+        /// [`SplineError::NoSuchFunction`].
+        pub(in crate::math::spline) fn basis_function_by_blossom(
+            &self,
+            i: usize,
+        ) -> Result<Piecewise<C>, SplineError> {
+            self.check_index(i)?;
+            let n = self.degree();
+            // Outside knots further to both sides do not matter for this function.
+            let inner = &self.knots()[i..=i + n + 1];
+            let step = |a: &C, b: &C| if a == b { C::one() } else { b.minus(a) };
+            let spread = step(&inner[0], &inner[n + 1]);
+            let mut knots: Vec<C> = Vec::with_capacity(3 * n + 2);
+            let shifted = |k: usize, sign: &C| inner[0].plus(&sign.times(&times(&spread, k)));
+            knots.extend((1..=n).rev().map(|k| shifted(k, &-C::one())));
+            knots.extend_from_slice(inner);
+            let after = |k: usize| inner[n + 1].plus(&times(&spread, k));
+            knots.extend((1..=n).map(after));
+            let extended = KnotVector::new(n, knots)?;
+            let points = (0..extended.count()).map(|k| vec![if k == n { C::one() } else { C::zero() }]);
+            let spline = BSpline::new(extended, points.collect())?;
+            let (mut breaks, mut pieces) = (vec![inner[0].clone()], Vec::new());
+            for j in n..=2 * n {
+                let (a, b) = (&spline.knots().knots()[j], &spline.knots().knots()[j + 1]);
+                if a == b {
+                    continue;
+                }
+                let ordinates: Vec<C> =
+                    spline.bezier_piece(j)?.points().iter().map(|point| point[0].clone()).collect();
+                let form = PolarForm::from_bezier_points_over(&ordinates, a, b)
+                    .map_err(|_| SplineError::NoDomain)?;
+                pieces.push(form.diagonal());
+                breaks.push(b.clone());
+            }
+            let function = Piecewise::new(breaks, pieces, Outside::Zero)?;
+            Ok(if self.is_last(i) { function } else { function.half_open() })
+        }
+    }
+
+    fn times<C: Field>(x: &C, k: usize) -> C {
+        x.scaled(&Rational::from_integer(crate::math::number::Int::from(k)))
     }
 }

@@ -3,7 +3,7 @@
 use super::{KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
-use crate::math::curve::{BezierCurve, Point, Tableau, difference, dimension, lerp, scaled};
+use crate::math::curve::{BezierCurve, Interval, Point, Tableau, difference, dimension, lerp, scaled};
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::ring::Field;
 
@@ -256,7 +256,7 @@ impl<C: Field> BSpline<C> {
             }
         }
         points.reverse();
-        Ok(BezierCurve::new(points, a, b)?)
+        Ok(BezierCurve::new(points, Interval::new(a, b)?)?)
     }
 
     /// The Bézier curves of all knot intervals of the domain.

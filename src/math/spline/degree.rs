@@ -24,7 +24,7 @@ impl<C: Field> BSpline<C> {
         knots.domain()?;
         let spans = knots.spans();
         let fits = |(&span, piece): (&usize, &BezierCurve<C>)| {
-            piece.interval() == (&knots.knots()[span], &knots.knots()[span + 1])
+            piece.interval().ends() == (&knots.knots()[span], &knots.knots()[span + 1])
         };
         if spans.len() != pieces.len() || !spans.iter().zip(pieces).all(fits) {
             return Err(SplineError::Domains);
@@ -136,7 +136,7 @@ impl<C: Field> BSpline<C> {
             let wanted = multiplicity.saturating_sub(by).max(needed);
             if wanted == 0 {
                 let before = kept.pop().expect("there is a piece before");
-                kept.push(before.part(before.interval().0, reduced.interval().1)?);
+                kept.push(before.part(before.interval().start(), reduced.interval().end())?);
             } else {
                 knots.extend(vec![knot; wanted]);
                 kept.push(reduced);

@@ -241,7 +241,7 @@ impl<C: Field> BSpline<C> {
     /// The jump of the derivative of an order at an inner knot.
     fn defect(&self, t: &C, order: usize) -> Defect<C> {
         let pieces = self.bezier_pieces();
-        let after = pieces.iter().position(|piece| piece.interval().0 == t).expect("an inner knot");
+        let after = pieces.iter().position(|piece| piece.interval().start() == t).expect("an inner knot");
         let value = |k: usize| pieces[k].derivative(order).value(t);
         Defect { order, jump: difference(&value(after), &value(after - 1)) }
     }

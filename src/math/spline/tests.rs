@@ -1,6 +1,6 @@
 use super::*;
 use crate::math::blossom::{Argument, PolarForm};
-use crate::math::curve::{BezierCurve, Point, combination, sum};
+use crate::math::curve::{BezierCurve, Interval, Point, combination, sum};
 use crate::math::number::{Rational, integer as z, rational as q};
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use num_traits::{One, Zero};
@@ -361,7 +361,7 @@ fn a_bezier_curve_is_a_spline_without_inner_knots() {
     let points: Vec<Point<Rational>> = [1, -2, 5, 3].map(|x| vec![z(x)]).to_vec();
     let knots = KnotVector::clamped(3, &z(0), &[], &z(2)).unwrap();
     let s = Spline::new(knots, points.clone()).unwrap();
-    assert_eq!(s.bezier_pieces(), [BezierCurve::new(points, z(0), z(2)).unwrap()]);
+    assert_eq!(s.bezier_pieces(), [BezierCurve::new(points, Interval::new(z(0), z(2)).unwrap()).unwrap()]);
     assert!(s.smoothness().is_empty());
 }
 

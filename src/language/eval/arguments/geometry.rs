@@ -13,7 +13,7 @@ use crate::language::value::{Form, Geometry, Value, homogeneous};
 use crate::math::curve::{BezierCurve, CurveError, Interval, Point, Triangle};
 use crate::math::poly::Fraction;
 use crate::math::spline::BSpline;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -83,7 +83,7 @@ impl Arguments {
             },
             Value::Scalar(_) | Value::Function(_) | Value::Polar(_) => {
                 let form = self.with_first(value.clone()).univariate_in(0, None).at(self.span(i))?;
-                let curve = BezierCurve::from_power(&[form.coefficients], Fraction::zero(), Fraction::one());
+                let curve = BezierCurve::from_power(&[form.coefficients], Interval::unit());
                 return Ok((curve.map_err(curve_error)?, Form { scalar: true, rational: false }));
             }
             Value::List(items) if is_curve(items) => {
@@ -91,7 +91,7 @@ impl Arguments {
                     self.with_first(item.clone()).univariate_in(0, None).map(|given| given.coefficients)
                 });
                 let coordinates: Vec<Vec<Fraction>> = coordinates.collect::<Result<_>>().at(self.span(i))?;
-                let curve = BezierCurve::from_power(&coordinates, Fraction::zero(), Fraction::one());
+                let curve = BezierCurve::from_power(&coordinates, Interval::unit());
                 return Ok((curve.map_err(curve_error)?, Form::default()));
             }
             _ => {}

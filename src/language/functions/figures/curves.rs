@@ -31,7 +31,7 @@ fn usual(degree: usize, rational: bool) -> Labels {
 
 /// The names of the control points of curve number k.
 fn names(curve: &BezierCurve<Fraction>, k: usize, labels: Labels) -> Vec<Expr> {
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     match labels {
         Labels::Polar => {
             polar_labels(&form_name(k), curve.degree(), &polynomial_expr(a), &polynomial_expr(b))
@@ -117,7 +117,7 @@ pub(super) fn bezier(args: &Arguments) -> Evaluated {
         }
         if !inside {
             let error = Diagnostic::error(Code::OutsideDomain, format!("no curve has the parameter {t}"));
-            let (a, b) = given[0].0.interval();
+            let (a, b) = given[0].0.interval().ends();
             return Err(error
                 .at(span)
                 .hint(format!("the interval is [{a}, {b}]; over(c, a, b) moves a curve")));
@@ -137,7 +137,7 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
     let Placed { points, space } = place(&curve, form, args.span(0))?;
     let points = Placed { points, space }.polynomial(args.span(0))?;
     let degree = curve.degree();
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     // fractions are long and say nothing; t is explained below
     let letter = Symbol::new("t");
     let free = ![a, b].iter().any(|end| end.variables().contains(&letter));
@@ -211,7 +211,7 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
     let mut drawings = Vec::with_capacity(pieces.len());
     let mut ends = Vec::with_capacity(pieces.len() + 1);
     for piece in &pieces {
-        let (a, b) = piece.interval();
+        let (a, b) = piece.interval().ends();
         if ends.is_empty() {
             ends.push(polynomial_expr(a));
         }
@@ -223,8 +223,8 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
     // the knots of a graph stand on its axis
     let marks = match (space, pieces.last()) {
         (Space::Graph, Some(last)) => {
-            let starts = pieces.iter().map(|piece| piece.interval().0);
-            starts.chain([last.interval().1]).map(|knot| number(knot, span)).collect::<Result<_>>()?
+            let starts = pieces.iter().map(|piece| piece.interval().start());
+            starts.chain([last.interval().end()]).map(|knot| number(knot, span)).collect::<Result<_>>()?
         }
         _ => Vec::new(),
     };
@@ -240,7 +240,7 @@ pub(super) fn bspline(args: &Arguments) -> Evaluated {
 
 pub(super) fn continuity(args: &Arguments) -> Evaluated {
     let ((f, left), (g, right)) = (args.curve(0)?, args.curve(1)?);
-    let ((r, s), (also, u)) = (f.interval(), g.interval());
+    let ((r, s), (also, u)) = (f.interval().ends(), g.interval().ends());
     if s != also {
         return Err(curve_error(CurveError::NoCommonEnd)
             .at(args.span(1))
@@ -286,7 +286,7 @@ pub(super) fn hodograph(args: &Arguments) -> Evaluated {
     let placed = place(&curve, form, span)?;
     let space = placed.space;
     let points = placed.polynomial(span)?;
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     let length = number(&b.minus(a), span)?;
     let names_of_curve = names(&curve, 0, wanted);
     if space == Space::Graph {

@@ -7,10 +7,9 @@ use crate::language::eval::Arguments;
 use crate::language::ops::errors::curve_error;
 use crate::language::ops::geometry::points_of;
 use crate::language::value::{Form, Geometry, Value};
-use crate::math::curve::BezierCurve;
+use crate::math::curve::{BezierCurve, Interval};
 use crate::math::number::{Rational, rational};
 use crate::math::poly::{Fraction, Symbol};
-use crate::math::ring::{Field, Ring};
 use crate::scene::pictures::{Plane, as_graph, projected};
 use crate::scene::{Scene, SceneError};
 use num_traits::{One, Zero};
@@ -144,7 +143,7 @@ impl Placed {
 
 /// a, a + (b − a)/n, …, b
 fn steps(curve: &BezierCurve<Fraction>, span: Span) -> Result<Vec<Rational>> {
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     let (a, b) = (number(a, span)?, number(b, span)?);
     let n = curve.degree().max(1) as i64;
     Ok((0..=curve.degree() as i64).map(|i| &a + (&b - &a) * rational(i, n)).collect())
@@ -159,10 +158,7 @@ pub(super) fn place(curve: &BezierCurve<Fraction>, form: Form, span: Span) -> Re
 
 /// (t − a)/(b − a)
 pub(super) fn local(curve: &BezierCurve<Fraction>, t: &Fraction, span: Span) -> Result<Rational> {
-    let (a, b) = curve.interval();
-    let unit =
-        b.minus(a).inverse().ok_or_else(|| curve_error(crate::math::curve::CurveError::EmptyInterval))?;
-    number(&t.minus(a).times(&unit), span)
+    number(&curve.interval().local(t), span)
 }
 
 /// The scene as a graph with these numbers on its axis, if it is one.
@@ -190,7 +186,7 @@ impl Arguments {
         let value = self.value(i)?;
         match points_of(value) {
             Some((points, scalar)) => {
-                let curve = BezierCurve::new(points, Fraction::zero(), Fraction::one());
+                let curve = BezierCurve::new(points, Interval::unit());
                 let curve = curve.map_err(curve_error).at(self.span(i))?;
                 Ok((curve, Form { scalar, rational: false }))
             }

@@ -76,7 +76,7 @@ fn blossom(args: &Arguments) -> Result<Scheme> {
         list = vec![t.clone(); curve.degree()];
     }
     let tableau = curve.tableau(&list).map_err(curve_error).at(args.span(1))?;
-    let (a, b) = curve.interval();
+    let (a, b) = curve.interval().ends();
     let unit =
         b.minus(a).inverse().ok_or_else(|| curve_error(crate::math::curve::CurveError::EmptyInterval))?;
     let ratios: Vec<Vec<Fraction>> =

@@ -55,7 +55,8 @@ pub struct LeastSquares<C, V = C> {
 
 impl<C: Field, V: Datum<C>> LeastSquares<C, V> {
     /// A^T W r − G^T λ: zero for the solution, the residual's orthogonality.
-    pub fn orthogonality(&self) -> Vec<V> {
+    #[cfg(test)]
+    fn orthogonality(&self) -> Vec<V> {
         let column = |j: usize| {
             let weighted = (0..self.right.len()).map(|i| self.matrix[(i, j)].times(&self.weights[i]));
             let conditions = (0..self.multipliers.len()).map(|i| -self.condition_matrix[(i, j)].clone());

@@ -292,7 +292,8 @@ impl<C: Field, V: Datum<C>> CubicSpline<C, V> {
     ///
     /// # Panics
     /// If there is no piece i.
-    pub fn moment_form(&self, i: usize) -> [V; 4] {
+    #[cfg(test)]
+    fn moment_form(&self, i: usize) -> [V; 4] {
         let h = self.length(i);
         let inverse = reciprocal(&h);
         let cubic = |moment: &V| share(&moment.multiple(&inverse), &rational(1, 6));
