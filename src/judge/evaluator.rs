@@ -12,7 +12,13 @@ use crate::language::value::{Judgement, Value};
 use crate::math::poly::Symbol;
 
 /// The functions of the program and the judge of claims.
-const TOOLS: Tools = Tools { function: functions::callable, names: functions::names, judge };
+const TOOLS: Tools = Tools {
+    function: functions::callable,
+    names: functions::names,
+    synonym: functions::synonym,
+    is_word: functions::is_basis,
+    judge,
+};
 
 /// An evaluator that knows no names yet.
 pub fn machine() -> Machine {

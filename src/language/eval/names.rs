@@ -7,73 +7,6 @@ use crate::language::lexicon::letters;
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
 
-/// Words that mean themselves: bases (`bernstein` is also a function), ends of splines, ways to
-/// parameters, norms, forms of curves and surfaces. Before a bracket those of a function are that function.
-const WORDS: &[&str] = &[
-    "power",
-    "taylor",
-    "lagrange",
-    "newton",
-    "hermite",
-    "natural",
-    "clamped",
-    "periodic",
-    "not_a_knot",
-    "moments",
-    "slopes",
-    "uniform",
-    "chord",
-    "centripetal",
-    "foley",
-    "unit",
-    "one",
-    "infinity",
-    "tensor",
-    "triangle",
-    "standard",
-    "rational",
-    "quintic",
-    "quartic",
-    "quarters",
-    "thirds",
-    "bilinear",
-];
-
-/// Other names for functions.
-const SYNONYMS: &[(&str, &str)] = &[
-    ("de_casteljau", "casteljau"),
-    ("de_boor", "deboor"),
-    ("cox_de_boor", "bspline_basis"),
-    ("blossom", "polar"),
-    ("evaluate", "extended"),
-    ("split", "subdivide"),
-    ("curve", "bezier"),
-    ("rational_bezier", "bezier"),
-    ("nurbs", "bspline"),
-    ("spline", "bspline"),
-    ("hull", "convex_hull"),
-    ("boehm", "insert_knots"),
-    ("insert", "insert_knots"),
-    ("insert_knot", "insert_knots"),
-    ("knot_insertion", "insert_knots"),
-    ("oslo", "refine"),
-    ("basis", "bspline_basis"),
-    ("marsden", "spline_of"),
-    ("periodic_bspline", "periodic_spline"),
-    ("surface", "patch"),
-    ("tensor_patch", "patch"),
-    ("triangle_surface", "triangle_patch"),
-    ("bspline_surface", "spline_surface"),
-    ("interpolate", "lagrange"),
-    ("natural_spline", "cubic_spline"),
-    ("surface_of_revolution", "revolve"),
-    ("revolution", "revolve"),
-    ("degree_elevation", "elevate"),
-    ("degree_reduction", "reduce"),
-    ("continuity_conditions", "joining_conditions"),
-    ("delta", "differences"),
-];
-
 /// Functions somebody may expect that have no exact rational values.
 const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
 
@@ -152,7 +85,7 @@ impl Machine {
         if !symbol.is_plain() {
             return Err(self.unknown_name(symbol.base(), expr));
         }
-        if WORDS.contains(&symbol.base()) {
+        if (self.tools.is_word)(symbol.base()) {
             return Ok(Value::Text(symbol.base().to_owned()));
         }
         match (self.tools.function)(symbol.base()) {
@@ -213,8 +146,9 @@ impl Machine {
             .at(expr.span)
             .reason("unknown name");
         let known = self.scope.keys().map(Symbol::base).chain((self.tools.names)());
-        let synonym = SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known);
-        match synonym.or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus")) {
+        match (self.tools.synonym)(name)
+            .or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus"))
+        {
             Some(best) => error.hint(format!("did you mean '{best}'?")),
             None if name == "minus" || name == "plus" => {
                 error.hint("an exponent of several characters needs braces: t^{-1}")

@@ -67,7 +67,13 @@ mod tests {
     /// Without tools there are formulas and definitions, but no functions and no verdicts.
     #[test]
     fn the_evaluator_knows_only_what_it_is_handed() {
-        let tools = Tools { function: |_| None, names: Vec::new, judge: |_, _, _| Ok(Vec::new()) };
+        let tools = Tools {
+            function: |_| None,
+            names: Vec::new,
+            synonym: |_| None,
+            is_word: |_| false,
+            judge: |_, _, _| Ok(Vec::new()),
+        };
         let mut env = Env::default();
         let mut run = |text: &str| {
             let statement = syntax::parse(text).unwrap();

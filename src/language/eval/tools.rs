@@ -44,6 +44,10 @@ pub struct Tools {
     pub function: fn(&str) -> Option<&'static dyn Callable>,
     /// The names of all functions.
     pub names: fn() -> Vec<&'static str>,
+    /// The function that somebody means by another name.
+    pub synonym: fn(&str) -> Option<&'static str>,
+    /// Whether a name that stands alone is a word that means itself, such as that of a basis.
+    pub is_word: fn(&str) -> bool,
     /// The judge of the claims in a formula.
     pub judge: Judge,
 }

@@ -14,6 +14,46 @@ pub(crate) fn names() -> Vec<&'static str> {
     BUILTINS.iter().map(|builtin| builtin.name).collect()
 }
 
+/// Other names for functions.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("de_casteljau", "casteljau"),
+    ("de_boor", "deboor"),
+    ("cox_de_boor", "bspline_basis"),
+    ("blossom", "polar"),
+    ("evaluate", "extended"),
+    ("split", "subdivide"),
+    ("curve", "bezier"),
+    ("rational_bezier", "bezier"),
+    ("nurbs", "bspline"),
+    ("spline", "bspline"),
+    ("hull", "convex_hull"),
+    ("boehm", "insert_knots"),
+    ("insert", "insert_knots"),
+    ("insert_knot", "insert_knots"),
+    ("knot_insertion", "insert_knots"),
+    ("oslo", "refine"),
+    ("basis", "bspline_basis"),
+    ("marsden", "spline_of"),
+    ("periodic_bspline", "periodic_spline"),
+    ("surface", "patch"),
+    ("tensor_patch", "patch"),
+    ("triangle_surface", "triangle_patch"),
+    ("bspline_surface", "spline_surface"),
+    ("interpolate", "lagrange"),
+    ("natural_spline", "cubic_spline"),
+    ("surface_of_revolution", "revolve"),
+    ("revolution", "revolve"),
+    ("degree_elevation", "elevate"),
+    ("degree_reduction", "reduce"),
+    ("continuity_conditions", "joining_conditions"),
+    ("delta", "differences"),
+];
+
+/// The function that somebody means by another name.
+pub(crate) fn synonym(name: &str) -> Option<&'static str> {
+    SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known)
+}
+
 impl Callable for Builtin {
     fn name(&self) -> &'static str {
         self.name

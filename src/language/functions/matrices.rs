@@ -183,6 +183,11 @@ impl Arguments {
     }
 }
 
+/// Whether a word that stands alone names a basis; `bernstein` is the function of that name.
+pub(crate) fn is_basis(word: &str) -> bool {
+    matches!(word, "power" | "taylor" | "lagrange" | "newton" | "hermite")
+}
+
 /// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
 pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
     let wrong = || {

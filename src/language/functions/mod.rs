@@ -20,7 +20,8 @@ mod surface_joins;
 mod surfaces;
 mod table;
 
-pub(crate) use callable::{callable, names};
+pub(crate) use callable::{callable, names, synonym};
+pub(crate) use matrices::is_basis;
 
 pub use parameter::{Need, Parameter, Takes};
 pub use record::{Builtin, Variant};
