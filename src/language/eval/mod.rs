@@ -3,7 +3,7 @@
 //! The formula tree says what was written; this module decides what it means, by the
 //! names that are defined: `f(t + 1)` is a value when f is a function here and a product
 //! when f is a scalar. Mathematical errors know no place; they get it here, with
-//! [`At`].
+//! [`At`](crate::language::diagnostic::At).
 //!
 //! Names without a value stand for themselves: single letters, Greek letters and anything
 //! with a subscript are symbols. Other unknown words are errors, with the nearest known
