@@ -51,6 +51,7 @@ pub struct TextOptions {
 ///     suggestion: Some("2 + 2 = 4".to_owned()),
 ///     instances: None,
 ///     warning: None,
+///     determined: false,
 ///     notes: Vec::new(),
 /// };
 /// let file = SourceFile::new("sums.md", "$2 + 2 = 5$");
