@@ -132,9 +132,7 @@ impl Reader<'_> {
                 true
             }
             // (FG)(t); whether it is a product after all the evaluator decides
-            Kind::Mul(factors) => {
-                self.is_single_name(window) && factors.iter().all(|factor| is_callee(factor))
-            }
+            Kind::Mul(factors) => self.is_single_name(window) && factors.iter().all(is_callee),
             Kind::Add(terms) => {
                 let parts = self.split(window, |kind| kind == Tok::Comma);
                 let single = matches!(parts.as_slice(), [part] if self.is_single_name(part.clone()));
