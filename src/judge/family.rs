@@ -6,6 +6,7 @@
 //! is undecided, because its author may have meant a part of them.
 
 use super::claim::judge_plainly;
+use super::trial::advance;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::names::stands_for_itself;
@@ -136,18 +137,6 @@ fn integer_names(machine: &mut Machine, expr: &Expr, inside: bool, names: &mut V
             }
         }
     }
-}
-
-/// The next combination of values, the last one fastest; false after the last combination.
-fn advance(values: &mut [i64], largest: i64) -> bool {
-    for value in values.iter_mut().rev() {
-        if *value < largest {
-            *value += 1;
-            return true;
-        }
-        *value = 0;
-    }
-    false
 }
 
 impl Tally {

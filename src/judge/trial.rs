@@ -547,7 +547,7 @@ fn is_outside(bound: &[(String, i64)]) -> bool {
 }
 
 /// The next combination of values, the last one fastest; false after the last combination.
-fn advance(values: &mut [i64], largest: i64) -> bool {
+pub(super) fn advance(values: &mut [i64], largest: i64) -> bool {
     for value in values.iter_mut().rev() {
         if *value < largest {
             *value += 1;
