@@ -1,4 +1,4 @@
-//! Limits on time, terms and digits, and cancellation.
+//! Limits on time, steps, terms and digits, and cancellation.
 //!
 //! Long computations call [`step`] now and then, and ask [`charge_terms`] or
 //! [`charge_bits`] *before* they build something large. When a limit is passed the
@@ -21,6 +21,8 @@ use std::time::{Duration, Instant};
 pub enum Stop {
     /// The time limit was reached.
     Time(Duration),
+    /// The limit of steps was reached.
+    Steps(u64),
     /// The result or an intermediate value needs more terms than allowed.
     Terms {
         /// Terms needed (a lower bound), saturating.
@@ -43,6 +45,7 @@ impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Stop::Time(limit) => write!(f, "stopped after the time limit of {} s", limit.as_secs_f64()),
+            Stop::Steps(limit) => write!(f, "stopped after the limit of {limit} steps"),
             Stop::Terms { needed, allowed } => {
                 write!(f, "this needs at least {needed} terms, more than the limit of {allowed}")
             }
@@ -61,6 +64,8 @@ impl std::error::Error for Stop {}
 pub struct Limits {
     /// Time allowed; `None` for no limit.
     pub time: Option<Duration>,
+    /// Steps allowed; `None` for no limit. Unlike time they are the same on every machine.
+    pub steps: Option<u64>,
     /// Number of terms (monomials, matrix entries, list items) a value may have.
     pub terms: u64,
     /// Number of bits a single integer may have.
@@ -76,6 +81,7 @@ impl Default for Limits {
     fn default() -> Self {
         Limits {
             time: None,
+            steps: None,
             terms: 4_000_000,
             bits: 1 << 18,
             depth: DEFAULT_DEPTH,
@@ -91,6 +97,8 @@ struct Active {
     limits: Limits,
     deadline: Option<Instant>,
     countdown: u32,
+    /// Steps taken, those of inner runs too.
+    spent: u64,
 }
 
 thread_local! {
@@ -105,8 +113,14 @@ struct Restore(Option<Active>);
 
 impl Drop for Restore {
     fn drop(&mut self) {
-        let outer = self.0.take();
-        ACTIVE.with(|active| *active.borrow_mut() = outer);
+        let mut outer = self.0.take();
+        ACTIVE.with(|active| {
+            let inner = active.borrow().as_ref().map_or(0, |inner| inner.spent);
+            if let Some(outer) = &mut outer {
+                outer.spent += inner;
+            }
+            *active.borrow_mut() = outer;
+        });
     }
 }
 
@@ -123,6 +137,7 @@ pub fn run<T>(limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
         limits: limits.clone(),
         deadline: limits.time.and_then(|time| Instant::now().checked_add(time)),
         countdown: STEPS_PER_LOOK,
+        spent: 0,
     };
     let outer = ACTIVE.with(|slot| slot.borrow_mut().replace(active));
     let _restore = Restore(outer);
@@ -150,6 +165,10 @@ pub fn steps(count: u32) {
     let reason = ACTIVE.with(|slot| {
         let mut slot = slot.borrow_mut();
         let active = slot.as_mut()?;
+        active.spent += u64::from(count);
+        if let Some(limit) = active.limits.steps.filter(|limit| active.spent > *limit) {
+            return Some(Stop::Steps(limit));
+        }
         if let Some(left) = active.countdown.checked_sub(count) {
             active.countdown = left;
             return None;
@@ -164,6 +183,11 @@ pub fn steps(count: u32) {
     if let Some(reason) = reason {
         stop(reason);
     }
+}
+
+/// The steps taken in the innermost [`run`] so far.
+pub fn spent() -> u64 {
+    ACTIVE.with(|slot| slot.borrow().as_ref().map_or(0, |active| active.spent))
 }
 
 /// How deeply functions may call each other here.
@@ -205,6 +229,19 @@ mod tests {
         });
         assert_eq!(stopped, Err::<(), _>(Stop::Time(Duration::from_millis(5))));
         steps(1_000_000); // no limits outside
+    }
+
+    #[test]
+    fn steps_are_counted_also_in_inner_runs() {
+        let limits = Limits { steps: Some(100), ..Limits::default() };
+        let inner = Limits { steps: Some(30), ..Limits::default() };
+        let stopped = run(&limits, || {
+            assert_eq!(run(&inner, || steps(31)), Err(Stop::Steps(30)));
+            assert_eq!(run(&inner, || steps(30)), Ok(()));
+            assert_eq!(spent(), 61);
+            steps(40);
+        });
+        assert_eq!(stopped, Err(Stop::Steps(100)));
     }
 
     #[test]

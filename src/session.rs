@@ -3,11 +3,12 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Sign, Term};
+use crate::formula::{Expr, Kind, Quotient, Sign, Term};
 use crate::judge::evaluator;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals, Outcome};
@@ -88,14 +89,54 @@ impl Session {
         part: Option<Span>,
         equals: Equals,
     ) -> Result<Answer, Box<Failure>> {
+        let mut answers = self.run_part(file, part, equals)?;
+        let last = answers.pop().ok_or_else(|| {
+            let problem = Diagnostic::error(Code::Internal, "a statement without an answer");
+            Box::new(Failure { problem, file: file.clone() })
+        })?;
+        Ok(last)
+    }
+
+    /// Runs a part of a file; `k = 1, b = 2` are two statements.
+    fn run_part(
+        &mut self,
+        file: &SourceFile,
+        part: Option<Span>,
+        equals: Equals,
+    ) -> Result<Vec<Answer>, Box<Failure>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
-        let mut statement = guarded(&limits, || read(file, part)).map_err(fail)?;
-        let statement_span = statement.span;
-        // What exceeds a limit has no place of its own; the statement will do.
-        let outcome =
-            self.evaluate(&mut statement, equals).map_err(|problem| fail(problem.at(statement_span)))?;
-        Ok(Answer { statement, outcome, file: file.clone() })
+        let statement = guarded(&limits, || read_in(&self.env, file, part)).map_err(fail)?;
+        let before = self.env.clone();
+        let latex = syntax::looks_like_latex(file.slice(part.unwrap_or(Span::new(0, file.text().len()))));
+        let mut answers = Vec::new();
+        for mut statement in self.statements_in(statement, equals) {
+            let span = statement.span;
+            // What exceeds a limit has no place of its own; the statement will do.
+            match self.evaluate(&mut statement, equals) {
+                Ok(mut outcome) => {
+                    if latex {
+                        products_in_latex(&statement, &mut outcome.notes);
+                    }
+                    answers.push(Answer { statement, outcome, file: file.clone() });
+                }
+                Err(problem) => {
+                    self.env = before;
+                    return Err(fail(problem.at(span)));
+                }
+            }
+        }
+        Ok(answers)
+    }
+
+    /// The definitions that stand side by side in a statement; any other statement is one.
+    fn statements_in(&self, statement: Expr, equals: Equals) -> Vec<Expr> {
+        let Kind::Sequence(items) = &statement.kind else { return vec![statement] };
+        let mut machine = evaluator::machine_in(&self.env);
+        if equals == Equals::DefinesUnbound && items.iter().all(|item| machine.defines(item)) {
+            return items.clone();
+        }
+        vec![statement]
     }
 
     /// Evaluates a formula that has been read already.
@@ -129,9 +170,14 @@ impl Session {
             }
         };
         for span in spans {
-            let result = self.run_statement(file, Some(span), Equals::DefinesUnbound);
-            if !each(self, result) {
-                return;
+            let results = match self.run_part(file, Some(span), Equals::DefinesUnbound) {
+                Ok(answers) => answers.into_iter().map(Ok).collect(),
+                Err(failure) => vec![Err(failure)],
+            };
+            for result in results {
+                if !each(self, result) {
+                    return;
+                }
             }
         }
     }
@@ -142,9 +188,22 @@ impl Session {
 /// # Errors
 /// What is wrong with the text.
 pub fn read(file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
+    read_in(&Env::default(), file, part)
+}
+
+/// The same where some names are defined.
+fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
     let span = part.unwrap_or(Span::new(0, file.text().len()));
     let text = file.slice(span);
-    let result = if syntax::looks_like_latex(text) { latex::read(text) } else { syntax::parse(text) };
+    let result = if syntax::looks_like_latex(text) {
+        let machine = evaluator::machine_in(env);
+        let alone = letters_alone(text);
+        let words =
+            |word: &str, called| machine.word_in_latex(word, called, &|letter| alone.contains(&letter));
+        latex::read_query(text, &words)
+    } else {
+        syntax::parse(text)
+    };
     match result {
         Ok(mut expr) => {
             expr.shift(span.start);
@@ -156,6 +215,43 @@ pub fn read(file: &SourceFile, part: Option<Span>) -> Result<Expr, Diagnostic> {
             Err(problem)
         }
     }
+}
+
+/// Remarks about products that print reads in two ways: `3/7 t` and the mixed number `3\frac12`.
+fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
+    if let Kind::Mul(factors) = &expr.kind {
+        for pair in factors.windows(2) {
+            let span = pair[0].span.to(pair[1].span);
+            let note = match (&pair[0].kind, &pair[1].kind) {
+                (Kind::Div(_, below, Quotient::Slash), second)
+                    if !matches!(second, Kind::Group(_))
+                        && !matches!(&below.kind, Kind::Name(d) if d == "d") =>
+                {
+                    Diagnostic::note(
+                        Code::AmbiguousProduct,
+                        "the quotient is read as a factor of what follows it",
+                    )
+                    .hint("write \\frac{3}{7} t, or 3/(7 t)")
+                }
+                (Kind::Number(whole), Kind::Div(above, below, Quotient::Fraction))
+                    if whole.is_integer()
+                        && matches!((&above.kind, &below.kind), (Kind::Number(_), Kind::Number(_))) =>
+                {
+                    Diagnostic::note(Code::AmbiguousProduct, "read as a product, not as a mixed number")
+                        .hint("a mixed number is written 3 + \\frac{1}{2}")
+                }
+                _ => continue,
+            };
+            notes.push(note.at(span));
+        }
+    }
+    expr.for_each_child(&mut |child| products_in_latex(child, notes));
+}
+
+/// The letters that stand by themselves in a formula in LaTeX.
+fn letters_alone(text: &str) -> BTreeSet<char> {
+    let runs = text.split(|c: char| !c.is_ascii_alphabetic() && c != '\\');
+    runs.filter_map(|run| run.parse::<char>().ok()).filter(char::is_ascii_alphabetic).collect()
 }
 
 /// Reads the items of a list that is given by itself: `a, b, c`, in plain notation or LaTeX.
@@ -256,7 +352,7 @@ fn usual_advice(code: Code) -> Option<&'static str> {
 /// The diagnostic for a computation that was stopped.
 pub(crate) fn stopped(stop: &Stop) -> Diagnostic {
     match stop {
-        Stop::Time(_) => {
+        Stop::Time(_) | Stop::Steps(_) => {
             Diagnostic::error(Code::Timeout, stop.to_string()).hint("allow more time with --timeout SECONDS")
         }
         Stop::Terms { .. } => Diagnostic::error(Code::TooManyTerms, stop.to_string())

@@ -65,6 +65,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::Internal,
         Code::StandardMeaning,
         Code::MoreCases,
+        Code::Letters,
+        Code::Called,
         Code::UnclosedFormula,
         Code::UnclosedBlock,
         Code::HalfDefinition,

@@ -87,6 +87,46 @@ fn expressions_are_read_as_meant() {
     assert!(count >= 200, "only {count} expressions");
 }
 
+/// A hint that is followed leads to a result: what is refused, what its hint says, what that gives.
+#[test]
+fn hints_work_when_followed() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/hints.txt");
+    let text = fs::read_to_string(path).unwrap();
+    let (mut given, mut wrong) = (Session::default(), String::new());
+    for (at, line) in text.lines().enumerate().map(|(i, line)| (i + 1, line)) {
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        if let Some(definition) = line.strip_prefix("given: ") {
+            given.run(definition).unwrap_or_else(|failure| panic!("line {at}: {:?}", failure.problem));
+            continue;
+        }
+        let parts: Vec<&str> = line.split(ARROW).collect();
+        let [refused, advice, written, wanted] = parts.as_slice() else {
+            panic!("line {at} has not 4 parts")
+        };
+        match given.clone().run(refused) {
+            Ok(answer) => {
+                let _ = writeln!(wrong, "line {at}: {refused} gives {}", shown(&answer.outcome.value));
+            }
+            Err(failure) => {
+                let hints = &failure.problem.hints;
+                if !hints.iter().any(|hint| hint.contains(advice)) || failure.problem.span.is_none() {
+                    let _ = writeln!(wrong, "line {at}: {refused}\n  wanted {advice}\n  found  {hints:?}");
+                }
+            }
+        }
+        let found = match given.clone().run(written) {
+            Ok(answer) => shown(&answer.outcome.value),
+            Err(failure) => format!("({:?})", failure.problem),
+        };
+        if found != *wanted {
+            let _ = writeln!(wrong, "line {at}: {written}\n  wanted {wanted}\n  found  {found}");
+        }
+    }
+    assert!(wrong.is_empty(), "\n{wrong}");
+}
+
 #[test]
 fn no_expression_is_there_twice() {
     for (path, text) in files("corpus/expressions") {

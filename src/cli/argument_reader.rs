@@ -5,6 +5,7 @@
 //! is evaluated can be shown in the argument where it lies, the arguments stand side by side in one row
 //! of places, and the spans of each begin where the argument stands in that row.
 
+use super::output::Output;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
@@ -17,13 +18,19 @@ use crate::session::{Failure, Session, read, read_items};
 pub(super) type Failed<T> = Result<T, Box<Failure>>;
 
 /// The arguments read so far.
-#[derive(Default)]
-pub(super) struct ArgumentReader {
+pub(super) struct ArgumentReader<'o> {
     /// Each with its place in the row.
     files: Vec<(usize, SourceFile)>,
+    /// Where remarks about the arguments go.
+    output: &'o Output,
 }
 
-impl ArgumentReader {
+impl<'o> ArgumentReader<'o> {
+    /// A reader of the arguments of one command.
+    pub fn new(output: &'o Output) -> Self {
+        ArgumentReader { files: Vec::new(), output }
+    }
+
     /// An argument joins the row; where it stands there.
     fn add(&mut self, name: &str, text: &str) -> (SourceFile, usize) {
         // The gap keeps empty arguments apart.
@@ -94,7 +101,11 @@ impl ArgumentReader {
     /// in queries.
     pub fn operand(&mut self, session: &mut Session, name: &str, text: &str) -> Failed<(Value, Expr)> {
         let (file, _) = self.add(name, text);
-        let value = session.run_statement(&file, None, Equals::DefinesUnbound)?.outcome.value;
+        let outcome = session.run_statement(&file, None, Equals::DefinesUnbound)?.outcome;
+        for note in &outcome.notes {
+            self.output.problem(note, &file);
+        }
+        let value = outcome.value;
         let formula = bound(session, file.name(), value.clone(), self.last_span());
         Ok((value, formula))
     }
@@ -109,7 +120,13 @@ impl ArgumentReader {
     /// The value of a query that is made of arguments.
     pub fn evaluate(&self, session: &mut Session, mut query: Expr) -> Failed<Value> {
         match session.evaluate(&mut query, Equals::Claims) {
-            Ok(outcome) => Ok(outcome.value),
+            Ok(outcome) => {
+                for note in outcome.notes {
+                    let Failure { problem, file } = *self.failure(note);
+                    self.output.problem(&problem, &file);
+                }
+                Ok(outcome.value)
+            }
             Err(problem) => Err(self.failure(problem)),
         }
     }

@@ -154,7 +154,16 @@ impl Color {
         match self {
             Color::Always => true,
             Color::Never => false,
-            Color::Auto => terminal && std::env::var_os("NO_COLOR").is_none(),
+            Color::Auto => {
+                let set = |name: &str| {
+                    std::env::var_os(name).is_some_and(|value| !value.is_empty() && value != "0")
+                };
+                let is = |name: &str, value: &str| std::env::var_os(name).is_some_and(|own| own == value);
+                if std::env::var_os("NO_COLOR").is_some() || is("CLICOLOR", "0") {
+                    return false;
+                }
+                set("FORCE_COLOR") || set("CLICOLOR_FORCE") || (terminal && !is("TERM", "dumb"))
+            }
         }
     }
 }
@@ -382,8 +391,8 @@ pub(super) struct BsplineArguments {
     /// De Boor's scheme for a parameter, or for as many as the degree
     #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
     pub scheme: Option<String>,
-    /// The knot interval of the scheme, if symbols hide it
-    #[arg(long, value_name = "J", requires = "scheme")]
+    /// The knot interval of --at, --scheme or --insert, if symbols hide it
+    #[arg(long, value_name = "J")]
     pub span: Option<usize>,
     /// The Bézier curves of all knot intervals
     #[arg(long, conflicts_with_all = ["at", "scheme"])]

@@ -3,10 +3,12 @@
 use std::fs;
 use std::io::{self, IsTerminal, Read};
 use std::path::Path;
+use std::sync::Arc;
 
 use super::Status;
 use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
+use super::given::give;
 use super::output::{Output, Trouble};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
@@ -116,17 +118,17 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
         Command::Product(two) => combine(session, output, two, "product"),
         Command::Compose(two) => combine(session, output, two, "compose"),
         Command::Matrix(wanted) => {
-            let mut reader = ArgumentReader::default();
+            let mut reader = ArgumentReader::new(output);
             let query = matrix(&mut reader, wanted)?;
             print(session, output, &reader, query)
         }
         Command::Bezier(arguments) => {
-            let mut reader = ArgumentReader::default();
+            let mut reader = ArgumentReader::new(output);
             let query = super::curves::bezier(&mut reader, arguments)?;
             print(session, output, &reader, query)
         }
         Command::Bspline(arguments) => {
-            let mut reader = ArgumentReader::default();
+            let mut reader = ArgumentReader::new(output);
             let query = super::curves::bspline(&mut reader, arguments)?;
             print(session, output, &reader, query)
         }
@@ -147,7 +149,7 @@ fn print(session: &mut Session, output: &Output, reader: &ArgumentReader, query:
 }
 
 fn polar(wanted: &PolarArguments, session: &mut Session, output: &Output) -> Ran {
-    let mut reader = ArgumentReader::default();
+    let mut reader = ArgumentReader::new(output);
     let (_, polynomial) = reader.operand(session, "polynomial", &wanted.polynomial)?;
     let whole = polynomial.span;
     let mut arguments = vec![polynomial];
@@ -277,7 +279,7 @@ fn formula(file: &SourceFile) -> Result<Expr, Box<Failure>> {
 }
 
 fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran {
-    let mut reader = ArgumentReader::default();
+    let mut reader = ArgumentReader::new(output);
     let (_, f) = reader.operand(session, "F", &two.f)?;
     let (_, g) = reader.operand(session, "G", &two.g)?;
     let whole = f.span;
@@ -375,36 +377,18 @@ fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ra
     run_all(session, output, &file, stop)
 }
 
-/// Runs definitions that a query uses.
-pub(super) fn give(session: &mut Session, given: &[String]) -> Result<(), Box<Failure>> {
-    for (i, definition) in given.iter().enumerate() {
-        let file = SourceFile::new(format!("<given {}>", i + 1), definition.as_str());
-        let mut failure = None;
-        session.run_file(&file, |_, result| match result {
-            Ok(_) => true,
-            Err(problem) => {
-                failure = Some(problem);
-                false
-            }
-        });
-        if let Some(failure) = failure {
-            return Err(failure);
-        }
-    }
-    Ok(())
-}
-
 fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {
-    give(session, given)?;
+    let conditions = give(session, given)?;
     let file = SourceFile::new("<claim>", claim);
-    let answer = session.run_statement(&file, None, Equals::Claims)?;
-    if !matches!(answer.outcome.value, Value::Claim(_)) {
+    let mut answer = session.run_statement(&file, None, Equals::Claims)?;
+    let Value::Claim(judged) = answer.outcome.value.clone() else {
         let problem = Diagnostic::error(Code::Usage, "nothing is claimed here")
             .at(answer.statement.span)
             .reason("a value, not a claim")
             .hint("write an equation, for example \"f(0,1) = 1/2\"");
         return Err(Box::new(Failure { problem, file }).into());
-    }
+    };
+    answer.outcome.value = Value::Claim(Arc::new(conditions.applied(session, &judged)));
     Ok(show(output, &answer)?)
 }
 

@@ -2,7 +2,8 @@
 
 use super::argument_reader::{ArgumentReader, Failed, applied, call, named};
 use super::arguments::{BezierArguments, BsplineArguments, Change};
-use crate::formula::Expr;
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// function(curve, items); what is wrong with the call is wrong with the items.
 fn with_items(
@@ -69,6 +70,15 @@ pub(super) fn bezier(reader: &mut ArgumentReader, arguments: &BezierArguments) -
 
 /// The query of `polarform bspline`.
 pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments) -> Failed<Expr> {
+    if arguments.span.is_some()
+        && arguments.at.is_none()
+        && arguments.scheme.is_none()
+        && arguments.insert.is_none()
+    {
+        let problem = Diagnostic::error(Code::Usage, "--span names the knot interval of a parameter")
+            .hint("give --at, --scheme or --insert with it");
+        return Err(reader.failure(problem));
+    }
     let degree = reader.number("degree", arguments.degree);
     let knots = reader.list("knots", &arguments.knots)?;
     let span = knots.span;
@@ -80,6 +90,7 @@ pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments)
     let mut curve = call("bspline", curve, span);
     if let Some(list) = &arguments.insert {
         curve = with_items(reader, "insert_knots", curve, "insert", list)?;
+        name_interval(reader, &mut curve, arguments.span);
     }
     if let Some(t) = &arguments.remove {
         curve = with_items(reader, "remove_knot", curve, "remove", t)?;
@@ -87,7 +98,9 @@ pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments)
     let curve = changed(reader, curve, &arguments.change);
     let span = curve.span;
     if let Some(t) = &arguments.at {
-        at(reader, curve, t)
+        let mut value = at(reader, curve, t)?;
+        name_interval(reader, &mut value, arguments.span);
+        Ok(value)
     } else if let Some(list) = &arguments.scheme {
         scheme(reader, curve, list, arguments.span)
     } else if arguments.pieces {
@@ -96,6 +109,15 @@ pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments)
         Ok(call("labels", vec![curve], span))
     } else {
         Ok(curve)
+    }
+}
+
+/// Adds the knot interval to a call, if it was named.
+fn name_interval(reader: &mut ArgumentReader, call: &mut Expr, interval: Option<usize>) {
+    if let (Kind::Apply(_, groups), Some(interval)) = (&mut call.kind, interval)
+        && let Some(group) = groups.first_mut()
+    {
+        group.push(named("span", reader.number("span", interval)));
     }
 }
 

@@ -6,8 +6,9 @@ use std::path::Path;
 use super::Status;
 use super::argument_reader::{ArgumentReader, Failed, call, named};
 use super::arguments::{FormatArgument, Global};
-use super::commands::{Ran, give};
+use super::commands::Ran;
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
+use super::given::give;
 use super::output::{Output, PREVIEW, Trouble};
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
 use crate::formula::source::Span;
@@ -38,7 +39,7 @@ pub(super) fn run(
     // What cannot be written is refused before anything is computed.
     let target = target(arguments, global.format)?;
     give(session, &arguments.given)?;
-    let mut reader = ArgumentReader::default();
+    let mut reader = ArgumentReader::new(output);
     let query = query(&mut reader, arguments)?;
     let whole = query.span;
     let value = reader.evaluate(session, query)?;

@@ -15,7 +15,7 @@ use crate::session::{Failure, Session};
 
 pub(super) fn run(wanted: &Interpolate, session: &mut Session, output: &Output) -> Ran {
     fitting(wanted)?;
-    let mut reader = ArgumentReader::default();
+    let mut reader = ArgumentReader::new(output);
     let (variable, symbol) = variable(&mut reader, session, &wanted.variable)?;
     let data = Data::read(&mut reader, wanted)?;
     let at = match &wanted.at {

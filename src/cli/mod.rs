@@ -6,6 +6,7 @@ mod commands;
 mod curves;
 mod figure;
 mod figure_arguments;
+mod given;
 mod interpolate;
 mod notes;
 mod output;
@@ -14,6 +15,7 @@ mod repl_helper;
 mod watch;
 mod weave;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -31,9 +33,34 @@ enum Status {
     Failed = 2,
 }
 
+/// A formula that begins with a minus sign, `-2^2` or `-t`, is no option: a blank before it tells.
+fn formula_or_option(argument: OsString) -> OsString {
+    let is_formula = argument.to_str().and_then(|text| text.strip_prefix('-')).is_some_and(|rest| {
+        let mut characters = rest.chars();
+        match (characters.next(), characters.next()) {
+            (Some(first), None) => first.is_ascii_digit(),
+            (Some(first), Some(second)) => {
+                first.is_ascii_digit()
+                    || matches!(first, '(' | '[' | '\\' | '.')
+                    || (first.is_ascii_alphabetic()
+                        && matches!(second, '^' | '_' | '*' | '+' | '/' | ' ' | '('))
+            }
+            _ => false,
+        }
+    });
+    match is_formula {
+        true => {
+            let mut spaced = OsString::from(" ");
+            spaced.push(argument);
+            spaced
+        }
+        false => argument,
+    }
+}
+
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match Arguments::try_parse_from(std::env::args_os().map(formula_or_option)) {
         Ok(arguments) => arguments,
         Err(error) => {
             let failed = error.use_stderr();

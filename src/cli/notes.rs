@@ -32,7 +32,7 @@ use crate::notes::{Options, check_document, listing};
 use crate::session::Failure;
 
 /// Seconds for one formula where nothing else is said.
-const SECONDS: f64 = 5.0;
+const SECONDS: f64 = 60.0;
 
 /// Formulas are nested; a thread gets more than the usual two megabytes.
 const STACK: usize = 16 << 20;

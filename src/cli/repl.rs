@@ -168,9 +168,14 @@ fn history_file() -> Option<PathBuf> {
 impl Repl<'_> {
     /// Carries out one input; false means leave.
     fn line(&mut self, line: &str) -> Result<bool, Trouble> {
+        let line = line.trim_end();
         match line.trim().strip_prefix(':') {
             Some(command) if !command.starts_with('=') => self.command(command),
             _ => {
+                let env = &self.session.env;
+                if let Some(command) = spoken(line.trim(), |name| env.get(&Symbol::new(name)).is_some()) {
+                    return self.command(&command);
+                }
                 self.statements(line)?;
                 Ok(true)
             }
@@ -325,7 +330,7 @@ impl Repl<'_> {
         if polynomial.trim().is_empty() {
             return Err(usage(":steps POLYNOMIAL, or :steps taylor POLYNOMIAL"));
         }
-        let mut reader = ArgumentReader::default();
+        let mut reader = ArgumentReader::new(self.output);
         // What follows the polynomial may be named arguments, such as degree = 3.
         let query = reader.items("steps", polynomial).map(|mut arguments| {
             let whole = reader.last_span();
@@ -379,6 +384,22 @@ impl Repl<'_> {
     }
 }
 
+/// A command written without its colon, as at other prompts: `help`, `quit()`, `? polar`. A name that
+/// is defined is that name.
+fn spoken(line: &str, defined: impl Fn(&str) -> bool) -> Option<String> {
+    if let Some(name) = line.strip_prefix('?').or_else(|| line.strip_suffix('?')) {
+        return Some(format!("help {}", name.trim()));
+    }
+    let bare = line.strip_suffix("()").unwrap_or(line);
+    let (word, rest) = bare.split_once(char::is_whitespace).unwrap_or((bare, ""));
+    match word {
+        _ if defined(word) => None,
+        "help" if rest.split_whitespace().count() <= 1 => Some(bare.to_owned()),
+        "quit" | "exit" if rest.is_empty() => Some("quit".to_owned()),
+        _ => None,
+    }
+}
+
 fn usage(form: &str) -> Trouble {
     Trouble::Problem(Box::new(Diagnostic::error(Code::Usage, format!("the form is {form}"))))
 }
@@ -390,4 +411,27 @@ fn file_problem(path: &str, error: &io::Error) -> Trouble {
 /// Names offered for completion besides those of the session.
 pub(super) fn known_names() -> impl Iterator<Item = &'static str> {
     BUILTINS.iter().map(|builtin| builtin.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commands_need_no_colon() {
+        let said = |line| spoken(line, |name| name == "exit");
+        for (line, command) in [
+            ("help", Some("help")),
+            ("help polar", Some("help polar")),
+            ("? polar", Some("help polar")),
+            ("polar?", Some("help polar")),
+            ("quit", Some("quit")),
+            ("quit()", Some("quit")),
+            ("exit", None),
+            ("help me please", None),
+            ("t^2", None),
+        ] {
+            assert_eq!(said(line).as_deref(), command, "{line}");
+        }
+    }
 }

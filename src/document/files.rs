@@ -20,20 +20,6 @@ pub const MAX_BYTES: u64 = 64 << 20;
 const MAX_FILES: usize = 1000;
 const MAX_DEPTH: usize = 20;
 
-/// Reads a file of notes and takes it apart. What it includes is read for its macros.
-///
-/// The kind is told by the ending: `.tex`, `.ltx`, `.sty` are LaTeX, `.ipynb` a notebook, all else
-/// is Markdown.
-///
-/// # Errors
-/// When the file is missing, a directory, not text, or longer than [`MAX_BYTES`]. What is wrong
-/// inside is a problem of the document.
-pub fn read_file(path: &Path) -> Result<Document, Diagnostic> {
-    let mut documents = read_files(path)?;
-    // The file itself comes first.
-    Ok(documents.swap_remove(0))
-}
-
 /// Reads a file of notes and all that it includes by `\input` and its kin, in this order: the file
 /// itself, then the others in the order of reading. They share their macros.
 ///

@@ -30,7 +30,7 @@ mod tex_parts;
 mod text;
 mod vocabulary;
 
-pub use files::{MAX_BYTES, read_file, read_files};
+pub use files::{MAX_BYTES, read_files};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};
 pub use notebook::{Cell, markdown_cells};
 pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};

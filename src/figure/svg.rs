@@ -148,7 +148,6 @@ impl Painter {
         let dashes = match style.dash {
             Dash::Solid => None,
             Dash::Dashed => Some("6 4"),
-            Dash::Dotted => Some("0.1 4"),
         };
         html! {
             @if let Some(ink) = style.fill {

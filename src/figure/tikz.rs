@@ -115,7 +115,6 @@ impl Writer {
             match style.dash {
                 Dash::Solid => {}
                 Dash::Dashed => options.push("dash pattern=on 3.75pt off 2.5pt".to_owned()),
-                Dash::Dotted => options.push("dash pattern=on 0.1pt off 2.5pt".to_owned()),
             }
         }
         if let Some(ink) = style.fill {

@@ -3,169 +3,99 @@
 use super::{Expr, Kind};
 use crate::formula::source::Span;
 
-impl Expr {
-    /// Calls `visit` on every direct child, in written order.
-    pub fn for_each_child<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
-        match &self.kind {
+/// Calls a function on every direct child, in written order: with `iter`, or with `iter_mut` and `mut`.
+macro_rules! for_each_child {
+    ($kind:expr, $visit:ident, $iter:ident $(, $mut:tt)?) => {
+        match $kind {
             Kind::Number(_) | Kind::Name(_) | Kind::Ellipsis | Kind::Text(_) | Kind::Unread(_) => {}
             Kind::Subscript(base, list) | Kind::Upper(base, list) => {
-                visit(base);
-                list.iter().for_each(visit);
+                $visit(base);
+                list.$iter().for_each($visit);
             }
             Kind::Accent(_, body)
             | Kind::Prime(body, _)
             | Kind::Group(body)
             | Kind::Factorial(body)
             | Kind::Enclosed(_, body)
-            | Kind::Transpose(body) => visit(body),
-            Kind::Add(terms) => terms.iter().for_each(|term| visit(&term.expr)),
+            | Kind::Transpose(body) => $visit(body),
+            Kind::Add(terms) => terms.$iter().for_each(|term| $visit(&$($mut)? term.expr)),
             Kind::Mul(list)
             | Kind::Tuple(list)
             | Kind::List(list)
             | Kind::Compose(list)
             | Kind::Cross(list)
-            | Kind::Sequence(list) => list.iter().for_each(visit),
+            | Kind::Sequence(list) => list.$iter().for_each($visit),
             Kind::Div(a, b, _) | Kind::Pow(a, b) | Kind::Binomial(a, b, _) | Kind::Range(a, b) => {
-                visit(a);
-                visit(b);
+                $visit(a);
+                $visit(b);
             }
             Kind::Apply(callee, groups) => {
-                visit(callee);
-                groups.iter().flatten().for_each(visit);
+                $visit(callee);
+                groups.$iter().flatten().for_each($visit);
             }
             Kind::Set(list, condition) => {
-                list.iter().for_each(&mut *visit);
-                condition.iter().for_each(|c| visit(c));
+                list.$iter().for_each(&mut *$visit);
+                condition.$iter().for_each(|c| $visit(c));
             }
-            Kind::Matrix(rows, _) => rows.iter().flatten().flatten().for_each(visit),
+            Kind::Matrix(rows, _) => rows.$iter().flatten().flatten().for_each($visit),
             Kind::Big { lower, upper, body, .. } => {
-                lower.iter().for_each(&mut *visit);
-                upper.iter().for_each(|u| visit(u));
-                visit(body);
+                lower.$iter().for_each(&mut *$visit);
+                upper.$iter().for_each(|u| $visit(u));
+                $visit(body);
             }
             Kind::Integral { lower, upper, body, variable } => {
-                lower.iter().for_each(|x| visit(x));
-                upper.iter().for_each(|x| visit(x));
-                visit(body);
-                visit(variable);
+                lower.$iter().for_each(|x| $visit(x));
+                upper.$iter().for_each(|x| $visit(x));
+                $visit(body);
+                $visit(variable);
             }
             Kind::Derivative { variables, body, .. } => {
                 for (variable, order) in variables {
-                    visit(variable);
-                    order.iter().for_each(&mut *visit);
+                    $visit(variable);
+                    order.$iter().for_each(&mut *$visit);
                 }
-                body.iter().for_each(|b| visit(b));
+                body.$iter().for_each(|b| $visit(b));
             }
             Kind::At { body, lower, upper } => {
-                visit(body);
-                lower.iter().for_each(&mut *visit);
-                upper.iter().for_each(|u| visit(u));
+                $visit(body);
+                lower.$iter().for_each(&mut *$visit);
+                upper.$iter().for_each(|u| $visit(u));
             }
             Kind::Cases(cases) => {
                 for (value, condition) in cases {
-                    visit(value);
-                    condition.iter().for_each(&mut *visit);
+                    $visit(value);
+                    condition.$iter().for_each(&mut *$visit);
                 }
             }
             Kind::Brace(list, label) => {
-                list.iter().for_each(&mut *visit);
-                label.iter().for_each(|l| visit(l));
+                list.$iter().for_each(&mut *$visit);
+                label.$iter().for_each(|l| $visit(l));
             }
             Kind::Lambda(parameters, body) => {
-                parameters.iter().for_each(&mut *visit);
-                visit(body);
+                parameters.$iter().for_each(&mut *$visit);
+                $visit(body);
             }
             Kind::Chain(first, links) => {
-                visit(first);
-                links.iter().for_each(|link| visit(&link.expr));
+                $visit(first);
+                links.$iter().for_each(|link| $visit(&$($mut)? link.expr));
             }
             Kind::ForAll(list, body) => {
-                list.iter().for_each(&mut *visit);
-                body.iter().for_each(|b| visit(b));
+                list.$iter().for_each(&mut *$visit);
+                body.$iter().for_each(|b| $visit(b));
             }
         }
+    };
+}
+
+impl Expr {
+    /// Calls `visit` on every direct child, in written order.
+    pub fn for_each_child<'a>(&'a self, visit: &mut dyn FnMut(&'a Expr)) {
+        for_each_child!(&self.kind, visit, iter);
     }
 
     /// The same walk with mutable access.
     pub fn for_each_child_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
-        match &mut self.kind {
-            Kind::Number(_) | Kind::Name(_) | Kind::Ellipsis | Kind::Text(_) | Kind::Unread(_) => {}
-            Kind::Subscript(base, list) | Kind::Upper(base, list) => {
-                visit(base);
-                list.iter_mut().for_each(visit);
-            }
-            Kind::Accent(_, body)
-            | Kind::Prime(body, _)
-            | Kind::Group(body)
-            | Kind::Factorial(body)
-            | Kind::Enclosed(_, body)
-            | Kind::Transpose(body) => visit(body),
-            Kind::Add(terms) => terms.iter_mut().for_each(|term| visit(&mut term.expr)),
-            Kind::Mul(list)
-            | Kind::Tuple(list)
-            | Kind::List(list)
-            | Kind::Compose(list)
-            | Kind::Cross(list)
-            | Kind::Sequence(list) => list.iter_mut().for_each(visit),
-            Kind::Div(a, b, _) | Kind::Pow(a, b) | Kind::Binomial(a, b, _) | Kind::Range(a, b) => {
-                visit(a);
-                visit(b);
-            }
-            Kind::Apply(callee, groups) => {
-                visit(callee);
-                groups.iter_mut().flatten().for_each(visit);
-            }
-            Kind::Set(list, condition) => {
-                list.iter_mut().for_each(&mut *visit);
-                condition.iter_mut().for_each(|c| visit(c));
-            }
-            Kind::Matrix(rows, _) => rows.iter_mut().flatten().flatten().for_each(visit),
-            Kind::Big { lower, upper, body, .. } => {
-                lower.iter_mut().for_each(&mut *visit);
-                upper.iter_mut().for_each(|u| visit(u));
-                visit(body);
-            }
-            Kind::Integral { lower, upper, body, variable } => {
-                lower.iter_mut().for_each(|x| visit(x));
-                upper.iter_mut().for_each(|x| visit(x));
-                visit(body);
-                visit(variable);
-            }
-            Kind::Derivative { variables, body, .. } => {
-                for (variable, order) in variables {
-                    visit(variable);
-                    order.iter_mut().for_each(&mut *visit);
-                }
-                body.iter_mut().for_each(|b| visit(b));
-            }
-            Kind::At { body, lower, upper } => {
-                visit(body);
-                lower.iter_mut().for_each(&mut *visit);
-                upper.iter_mut().for_each(|u| visit(u));
-            }
-            Kind::Cases(cases) => {
-                for (value, condition) in cases {
-                    visit(value);
-                    condition.iter_mut().for_each(&mut *visit);
-                }
-            }
-            Kind::Brace(list, label) => {
-                list.iter_mut().for_each(&mut *visit);
-                label.iter_mut().for_each(|l| visit(l));
-            }
-            Kind::Lambda(parameters, body) => {
-                parameters.iter_mut().for_each(&mut *visit);
-                visit(body);
-            }
-            Kind::Chain(first, links) => {
-                visit(first);
-                links.iter_mut().for_each(|link| visit(&mut link.expr));
-            }
-            Kind::ForAll(list, body) => {
-                list.iter_mut().for_each(&mut *visit);
-                body.iter_mut().for_each(|b| visit(b));
-            }
-        }
+        for_each_child!(&mut self.kind, visit, iter_mut, mut);
     }
 
     /// Replaces every span of the tree.

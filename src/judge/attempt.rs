@@ -1,10 +1,14 @@
 //! Trying the readings of ambiguous notations until one makes a chain true.
 
 use super::check::Checker;
-use super::context::Condition;
+use std::collections::BTreeSet;
+
+use super::context::{Condition, is_variable};
 use super::model::{Ambiguity, Choices, Curve};
+use super::names::is_index_letter;
 use super::statement::{Chain, Place};
-use super::trial::{Outcomes, Tally, Trial};
+use super::tally::{Outcomes, Tally};
+use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
 
 /// An attempt to judge a chain under one way of reading it.
@@ -39,7 +43,7 @@ impl Checker {
         if bad(&first) == 0 && good(&first) > 0 {
             return first;
         }
-        let mut ambiguous = std::collections::BTreeSet::new();
+        let mut ambiguous = BTreeSet::new();
         let mut far = false;
         for tally in &first.outcomes.tallies {
             ambiguous.extend(tally.record.ambiguous.iter().copied());
@@ -126,23 +130,50 @@ impl Checker {
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
         earlier.reverse();
+        let reached = self.context.reached(sides, place);
+        let relevant = about(&earlier, &reached, &|expr| self.context.reached(&[expr], place));
+        let mut relevant = relevant.into_iter();
+        earlier.retain(|_| relevant.next() == Some(true));
+        let hypotheses =
+            earlier.iter().filter(|c| place.sees(&c.place)).map(|condition| condition.expr.clone()).collect();
         Trial {
             sides: sides.to_vec(),
             relations: relations.to_vec(),
             conditions: chain.conditions.clone(),
-            hypotheses: earlier
-                .iter()
-                .filter(|condition| place.sees(&condition.place))
-                .map(|condition| condition.expr.clone())
-                .collect(),
+            hypotheses,
             earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
             context: self.context.clone(),
             place,
             curve,
             choices,
+            reached,
+            knot_letters: self.context.knot_letters(place),
             limits: self.limits.clone(),
         }
     }
+}
+
+/// Those of some conditions that speak of the names of a claim, or of names that others of them speak of, through
+/// definitions too. What a parameter or an index is called says nothing.
+fn about(
+    conditions: &[&Condition],
+    claim: &BTreeSet<String>,
+    names: &dyn Fn(&Expr) -> BTreeSet<String>,
+) -> Vec<bool> {
+    let telling = |name: &String| !is_variable(name) && (!is_index_letter(name) || claim.contains(name));
+    let own: Vec<BTreeSet<String>> = conditions
+        .iter()
+        .map(|condition| names(&condition.expr).into_iter().filter(|name| telling(name)).collect())
+        .collect();
+    let range = |condition: &&Condition| !matches!(&condition.expr.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq));
+    let mut known: BTreeSet<String> = claim.iter().filter(|name| telling(name)).cloned().collect();
+    let mut taken: Vec<bool> = conditions.iter().map(range).collect();
+    while let Some(at) = (0..own.len()).find(|&at| !taken[at] && !own[at].is_disjoint(&known)) {
+        taken[at] = true;
+        known.extend(own[at].iter().cloned());
+    }
+    // A relation between parameters alone, such as u + v = 1, is about all of them.
+    (0..own.len()).map(|at| taken[at] || own[at].is_empty()).collect()
 }
 
 /// A relation that fails only where it is not meant: for integers that are 0, or for indices beyond

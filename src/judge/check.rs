@@ -2,15 +2,17 @@
 
 use std::rc::Rc;
 
-use super::context::{Body, Condition, Context, Definition, Letters};
+use super::context::{Body, Condition, Context, Definition, Letters, is_variable};
 use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
-use super::names::Head;
+use super::names::{Head, is_index_letter};
+use super::object::{Declared, Object};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use super::verdict::Judged;
+use super::words;
 use crate::budget::{self, Limits};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -38,7 +40,7 @@ impl Checker {
         let letters = Letters::of(statements);
         Checker {
             file: file.clone(),
-            context: Rc::new(Context { letters, ..Context::default() }),
+            context: Rc::new(Context::new(letters)),
             limits: limits.clone(),
             ignored: 0,
             findings: Vec::new(),
@@ -54,6 +56,7 @@ impl Checker {
     pub fn statement(&mut self, statement: &Statement) {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
+            Said::Object(object) => self.object(object, &statement.place),
             Said::Queries(text, span) => self.queries(text, &statement.place, *span),
             Said::Condition(side) => {
                 let mut finding = of_side(side, Verdict::Definition, 1);
@@ -64,7 +67,11 @@ impl Checker {
                 self.findings.push(finding);
                 // A case is a condition of the claims of its sentence, and of nothing else.
                 if !statement.is_case() {
-                    let assumed = statement.role == Some(Role::Assumed);
+                    // A range said in passing holds in its paragraph.
+                    let range = !matches!(&side.expr.kind, Kind::Chain(_, links)
+                        if links.iter().any(|link| link.rel == Rel::Eq));
+                    let passing = range && statement.role != Some(Role::Introduced);
+                    let assumed = statement.role == Some(Role::Assumed) || passing;
                     self.condition(side.expr.clone(), side.expr.span, assumed, &statement.place);
                 }
             }
@@ -93,11 +100,11 @@ impl Checker {
                     return;
                 }
                 let limits = self.limits.clone();
-                let before = self.context.clone();
+                let before = self.context.mark();
                 match budget::run(&limits, || self.chain(chain, statement)) {
                     Ok(findings) => self.findings.extend(findings),
                     Err(stop) => {
-                        self.context = before;
+                        Rc::make_mut(&mut self.context).forget(before);
                         for at in 0..chain.relations.len() {
                             let mut finding = blank(chain, at);
                             finding.verdict = Verdict::Undecided;
@@ -108,6 +115,13 @@ impl Checker {
                 }
             }
         }
+    }
+
+    /// Takes in what words say that names stand for.
+    fn object(&mut self, object: &Object, place: &Place) {
+        let line = object.names.first().map_or(0, |name| self.line(name.span));
+        let declared = Declared { object: object.clone(), place: place.clone(), line };
+        Rc::make_mut(&mut self.context).declare(declared);
     }
 
     /// A chain that its sentence assumes, asks for, or claims for cases that nothing describes.
@@ -167,7 +181,7 @@ impl Checker {
             assumed: false,
             queried: false,
         };
-        Rc::make_mut(&mut self.context).definitions.push(definition);
+        Rc::make_mut(&mut self.context).define(definition);
     }
 
     fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
@@ -242,9 +256,12 @@ impl Checker {
             }
             return findings;
         }
-        let curve = refute::curve_spoken_of(&statement.recent);
-        let head =
-            definable(&chain.sides[0].expr).filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define));
+        let curve = words::curve_spoken_of(&statement.recent);
+        let head = definable(&chain.sides[0].expr)
+            .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
+            .filter(|head| {
+                chain.relations[0].0 == Rel::Define || names_its_variables(head, &chain.sides[1].expr)
+            });
         let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
         let first_known = queried
             || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
@@ -258,8 +275,12 @@ impl Checker {
             && !chain.sides[0].is_unread()
         {
             // What is said to follow is a claim, if the facts say what its name is.
-            if statement.role == Some(Role::Claimed) && !defines {
-                let before = self.context.clone();
+            // Facts that speak of it may say what it is already.
+            let spoken = || self.context.object(head, place).is_some() || self.is_constrained(head, place);
+            let claims = statement.role == Some(Role::Claimed)
+                || !matches!(statement.role, Some(Role::Introduced)) && spoken();
+            if claims && !defines {
+                let before = self.context.mark();
                 let mut tried = findings.clone();
                 self.judge(chain, 0, statement, curve.clone(), None, &mut tried);
                 let settled = match tried[0].verdict {
@@ -268,17 +289,28 @@ impl Checker {
                     Verdict::Refuted => {
                         let symbol =
                             Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
-                        tried[0].determined || !self.is_open(&symbol, &curve)
+                        tried[0].determined || head.arguments.is_none() && !self.is_open(&symbol, &curve)
                     }
                     _ => false,
                 };
                 if settled {
                     return tried;
                 }
-                self.context = before;
+                Rc::make_mut(&mut self.context).forget(before);
             }
-            // A new name: its right-hand side says what it is.
-            self.definition(chain, head, place, &mut findings[0]);
+            // A new name: its right-hand side says what it is. A value of a variable in passing is none.
+            let passing = head.lower.is_empty()
+                && head.upper.is_empty()
+                && head.arguments.is_none()
+                && is_variable(&head.base)
+                && !matches!(statement.role, Some(Role::Introduced))
+                && !defines;
+            if passing {
+                findings[0].verdict = Verdict::Definition;
+                findings[0].reason = Some(format!("a value of {} in passing", head.base));
+            } else {
+                self.definition(chain, head, place, &mut findings[0]);
+            }
             start = 1;
         }
         if start == 0
@@ -328,6 +360,42 @@ impl Checker {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+    }
+
+    /// Whether a claim rests on knots that the page does not give.
+    pub(super) fn invents_knots(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
+        let mut indexed = false;
+        for side in [left, right] {
+            super::names::walk(side, &mut |part| {
+                indexed |= matches!(&part.kind, Kind::Subscript(base, _)
+                    if matches!(&base.kind, Kind::Name(name) if name == "t"));
+            });
+        }
+        let bases = super::names::bases(left).into_iter().chain(super::names::bases(right));
+        let given = bases.into_iter().any(|base| {
+            self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
+                || self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
+        });
+        !indexed && !given && self.context.stated_knots(place).is_empty()
+    }
+
+    /// Whether a hypothesis of the section speaks of a name.
+    fn is_constrained(&self, head: &Head, place: &Place) -> bool {
+        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
+        self.context.conditions.iter().filter(alive).any(|condition| {
+            matches!(&condition.expr.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq)
+                && super::names::bases(&condition.expr).contains(&head.base)
+        })
+    }
+
+    /// Whether a condition introduced a name: a ≠ b, 0 < c < 1.
+    pub(super) fn is_restricted(&self, base: &str, place: &Place) -> bool {
+        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
+        self.context
+            .conditions
+            .iter()
+            .filter(alive)
+            .any(|condition| super::names::bases(&condition.expr).contains(base))
     }
 
     /// Whether no definition speaks of the family of a symbol.
@@ -416,6 +484,15 @@ impl Checker {
             let given = statement.role == Some(Role::Introduced)
                 && findings[at].verdict == Verdict::Undecided
                 && !tally.fails.is_empty();
+            let datum = statement.role != Some(Role::Claimed)
+                && findings[at].verdict == Verdict::Undecided
+                && !tally.record.unknown.is_empty()
+                && head.is_none()
+                && is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr);
+            if datum {
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
+            }
             let open = given || findings[at].verdict == Verdict::Definition;
             if open && chain.relations[at].0 == Rel::Eq {
                 let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
@@ -482,10 +559,8 @@ impl Checker {
             let tally = &outcomes.tallies[0];
             if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
                 let next = &mut findings[at + 1];
-                let ranged = !outcomes.integers.is_empty() || outcomes.degrees;
-                next.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
-                next.reason = Some("equal to the side before the last".to_owned());
-                next.instances = ranged.then(|| format!("{} instances", tally.holds));
+                next.verdict = Verdict::Undecided;
+                next.reason = Some("equal to the side before the last, not to the one between".to_owned());
                 (next.witness, next.suggestion, next.warning) = (None, None, None);
             }
         }
@@ -504,6 +579,34 @@ impl Checker {
                 || right.contains(&head.base.to_lowercase());
         (bare && !known).then_some(head.base)
     }
+}
+
+/// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S.
+fn names_its_variables(head: &Head, body: &Expr) -> bool {
+    let inside = super::names::bases(body);
+    let arguments = head.flat();
+    let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
+        return true;
+    };
+    is_variable(only) || is_index_letter(only) || inside.contains(only)
+}
+
+/// Whether an equation says what the value of a function or a derivative is at a place: S(x_i) = y_i.
+fn is_datum(left: &Expr, right: &Expr) -> bool {
+    let Kind::Apply(callee, _) = &left.kind else { return false };
+    let mut function = callee.as_ref();
+    while let Kind::Prime(inner, _) | Kind::Accent(_, inner) = &function.kind {
+        function = inner;
+    }
+    Head::of(function).is_some_and(|head| {
+        let inside = super::names::bases(right);
+        let another = |expr: &Expr| {
+            matches!(&expr.kind, Kind::Apply(_, groups)
+                if groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Number(_))))
+        };
+        !inside.contains(&head.base) && !inside.contains(&head.base.to_lowercase())
+            || another(left) && another(right)
+    })
 }
 
 /// A finding for a relation, not judged yet.

@@ -1,6 +1,8 @@
 //! Comparing the values of two sides.
 
+use super::roots;
 use super::values::judge;
+pub use super::values::symbols;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::number::{Rational, integer};
@@ -22,6 +24,9 @@ pub enum Outcome {
 /// Compares two values.
 pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Outcome {
     let (left, right) = (plain(left), plain(right));
+    if let Some(why) = other_shapes(&left, &right) {
+        return Outcome::Unclear(why);
+    }
     match rel {
         Rel::Eq | Rel::Equiv | Rel::Define => {
             // 1̂ = 1 − 0: the vector between two points
@@ -37,7 +42,12 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> O
             match judge(Rel::Eq, &left, &right) {
                 Ok(judgement) => match judgement.verdict {
                     Verdict::Proved | Verdict::Sampled => Outcome::Holds,
-                    Verdict::Refuted => Outcome::Fails(Box::new(judgement)),
+                    Verdict::Refuted => match roots::equal(&left, &right) {
+                        Some(true) => Outcome::Holds,
+                        // Roots have no other value than their own.
+                        Some(false) => Outcome::Fails(Box::new(Judgement { witness: None, ..judgement })),
+                        None => Outcome::Fails(Box::new(judgement)),
+                    },
                     Verdict::Undecided => Outcome::Unclear(judgement.reasons.join("; ")),
                 },
                 Err(error) => Outcome::Unclear(error.message),
@@ -50,6 +60,23 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> O
         },
         Rel::Approx => Outcome::Unclear("approximations are not checked".to_owned()),
         _ => Outcome::Unclear("this relation says nothing that can be computed".to_owned()),
+    }
+}
+
+/// Lists and matrices of different sizes are rather misread than wrong.
+fn other_shapes(left: &Value, right: &Value) -> Option<String> {
+    match (left, right) {
+        (Value::List(a), Value::List(b)) if a.len() != b.len() => {
+            Some(format!("the sides are lists of {} and of {} items", a.len(), b.len()))
+        }
+        (Value::Matrix(a), Value::Matrix(b)) if a.shape() != b.shape() => Some(format!(
+            "the sides are matrices of {} by {} and of {} by {}",
+            a.nrows(),
+            a.ncols(),
+            b.nrows(),
+            b.ncols()
+        )),
+        _ => None,
     }
 }
 
@@ -188,19 +215,6 @@ fn fails(rel: Rel, left: &Value, right: &Value, witness: Witness) -> Outcome {
         witness: Some(witness),
         reasons: Vec::new(),
     }))
-}
-
-/// All symbols of a value.
-pub fn symbols(value: &Value) -> Vec<Symbol> {
-    let mut found: Vec<Symbol> = match value {
-        Value::Scalar(formula) | Value::Vector(formula) => formula.variables(),
-        Value::List(items) => items.iter().flat_map(symbols).collect(),
-        Value::Matrix(matrix) => matrix.iter().flat_map(Fraction::variables).collect(),
-        _ => Vec::new(),
-    };
-    found.sort();
-    found.dedup();
-    found
 }
 
 /// A value with symbols replaced, one after the other.

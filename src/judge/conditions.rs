@@ -4,50 +4,14 @@
 use std::collections::BTreeSet;
 
 use super::compare::{self, Outcome};
-use super::context::is_variable;
-use super::evaluator;
-use super::hypotheses;
+use super::hypotheses::{self, Solution};
 use super::model::FREE_TERMS;
 use super::names::{Head, implied_index, own_names};
-use super::trial::{Tally, Trial};
+use super::tally::Tally;
+use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
-
-/// The knot intervals that are tried run from number 0 to this one.
-pub(super) const LAST_INTERVAL: i64 = 3;
-
-/// Whether a condition such as u ∈ [u_j, u_{j+1}) or t_j ≤ t < t_{j+1} allows the knot interval of a number;
-/// other conditions do.
-pub(super) fn knots_around(condition: &Expr, bound: &[(String, i64)], interval: i64) -> bool {
-    let number = |expr: &Expr| -> Option<i64> {
-        let Kind::Subscript(base, indices) = &expr.kind else { return None };
-        let ([index], true) =
-            (indices.as_slice(), Head::of(base).is_some_and(|head| is_variable(&head.base)))
-        else {
-            return None;
-        };
-        let names = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
-        evaluator::machine().with_locals(names, |machine| machine.eval_int(index)).ok()
-    };
-    let Kind::Chain(left, links) = &condition.kind else { return true };
-    let ends = match links.as_slice() {
-        [link] if link.rel == Rel::In => match &link.expr.kind {
-            Kind::Apply(_, groups) => groups.first().map(Vec::as_slice),
-            Kind::List(items) | Kind::Tuple(items) => Some(items.as_slice()),
-            _ => None,
-        }
-        .and_then(|items| Some((items.first()?, items.get(1)?))),
-        [one, two] if matches!((one.rel, two.rel), (Rel::Le | Rel::Lt, Rel::Le | Rel::Lt)) => {
-            Some((left.as_ref(), &two.expr))
-        }
-        _ => None,
-    };
-    match ends.map(|(from, to)| (number(from), number(to))) {
-        Some((Some(from), Some(to))) => from <= interval && interval < to,
-        _ => true,
-    }
-}
 
 /// The conditions at hand, those said with the chain first.
 pub(super) struct Conditions<'a> {
@@ -111,13 +75,19 @@ impl Conditions<'_> {
             .own
             .iter()
             .chain(trial.hypotheses.iter().take(NEAREST))
-            .filter_map(|condition| trial.condition_values(condition, bound, degree))
+            .flat_map(|condition| {
+                let instances = trial.condition_instances(condition, bound, degree);
+                instances.into_iter().filter_map(|own| trial.condition_values(condition, &own, degree))
+            })
             .collect();
         let family = |value: &Value| -> BTreeSet<String> {
-            compare::symbols(value).iter().map(|symbol| symbol.base().to_owned()).collect()
+            let members = compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain());
+            members.map(|symbol| symbol.base().to_owned()).collect()
         };
         let wanted = family(left);
-        let Some(solution) = hypotheses::solve(&equations, &|symbol| wanted.contains(symbol.base())) else {
+        let Some(Solution { values: solution, sampled }) =
+            hypotheses::solve(&equations, &|symbol| wanted.contains(symbol.base()))
+        else {
             return plain;
         };
         let (Some(l), Some(r)) =
@@ -132,10 +102,21 @@ impl Conditions<'_> {
             compare::symbols(value).iter().any(|symbol| solution.iter().any(|(solved, _)| solved == symbol))
         };
         if !touched(left) && !touched(right) {
+            // c_5, where the hypotheses say what c_0, …, c_3 are.
+            let members = |symbol: &Symbol| {
+                !symbol.is_plain()
+                    && wanted.contains(symbol.base())
+                    && solution.iter().any(|(solved, _)| {
+                        solved.base() == symbol.base() && solved.upper().len() == symbol.upper().len()
+                    })
+            };
+            let beyond = compare::symbols(left).iter().any(members);
+            tally.beyond += usize::from(beyond && matches!(plain, Outcome::Fails(_)));
             return plain;
         }
         let outcome = compare::relation(rel, &l, &r, &ranges);
         tally.condition.get_or_insert(0);
+        tally.sampled |= sampled;
         match outcome {
             Outcome::Holds => outcome,
             // Everything that is claimed about is determined, and it is something else.

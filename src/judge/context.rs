@@ -1,8 +1,9 @@
 //! What names mean, and where: the definitions and conditions met so far.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::names::{Head, bases, walk};
+use super::object::Declared;
 use super::statement::{Place, Said, Statement};
 use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::{self, Family};
@@ -56,16 +57,24 @@ pub struct Context {
     pub definitions: Vec<Definition>,
     /// In the order they were met.
     pub conditions: Vec<Condition>,
+    /// What words say that names stand for, in the order they were met.
+    pub objects: Vec<Declared>,
     /// How letters are used in the whole document.
     pub letters: Letters,
+    /// The numbers of the definitions and of the objects of each letter.
+    named: HashMap<String, [Vec<usize>; 2]>,
 }
+
+/// How much was known at some time.
+#[derive(Clone, Copy, Debug)]
+pub struct Mark([usize; 3]);
 
 /// How letters are used in a document.
 #[derive(Clone, Debug, Default)]
 pub struct Letters {
     /// Letters that are applied to arguments like functions.
     pub functions: BTreeSet<String>,
-    /// Letters whose index 10 means 1, 0, because there is an index 00 or 01, too.
+    /// Letters whose index 10 means 1, 0, because there is an index 00 or 01 or 011, too.
     pub pairs: BTreeSet<String>,
     /// Letters with an upper index that is no power: b_i^r.
     pub towers: BTreeSet<String>,
@@ -105,7 +114,7 @@ impl Letters {
             match &statement.said {
                 Said::Chain(chain) => chain.sides.iter().for_each(|side| look(&side.expr)),
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Declaration(..) | Said::Queries(..) => {}
+                Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
         letters
@@ -124,7 +133,8 @@ impl Letters {
                         head.arguments.is_none() && head.upper.is_empty() && is_variable(&head.base)
                     })
                 };
-                if flat.len() > 1 || flat.iter().any(|argument| variable(argument)) {
+                let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Div(..));
+                if flat.len() > 1 || flat.iter().any(|argument| variable(argument) || number(argument)) {
                     self.functions.insert(head.base);
                 }
             }
@@ -141,7 +151,7 @@ impl Letters {
                 }
                 if let [index] = lower.as_slice()
                     && let Kind::Name(word) = &index.kind
-                    && word.len() == 2
+                    && word.len() > 1
                     && word.starts_with('0')
                     && let Some(head) = Head::of(base)
                 {
@@ -179,6 +189,53 @@ impl Letters {
 }
 
 impl Context {
+    /// Nothing known but how letters are used.
+    pub fn new(letters: Letters) -> Self {
+        Context { letters, ..Context::default() }
+    }
+
+    /// Adds a definition.
+    pub fn define(&mut self, definition: Definition) {
+        let base = definition.head.base.clone();
+        self.named.entry(base).or_default()[0].push(self.definitions.len());
+        self.definitions.push(definition);
+    }
+
+    /// Adds what words say that names stand for.
+    pub fn declare(&mut self, declared: Declared) {
+        let bases: BTreeSet<String> =
+            declared.object.names.iter().filter_map(|name| Some(Head::of(name)?.base)).collect();
+        for base in bases {
+            self.named.entry(base).or_default()[1].push(self.objects.len());
+        }
+        self.objects.push(declared);
+    }
+
+    /// How much is known now.
+    pub fn mark(&self) -> Mark {
+        Mark([self.definitions.len(), self.conditions.len(), self.objects.len()])
+    }
+
+    /// Forgets what was learnt since then.
+    pub fn forget(&mut self, since: Mark) {
+        let Mark([definitions, conditions, objects]) = since;
+        if self.definitions.len() > definitions || self.objects.len() > objects {
+            for [own, others] in self.named.values_mut() {
+                own.retain(|&number| number < definitions);
+                others.retain(|&number| number < objects);
+            }
+        }
+        self.definitions.truncate(definitions);
+        self.conditions.truncate(conditions);
+        self.objects.truncate(objects);
+    }
+
+    /// The objects of a letter, the latest first.
+    pub fn objects_of(&self, base: &str) -> impl DoubleEndedIterator<Item = &Declared> + Clone {
+        let numbers = self.named.get(base).map_or(&[][..], |[_, numbers]| numbers);
+        numbers.iter().rev().map(|&number| &self.objects[number])
+    }
+
     /// Whether the second index of a B-spline N is its degree, which the page tells by where its recursion
     /// begins: at N_{i,0}, or at N_i^1 with orders.
     pub fn spline_has_degree(&self, place: &Place) -> Option<bool> {
@@ -201,8 +258,9 @@ impl Context {
     ) -> impl Iterator<Item = (usize, &'a Definition, bool)> + 'a {
         let near = move |definition: &Definition| place.sees(&definition.place);
         let all = move || {
-            let alive = move |d: &Definition| d.head.base == base && place.in_reach(&d.place, d.assumed);
-            self.definitions.iter().enumerate().rev().filter(move |(_, d)| alive(d))
+            let numbers = self.named.get(base).map_or(&[][..], |[numbers, _]| numbers);
+            let own = numbers.iter().rev().map(|&number| (number, &self.definitions[number]));
+            own.filter(move |(_, d)| place.in_reach(&d.place, d.assumed))
         };
         let first = all().filter(move |(_, d)| near(d)).map(|(i, d)| (i, d, true));
         let second = all()

@@ -62,7 +62,7 @@ impl Checker {
                 let (place, conditions) = (place.clone(), Vec::new());
                 let (assumed, queried) = (false, true);
                 let definition = Definition { head, body, conditions, place, line, assumed, queried };
-                Rc::make_mut(&mut self.context).definitions.push(definition);
+                Rc::make_mut(&mut self.context).define(definition);
             }
         }
     }

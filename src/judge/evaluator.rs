@@ -17,12 +17,18 @@ const TOOLS: Tools = Tools {
     names: functions::names,
     synonym: functions::synonym,
     is_word: functions::is_basis,
+    argument_word: functions::is_argument_word,
     judge,
 };
 
 /// An evaluator that knows no names yet.
 pub fn machine() -> Machine {
     Machine::new(TOOLS)
+}
+
+/// An evaluator that knows the given names.
+pub fn machine_in(env: &Env) -> Machine {
+    Machine::new(TOOLS).with_names(env)
 }
 
 /// Evaluates one statement and, if it is a definition, adds it to `env`, which is changed only on

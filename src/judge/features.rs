@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::names::{Head, walk};
+use super::names::{Head, bracket_beside_name, walk};
 use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::Family;
 use num_traits::ToPrimitive;
@@ -68,11 +68,7 @@ pub fn has_divided_differences(sides: &[&Expr]) -> bool {
     for side in sides {
         walk(side, &mut |part| {
             if let Kind::Mul(factors) = &part.kind {
-                found = found
-                    || factors.windows(2).any(|pair| {
-                        matches!(&pair[0].kind, Kind::Name(name) if matches!(name.as_str(), "f" | "g" | "F" | "p"))
-                            && matches!(&pair[1].kind, Kind::List(_))
-                    });
+                found |= factors.windows(2).any(|pair| bracket_beside_name(&pair[0], &pair[1]).is_some());
             }
         });
     }

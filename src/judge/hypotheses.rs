@@ -9,9 +9,12 @@ use std::collections::BTreeSet;
 
 use super::compare;
 use super::context::is_variable;
+use super::values::differences;
+use crate::budget;
 use crate::language::lexicon::families;
 use crate::language::value::Value;
 use crate::math::linalg::{self, Echelon};
+use crate::math::number::integer;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use nalgebra::DMatrix;
@@ -20,7 +23,19 @@ use nalgebra::DMatrix;
 const MOST: usize = 40;
 
 /// Names in terms of those that stay free.
-pub type Solution = Vec<(Symbol, Fraction)>;
+#[derive(Clone, Debug, Default)]
+pub struct Solution {
+    /// Each name and what it is.
+    pub values: Vec<(Symbol, Fraction)>,
+    /// Whether numbers were put for other names, so that this is one sample only.
+    pub sampled: bool,
+}
+
+/// With more names than this to be solved for, the others are numbers.
+const SYMBOLIC: usize = 3;
+
+/// Numbers for names, different ones in no simple relation.
+const NUMBERS: [i64; 12] = [2, 5, 11, 23, 41, 67, 97, 139, 191, 251, 317, 389];
 
 /// A parameter: it may have any value in a hypothesis about open names.
 fn is_parameter(symbol: &Symbol) -> bool {
@@ -35,21 +50,6 @@ fn is_argument(symbol: &Symbol) -> bool {
 /// The coefficients of an unknown function.
 fn is_coefficient(symbol: &Symbol) -> bool {
     symbol.base().starts_with('[')
-}
-
-/// The differences of the entries of two values.
-fn differences(a: &Value, b: &Value) -> Option<Vec<Fraction>> {
-    Some(match (a, b) {
-        (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => vec![a.minus(b)],
-        (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
-            a.iter().zip(b.iter()).map(|(x, y)| x.minus(y)).collect()
-        }
-        (Value::List(a), Value::List(b)) if a.len() == b.len() => {
-            let parts: Option<Vec<Vec<Fraction>>> = a.iter().zip(b).map(|(x, y)| differences(x, y)).collect();
-            parts?.concat()
-        }
-        _ => return None,
-    })
 }
 
 /// The polynomials that vanish when two values are equal for all values of the parameters.
@@ -142,7 +142,22 @@ fn solved(all: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solutio
     if all.is_empty() || symbols.is_empty() || all.len() > MOST || symbols.len() > MOST {
         return None;
     }
-    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(all, &symbols));
+    let others: BTreeSet<&Symbol> =
+        all.iter().flat_map(|equation| equation.variables()).filter(|s| !symbols.contains(s)).collect();
+    let sampled = symbols.len() > SYMBOLIC && !others.is_empty();
+    let numbers: Vec<(Symbol, MultiPoly)> = others
+        .iter()
+        .zip(NUMBERS.iter().cycle().zip(0i64..))
+        .filter(|_| sampled)
+        .map(|(symbol, (number, at))| {
+            ((*symbol).clone(), MultiPoly::constant(integer(number + 400 * (at / NUMBERS.len() as i64))))
+        })
+        .collect();
+    let put: Vec<MultiPoly> = all.iter().map(|equation| equation.substitute(&numbers)).collect();
+    // An operation with fractions is some steps.
+    let work = all.len() * symbols.len() * all.len().min(symbols.len());
+    budget::steps(u32::try_from(4 * work).unwrap_or(u32::MAX));
+    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(&put, &symbols));
     if pivots.contains(&symbols.len()) {
         return None;
     }
@@ -157,7 +172,8 @@ fn solved(all: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solutio
         }
         (symbols[pivot].clone(), value)
     });
-    Some(solution.collect())
+    let numbers = numbers.into_iter().map(|(symbol, number)| (symbol, Fraction::from(number)));
+    Some(Solution { values: solution.chain(numbers).collect(), sampled })
 }
 
 /// Whether an equation can be read as saying what the members of a family are that stands on one of its
@@ -182,7 +198,9 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
         let equations = equations(left, right, is_argument).unwrap_or_default();
         let solution = solved(&equations, &|symbol| new.contains(symbol));
         !new.is_empty()
-            && solution.is_some_and(|solution| solution.iter().all(|(symbol, _)| new.contains(symbol)))
+            && solution.is_some_and(|solution| {
+                !solution.sampled && solution.values.iter().all(|(symbol, _)| new.contains(symbol))
+            })
     })
 }
 
@@ -200,7 +218,7 @@ mod tests {
     fn found(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {
         let pairs: Vec<(Value, Value)> = hypotheses.iter().map(|(a, b)| (value(a), value(b))).collect();
         let solution = solve(&pairs, &|symbol| symbol.base() == wanted).unwrap_or_default();
-        let own = solution.into_iter().filter(|(symbol, _)| symbol.base() == wanted);
+        let own = solution.values.into_iter().filter(|(symbol, _)| symbol.base() == wanted);
         own.map(|(symbol, value)| {
             let value = crate::language::write::text(&Value::Scalar(value).to_expr());
             format!("{} = {value}", crate::language::write::text(&symbol_expr(&symbol)))

@@ -119,16 +119,34 @@ impl Checker {
             })
     }
 
+    /// Whether words say what a name is, and all that it is made of is known.
+    pub(super) fn is_determined(&self, head: &Head, place: &Place) -> bool {
+        let Some(object) = self.context.object(head, place).map(|declared| &declared.object) else {
+            return false;
+        };
+        // "Let the polar form be f(u, v) = …" says what f is, if F is unknown.
+        let known = |of: &Expr| match Head::of(of).filter(|head| head.upper.is_empty()) {
+            Some(head) => {
+                self.context.object_called(&head.base, place).is_some()
+                    || self.context.visible(&head.base, place).next().is_some()
+            }
+            None => true,
+        };
+        object.determines() && object.of.as_ref().is_none_or(known)
+    }
+
     /// Whether a name has a meaning already, so that an equation for it is a claim.
     pub(super) fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
-        let standard = match head.notation().map(|notation| notation.family) {
-            Some(Family::Bernstein) => true,
-            Some(Family::Triangular | Family::SymmetricMean) => head.arguments.is_some(),
+        let own = self.context.is_own(&head.base, place);
+        let standard = match head.notation().map(|notation| notation.family).filter(|_| !own) {
+            Some(Family::Bernstein | Family::Triangular) => true,
+            Some(Family::SymmetricMean) => head.arguments.is_some(),
             Some(Family::Spline) | None => false,
         };
         let right = bases(body);
         let recursive = right.contains(&head.base);
         if standard
+            || self.is_determined(head, place)
             || self
                 .context
                 .visible(&head.base, place)

@@ -49,7 +49,7 @@ impl Head {
             }
             Kind::Subscript(base, lower) => {
                 let mut head = Head::of(base).filter(|head| head.lower.is_empty())?;
-                head.lower = lower.iter().flat_map(split_digits).collect();
+                head.lower = lower.iter().flat_map(split).collect();
                 head.arguments.is_none().then_some(head)
             }
             Kind::Pow(base, upper) => {
@@ -87,9 +87,11 @@ impl Head {
     }
 }
 
-/// The index 01 stands for 0, 1: a number of a row and one of a column.
-fn split_digits(index: &Expr) -> Vec<Expr> {
+/// The index 01 stands for 0, 1: a number of a row and one of a column; so does ij for i, j.
+fn split(index: &Expr) -> Vec<Expr> {
+    let letter = |factor: &Expr| matches!(&factor.kind, Kind::Name(name) if is_index_letter(name));
     match &index.kind {
+        Kind::Mul(factors) if factors.iter().all(letter) => factors.clone(),
         Kind::Name(word) if word.len() > 1 && word.bytes().all(|b| b.is_ascii_digit()) => {
             word.bytes().map(|b| Expr::new(Expr::int(i64::from(b - b'0')).kind, index.span)).collect()
         }
@@ -152,6 +154,15 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
             collect(k, Position::Integer, found);
         }
         Kind::Factorial(body) => collect(body, Position::Integer, found),
+        // 1² + 2² + … + n²: what the dots lead to
+        Kind::Add(terms) if terms.iter().any(|term| term.expr.kind == Kind::Ellipsis) => {
+            let mut led_to = false;
+            for term in terms {
+                let position = if led_to && position == Position::Free { Position::Index } else { position };
+                collect(&term.expr, position, found);
+                led_to = term.expr.kind == Kind::Ellipsis;
+            }
+        }
         Kind::Range(from, to) => {
             collect(from, Position::Integer, found);
             collect(to, Position::Integer, found);
@@ -274,4 +285,23 @@ pub fn bases(expr: &Expr) -> BTreeSet<String> {
         _ => {}
     });
     found
+}
+
+/// Whether one of two factors is a name and the other a bracket of nodes: f[x_0, x_1], and [x_0, x_1]f, for which it
+/// is true.
+pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
+    let name =
+        |expr: &Expr| Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.upper.is_empty());
+    let is_node = |item: &Expr| matches!(item.kind, Kind::Subscript(..));
+    let nodes = |expr: &Expr| match &expr.kind {
+        Kind::List(items) => items.len() > 1 || items.first().is_some_and(is_node),
+        _ => false,
+    };
+    // The reader makes f[x_0], with one node, a product with a bracket.
+    let one = matches!(&second.kind, Kind::Group(inner) if is_node(inner));
+    match (name(first) && (nodes(second) || one), nodes(first) && name(second)) {
+        (true, _) => Some(false),
+        (false, true) => Some(true),
+        _ => None,
+    }
 }

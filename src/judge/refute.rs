@@ -7,10 +7,12 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare::{self, Outcome};
-use super::model::Curve;
+use super::context::Body;
 use super::names::{Head, bases, walk};
+use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
-use super::trial::{Failure, Outcomes, Tally};
+use super::tally::{Failure, Outcomes, Tally};
+use super::words::{CONDITION_CUES, DEFINITION_CUES, curve_spoken_of, has_cue, last_words};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
@@ -28,123 +30,10 @@ pub enum Decision {
     },
     /// The name on the left is defined anew, perhaps with a warning.
     Redefinition(Option<String>),
-    /// True in a restricted sense, which is said.
-    Sampled(String),
     /// Not decided, and why.
     Open(String),
     /// Suspicious: an index that belongs to nothing.
     Loose(String),
-}
-
-/// Words before a formula that make it a condition or an equation to be solved.
-const CONDITION_CUES: &[&str] = &[
-    "if",
-    "when",
-    "whenever",
-    "suppose",
-    "assume",
-    "such that",
-    "satisfy",
-    "satisfies",
-    "solve",
-    "equation",
-    "condition",
-    "conditions",
-    "require",
-    "requires",
-    "iff",
-    "unless",
-    "want",
-    "find",
-    "impose",
-    "unknown",
-    "solves",
-    "which",
-    "whether",
-    "vanishes",
-    "root",
-    "roots",
-    "zero of",
-    "ask",
-    "若",
-    "如果",
-    "当",
-    "条件",
-    "满足",
-    "方程",
-    "假设",
-    "求",
-    "使得",
-    "要求",
-    "等价",
-    "wenn",
-    "falls",
-    "löse",
-    "gleichung",
-    "bedingung",
-    "bedingungen",
-    "si",
-    "résoudre",
-    "équation",
-    "condition de",
-];
-
-/// Words before a formula that introduce a new meaning.
-const DEFINITION_CUES: &[&str] = &[
-    "let", "define", "set", "put", "denote", "given", "consider", "设", "令", "记", "定义", "取", "给定",
-    "sei", "setze", "soit", "posons", "on pose",
-];
-
-/// The last words before a formula, in small letters.
-fn last_words(statement: &Statement) -> String {
-    let text = if statement.gap.trim().is_empty() { &statement.before } else { &statement.gap };
-    let tail: Vec<char> = text.trim().chars().rev().take(60).collect();
-    let tail: String = tail.into_iter().rev().collect();
-    // Only what stands after the last full stop belongs to the sentence.
-    let start = tail
-        .rfind(['.', '。', ';', '；', '\n'])
-        .map_or(0, |at| at + tail[at..].chars().next().map_or(1, char::len_utf8));
-    let words = tail[start..].to_lowercase();
-    // "If F is of degree n, then we have": what follows is the conclusion.
-    match words.rfind("then").or_else(|| words.rfind("we have")) {
-        Some(at) => words[at..].to_owned(),
-        None => words,
-    }
-}
-
-fn has_cue(words: &str, cues: &[&str]) -> bool {
-    cues.iter().any(|cue| {
-        if cue.is_ascii() {
-            words.split(|c: char| !c.is_alphanumeric()).any(|word| word == *cue)
-                || (cue.contains(' ') && words.contains(cue))
-        } else {
-            words.contains(cue)
-        }
-    })
-}
-
-/// The Bézier curve that the words before a formula speak of, if they speak of its polar form.
-pub fn curve_spoken_of(recent: &str) -> Option<Curve> {
-    let text = recent.to_lowercase();
-    let tail: String = {
-        let letters: Vec<char> = text.chars().rev().take(400).collect();
-        letters.into_iter().rev().collect()
-    };
-    let bezier = [
-        "bezier curve",
-        "bézier curve",
-        "贝塞尔曲线",
-        "bezier曲线",
-        "bezier 曲线",
-        "bézierkurve",
-        "courbe de bézier",
-    ]
-    .iter()
-    .any(|word| tail.contains(word));
-    let polar = ["polar form", "blossom", "极形式", "开花", "polarform", "forme polaire"]
-        .iter()
-        .any(|word| tail.contains(word));
-    (bezier && polar).then(|| Curve { points: "b".to_owned() })
 }
 
 /// Whether a name is called as a function in a formula.
@@ -183,14 +72,40 @@ pub fn decide(
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
         return Decision::Open(format!("{name} has no argument here"));
     }
+    if chain.relations[at].0 == Rel::Define {
+        return Decision::Open("it defines its left side".to_owned());
+    }
+    if chain.blocked || !chain.conditions.iter().all(is_understood) {
+        return Decision::Open(
+            "it fails for some values, but a condition beside it is not understood".to_owned(),
+        );
+    }
+    let invented = tally.fails.iter().all(|failure| failure.around.is_some())
+        && !tally.fails.is_empty()
+        && checker.invents_knots(left, right, &statement.place);
+    if invented {
+        return Decision::Open("nothing says what the knots are".to_owned());
+    }
+    // What the page says of a name in words that are not understood may be what the claim rests on.
+    let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
+        match &checker.context.object_called(&base, &statement.place)?.object.sort {
+            Sort::Other(words) => Some((base, words.clone())),
+            _ => None,
+        }
+    });
+    if let Some((base, words)) = unknown_sort {
+        return Decision::Open(format!("it fails for some values, but {base} is said to be: {words}"));
+    }
     if let Some(index) = loose_index(left, right, &chain.conditions) {
         let reason = format!("the index {index} occurs on one side only, and nothing says what it is");
         return Decision::Loose(reason);
     }
     // The hypotheses say what the left side is.
     let inner = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first());
-    let claimed = statement.role == Some(Role::Claimed) || !chain.conditions.is_empty();
-    if let (true, Some(failure)) = (claimed && tally.determined == tally.fails.len(), inner) {
+    let asserted = statement.role != Some(Role::Introduced);
+    if let (true, Some(failure)) =
+        (asserted && tally.determined > 0 && tally.determined + tally.beyond == tally.fails.len(), inner)
+    {
         return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
     }
     // a_0 = 1 and a_{n+1} = 2 a_n: the other members are known by this equation only.
@@ -218,7 +133,7 @@ pub fn decide(
     // Something holds for functions of degree at most 1 only: it says that they are affine.
     let degrees = tally.fails.iter().filter_map(|failure| failure.degree).min();
     if outcomes.degrees && tally.holds > 0 && degrees.is_some_and(|least| least == 2) {
-        return Decision::Sampled("true for functions of degree at most 1, that is, affine ones".to_owned());
+        return Decision::Open("true for functions of degree at most 1 only".to_owned());
     }
     // n is not said here: true for one degree, as in an example for n = 3.
     if outcomes.degrees && outcomes.integers.is_empty() && tally.holds > 0 {
@@ -227,7 +142,11 @@ pub fn decide(
             return Decision::Open("true for some degrees only: which one is meant?".to_owned());
         }
     }
+    let claimed = statement.role == Some(Role::Claimed);
     let standard = is_standard(head);
+    // What words introduced is not introduced anew by what is claimed of it.
+    let spoken = head.is_some_and(|head| checker.is_determined(head, &statement.place));
+    let head = head.filter(|_| !spoken);
     if let Some(head) = head
         && first
     {
@@ -279,7 +198,12 @@ pub fn decide(
         let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
             || curve_spoken_of(&statement.recent).is_some();
         // A recursion that differs from an earlier one defines the family anew.
-        let recursion = !head.lower.is_empty() && calls(right, &head.base);
+        let closed = checker.context.visible(&head.base, &statement.place).any(|(_, definition, near)| {
+            near && definition.head.lower.len() == head.lower.len()
+                && definition.head.upper.len() == head.upper.len()
+                && matches!(&definition.body, Body::Formula(body) if !calls(body, &head.base))
+        });
+        let recursion = !head.lower.is_empty() && calls(right, &head.base) && !(claimed && closed);
         if elsewhere && !of_capital || recursion {
             return Decision::Redefinition(None);
         }
@@ -291,10 +215,25 @@ pub fn decide(
             return Decision::Redefinition(None);
         }
     }
-    if first && !standard && has_cue(&words, CONDITION_CUES) && curve_spoken_of(&statement.recent).is_none() {
+    let (sl, sr) = (visible(&failure.left), visible(&failure.right));
+    // Numbers are not to be solved for.
+    if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {
+        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+    }
+    if first
+        && !standard
+        && !claimed
+        && !spoken
+        && has_cue(&words, CONDITION_CUES)
+        && curve_spoken_of(&statement.recent).is_none()
+    {
         return Decision::Open("a condition, by the words before it".to_owned());
     }
-    let differences = [left, right].iter().any(|side| bases(side).contains("Delta"));
+    // Δ as a name, not as an operator, has no meaning.
+    let named = |value: &Value| compare::symbols(value).iter().any(|symbol| symbol.base() == "Delta");
+    let differences = [left, right].iter().any(|side| bases(side).contains("Delta"))
+        && !named(&failure.left)
+        && !named(&failure.right);
     let known = differences || !tally.record.definitions.is_empty() || !tally.record.standard.is_empty();
     let unknown: BTreeSet<&String> = tally.record.unknown.iter().collect();
     let unpaired: Vec<&&String> =
@@ -306,7 +245,6 @@ pub fn decide(
         ));
     }
     let sums = has_structure(left) || has_structure(right);
-    let (sl, sr) = (visible(&failure.left), visible(&failure.right));
     if !unpaired.is_empty() {
         let name = unpaired[0].as_str();
         let bare = match &left.kind {
@@ -349,7 +287,10 @@ pub fn decide(
         let expansion =
             at > 0 && has_structure(left) && has_structure(right) && (sl.is_subset(&sr) || sr.is_subset(&sl));
         let family = same && !outcomes.integers.is_empty() && (has_structure(left) || has_structure(right));
-        if numbers || expansion || family || (same && (at > 0 || degrees_agree(&failure))) {
+        let both = has_structure(left) && has_structure(right);
+        let one = has_structure(left) || has_structure(right);
+        let identity = claimed && (same && one || both && (sl.is_subset(&sr) || sr.is_subset(&sl)));
+        if numbers || expansion || family || identity || (same && (at > 0 || degrees_agree(&failure))) {
             return refuted(failure);
         }
         return Decision::Open("an equation between names without a meaning".to_owned());
@@ -362,7 +303,11 @@ pub fn decide(
     if !subset {
         return missing_or_redefinition(head, first, "names without a meaning occur on one side only");
     }
-    let extra: Vec<&Symbol> = sr.difference(&sl).filter(|symbol| !bl.contains(symbol.base())).collect();
+    let extra: Vec<&Symbol> = sr
+        .difference(&sl)
+        .filter(|symbol| !bl.contains(symbol.base()))
+        .filter(|symbol| !(claimed && checker.is_restricted(symbol.base(), &statement.place)))
+        .collect();
     if !extra.is_empty() && unknown.is_empty() && !standard {
         let names: Vec<String> = extra.iter().map(|symbol| symbol.to_string()).collect();
         return missing_or_redefinition(head, first, &format!("{} has no meaning here", names.join(", ")));
@@ -379,7 +324,7 @@ pub fn decide(
         && at == 0
     {
         let curve = curve_spoken_of(&statement.recent).is_some() && head.is_some();
-        if !curve {
+        if !curve && !claimed {
             return missing_or_redefinition(head, first, "an equation to be solved, or a condition");
         }
     }
@@ -404,6 +349,25 @@ pub fn decide(
         }
     }
     refuted(failure)
+}
+
+/// Whether what a condition restricts is seen from its form.
+fn is_understood(condition: &Expr) -> bool {
+    if let Some(items) = condition.alternatives() {
+        return items.iter().all(is_understood);
+    }
+    let Kind::Chain(_, links) = &condition.kind else { return false };
+    links.iter().all(|link| match link.rel {
+        Rel::In => match &link.expr.kind {
+            Kind::List(_) | Kind::Tuple(_) | Kind::Apply(..) | Kind::Set(_, None) | Kind::Range(..) => true,
+            // i ∈ ℤ, x ∈ ℝ, p ∈ ℝ^3
+            Kind::Accent(..) => true,
+            Kind::Pow(base, _) | Kind::Subscript(base, _) => matches!(base.kind, Kind::Accent(..)),
+            _ => false,
+        },
+        Rel::Eq | Rel::Ne | Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge => true,
+        _ => false,
+    })
 }
 
 fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {
@@ -587,8 +551,8 @@ fn instance(failure: &Failure) -> String {
     if let (Some(degree), true) = (failure.degree, failure.integers.is_empty()) {
         pairs.push(format!("degree {degree}"));
     }
-    if let Some(interval) = failure.interval {
-        pairs.push(format!("t between t_{interval} and t_{}", interval + 1));
+    if let Some(around) = &failure.around {
+        pairs.push(format!("near t = {around}"));
     }
     pairs.join(", ")
 }

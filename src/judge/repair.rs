@@ -4,15 +4,14 @@
 //! exchanged for one that occurs beside it, a sign, a number changed a little, a factor added or
 //! left out, the entries of a binomial. An edit is a repair if with it the relation holds in every
 //! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
-//! for single edits and stops after a time.
-
-use std::time::Instant;
+//! for single edits and stops after a share of the steps.
 
 use super::check::Checker;
 use super::model::{Choices, Curve};
 use super::names::{Head, walk};
 use super::statement::{Chain, Place};
-use super::trial::Outcomes;
+use super::tally::Outcomes;
+use crate::budget;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::write;
 use crate::math::number::{Rational, integer};
@@ -29,7 +28,7 @@ pub fn suggestion(
 ) -> Option<String> {
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     let rel = chain.relations[at].0;
-    let start = Instant::now();
+    let start = budget::spent();
     let holds = |left: &Expr, right: &Expr, quick: bool| -> bool {
         let trial = checker.trial(&[left, right], &[rel], chain, place, curve.clone(), choices);
         let outcomes = if quick { trial.first(3) } else { trial.run() };
@@ -51,10 +50,10 @@ pub fn suggestion(
         .map(|side| &side.expr);
     let mut best: Option<(Expr, Expr)> = None;
     for (left, right) in candidates {
-        if start.elapsed() > super::trial::share(&checker.limits, 16) {
+        if budget::spent() - start > super::trial::share(&checker.limits, 16) {
             break;
         }
-        crate::budget::steps(64);
+        budget::steps(64);
         if !holds(&left, &right, true) || !holds(&left, &right, false) {
             continue;
         }

@@ -1,7 +1,8 @@
 //! What is judged: chains of relations with what is said of them, and where they stand.
 
+use super::object::Object;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
 
 impl Statement {
@@ -20,8 +21,8 @@ pub struct Place {
     pub group: u32,
     /// The number of the formula.
     pub formula: usize,
-    /// The example, proof or case it stands in, whose facts end with it.
-    pub block: Option<u32>,
+    /// The example, proof and case it stands in, whose facts end with them, outermost first.
+    pub blocks: Vec<u32>,
 }
 
 impl Place {
@@ -34,7 +35,7 @@ impl Place {
     /// Whether a fact from there can be alive here: what is assumed ends with its paragraph, what is said
     /// in an example, proof or case ends with it.
     pub fn in_reach(&self, earlier: &Place, assumed: bool) -> bool {
-        (earlier.block.is_none() || earlier.block == self.block) && (!assumed || earlier.group == self.group)
+        self.blocks.starts_with(&earlier.blocks) && (!assumed || earlier.group == self.group)
     }
 
     /// Whether what was said there holds here, as far as the layout tells.
@@ -103,8 +104,28 @@ pub struct Chain {
     pub given: bool,
     /// Whether it is claimed for a part only that no condition says: "otherwise".
     pub partial: bool,
+    /// Whether a condition beside it could not be read.
+    pub blocked: bool,
     /// Why parts could not be read.
     pub problems: Vec<Diagnostic>,
+}
+
+impl Chain {
+    /// The chain as one formula.
+    pub fn whole(&self) -> Expr {
+        let mut sides = self.sides.iter();
+        let first = sides.next().map(|side| side.expr.clone());
+        let links: Vec<Link> = sides
+            .zip(&self.relations)
+            .map(|(side, (rel, span))| Link { rel: *rel, span: *span, expr: side.expr.clone() })
+            .collect();
+        let first = first.unwrap_or_else(|| Expr::int(0));
+        if links.is_empty() {
+            return first;
+        }
+        let span = self.sides.last().map_or(first.span, |last| first.span.to(last.expr.span));
+        Expr::new(Kind::Chain(Box::new(first), links), span)
+    }
 }
 
 /// What a formula says.
@@ -116,6 +137,8 @@ pub enum Said {
     Condition(Side),
     /// A formula without a relation.
     Bare(Side, Vec<Diagnostic>),
+    /// What words say that names stand for.
+    Object(Box<Object>),
     /// A declaration by comment.
     Declaration(String, Span),
     /// A block of queries, of which the definitions count.

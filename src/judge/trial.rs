@@ -6,21 +6,25 @@
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
-use std::time::{Duration, Instant};
 
 use super::compare::Outcome;
-use super::conditions::{Conditions, LAST_INTERVAL, knots_around};
+use super::conditions::Conditions;
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
 use super::model::{Choices, Curve, Model, Record, holds};
-use super::names::{Head, integer_names, walk};
+use super::names::{Head, integer_names, is_index_letter, walk};
+use super::object::{Object, Sort};
 use super::statement::Place;
+use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
+use crate::language::write;
+use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
+use num_traits::Zero;
 
 /// Degrees tried for functions without a definition, unless a derivative asks for more.
 const LARGEST_DEGREE: usize = 4;
@@ -28,12 +32,18 @@ const LARGEST_DEGREE: usize = 4;
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
 
+/// Generic knot intervals are tried from number 0 to this one.
+const LAST_INTERVAL: i64 = 3;
+
 /// More instances than this are not tried.
 const MOST: usize = 260;
 
-/// A part of the time that one formula may take; ample time if that is not limited.
-pub fn share(limits: &Limits, part: u32) -> Duration {
-    limits.time.unwrap_or(Duration::from_secs(60)) / part
+/// Steps for one formula, if nothing else is said.
+const STEPS: u64 = 4_000_000;
+
+/// A part of the steps that one formula may take.
+pub fn share(limits: &Limits, part: u64) -> u64 {
+    limits.steps.unwrap_or(STEPS) / part
 }
 
 /// What is tried.
@@ -56,70 +66,12 @@ pub struct Trial<'a> {
     pub curve: Option<Curve>,
     /// How ambiguous notations are read.
     pub choices: Choices,
+    /// The names in it, and those that what is known of these leads to.
+    pub reached: BTreeSet<String>,
+    /// Letters whose members are knots.
+    pub knot_letters: Vec<String>,
     /// The limits of the chain.
     pub limits: Limits,
-}
-
-/// A failed instance.
-#[derive(Clone, Debug)]
-pub struct Failure {
-    /// Values of the integers.
-    pub integers: Vec<(String, i64)>,
-    /// The degree of functions without definition, if it was chosen.
-    pub degree: Option<usize>,
-    /// The knot interval of B-splines, if there are any.
-    pub interval: Option<i64>,
-    /// Whether nothing in it is extreme: indices neither at the ends nor outside.
-    pub inner: bool,
-    /// Whether an index is greater than a size.
-    pub outside: bool,
-    /// How the sides differ.
-    pub outcome: Outcome,
-    /// The values of the sides.
-    pub left: Value,
-    /// The values of the sides.
-    pub right: Value,
-}
-
-/// How the instances of one relation went.
-#[derive(Clone, Debug, Default)]
-pub struct Tally {
-    /// Instances in which it holds.
-    pub holds: usize,
-    /// Those among them in which the sides are not zero.
-    pub nonzero: usize,
-    /// Those among them in which nothing is extreme.
-    pub holds_inner: usize,
-    /// Instances in which it fails.
-    pub fails: Vec<Failure>,
-    /// Why instances could not be compared.
-    pub unclear: Vec<String>,
-    /// Instances, none of them extreme, in which a curve is given a wrong number of points.
-    pub mismatches: Vec<(Vec<(String, i64)>, String)>,
-    /// Errors in evaluating.
-    pub errors: Vec<Diagnostic>,
-    /// Failures in which the hypotheses say what the left side is.
-    pub determined: usize,
-    /// Whether an earlier condition was needed.
-    pub condition: Option<usize>,
-    /// What happened in the evaluations of its sides.
-    pub record: Record,
-}
-
-/// How all instances went.
-pub struct Outcomes {
-    /// For each relation.
-    pub tallies: Vec<Tally>,
-    /// The integers that were given values.
-    pub integers: Vec<String>,
-    /// Whether the conditions give each of them its value.
-    pub fixed: bool,
-    /// Their largest values tried.
-    pub largest: i64,
-    /// Whether degrees were tried.
-    pub degrees: bool,
-    /// How many instances made sense.
-    pub instances: usize,
 }
 
 impl Trial<'_> {
@@ -157,6 +109,15 @@ impl Trial<'_> {
                     }));
                 }
             }
+        }
+        // n in c_i = i/(n + 1) …, where hypotheses have sums up to n
+        let first = self.sides.first().and_then(|side| Head::of(side)).map(|head| head.base);
+        let about = |hypothesis: &&Expr| {
+            matches!(&hypothesis.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq)
+                && first.as_ref().is_some_and(|base| super::names::bases(hypothesis).contains(base))
+        };
+        for hypothesis in self.hypotheses.iter().filter(about) {
+            names.extend(integer_names(hypothesis).into_iter().filter(|name| used.contains(name)));
         }
         // A name that is a variable of a function on a side is no integer.
         let mut arguments: BTreeSet<String> = BTreeSet::new();
@@ -205,7 +166,7 @@ impl Trial<'_> {
 
     fn run_some(&self, count: Option<usize>) -> Outcomes {
         let integers = self.integers();
-        let splines = has_splines(&self.sides) || self.defined_by_splines();
+        let splines = has_splines(&self.sides) || self.defined_by_splines() || self.speaks_of_splines();
         let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
         let largest = if splines { largest.min(3) } else { largest };
         let mut outcomes = Outcomes {
@@ -238,7 +199,18 @@ impl Trial<'_> {
         }
         // Small ones first: large ones are left out if they take long.
         all.sort_by_key(|values| values.iter().sum::<i64>());
-        let start = Instant::now();
+        // Those at the ends of ranges and those within take turns.
+        let named = |values: &Vec<i64>| -> Vec<(String, i64)> {
+            integers.iter().cloned().zip(values.iter().copied()).collect()
+        };
+        let (inner, outer): (Vec<_>, Vec<_>) = all.into_iter().partition(|values| is_inner(&named(values)));
+        let (mut inner, mut outer) = (inner.into_iter(), outer.into_iter());
+        let turns = std::iter::from_fn(|| match (inner.next(), outer.next()) {
+            (None, None) => None,
+            pair => Some([pair.1, pair.0]),
+        });
+        let all: Vec<Vec<i64>> = turns.flatten().flatten().collect();
+        let start = budget::spent();
         let mut tried = 0;
         for values in all {
             let bound: Vec<(String, i64)> = integers.iter().cloned().zip(values).collect();
@@ -249,7 +221,7 @@ impl Trial<'_> {
                 break;
             }
             tried += 1;
-            let limits = Limits { time: Some(share(&self.limits, 16)), ..self.limits.clone() };
+            let limits = Limits { steps: Some(share(&self.limits, 8)), ..self.limits.clone() };
             let done = budget::run(&limits, || self.instance(&bound, splines, &mut outcomes));
             match done {
                 Ok(()) => {}
@@ -265,7 +237,7 @@ impl Trial<'_> {
             if count.is_some() && outcomes.tallies.iter().any(|tally| !tally.fails.is_empty()) {
                 break;
             }
-            if tried >= MOST || start.elapsed() > share(&self.limits, 32) {
+            if tried >= MOST || budget::spent() - start > share(&self.limits, 64) {
                 break;
             }
             budget::steps(1000);
@@ -280,14 +252,94 @@ impl Trial<'_> {
         outcomes
     }
 
+    /// Whether a name in it was introduced as a B-spline or a curve of them.
+    fn speaks_of_splines(&self) -> bool {
+        self.spoken().any(|object| {
+            object.sort == Sort::BSpline || object.sort == Sort::SplineCurve && !object.knots.is_empty()
+        })
+    }
+
+    /// What words introduced of the names in it.
+    fn spoken(&self) -> impl Iterator<Item = &Object> {
+        self.reached.iter().filter_map(|base| Some(&self.context.object_called(base, self.place)?.object))
+    }
+
+    /// The knots that words give, in increasing order.
+    fn breaks(&self, bound: &[(String, i64)]) -> Vec<Rational> {
+        let model = Rc::new(self.model(None, None, &[]));
+        let names: Vec<(Symbol, Value)> =
+            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let mut found: Vec<Rational> = Vec::new();
+        for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
+        {
+            let knots = evaluator::machine().with_locals(names.clone(), |machine| {
+                if object.sort == Sort::SplineCurve {
+                    return Ok(model.all_knots(machine, object, &Vec::new()));
+                }
+                let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
+                let degree = degree.and_then(|degree| usize::try_from(degree).ok());
+                Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
+            });
+            found.extend(knots.ok().flatten().unwrap_or_default());
+        }
+        found.sort();
+        found.dedup();
+        found
+    }
+
+    /// The parameters near which piecewise polynomials are compared: in every interval between knots, and for given
+    /// knots also beside them, as far as the conditions allow.
+    fn places(&self, bound: &[(String, i64)], breaks: &[Rational]) -> Vec<Rational> {
+        let model = self.model(None, Some(Rational::zero()), breaks);
+        let generic: Vec<Rational> = (0..=LAST_INTERVAL + 1).map(|j| model.knot(j)).collect();
+        let knots = if breaks.is_empty() { generic } else { breaks.to_vec() };
+        let mut places: Vec<Rational> = Vec::new();
+        for ends in knots.windows(2).filter(|ends| ends[0] < ends[1]) {
+            let inside = |a: i64, b: i64| (&ends[0] * integer(a) + &ends[1] * integer(b)) / integer(a + b);
+            match breaks.is_empty() {
+                true => places.push(inside(1, 1)),
+                false => places.extend([inside(2, 1), inside(1, 3)]),
+            }
+        }
+        if let (false, [first, .., last]) = (breaks.is_empty(), knots.as_slice()) {
+            places.extend([first - integer(1), last + integer(1)]);
+        }
+        let mentions_knots = |condition: &&Expr| {
+            let mut found = false;
+            walk(condition, &mut |part| {
+                found |= matches!(&part.kind, Kind::Subscript(base, _) if self.knot_letters.contains(&write::text(base)));
+            });
+            found
+        };
+        let conditions: Vec<&Expr> =
+            self.conditions.iter().chain(self.hypotheses.iter().filter(mentions_knots)).collect();
+        places.retain(|place| {
+            let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
+            let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+            let names: Vec<(Symbol, Value)> =
+                reading.knots(&self.knot_letters).into_iter().chain(integers).collect();
+            conditions.iter().all(|condition| {
+                let held = evaluator::machine()
+                    .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
+                held.ok().flatten() != Some(false)
+            })
+        });
+        places
+    }
+
     /// Whether the conditions on integers hold.
     fn allows(&self, bound: &[(String, i64)]) -> bool {
         let names: Vec<(Symbol, Value)> =
             bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
-        let restricts = |condition: &&Expr| {
-            matches!(&condition.kind, Kind::Chain(left, links)
-            if matches!(left.kind, Kind::Name(_))
-                && links.iter().all(|link| link.rel != Rel::Eq && matches!(link.expr.kind, Kind::Number(_))))
+        // What is said of an integer with the chain counts instead of what was said before.
+        let own: BTreeSet<String> = self.conditions.iter().flat_map(super::names::bases).collect();
+        let restricts = |condition: &&Expr| match &condition.kind {
+            Kind::Chain(left, links) => {
+                let equation = links.iter().any(|link| link.rel == Rel::Eq);
+                (!equation || matches!(left.kind, Kind::Add(_)))
+                    && super::names::bases(condition).is_disjoint(&own)
+            }
+            _ => false,
         };
         self.conditions.iter().chain(self.hypotheses.iter().filter(restricts)).all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
@@ -297,19 +349,20 @@ impl Trial<'_> {
         })
     }
 
-    fn model(&self, degree: Option<usize>, interval: Option<i64>) -> Model {
+    fn model(&self, degree: Option<usize>, around: Option<Rational>, breaks: &[Rational]) -> Model {
         Model::new(self.context.clone(), self.place.clone(), self.choices, self.curve.clone())
             .with_degree(degree)
             .with_pairs(pairs(&self.sides))
             .opaque(has_divided_differences(&self.sides))
-            .on_interval(interval, self.has_integer_knots())
+            .near(around, self.has_integer_knots())
+            .with_breaks(breaks.to_vec())
             .with_tensor(has_groups(&self.sides))
     }
 
     /// Whether a function in it is defined by B-splines.
     fn defined_by_splines(&self) -> bool {
-        self.sides.iter().flat_map(|side| super::names::bases(side)).any(|base| {
-            self.context.visible(&base, self.place).next().is_some_and(|(_, definition, _)| {
+        self.reached.iter().any(|base| {
+            self.context.visible(base, self.place).next().is_some_and(|(_, definition, _)| {
                 matches!(&definition.body, super::context::Body::Formula(body) if has_splines(&[body]))
             })
         })
@@ -317,20 +370,17 @@ impl Trial<'_> {
 
     /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
     fn has_integer_knots(&self) -> bool {
-        let mut knots = false;
-        let mut look = |expr: &Expr| {
-            walk(expr, &mut |part| {
-                knots = knots
-                    || matches!(&part.kind, Kind::Subscript(base, _)
-                        if matches!(&base.kind, Kind::Name(name) if matches!(name.as_str(), "t" | "u" | "x")));
-            });
-        };
-        self.sides.iter().for_each(|side| look(side));
         let defined = self.context.visible("N", self.place).next();
+        let indexed = |expr: &Expr| {
+            let mut found = false;
+            walk(expr, &mut |part| {
+                found |= matches!(&part.kind, Kind::Subscript(base, _) if self.knot_letters.contains(&write::text(base)));
+            });
+            found
+        };
         match defined.map(|(_, definition, _)| &definition.body) {
             Some(super::context::Body::Formula(body)) => {
-                look(body);
-                !knots
+                !indexed(body) && !self.sides.iter().any(|side| indexed(side))
             }
             _ => false,
         }
@@ -357,15 +407,14 @@ impl Trial<'_> {
         model: Model,
         bound: &[(String, i64)],
     ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
+        let local = model.is_local();
         let reading = Rc::new(model);
         let variables = self.variables();
         let mut records = Vec::with_capacity(self.sides.len());
         let mut values = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
             let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
-            let knots = (-4..12)
-                .filter(|_| reading.middle().is_some())
-                .map(|j| (Symbol::new("t").numbered(j), Value::number(reading.knot(j))));
+            let knots = if local { reading.knots(&self.knot_letters) } else { Vec::new() };
             let names = free
                 .chain(knots)
                 .chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
@@ -379,8 +428,9 @@ impl Trial<'_> {
         crate::budget::steps(64);
         // First the degrees: a polar form with m arguments is one of degree m.
         let mut degrees: Vec<Option<usize>> = vec![None];
-        let first = splines.then_some(0);
-        let (values, probe) = self.evaluate(self.model(None, first).discovering(), bound);
+        let first = splines.then(|| integer(1) / integer(2));
+        let breaks = if splines { self.breaks(bound) } else { Vec::new() };
+        let (values, probe) = self.evaluate(self.model(None, first, &breaks).discovering(), bound);
         let arities: BTreeSet<usize> =
             probe.iter().flat_map(|record| record.arities.iter().copied()).collect();
         let wanted = probe.iter().any(|record| record.wants_degree || record.flexible);
@@ -405,13 +455,14 @@ impl Trial<'_> {
             outcomes.degrees = true;
         }
         for degree in degrees {
-            let inside = |interval: &i64| self.conditions.iter().all(|c| knots_around(c, bound, *interval));
-            let intervals: Vec<Option<i64>> =
-                if splines { (0..=LAST_INTERVAL).filter(inside).map(Some).collect() } else { vec![None] };
+            let places: Vec<Option<Rational>> = match splines {
+                true => self.places(bound, &breaks).into_iter().map(Some).collect(),
+                false => vec![None],
+            };
             let mut valid = false;
-            for interval in intervals {
-                let (values, records) = self.evaluate(self.model(degree, interval), bound);
-                valid |= self.compare(bound, degree, interval, &values, &records, outcomes);
+            for around in places {
+                let (values, records) = self.evaluate(self.model(degree, around.clone(), &breaks), bound);
+                valid |= self.compare(bound, degree, around, &values, &records, outcomes);
             }
             outcomes.instances += usize::from(valid);
         }
@@ -422,7 +473,7 @@ impl Trial<'_> {
         &self,
         bound: &[(String, i64)],
         degree: Option<usize>,
-        interval: Option<i64>,
+        around: Option<Rational>,
         values: &[Result<Value, Diagnostic>],
         records: &[Record],
         outcomes: &mut Outcomes,
@@ -459,7 +510,7 @@ impl Trial<'_> {
             let conditions = Conditions { own: &self.conditions, earlier: &self.earlier };
             let outcome = conditions.compare(self, *rel, left, right, bound, degree, tally);
             // With B-splines an inequality may be meant for a part of the intervals.
-            if interval.is_some()
+            if around.is_some()
                 && !matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define)
                 && matches!(outcome, Outcome::Fails(_))
             {
@@ -467,11 +518,16 @@ impl Trial<'_> {
                 continue;
             }
             match outcome {
+                // Where a spline vanishes there is nothing to see.
+                Outcome::Holds
+                    if around.is_some() && is_zero(left) && is_zero(right) && !self.says_zero(at) =>
+                {
+                    valid = true;
+                }
                 Outcome::Holds => {
                     valid = true;
                     tally.holds += 1;
-                    tally.nonzero +=
-                        usize::from(!left.as_rational().is_some_and(|q| num_traits::Zero::is_zero(&q)));
+                    tally.nonzero += usize::from(!is_zero(left));
                     tally.holds_inner += usize::from(inner);
                 }
                 Outcome::Fails(_) => {
@@ -479,7 +535,7 @@ impl Trial<'_> {
                     tally.fails.push(Failure {
                         integers: bound.to_vec(),
                         degree,
-                        interval,
+                        around: around.clone(),
                         inner,
                         outside: is_outside(bound),
                         outcome,
@@ -497,6 +553,42 @@ impl Trial<'_> {
         valid
     }
 
+    /// The values of the indices of a condition: those of the instance, and all small ones where the condition has
+    /// indices of its own, as i and j in ℓ_i(x_j) = δ_{ij}.
+    pub(super) fn condition_instances(
+        &self,
+        condition: &Expr,
+        bound: &[(String, i64)],
+        degree: Option<usize>,
+    ) -> Vec<Vec<(String, i64)>> {
+        let own: Vec<String> = integer_names(condition)
+            .into_iter()
+            .filter(|name| is_index_letter(name) && !bound.iter().any(|(known, _)| known == name))
+            .collect();
+        if own.is_empty() || own.len() > 2 {
+            return vec![bound.to_vec()];
+        }
+        let size = bound.iter().find(|(name, _)| matches!(name.as_str(), "n" | "m" | "N" | "d"));
+        let last =
+            size.map(|(_, value)| *value).or(degree.map(|degree| degree as i64)).unwrap_or(3).clamp(0, 4);
+        let mut all = Vec::new();
+        let mut values = vec![0i64; own.len()];
+        loop {
+            let more = own.iter().cloned().zip(values.iter().copied());
+            all.push(bound.iter().cloned().chain(more).collect());
+            if !advance(&mut values, last) {
+                return all;
+            }
+        }
+    }
+
+    /// Whether a side of a relation is the number 0.
+    fn says_zero(&self, at: usize) -> bool {
+        [self.sides[at], self.sides[at + 1]]
+            .iter()
+            .any(|side| matches!(&side.kind, Kind::Number(q) if q.is_zero()))
+    }
+
     /// The value of a condition's sides in an instance.
     pub(super) fn condition_values(
         &self,
@@ -509,12 +601,16 @@ impl Trial<'_> {
         if link.rel != Rel::Eq || matches!(link.expr.kind, Kind::Range(..)) {
             return None;
         }
-        let reading = Rc::new(self.model(degree, None));
+        let reading = Rc::new(self.model(degree, None, &[]));
         let names = || bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))
     }
+}
+
+fn is_zero(value: &Value) -> bool {
+    value.as_rational().is_some_and(|q| q.is_zero())
 }
 
 /// Whether a side could not be read or evaluated at all, so that the one before may take its place.

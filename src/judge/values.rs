@@ -282,6 +282,34 @@ fn polar_difference(a: &Polar, b: &Polar) -> String {
     }
 }
 
+/// All symbols of a value.
+pub fn symbols(value: &Value) -> Vec<Symbol> {
+    let mut found: Vec<Symbol> = match value {
+        Value::Scalar(formula) | Value::Vector(formula) => formula.variables(),
+        Value::List(items) => items.iter().flat_map(symbols).collect(),
+        Value::Matrix(matrix) => matrix.iter().flat_map(Fraction::variables).collect(),
+        _ => Vec::new(),
+    };
+    found.sort();
+    found.dedup();
+    found
+}
+
+/// The differences of the entries of two values.
+pub fn differences(a: &Value, b: &Value) -> Option<Vec<Fraction>> {
+    Some(match (a, b) {
+        (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => vec![a.minus(b)],
+        (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => {
+            a.iter().zip(b.iter()).map(|(x, y)| x.minus(y)).collect()
+        }
+        (Value::List(a), Value::List(b)) if a.len() == b.len() => {
+            let parts: Option<Vec<Vec<Fraction>>> = a.iter().zip(b).map(|(x, y)| differences(x, y)).collect();
+            parts?.concat()
+        }
+        _ => return None,
+    })
+}
+
 /// Small values to try, simple ones first.
 const TRIALS: [i64; 12] = [0, 1, 2, -1, 3, 5, -2, 7, 11, -5, 13, 17];
 

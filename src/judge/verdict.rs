@@ -8,7 +8,7 @@ use super::names::Head;
 use super::prove::prove;
 use super::refute;
 use super::statement::{Chain, Place, Role, Side, Statement};
-use super::trial::Tally;
+use super::tally::Tally;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
 
@@ -46,7 +46,10 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         if tally.fails.is_empty() && tally.holds > 0 {
-            finding.verdict = if ranged { Verdict::Sampled } else { Verdict::Proved };
+            finding.verdict = if ranged || tally.sampled { Verdict::Sampled } else { Verdict::Proved };
+            if tally.sampled && !ranged {
+                finding.instances = Some("for numbers in the place of the nodes".to_owned());
+            }
             if ranged {
                 finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
                 let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
@@ -137,11 +140,6 @@ impl Checker {
                 }
             }
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
-            refute::Decision::Sampled(reason) => {
-                finding.verdict = Verdict::Sampled;
-                finding.reason = Some(reason);
-                finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-            }
             refute::Decision::Open(reason) => {
                 finding.reason = Some(reason);
             }
@@ -164,7 +162,7 @@ impl Checker {
             return None;
         }
         let lookup = |expr: &Expr| self.unfolded(expr, place, choices);
-        let limits = Limits { time: Some(super::trial::share(&self.limits, 16)), ..self.limits.clone() };
+        let limits = Limits { steps: Some(super::trial::share(&self.limits, 16)), ..self.limits.clone() };
         let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
         let proof = budget::run(&limits, || prove(left, right, &lookup)).ok()??;
         Some(proof.reason)

@@ -24,7 +24,11 @@ pub fn check_document(document: &Document, options: &Options) -> FileReport {
     let statements = statements(document);
     let mut checker = Checker::new(&document.file, &options.limits, &statements);
     if let Some(context) = &options.context {
-        checker.declare(context, &Place { scope: Vec::new(), group: 0, formula: 0, block: None }, None);
+        checker.declare(
+            context,
+            &Place { scope: Vec::new(), group: 0, formula: 0, blocks: Vec::new() },
+            None,
+        );
     }
     for statement in &statements {
         checker.statement(statement);
@@ -52,7 +56,7 @@ pub fn listing(document: &Document) -> Vec<Finding> {
                 }
                 findings.push(finding);
             }
-            Said::Declaration(..) | Said::Queries(..) => {}
+            Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
         }
     }
     findings

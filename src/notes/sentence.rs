@@ -3,7 +3,7 @@
 //! **Definition.** A sentence ends at a point, a question mark, a heading, or a paragraph that does not
 //! go on in small letters. A case ("if n = 2", "for t = 0") belongs to the claims of its sentence: to
 //! those after it when the sentence begins with a case, else to the claim before it. A case without a
-//! claim in its sentence is a hypothesis of its paragraph.
+//! claim in its sentence says nothing that later claims need.
 
 use super::speech::{self, Around};
 use crate::document::{Document, Item};
@@ -13,8 +13,8 @@ use crate::judge::statement::{Chain, Role, Said, Statement};
 /// Gives every statement its role and every claim the cases of its sentence.
 ///
 /// Cost: linear in the document, times the number of cues.
-pub fn assign(document: &Document, statements: &mut [Statement]) {
-    let around = surroundings(document);
+pub fn assign(sentences: &[Vec<Piece>], statements: &mut [Statement]) {
+    let around = surroundings(sentences);
     let mut start = 0;
     while start < statements.len() {
         let first = statements[start].place.formula;
@@ -60,11 +60,25 @@ fn sentence_end(text: &str) -> Option<usize> {
     None
 }
 
-/// The words around each formula of a document, in their order.
-fn surroundings(document: &Document) -> Vec<Around> {
-    let mut found: Vec<Around> = Vec::new();
-    let mut left = String::new();
-    let (mut first, mut paused, mut open) = (true, false, false);
+/// A part of a sentence.
+#[derive(Clone, Debug)]
+pub enum Piece {
+    /// Words, with the signs between them.
+    Words(String),
+    /// The number of a formula, counted from 1.
+    Formula(usize),
+}
+
+/// The sentences of a document.
+pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
+    let mut found: Vec<Vec<Piece>> = Vec::new();
+    let mut current: Vec<Piece> = Vec::new();
+    let (mut paused, mut number) = (false, 0);
+    let mut end = |current: &mut Vec<Piece>| {
+        if !current.is_empty() {
+            found.push(std::mem::take(current));
+        }
+    };
     for item in &document.items {
         match item {
             Item::Words(span) => {
@@ -72,34 +86,56 @@ fn surroundings(document: &Document) -> Vec<Around> {
                 let goes_on =
                     words.trim_start().starts_with(|c: char| c.is_lowercase() || matches!(c, ',' | '，'));
                 if std::mem::take(&mut paused) && !words.trim().is_empty() && !goes_on {
-                    left.clear();
-                    (first, open) = (true, false);
+                    end(&mut current);
                 }
-                while let Some(end) = sentence_end(words) {
-                    if let (true, Some(around)) = (open, found.last_mut()) {
-                        around.right.push_str(&words[..end]);
-                    }
-                    words = &words[end..];
-                    left.clear();
-                    (first, open) = (true, false);
+                while let Some(at) = sentence_end(words) {
+                    current.push(Piece::Words(words[..at].to_owned()));
+                    end(&mut current);
+                    words = &words[at..];
                 }
-                if let (true, Some(around)) = (open, found.last_mut()) {
-                    around.right.push_str(words);
+                if !words.trim().is_empty() {
+                    current.push(Piece::Words(words.to_owned()));
                 }
-                left.push_str(words);
-                left.push(' ');
             }
             Item::Formula(formula) => {
-                found.push(Around { left: std::mem::take(&mut left), right: String::new(), first });
-                let ended = formula.text.trim_end().ends_with(['.', '。']);
-                (first, open, paused) = (ended, !ended, false);
+                number += 1;
+                current.push(Piece::Formula(number));
+                paused = false;
+                if formula.text.trim_end().ends_with(['.', '。']) {
+                    end(&mut current);
+                }
             }
             Item::Break => paused = true,
             Item::Heading { .. } | Item::Enter(_) | Item::Leave(_) => {
-                left.clear();
-                (first, open, paused) = (true, false, false);
+                end(&mut current);
+                paused = false;
             }
             Item::Declaration { .. } => {}
+        }
+    }
+    end(&mut current);
+    found
+}
+
+/// The words around each formula, in their order.
+fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
+    let mut found: Vec<Around> = Vec::new();
+    for sentence in sentences {
+        let (mut left, mut first) = (String::new(), true);
+        for piece in sentence {
+            match piece {
+                Piece::Words(words) => {
+                    if let (false, Some(around)) = (first, found.last_mut()) {
+                        around.right.push_str(words);
+                    }
+                    left.push_str(words);
+                    left.push(' ');
+                }
+                Piece::Formula(_) => {
+                    found.push(Around { left: std::mem::take(&mut left), right: String::new(), first });
+                    first = false;
+                }
+            }
         }
     }
     found
@@ -210,9 +246,11 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         };
         if targets.is_empty() {
             for statement in &mut statements[at..end] {
-                // A restriction of names, such as a sum of weights, goes on; an equation is assumed.
-                let restricts = matches!(statement.said, Said::Condition(_));
-                statement.role = (!restricts).then_some(Role::Assumed);
+                // A restriction of names, such as a sum of weights, goes on; a value said in passing ("maximal at
+                // t = i/n") does not.
+                if matches!(statement.said, Said::Condition(_)) {
+                    statement.role = None;
+                }
             }
         }
         for target in targets {
@@ -227,22 +265,6 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
     }
 }
 
-/// A chain as one formula.
-fn whole(chain: &Chain) -> Expr {
-    let mut sides = chain.sides.iter();
-    let first = sides.next().map(|side| side.expr.clone());
-    let links: Vec<Link> = sides
-        .zip(&chain.relations)
-        .map(|(side, (rel, span))| Link { rel: *rel, span: *span, expr: side.expr.clone() })
-        .collect();
-    let span = match (chain.sides.first(), chain.sides.last()) {
-        (Some(first), Some(last)) => first.expr.span.to(last.expr.span),
-        _ => Default::default(),
-    };
-    let first = Box::new(first.unwrap_or_else(|| Expr::int(0)));
-    Expr::new(Kind::Chain(first, links), span)
-}
-
 /// The conditions that a run of cases says; `None` if one of them cannot be said as a formula.
 fn conditions(cases: &[Statement], is_alternative: &dyn Fn(&Statement) -> bool) -> Option<Vec<Expr>> {
     let mut found: Vec<Expr> = Vec::new();
@@ -254,9 +276,9 @@ fn conditions(cases: &[Statement], is_alternative: &dyn Fn(&Statement) -> bool) 
                 Expr::relation(power, Rel::Eq, if role == Role::Odd { Expr::int(-1) } else { Expr::int(1) })
             }
             (Said::Condition(side), Role::Case) => side.expr.clone(),
-            (Said::Chain(chain), Role::Case) => whole(chain),
+            (Said::Chain(chain), Role::Case) => chain.whole(),
             (Said::Condition(side), Role::Except) => negated(&side.expr)?,
-            (Said::Chain(chain), Role::Except) => negated(&whole(chain))?,
+            (Said::Chain(chain), Role::Except) => negated(&chain.whole())?,
             _ => return None,
         };
         match found.pop_if(|_| is_alternative(case)) {

@@ -4,12 +4,14 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
+use super::objects;
 use super::sentence;
 use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::statement::{Chain, Place, Said, Side, Statement};
+use crate::judge::names::{Head, bases};
+use crate::judge::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::{latex, syntax};
 
@@ -50,7 +52,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         sections: Vec::new(),
         enclosures: Vec::new(),
         next_scope: 0,
-        block: None,
+        blocks: Vec::new(),
         group: 0,
         ended: false,
         before: String::new(),
@@ -62,8 +64,10 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         reader.item(item);
     }
     let mut statements = reader.statements;
-    sentence::assign(document, &mut statements);
+    let sentences = sentence::sentences(document);
+    sentence::assign(&sentences, &mut statements);
     attach(&mut statements);
+    objects::insert(&sentences, &mut statements);
     statements
 }
 
@@ -74,8 +78,8 @@ struct Reader<'a> {
     sections: Vec<(u8, u32)>,
     enclosures: Vec<(Enclosure, u32)>,
     next_scope: u32,
-    /// The labelled example, proof or case that is open.
-    block: Option<u32>,
+    /// The labelled examples, proofs and cases that are open, each with what it is.
+    blocks: Vec<(Block, u32)>,
     group: u32,
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
@@ -92,7 +96,7 @@ impl Reader<'_> {
                 self.sections.retain(|(known, _)| known < level);
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
-                self.block = None;
+                self.blocks.clear();
                 self.new_group();
                 self.recent.clear();
                 self.before.push_str(self.document.file.slice(*span));
@@ -107,7 +111,11 @@ impl Reader<'_> {
                     && let Some(block) = speech::block(words)
                 {
                     self.next_scope += 1;
-                    self.block = (block == Block::Closed).then_some(self.next_scope);
+                    // A proof goes on from what it proves, a case is within its proof.
+                    self.blocks.retain(|(open, _)| open.holds(block));
+                    if block != Block::Open {
+                        self.blocks.push((block, self.next_scope));
+                    }
                 }
                 self.before.push_str(words);
                 self.gap.push_str(words);
@@ -159,7 +167,7 @@ impl Reader<'_> {
             scope: sections.chain(enclosing.map(|(_, scope)| *scope)).collect(),
             group: self.group,
             formula: self.formula,
-            block: self.block,
+            blocks: self.blocks.iter().map(|(_, scope)| *scope).collect(),
         }
     }
 
@@ -239,8 +247,17 @@ impl Reader<'_> {
                 }
             }
         }
-        // What is given comes before what it is given for.
-        let all = self.statements.split_off(first);
+        // What is given comes before what it is given for, and so does what a name used before is.
+        let mut all = self.statements.split_off(first);
+        for at in 1..all.len() {
+            let explains = match &all[at].said {
+                Said::Chain(chain) => explains(chain, &all[..at]),
+                _ => false,
+            };
+            if let (true, Said::Chain(chain)) = (explains, &mut all[at].said) {
+                chain.given = true;
+            }
+        }
         let (given, rest): (Vec<_>, Vec<_>) =
             all.into_iter().partition(|s| matches!(&s.said, Said::Chain(chain) if chain.given));
         self.statements.extend(given);
@@ -293,6 +310,7 @@ impl Reader<'_> {
                     conditions: Vec::new(),
                     given: false,
                     partial: false,
+                    blocked: false,
                     problems: all,
                 });
                 true
@@ -300,6 +318,25 @@ impl Reader<'_> {
             _ => false,
         }
     }
+}
+
+/// Whether a chain says what a family is that the formulas before it use: … R_i(t) …, R_i(t) = ….
+fn explains(chain: &Chain, before: &[Statement]) -> bool {
+    let uses = |expr: &Expr, base: &str| bases(expr).contains(base);
+    let Some(head) = Head::of(&chain.sides[0].expr) else { return false };
+    let equation = matches!(chain.relations.as_slice(), [(Rel::Eq | Rel::Define, _)]);
+    let family = !head.lower.is_empty() && head.lower.iter().all(|index| matches!(index.kind, Kind::Name(_)));
+    if !equation || !family || uses(&chain.sides[1].expr, &head.base) {
+        return false;
+    }
+    before.iter().any(|statement| match &statement.said {
+        Said::Chain(other) => {
+            let own = Head::of(&other.sides[0].expr).map(|head| head.base);
+            own.is_none_or(|own| own != head.base && !uses(&chain.sides[1].expr, &own))
+                && other.sides.iter().any(|side| uses(&side.expr, &head.base))
+        }
+        _ => false,
+    })
 }
 
 /// `F |_t = 1 = …`, where the value at the bar slipped out of the index.
@@ -334,6 +371,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
             conditions: Vec::new(),
             given: false,
             partial: false,
+            blocked: false,
             problems: Vec::new(),
         };
     };
@@ -344,6 +382,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
         conditions: Vec::new(),
         given: false,
         partial: false,
+        blocked: false,
         problems: problems.to_vec(),
     }
 }
@@ -376,15 +415,24 @@ fn announces_condition(gap: &str) -> bool {
 fn attach(statements: &mut [Statement]) {
     give_first(statements);
     for at in 0..statements.len() {
+        let unread = match &statements[at].said {
+            Said::Bare(side, _) | Said::Condition(side) => side.is_unread(),
+            _ => false,
+        };
         let condition = match &statements[at].said {
-            Said::Condition(side) if !statements[at].is_case() => side.expr.clone(),
+            Said::Bare(side, _) if unread => side.expr.clone(),
+            Said::Condition(side) if !statements[at].is_case() || unread => side.expr.clone(),
             _ => continue,
         };
+        let range =
+            !matches!(&condition.kind, Kind::Chain(_, links) if links.iter().any(|l| l.rel == Rel::Eq));
         let (formula, group) = (statements[at].place.formula, statements[at].place.group);
         let words = announces_condition(&statements[at].gap);
         let gap_is_short = statements[at].gap.trim().chars().count() <= 3;
         let mut reach = formula;
-        for before in (0..statements.len()).rev() {
+        let mut attached = false;
+        let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
+        for before in (0..=end.unwrap_or(at)).rev() {
             let other = &mut statements[before];
             let same = other.place.formula == formula;
             let earlier = before < at
@@ -392,14 +440,22 @@ fn attach(statements: &mut [Statement]) {
                 && (words || (gap_is_short && other.place.group == group))
                 && (reach == formula || other.place.formula == reach);
             if !same && !earlier {
-                continue;
+                break;
             }
             if let Said::Chain(chain) = &mut other.said {
                 if !same {
                     reach = other.place.formula;
                 }
-                chain.conditions.push(condition.clone());
+                attached = true;
+                match unread {
+                    true => chain.blocked = true,
+                    false => chain.conditions.push(condition.clone()),
+                }
             }
+        }
+        // The range of one formula is not that of the next.
+        if attached && range && !unread {
+            statements[at].role = Some(Role::Case);
         }
     }
 }
@@ -420,7 +476,7 @@ fn give_first(statements: &mut [Statement]) {
             Said::Chain(chain) => {
                 looks_back(&statements[at].gap)
                     && chain.relations.first().is_some_and(|(rel, _)| matches!(rel, Rel::Eq | Rel::Define))
-                    && crate::judge::names::Head::of(&chain.sides[0].expr).is_some()
+                    && Head::of(&chain.sides[0].expr).is_some()
             }
             _ => false,
         };

@@ -21,8 +21,6 @@ pub enum Dash {
     Solid,
     /// Long dashes.
     Dashed,
-    /// Dots.
-    Dotted,
 }
 
 /// How a path is drawn.

@@ -43,7 +43,6 @@ pub use tex::{Load, side_name, weave_latex};
 
 use crate::budget::Limits;
 use crate::formula::source::{SourceFile, Span};
-use crate::language::diagnostic::Code;
 use crate::session::{Failure, Session};
 use markdown::{edited, edits, line_end, signature};
 use runner::Runner;
@@ -117,11 +116,6 @@ impl Woven {
     /// Whether there is nothing that must be told again at the next run.
     fn is_clean(&self) -> bool {
         !self.failed && self.refuted == 0
-    }
-
-    /// Whether a problem other than a refuted claim was found, by its code.
-    pub fn has(&self, code: Code) -> bool {
-        self.problems.iter().any(|failure| failure.problem.code == code)
     }
 }
 

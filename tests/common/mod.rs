@@ -1,5 +1,6 @@
 //! Running the built program and writing down what it did.
 
+pub mod derivations;
 pub mod errors;
 pub mod expressions;
 pub mod folder;

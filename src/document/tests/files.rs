@@ -5,6 +5,11 @@ use std::path::PathBuf;
 
 use super::*;
 
+/// The file itself, without those that it includes.
+fn read_file(path: &std::path::Path) -> Result<Document, crate::language::diagnostic::Diagnostic> {
+    Ok(read_files(path)?.swap_remove(0))
+}
+
 /// A folder of its own, removed at the end.
 struct Folder(PathBuf);
 

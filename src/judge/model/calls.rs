@@ -3,6 +3,7 @@
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::names::{Head, is_index_letter};
+use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families;
@@ -58,7 +59,7 @@ impl Model {
         let mut values = Vec::with_capacity(groups.len());
         self.flexible.set(false);
         for group in groups {
-            let arity = self.arity(callee, groups.len());
+            let arity = self.arity(machine, callee, groups.len());
             match self.arguments(machine, group, arity, expr) {
                 Ok(group) => values.push(group),
                 Err(error) => return Some(Err(error)),
@@ -96,6 +97,11 @@ impl Model {
                 if head.arguments.is_some() {
                     return false;
                 }
+                if let Some(declared) = self.object(&head)
+                    && !matches!(declared.object.sort, Sort::Other(_))
+                {
+                    return declared.object.is_function();
+                }
                 let plain = head.lower.is_empty() && head.upper.is_empty();
                 if plain && machine.lookup(&Symbol::new(&head.base)).is_some() {
                     return false;
@@ -122,14 +128,15 @@ impl Model {
     }
 
     /// How many arguments a group is to have, where dots leave that open.
-    fn arity(&self, callee: &Expr, groups: usize) -> Option<usize> {
+    fn arity(&self, machine: &mut Machine, callee: &Expr, groups: usize) -> Option<usize> {
         let head = Head::of(callee)?;
         if groups == 2 {
             return Some(2);
         }
         let lifted = head.parenthesized
             && matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Add(terms) if terms.len() == 1));
-        self.degree.map(|degree| degree + usize::from(lifted))
+        let stated = self.stated_arity(machine, &head);
+        stated.or(self.degree).map(|degree| degree + usize::from(lifted))
     }
 
     /// The values of a list of arguments: with dots and braces written out and powers repeated.
@@ -350,7 +357,9 @@ impl Model {
         }
         let fresh = Symbol::new(FRESH);
         let own = vec![vec![Value::symbol(fresh.clone())]];
-        let value = self.apply(machine, function, &own, expr)?;
+        // Near the argument it is a polynomial.
+        let around = if self.is_local() { self.number_here(argument) } else { None };
+        let value = self.moved(around, || self.apply(machine, function, &own, expr))?;
         each(value, &|formula| {
             let derived = nth_derivative(&formula, &fresh, order);
             derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
@@ -404,6 +413,12 @@ impl Model {
         if let Some(result) = self.defined(machine, &head, Some(values)) {
             return result;
         }
+        if let Some(result) = self.applied_formula(machine, &head, values) {
+            return result;
+        }
+        if let Some(result) = self.spoken(machine, &head, values, expr) {
+            return result;
+        }
         if let Some(result) = self.varied(machine, &head, values, expr) {
             return result;
         }
@@ -411,6 +426,36 @@ impl Model {
             return result;
         }
         self.function(machine, &head, values, expr)
+    }
+
+    /// P(1, 0, 0) of P = Σ p_{ijk} B_{ijk}^n, a formula in as many variables, in the order of the alphabet.
+    fn applied_formula(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        values: &[Vec<Value>],
+    ) -> Option<Evaluated> {
+        let plain = Head { arguments: None, ..head.clone() };
+        let defined =
+            self.context.visible(&head.base, &self.place).next().is_some_and(|(_, definition, _)| {
+                definition.head.arguments.is_none()
+                    && definition.head.lower.len() == head.lower.len()
+                    && definition.head.upper.len() == head.upper.len()
+            });
+        let at: Option<Vec<Fraction>> =
+            values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
+        let at = at.filter(|_| defined)?;
+        let value = self.defined(machine, &plain, None)?.ok()?;
+        let mut variables: Vec<Symbol> = crate::judge::values::symbols(&value)
+            .into_iter()
+            .filter(|symbol| symbol.is_plain() && crate::judge::context::is_variable(symbol.base()))
+            .collect();
+        variables.sort();
+        if variables.len() != at.len() {
+            return None;
+        }
+        let put: Vec<(Symbol, Fraction)> = variables.into_iter().zip(at).collect();
+        Some(each(value, &|formula| formula.substitute(&put).map_err(|_| division_by_zero())))
     }
 
     /// Calls whose indices say what to do with the function: F^{(q)}, f^{(+1)}, f^r, x_u.

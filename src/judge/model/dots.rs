@@ -9,7 +9,7 @@ use super::calls::unclear;
 use super::steps::{Steps, not_yet_named};
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign, Term};
-use crate::judge::names::{Head, walk};
+use crate::judge::names::{Head, bracket_beside_name, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -54,24 +54,24 @@ impl Model {
             let after = split(&factors[dots + 1..]);
             return Some(self.dotted(machine, &before, &after, arithmetic::multiply, &Value::int(1), expr));
         }
-        let at = factors.windows(2).position(|pair| {
-            let nodes = match &pair[1].kind {
-                Kind::List(items) => items.len() > 1 || items.first().is_some_and(is_node),
-                // The reader makes f[x_0], with one node, a product with a bracket.
-                Kind::Group(inner) => is_node(inner),
-                _ => false,
-            };
-            nodes
-                && Head::of(&pair[0]).is_some_and(|head| {
-                    head.upper.is_empty() && matches!(head.base.as_str(), "f" | "g" | "h" | "F" | "p")
-                })
-        })?;
-        let nodes = match &factors[at + 1].kind {
+        let (at, before) = factors
+            .windows(2)
+            .enumerate()
+            .find_map(|(at, pair)| bracket_beside_name(&pair[0], &pair[1]).map(|before| (at, before)))?;
+        let (function, bracket) = if before { (at + 1, at) } else { (at, at + 1) };
+        let name = Head::of(&factors[function])?;
+        if machine.lookup(&Symbol::new(&name.base)).is_some() {
+            return None;
+        }
+        if !self.is_function(machine, &factors[function]) {
+            return Some(Err(unclear(&format!("what the bracket beside {} is", name.base), expr)));
+        }
+        let nodes = match &factors[bracket].kind {
             Kind::List(nodes) => nodes.clone(),
             Kind::Group(node) => vec![node.as_ref().clone()],
             _ => return None,
         };
-        let difference = self.divided_difference(machine, &factors[at], &nodes, expr);
+        let difference = self.divided_difference(machine, &factors[function], &nodes, expr);
         let rest: Vec<Expr> = factors[..at].iter().chain(&factors[at + 2..]).cloned().collect();
         Some(difference.and_then(|value| {
             if rest.is_empty() {
@@ -571,9 +571,4 @@ fn written_out(machine: &mut Machine, items: &[Expr]) -> Option<Vec<Expr>> {
     all.extend(run(machine, before, after)?);
     all.extend(items[dots + 2..].iter().cloned());
     Some(all)
-}
-
-/// Whether an item in square brackets is a node such as x_0.
-fn is_node(item: &Expr) -> bool {
-    matches!(item.kind, Kind::Subscript(..))
 }

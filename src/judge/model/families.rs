@@ -1,6 +1,5 @@
 //! Families with a standard meaning: Bernstein polynomials, elementary symmetric means, B-splines.
 
-use super::calls::unclear;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign};
 use crate::judge::names::Head;
@@ -15,11 +14,13 @@ use crate::math::poly::{Fraction, Symbol};
 impl Model {
     /// A name whose meaning is standard without arguments: B_i^n as a function of t, A_n.
     pub(super) fn standard_name(&self, machine: &mut Machine, head: &Head, expr: &Expr) -> Option<Evaluated> {
-        if !head.is_a(Family::Bernstein) {
-            return None;
-        }
-        let t = vec![vec![Value::symbol(Symbol::new("t"))]];
-        self.family(machine, head, &t, expr)
+        let variables: &[&str] = match head.notation()?.family {
+            Family::Bernstein => &["t"],
+            Family::Triangular => &["u", "v", "w"],
+            _ => return None,
+        };
+        let at = variables.iter().map(|name| Value::symbol(Symbol::new(*name))).collect();
+        self.family(machine, head, &[at], expr)
     }
 
     /// The value of a member of a standard family.
@@ -34,6 +35,9 @@ impl Model {
         let scalars: Option<Vec<Fraction>> =
             arguments.iter().map(|value| value.as_scalar().cloned()).collect();
         let notation = head.notation()?;
+        if notation.family == Family::Bernstein && self.context.is_own(&head.base, &self.place) {
+            return None;
+        }
         let (lower, upper) = (head.lower.as_slice(), head.upper.as_slice());
         let indices: Vec<&Expr> = lower.iter().chain(upper).collect();
         match (notation.family, indices.as_slice(), arguments.len()) {
@@ -133,23 +137,17 @@ impl Model {
         meaning: &str,
         expr: &Expr,
     ) -> Evaluated {
-        // At a number the interval is the one it lies in.
-        let number = t.as_rational();
-        let own =
-            number.as_ref().and_then(|t| (-4..20).find(|&m| self.knot(m) <= *t && *t < self.knot(m + 1)));
         let said = self.context.spline_has_degree(&self.place);
         if said.is_none() {
             self.ambiguous(Ambiguity::Spline);
         }
-        let Some(interval) = own.or(self.interval) else {
-            return Err(unclear("on which knot interval this B-spline is taken", expr));
-        };
         let (i, k) = (machine.eval_int(i)?, machine.eval_int(k)?);
         let order = if said.unwrap_or(self.choices.spline_degree) { k + 1 } else { k };
         let knots: Vec<Rational> = (i..=i + order).map(|j| self.knot(j)).collect();
         self.note(meaning);
-        families::spline(&knots, interval - i, t)
-            .map(Value::Scalar)
-            .ok_or_else(|| Diagnostic::error(Code::Domain, "a B-spline of order 0").at(expr.span))
+        if order < 1 {
+            return Err(Diagnostic::error(Code::Domain, "a B-spline of order 0").at(expr.span));
+        }
+        self.local_spline(&knots, t, expr).map(Value::Scalar)
     }
 }

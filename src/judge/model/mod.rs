@@ -10,6 +10,8 @@ mod definitions;
 mod dots;
 mod families;
 mod notations;
+mod objects;
+mod piecewise;
 mod polynomials;
 mod steps;
 
@@ -21,6 +23,7 @@ use std::rc::Rc;
 
 use super::context::Context;
 use super::names::Head;
+use super::roots;
 use super::statement::Place;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -28,6 +31,7 @@ use crate::language::eval::{Machine, Reading};
 use crate::language::lexicon::letters;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
+use crate::math::number::Rational;
 use crate::math::poly::{Index, Symbol};
 
 type Evaluated = Result<Value, Diagnostic>;
@@ -131,16 +135,20 @@ pub struct Model {
     curve: Option<Curve>,
     /// Divided differences occur: values of functions are symbols.
     opaque: bool,
-    /// The knot interval for B-splines.
-    interval: Option<i64>,
+    /// The parameter near which piecewise polynomials are considered.
+    around: RefCell<Option<Rational>>,
     /// Whether the knots are the integers.
     uniform: bool,
+    /// Knots that words give.
+    breaks: Vec<Rational>,
     /// Whether functions of two groups of arguments occur.
     tensor: bool,
     /// Capital letters whose small ones are their polar forms in this statement.
     pairs: BTreeSet<String>,
     /// Whether the arguments just read had dots without a count.
     flexible: Cell<bool>,
+    /// Letters of control points whose curve is being evaluated.
+    open: RefCell<BTreeSet<String>>,
     depth: Cell<usize>,
     record: RefCell<Record>,
 }
@@ -156,11 +164,13 @@ impl Model {
             discovering: false,
             curve,
             opaque: false,
-            interval: None,
+            around: RefCell::default(),
             uniform: false,
+            breaks: Vec::new(),
             tensor: false,
             pairs: BTreeSet::new(),
             flexible: Cell::new(false),
+            open: RefCell::default(),
             depth: Cell::new(0),
             record: RefCell::default(),
         }
@@ -190,10 +200,16 @@ impl Model {
         self
     }
 
-    /// B-splines are considered between the knots number m and m + 1.
-    pub fn on_interval(mut self, interval: Option<i64>, uniform: bool) -> Self {
-        self.interval = interval;
+    /// Piecewise polynomials are considered near a parameter.
+    pub fn near(mut self, around: Option<Rational>, uniform: bool) -> Self {
+        self.around = RefCell::new(around);
         self.uniform = uniform;
+        self
+    }
+
+    /// Knots that words give, where pieces end.
+    pub fn with_breaks(mut self, breaks: Vec<Rational>) -> Self {
+        self.breaks = breaks;
         self
     }
 
@@ -226,6 +242,12 @@ impl Reading for Model {
                 crate::formula::Accent::Hat => self.hat(machine, expr),
                 _ => self.name(machine, expr),
             },
+            Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "sqrt") => {
+                let [group] = groups.as_slice() else { return None };
+                let [body] = group.as_slice() else { return None };
+                let value = machine.eval(body).ok()?.as_rational()?;
+                Some(Ok(Value::Scalar(roots::square_root(&value)?)))
+            }
             Kind::Apply(callee, groups) => self.call(machine, callee, groups, expr),
             Kind::Add(terms) => self.sum(machine, terms, expr),
             Kind::Mul(factors) => self.product(machine, factors, expr),
@@ -244,16 +266,14 @@ impl Reading for Model {
             Kind::Big { op, lower, upper, body } => {
                 self.unbounded(machine, *op, lower, upper.as_deref(), body, expr)
             }
-            Kind::Integral { .. } if self.interval.is_some() => {
-                // The piece on one interval is not what is integrated.
-                let why = "integrals of piecewise polynomials are not computed here";
-                Some(Err(Diagnostic::error(Code::Undecided, why).at(expr.span)))
+            Kind::Integral { lower, upper, .. } if self.is_local() => {
+                self.piecewise_integral(machine, lower.as_deref(), upper.as_deref(), expr)
             }
             Kind::Prime(body, order) => self.derived_name(machine, body, *order as usize, expr),
             Kind::At { body, lower, upper: None } => self.at(machine, body, lower, expr),
             Kind::List(items) | Kind::Tuple(items) if items.len() == 1 => Some(machine.eval(&items[0])),
             Kind::Compose(items) => self.composed(machine, items, expr),
-            Kind::Cases(cases) if self.interval.is_some() => self.cases_between_knots(machine, cases, expr),
+            Kind::Cases(cases) if self.is_local() => self.cases_here(machine, cases, expr),
             _ => None,
         }
     }
@@ -275,6 +295,16 @@ impl Model {
             return Some(Ok(value));
         }
         if let Some(result) = self.defined(machine, &head, None) {
+            return Some(result);
+        }
+        // Kronecker's δ
+        if let ("delta", [i, j]) = (head.base.as_str(), head.lower.as_slice())
+            && let (Ok(i), Ok(j)) = (machine.eval(i), machine.eval(j))
+            && let (Some(i), Some(j)) = (i.as_int(), j.as_int())
+        {
+            return Some(Ok(Value::int(i64::from(i == j))));
+        }
+        if let Some(result) = self.spoken_name(machine, &head) {
             return Some(result);
         }
         if let Some(item) = self.item_of_query(machine, &head) {
@@ -321,7 +351,8 @@ impl Model {
         for index in &head.lower {
             match self.index(machine, index)? {
                 Index::Number(i) if i >= 10 && self.context.letters.pairs.contains(&head.base) => {
-                    lower.extend([Index::Number(i / 10), Index::Number(i % 10)]);
+                    let digits = i.to_string().into_bytes();
+                    lower.extend(digits.iter().map(|digit| Index::Number(i64::from(digit - b'0'))));
                 }
                 index => lower.push(index),
             }

@@ -1,7 +1,7 @@
 //! Notations of notes that the language does not have: block matrices, sums without bounds, cases on
 //! knot intervals, indices in the place of exponents.
 
-use super::{Evaluated, FREE_TERMS, Model, calls, shape};
+use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, implied_index, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -161,7 +161,7 @@ impl Model {
             })
             .collect();
         // All B-splines that are not 0 on one of the intervals that are tried.
-        let first = if self.interval.is_some() { -FREE_TERMS } else { 1 };
+        let first = if self.is_local() { -FREE_TERMS } else { 1 };
         match (bound_names.as_slice(), upper) {
             ([], None) => {
                 let name = implied_index(body)?;
@@ -194,53 +194,6 @@ impl Model {
             }
             _ => None,
         }
-    }
-
-    /// Cases on where t lies: t is taken in the middle of the knot interval.
-    pub(super) fn cases_between_knots(
-        &self,
-        machine: &mut Machine,
-        cases: &[(Expr, Option<Expr>)],
-        expr: &Expr,
-    ) -> Option<Evaluated> {
-        if machine.lookup(&Symbol::new("t")).and_then(Value::as_rational).is_some() {
-            return None;
-        }
-        let middle = self.middle()?;
-        for (value, condition) in cases {
-            let Some(condition) = condition else { return Some(machine.eval(value)) };
-            let names = ["t", "u", "x"].map(|name| (Symbol::new(name), Value::number(middle.clone())));
-            let verdict = machine.with_locals(names, |machine| machine.eval(condition));
-            let holds = match verdict {
-                Ok(Value::Claim(claim)) => claim.verdict() == crate::language::value::Verdict::Proved,
-                Ok(Value::Text(_)) => true,
-                Ok(_) => return Some(Err(calls::unclear("when this case holds", expr))),
-                // "otherwise" in words
-                Err(error) if error.code == Code::UnknownName => true,
-                Err(error) => return Some(Err(error)),
-            };
-            if holds {
-                return Some(machine.eval(value));
-            }
-        }
-        Some(Err(calls::unclear("which case holds", expr)))
-    }
-
-    /// The middle of the knot interval considered.
-    pub fn middle(&self) -> Option<crate::math::number::Rational> {
-        let m = self.interval?;
-        Some((self.knot(m) + self.knot(m + 1)) / crate::math::number::integer(2))
-    }
-
-    /// The knot number j: uneven ones, unless the notes define B-splines over the integers.
-    pub fn knot(&self, j: i64) -> crate::math::number::Rational {
-        const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
-        let uneven = usize::try_from(j + 4).ok().and_then(|at| UNEVEN.get(at).copied());
-        crate::math::number::integer(match uneven {
-            Some(knot) if !self.uniform => knot,
-            _ if self.uniform => j,
-            _ => 3 * j,
-        })
     }
 
     /// Values at t_1 = … = t_n = t, also where an equals sign was lost.

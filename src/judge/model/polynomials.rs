@@ -28,6 +28,24 @@ impl Model {
         values: &[Vec<Value>],
         expr: &Expr,
     ) -> Evaluated {
+        let letter = head.base.rsplit(' ').next().unwrap_or(&head.base);
+        if letter.chars().count() > 1 && crate::language::lexicon::letters::sign(letter).is_none() {
+            // min, exp, a function called Q2: nobody says that it is a polynomial.
+            let unknown = Diagnostic::error(Code::UnknownName, format!("'{letter}' has no meaning here"));
+            return Err(unknown.at(expr.span));
+        }
+        let shape = |own: &Head| {
+            own.lower.len() == head.lower.len()
+                && own.upper.len() == head.upper.len()
+                && own.arguments.as_ref().map(Vec::len) == Some(values.len())
+        };
+        let indexed = !head.lower.is_empty() || !head.upper.is_empty();
+        if indexed && self.context.visible(&head.base, &self.place).any(|(_, d, near)| near && shape(&d.head))
+        {
+            // β_i for i > n: nothing is said of it.
+            let message = format!("no definition of {} fits these indices", head.base);
+            return Err(Diagnostic::error(Code::Domain, message).at(expr.span));
+        }
         if let [points, parameter] = values
             && points.len() > 1
             && parameter.len() == 1

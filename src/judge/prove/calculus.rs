@@ -9,6 +9,7 @@ use super::names;
 use super::read::{Reader, rational_value};
 use super::term::{Base, Term, collected};
 use crate::formula::{Expr, Kind, Link, Rel};
+use crate::language::lexicon::roles;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -42,7 +43,7 @@ impl Reader<'_> {
             letters.all(|s| {
                 s == *variable
                     || self.integers.contains(&s)
-                    || (names::is_constant(s.base()) && s.accent().is_empty() && s.indices().is_empty())
+                    || (roles::is_constant(s.base()) && s.accent().is_empty() && s.indices().is_empty())
                     || (names::is_constant_family(s.base()) && !s.indices().is_empty())
             }) && term.symbols.keys().all(|s| names::is_constant_family(&s.head))
         })

@@ -8,6 +8,7 @@ use super::names;
 use super::read::{Reader, opaque_term, rational_value};
 use super::term::{Term, collected};
 use crate::formula::{Expr, Kind};
+use crate::language::lexicon::families::FORWARD_DIFFERENCE;
 use crate::math::number::Int;
 use crate::math::poly::{Fraction, MultiPoly};
 
@@ -166,7 +167,7 @@ impl Reader<'_> {
 
     /// Δ^k of an indexed symbol: Σ_j (−1)^(k−j) C(k, j) b_{i+j}, by its first index.
     pub(super) fn difference(&mut self, operator: &Expr, order: Expr, symbol: &Expr) -> Option<Vec<Term>> {
-        let delta = Expr::name("Delta");
+        let delta = Expr::name(FORWARD_DIFFERENCE);
         if self.defines(&delta) || self.defines(operator) {
             return None;
         }

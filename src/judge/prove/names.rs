@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Accent, Expr, Kind};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::{letters, roles};
 
 /// How the names of an equation are used.
 #[derive(Clone, Debug, Default)]
@@ -77,9 +78,8 @@ impl Names {
     /// Whether `name(x)` can only be a product: the name is used as a number elsewhere, is not
     /// a usual name of functions, and x is no single name.
     pub fn is_factor(&self, name: &str, argument: &Expr) -> bool {
-        let usual = matches!(name, "f" | "g" | "h" | "p" | "q" | "B" | "N" | "phi" | "psi" | "sigma");
         self.bare.contains(name)
-            && !usual
+            && !roles::is_function(name)
             && !self.called.contains(name)
             && name.chars().all(char::is_lowercase)
             && matches!(argument.kind, Kind::Add(_))
@@ -112,11 +112,6 @@ pub fn is_letter(name: &str) -> bool {
     letters::is_one_letter(name) && !capital_greek
 }
 
-/// Whether a name in d/dt … may be taken for a constant: those that usually are.
-pub fn is_constant(name: &str) -> bool {
-    matches!(name, "a" | "b" | "c" | "h" | "k" | "alpha" | "beta" | "lambda" | "mu" | "omega")
-}
-
 /// Whether a name may stand for a matrix or a vector, whose products depend on the order or are
 /// scalar products: capitals and letters with an accent.
 pub fn may_be_matrix(head: &str) -> bool {
@@ -127,10 +122,8 @@ pub fn may_be_matrix(head: &str) -> bool {
 /// Whether an indexed name in d/dt … may be taken for a constant; f_i and B_i are functions,
 /// b_i^k and b_i(t) may depend on t.
 pub fn is_constant_family(head: &str) -> bool {
-    let functions = ["f", "g", "h", "B", "F", "G", "H", "L", "N", "S", "phi", "psi", "e"];
-    let variables = ["r", "s", "t", "u", "v", "x", "y", "z"];
     let letter = head.rsplit('(').next().unwrap_or(head).trim_end_matches(')');
-    !head.contains(['^', '[']) && !functions.contains(&letter) && !variables.contains(&letter)
+    !head.contains(['^', '[']) && roles::is_indexed_constant(letter)
 }
 
 /// The function under one or two dots, as in Ṗ(t) and Ṗ_n(t), with their number.
@@ -193,13 +186,15 @@ fn lower(expr: &Expr) -> Option<(&[Expr], u32)> {
             let (indices, order) = lower(body)?;
             Some((indices, order.checked_add(*primes)?))
         }
-        Kind::Subscript(base, indices) if matches!(indices.len(), 1 | 3) => {
+        Kind::Subscript(base, indices) => {
             let (base, order) = match &base.kind {
                 Kind::Accent(Accent::Dot, base) => (base, 1),
                 Kind::Accent(Accent::Ddot, base) => (base, 2),
                 _ => (base, 0),
             };
-            matches!(&base.kind, Kind::Name(name) if name == "B").then_some((indices.as_slice(), order))
+            let Kind::Name(name) = &base.kind else { return None };
+            let family = families::notation(name, indices.len(), 1)?.family;
+            matches!(family, Family::Bernstein | Family::Triangular).then_some((indices.as_slice(), order))
         }
         _ => None,
     }

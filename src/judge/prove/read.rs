@@ -15,6 +15,7 @@ use super::names::{self, Names};
 use super::term::{Indexed, Term, collected};
 use crate::budget;
 use crate::formula::{Accent, BigOp, Expr, Kind, Sign};
+use crate::language::lexicon::families::FORWARD_DIFFERENCE;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Index, Symbol};
 
@@ -590,7 +591,7 @@ fn is_differential(factor: &Expr, next: Option<&Expr>) -> bool {
 
 /// The order of Δ or Δ^k.
 fn difference_operator(factor: &Expr) -> Option<Expr> {
-    let is_delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "Delta");
+    let is_delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == FORWARD_DIFFERENCE);
     match &factor.kind {
         Kind::Pow(base, order) if is_delta(base) => Some((**order).clone()),
         _ if is_delta(factor) => Some(Expr::from(Kind::Number(Rational::one()))),

@@ -6,7 +6,7 @@ use super::lines::{call, chain, combination, factor, line, sequence, subscript, 
 use super::words::{Reason, Title};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
-use crate::language::value::{Derivation, Form, Geometry, Line, polynomial_expr};
+use crate::language::value::{Derivation, Form, Geometry, Line, polynomial_expr, symbol_expr};
 use crate::math::curve::{BezierCurve, CurveError, Point, Tableau};
 use crate::math::piecewise::compare;
 use crate::math::poly::Fraction;
@@ -33,7 +33,7 @@ pub(super) fn point_expr(form: Form, point: &Point<Fraction>) -> Expr {
 
 /// F(t) = Σ b_i B_i^n(t)
 pub(super) fn given_curve(name: &str, geometry: &Geometry) -> Line {
-    let left = Expr::apply(Expr::name(name), vec![Expr::name("t")]);
+    let left = Expr::apply(Expr::name(name), vec![symbol_expr(&geometry.parameter())]);
     line(chain([left, geometry.display_expr()]), Reason::Given)
 }
 

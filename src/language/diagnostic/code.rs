@@ -103,6 +103,14 @@ codes! {
     ///
     /// Example: `F(0) := 1` and then `F(n) := n F(n-1)`. `:forget F` starts anew.
     MoreCases = "E208": "a further case of a function",
+    /// A word without a value was read as the product of its letters.
+    ///
+    /// Example: `2ab` is 2 a b. Define `ab` to give the word a meaning of its own.
+    Letters = "E209": "read as a product of letters",
+    /// A formula that was defined without an argument was called, and its variable took the value.
+    ///
+    /// Example: `p = t^2 + 2t` and then `p(3)`, which is 15. Write `p * (3)` for the product.
+    Called = "E210": "a formula was called",
 
     /// Wrong number of arguments.
     ///

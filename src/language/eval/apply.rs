@@ -10,9 +10,10 @@ use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::lexicon::families::{self, FAMILY_LETTERS, FUNCTION_LETTERS};
+use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::formula::is_parameter;
 use crate::language::ops::lists::is_curve;
 use crate::language::value::{Function, PolarKind, Value};
 use crate::math::poly::Symbol;
@@ -28,6 +29,9 @@ enum Callee {
 
 impl Machine {
     pub(crate) fn eval_apply(&mut self, callee: &Expr, groups: &[Vec<Expr>], whole: &Expr) -> Evaluated {
+        if let Some(total) = self.total_of_list(callee, groups, whole)? {
+            return Ok(total);
+        }
         match self.callee(callee)? {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {
@@ -40,6 +44,11 @@ impl Machine {
                     self.call(&function, values, whole.span)
                 }
                 Value::Geometry(geometry) => {
+                    if let Some(value) =
+                        self.piece_of_spline(&Value::Geometry(geometry.clone()), groups, whole.span)?
+                    {
+                        return Ok(value);
+                    }
                     let values = self.arguments(groups)?;
                     curves::call_geometry(&geometry, &values, whole.span)
                 }
@@ -90,6 +99,25 @@ impl Machine {
         }
     }
 
+    /// The sum or product of the items of a list: sum([1, 2, 3]).
+    fn total_of_list(
+        &mut self,
+        callee: &Expr,
+        groups: &[Vec<Expr>],
+        whole: &Expr,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let (Kind::Name(name), [group]) = (&callee.kind, groups) else { return Ok(None) };
+        let (combine, nothing): (fn(Value, Value) -> Evaluated, i64) = match name.as_str() {
+            "sum" => (arithmetic::add, 0),
+            "prod" | "product" => (arithmetic::multiply, 1),
+            _ => return Ok(None),
+        };
+        let ([list], None) = (group.as_slice(), self.lookup(&Symbol::new(name))) else { return Ok(None) };
+        let Value::List(items) = self.eval(list)? else { return Ok(None) };
+        let total = items.into_iter().map(Ok).reduce(|total, item| combine(total?, item?));
+        total.unwrap_or_else(|| Ok(Value::int(nothing))).at(whole.span).map(Some)
+    }
+
     /// Whether `callee(…)` is a product: its callee has a scalar value.
     pub(crate) fn is_product(&mut self, expr: &Expr) -> Result<bool, Diagnostic> {
         let Kind::Apply(callee, groups) = &expr.kind else { return Ok(false) };
@@ -97,6 +125,7 @@ impl Machine {
             return Ok(false);
         }
         Ok(match self.callee(callee)? {
+            Callee::Value(scalar @ Value::Scalar(_)) => self.called_formula(&scalar, callee)?.is_none(),
             Callee::Value(value) => {
                 !matches!(
                     &value,
@@ -130,20 +159,11 @@ impl Machine {
         let [factor] = group.as_slice() else {
             return Err(not_a_function(&scalar).at(callee.span));
         };
-        if let Kind::Name(name) = &callee.kind
-            && scalar.as_rational().is_none()
-            && (name.chars().next().is_some_and(char::is_uppercase)
-                || FUNCTION_LETTERS.contains(&name.as_str()))
-            && self.lookup(&Symbol::new(name)).is_some()
-        {
-            return Err(Diagnostic::error(
-                Code::AmbiguousProduct,
-                format!("{name} is a formula, not a function: is this its value or a product?"),
-            )
-            .at(callee.span)
-            .reason(format!("{name} was defined without an argument"))
-            .hint(format!("define it as a function: {name}(t) := ..."))
-            .hint(format!("or write {name} * (...) for the product")));
+        if matches!(scalar, Value::List(_)) && self.reading.is_none() {
+            return Err(super::entries::list_called(callee.span));
+        }
+        if let Some(called) = self.called_formula(&scalar, callee)? {
+            return self.call_formula(&called, &scalar, callee, factor, span);
         }
         let factor_value = self.eval(factor)?;
         arithmetic::multiply(scalar, factor_value).at(span)
@@ -170,16 +190,10 @@ impl Machine {
                 return Ok(Callee::Value(Value::Builtin(function.name())));
             }
             if !stands_for_itself(name) {
-                let mut error = self.unknown_name(name, callee);
-                error.code = Code::UnknownFunction;
-                error.hints.retain(|hint| !hint.starts_with("for a product"));
-                if error.hints.is_empty() {
-                    error = error.hint(format!("define it first: {name}(t) := ..."));
-                }
-                return Err(error);
+                return Err(self.unknown_function(name, callee));
             }
             let capital = name.chars().next().is_some_and(char::is_uppercase);
-            if capital || FUNCTION_LETTERS.contains(&name) {
+            if capital || roles::FUNCTIONS.contains(&name) {
                 return Err(Diagnostic::error(
                     Code::AmbiguousProduct,
                     format!("'{name}' has no value here: is this a value of {name} or a product?"),
@@ -187,11 +201,14 @@ impl Machine {
                 .at(callee.span)
                 .reason("not defined")
                 .hint(format!("define it, for example {name}(t) := t^2 or {name} := polar(t^2)"))
-                .hint(format!("or write {name} * (...) for the product")));
+                .hint(match name == "C" {
+                    true => "the binomial coefficient is binomial(n, k)".to_owned(),
+                    false => format!("or write {name} * (...) for the product"),
+                }));
             }
         }
         if !symbol.indices().is_empty()
-            && (FAMILY_LETTERS.contains(&symbol.base()) || FUNCTION_LETTERS.contains(&symbol.base()))
+            && (roles::FAMILIES.contains(&symbol.base()) || roles::FUNCTIONS.contains(&symbol.base()))
         {
             let mut error = Diagnostic::error(
                 Code::AmbiguousProduct,
@@ -234,7 +251,7 @@ impl Machine {
                     .filter(|_| name.is_plain());
                 let Some((function, places)) = standard.and_then(|notation| notation.function) else {
                     // N_1^2(t) is no product of a power.
-                    let family = name.is_plain() && FAMILY_LETTERS.contains(&name.base());
+                    let family = name.is_plain() && roles::FAMILIES.contains(&name.base());
                     return match family && upper.is_some() && !lower.is_empty() {
                         true => Err(unknown_family(name.base()).at(callee.span)),
                         false => Ok(None),
@@ -287,13 +304,59 @@ impl Machine {
                         break;
                     }
                     None => {
+                        // max{1, 2}
+                        if let Kind::Set(members, None) = &item.kind {
+                            for member in members {
+                                all.push(self.eval(member)?, member.span);
+                            }
+                            continue;
+                        }
+                        self.not_named_without_sign(item)?;
                         let value = self.eval_or_word(item, function, Slot::Place(all.len()))?;
+                        if value.as_rational().is_some() && function.takes_polynomial(all.len()) {
+                            self.parameter_has_value(item);
+                        }
                         all.push(value, item.span);
                     }
                 }
             }
         }
-        function.run(self, all).at(span)
+        function.run(self, all).at(span).map_err(|error| match error.code {
+            Code::Type if error.hints.is_empty() => error.hint(format!("the form is {}", function.form())),
+            _ => error,
+        })
+    }
+
+    /// A remark on polar(t^2) where t is a number.
+    fn parameter_has_value(&mut self, polynomial: &Expr) {
+        if let Kind::Name(name) = &polynomial.kind
+            && let Some(value) = self.lookup(&Symbol::new(name)).and_then(Value::as_rational)
+            && is_parameter(&Symbol::new(name))
+        {
+            let note = format!("{name} has the value {value}, so this is a constant");
+            let note = Diagnostic::note(Code::AmbiguousVariable, note).at(polynomial.span);
+            self.note(
+                note.hint("use another letter for the parameter; at the prompt :forget takes a value away"),
+            );
+        }
+        polynomial.for_each_child(&mut |child| self.parameter_has_value(child));
+    }
+
+    /// Refuses `degree 3` for `degree=3`.
+    fn not_named_without_sign(&self, item: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Mul(factors) = &item.kind else { return Ok(()) };
+        match &factors[0].kind {
+            Kind::Name(word)
+                if word.len() > 1
+                    && (self.tools.argument_word)(word)
+                    && self.lookup(&Symbol::new(word)).is_none() =>
+            {
+                Err(Diagnostic::error(Code::Arity, "the name of an argument stands beside its value")
+                    .at(item.span)
+                    .hint(format!("write {word}=...")))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The value of an argument, or the word it is.

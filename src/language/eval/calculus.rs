@@ -8,7 +8,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::calculus;
 use crate::language::ops::errors::{division_by_zero, unsupported, wrong_kind};
-use crate::language::ops::formula::variable_of;
+use crate::language::ops::formula::{symbol_of, variable_of};
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -93,7 +93,33 @@ impl Machine {
         }
         let own: Vec<(Symbol, Value)> =
             orders.iter().map(|(name, _)| (name.clone(), Value::symbol(name.clone()))).collect();
+        // θ(x) is no product where it is differentiated by x.
+        if let Kind::Apply(callee, groups) = &body.kind
+            && let [(variable, _)] = variables
+            && matches!(groups.as_slice(), [group] if group.len() == 1 && group[0].same_as(variable))
+            && !callee.same_as(variable)
+            && let Some(name) = name_of(callee, self).filter(|_| !self.has_reading())
+            && self.lookup(&name).is_none()
+            && name.is_plain()
+            && (self.tools.function)(name.base()).is_none()
+        {
+            return Err(Diagnostic::error(Code::AmbiguousProduct, format!("'{name}' has no value here"))
+                .at(callee.span)
+                .reason("what is differentiated?")
+                .hint(format!("define it first: {name}(t) := ...")));
+        }
         let value = self.with_locals(own, |machine| machine.eval(body))?;
+        // The derivative of an undefined F is not 0.
+        if let (Some(symbol), Some(name), false) =
+            (symbol_of(&value), name_of(body, self), self.has_reading())
+            && symbol == name
+            && !orders.iter().any(|(variable, _)| *variable == symbol)
+        {
+            return Err(Diagnostic::error(Code::UnknownName, format!("'{symbol}' is not defined"))
+                .at(body.span)
+                .reason("what is differentiated?")
+                .hint(format!("define it first: {symbol}(t) := ...")));
+        }
         if let (Value::Function(_) | Value::Polar(_), [(_, order)]) = (&value, orders.as_slice()) {
             return calculus::derivative(&value, *order).at(body.span);
         }

@@ -1,6 +1,8 @@
 //! Values of curves and surfaces: geometry, piecewise polynomials, lists of coordinate functions.
 
+use super::arguments::{Arguments, named};
 use super::machine::{Evaluated, Machine};
+use crate::formula::Expr;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::{curve_error, piecewise_error, polar_error, spline_error, wrong_kind};
@@ -16,6 +18,40 @@ use num_traits::{One, Zero};
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 impl Machine {
+    /// `s(t, span=j)`: the polynomial of a spline on a knot interval, at a parameter; `None` without a span.
+    pub(super) fn piece_of_spline(
+        &mut self,
+        spline: &Value,
+        groups: &[Vec<Expr>],
+        span: Span,
+    ) -> Result<Option<Value>> {
+        let [group] = groups else { return Ok(None) };
+        let [parameter, interval] = group.as_slice() else { return Ok(None) };
+        let Some((name, interval)) = named(interval).filter(|(name, _)| name == "span") else {
+            return Ok(None);
+        };
+        let mut arguments = Arguments::default();
+        arguments.push(spline.clone(), span);
+        let value = self.eval(interval)?;
+        arguments.push_named(name, value, interval.span);
+        let form = self.call_function("polar", arguments)?;
+        let at = (self.eval(parameter)?, parameter.span);
+        let diagonal = |machine: &mut Self, form: &Value| match form {
+            Value::Polar(polar) => match &polar.kind {
+                PolarKind::Univariate(own) => machine.coordinate(form, &vec![at.clone(); own.degree()], span),
+                _ => Err(wrong_kind("a spline", form).at(span)),
+            },
+            other => Err(wrong_kind("a spline", other).at(span)),
+        };
+        match &form {
+            Value::List(items) => {
+                let items = items.iter().map(|item| diagonal(self, item)).collect::<Result<_>>();
+                items.map(|items| Some(Value::List(items)))
+            }
+            form => diagonal(self, form).map(Some),
+        }
+    }
+
     /// One coordinate of a curve at the given arguments.
     pub(crate) fn coordinate(&mut self, item: &Value, values: &[(Value, Span)], span: Span) -> Evaluated {
         match item {

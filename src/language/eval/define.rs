@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::machine::Machine;
-use super::names::name_of;
+use super::names::{indices_in_brackets, name_of};
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
@@ -114,7 +114,7 @@ impl Machine {
     /// `a_i := i^2` would define one symbol named a_i, which nobody means.
     fn not_a_sequence(&mut self, left: &Expr, body: &Expr) -> Result<(), Diagnostic> {
         let Kind::Subscript(base, indices) = &left.kind else { return Ok(()) };
-        for index in indices {
+        for index in indices_in_brackets(indices) {
             let Kind::Name(_) = &index.kind else { continue };
             let Some(name) = name_of(index, self) else { continue };
             if self.lookup(&name).is_none() && mentions(body, &name, self) {

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
 use crate::formula::source::Span;
-use crate::formula::{Accent, Delimiter, Enclosure, Expr, Kind, Sign};
+use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Sign};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::{linalg_error, unsupported, wrong_kind};
 use crate::language::ops::formula::symbol_of;
@@ -19,6 +19,9 @@ use crate::math::poly::Symbol;
 impl Machine {
     pub(super) fn eval_kind(&mut self, expr: &Expr) -> Evaluated {
         let span = expr.span;
+        if let Some(product) = self.spelled_out(expr)? {
+            return self.eval(&product);
+        }
         match &expr.kind {
             Kind::Number(q) => {
                 crate::budget::charge_bits(q.numer().bits().max(q.denom().bits()));
@@ -48,10 +51,20 @@ impl Machine {
             Kind::Div(left, right, style) => self.eval_quotient(left, right, *style),
             Kind::Pow(base, exponent) => self.eval_power(base, exponent, span),
             Kind::Apply(callee, groups) => self.eval_apply(callee, groups, expr),
+            Kind::Tuple(items) if items.is_empty() => {
+                Err(Diagnostic::error(Code::Empty, "nothing stands between the brackets")
+                    .at(span)
+                    .hint("an empty list is written [ ]"))
+            }
             Kind::Tuple(items) | Kind::List(items) | Kind::Sequence(items) => {
                 self.expand_items(items).and_then(|values| lists::together(values).at(span))
             }
             Kind::Matrix(rows, delimiter) => self.eval_matrix(rows, *delimiter, span),
+            Kind::Binomial(n, k, BinomialStyle::Subscripted) if self.is_power_of_c(n, span)? => {
+                let letter = Expr::new(Kind::Name("C".to_owned()), span);
+                let base = Expr::new(Kind::Subscript(Box::new(letter), vec![n.as_ref().clone()]), span);
+                self.eval_power(&base, k, span)
+            }
             Kind::Binomial(n, k, _) => {
                 let (n, k) = (self.eval(n)?, self.eval(k)?);
                 arithmetic::binomial(&n, &k).at(span)
@@ -84,10 +97,14 @@ impl Machine {
                         .hint("write (t^2)' or diff(t^2, t) for the derivative of a power"));
                 }
                 // The derivative of an undefined F is not that of a variable F.
-                if let Kind::Name(name) = &body.kind
-                    && symbol_of(&value).is_some_and(|symbol| symbol == Symbol::new(name))
+                if let Some(symbol) = name_of(body, self).filter(|_| self.reading.is_none())
+                    && symbol_of(&value).is_some_and(|found| found == symbol)
                 {
-                    return Err(self.unknown_name(name, body));
+                    return Err(Diagnostic::error(Code::UnknownName, format!("'{symbol}' is not defined"))
+                        .at(body.span)
+                        .reason("what is differentiated?")
+                        .hint(format!("define it first: {symbol}(t) := ..."))
+                        .hint("a name may have the prime in its index: a_{b'}"));
                 }
                 self.derivative_of(&value, *order as usize, body.span)
             }
@@ -131,6 +148,21 @@ impl Machine {
         }
     }
 
+    /// Whether `C_n^k` is a power: C, or C_n, has a value. Otherwise it is a binomial coefficient.
+    fn is_power_of_c(&mut self, index: &Expr, span: Span) -> Result<bool, Diagnostic> {
+        let letter = Expr::new(Kind::Name("C".to_owned()), span);
+        let base = Expr::new(Kind::Subscript(Box::new(letter), vec![index.clone()]), span);
+        let known = self.lookup(&Symbol::new("C")).is_some()
+            || name_of(&base, self).is_some_and(|name| self.lookup(&name).is_some());
+        if !known {
+            self.note(
+                Diagnostic::note(Code::StandardMeaning, "read with its standard meaning, binomial(n, k)")
+                    .at(span),
+            );
+        }
+        Ok(known)
+    }
+
     fn eval_accent(&mut self, accent: Accent, body: &Expr, whole: &Expr) -> Evaluated {
         match accent {
             Accent::Bold => self.eval(body),
@@ -154,10 +186,21 @@ impl Machine {
                 let value = self.eval(body)?;
                 self.derivative_of(&value, 2, body.span)
             }
+            // The vectors 1 - 0 and b - a.
+            Accent::Vec if matches!(body.kind, Kind::Number(_)) => self.eval_accent(Accent::Hat, body, whole),
+            Accent::Vec if matches!(&body.kind, Kind::Mul(ends) if ends.len() == 2) => {
+                let Kind::Mul(ends) = &body.kind else { return self.eval(body) };
+                let (from, to) = (self.eval(&ends[0])?, self.eval(&ends[1])?);
+                let back = arithmetic::negate(from).at(ends[0].span)?;
+                let difference = arithmetic::add(to, back).at(body.span)?;
+                lists::vector(difference).map_err(|other| wrong_kind("two points", &other).at(body.span))
+            }
             Accent::Bar | Accent::Vec | Accent::Tilde | Accent::Script | Accent::Blackboard => {
                 match name_of(whole, self) {
                     Some(name) => Ok(self.lookup(&name).cloned().unwrap_or_else(|| Value::symbol(name))),
-                    None => Err(unsupported("an accent over more than a name").at(whole.span)),
+                    None => Err(unsupported("an accent over more than a name")
+                        .at(whole.span)
+                        .hint("an accent belongs over one name, as in \\bar z; the vector from a to b is \\overrightarrow{ab}")),
                 }
             }
         }

@@ -42,7 +42,9 @@ impl Machine {
             }
             _ => None,
         };
-        self.notes.truncate(notes);
+        // What the body was read as is told here, once; the rest when the function is called.
+        let told = self.notes.split_off(notes);
+        self.notes.extend(told.into_iter().filter(|note| note.code == Code::Letters));
         let mut scope = self.scope.clone();
         for (name, value) in &self.locals {
             Arc::make_mut(&mut scope).insert(name.clone(), value.clone());

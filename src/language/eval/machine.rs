@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::arguments::Arguments;
+use super::env::Env;
 use super::tools::{Callable, Tools};
 use crate::formula::Expr;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -30,7 +31,7 @@ pub trait Reading {
 /// The state of one evaluation.
 pub struct Machine {
     pub(super) tools: Tools,
-    reading: Option<Rc<dyn Reading>>,
+    pub(super) reading: Option<Rc<dyn Reading>>,
     pub(super) scope: Scope,
     /// Local names, innermost last.
     pub(super) locals: Vec<(Symbol, Value)>,
@@ -60,6 +61,17 @@ impl Machine {
         self
     }
 
+    /// Whether another way of understanding formulas goes first.
+    pub(crate) fn has_reading(&self) -> bool {
+        self.reading.is_some()
+    }
+
+    /// The same with names that are defined already.
+    pub fn with_names(mut self, env: &Env) -> Self {
+        self.scope = env.names.clone();
+        self
+    }
+
     /// The value of a name where we are.
     pub fn lookup(&self, name: &Symbol) -> Option<&Value> {
         let local = self.locals.iter().rev().find(|(n, _)| n == name).map(|(_, value)| value);
@@ -83,7 +95,8 @@ impl Machine {
     }
 
     pub(crate) fn note(&mut self, note: Diagnostic) {
-        if !self.notes.contains(&note) {
+        // A remark is made once, at the first place it is about.
+        if !self.notes.iter().any(|known| known.code == note.code && known.message == note.message) {
             self.notes.push(note);
         }
     }

@@ -3,12 +3,12 @@
 use super::machine::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, words};
 use crate::language::value::Value;
 use crate::math::poly::{Index, Symbol};
 
-/// Functions somebody may expect that have no exact rational values.
-const TRANSCENDENTAL: &[&str] = &["sqrt", "root", "sin", "cos", "tan", "exp", "log", "ln", "arctan"];
+/// Longer words are not likely to be meant as products of their letters.
+const LONGEST_PRODUCT: usize = 5;
 
 /// Whether an undefined name may stand for itself.
 pub(crate) fn stands_for_itself(name: &str) -> bool {
@@ -22,20 +22,84 @@ pub fn name_of(expr: &Expr, machine: &mut Machine) -> Option<Symbol> {
         Kind::Name(name) => Some(Symbol::new(name)),
         Kind::Subscript(base, indices) => {
             let base = name_of(base, machine)?;
-            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
-            Some(base.with_indices(indices?))
+            Some(base.with_indices(indices_of(indices_in_brackets(indices), machine)?))
         }
         Kind::Upper(base, indices) => {
             let base = name_of(base, machine)?;
-            let indices: Option<Vec<Index>> = indices.iter().map(|index| index_of(index, machine)).collect();
-            Some(base.with_upper(indices?))
+            Some(base.with_upper(indices_of(indices, machine)?))
         }
         Kind::Accent(Accent::Bold, body) | Kind::Group(body) if !matches!(body.kind, Kind::Group(_)) => {
             name_of(body, machine)
         }
-        Kind::Accent(accent, body) => Some(name_of(body, machine)?.with_accent(accent.name())),
+        // Two accents are no name.
+        Kind::Accent(accent, body) => name_of(body, machine)
+            .filter(|name| name.accent().is_empty() || machine.has_reading())
+            .map(|name| name.with_accent(accent.name())),
         _ => None,
     }
+}
+
+/// The indices of `b[0]`, which are those of `b_0`.
+pub(super) fn indices_in_brackets(indices: &[Expr]) -> &[Expr] {
+    match indices {
+        [Expr { kind: Kind::List(items), .. }] => items,
+        _ => indices,
+    }
+}
+
+/// Indices as parts of a name. Letters side by side are several indices: for i = 0 and j = 1,
+/// `b_{ij}` is `b_{01}`.
+fn indices_of(indices: &[Expr], machine: &mut Machine) -> Option<Vec<Index>> {
+    let mut list = Vec::with_capacity(indices.len());
+    for index in indices {
+        match letters_side_by_side(index, machine) {
+            Some(letters) => {
+                let parts: Option<Vec<Index>> =
+                    letters.iter().map(|letter| index_of(letter, machine)).collect();
+                list.extend(joined(parts?));
+            }
+            None => list.push(index_of(index, machine)?),
+        }
+    }
+    Some(list)
+}
+
+/// The letters and digits of an index such as `ij`, written without blanks; a number is no factor
+/// of what follows only if it is 0.
+pub(super) fn letters_side_by_side(index: &Expr, machine: &Machine) -> Option<Vec<Expr>> {
+    match &index.kind {
+        Kind::Name(word) if word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic()) => {
+            let known = letters::sign(word).is_some() || machine.lookup(&Symbol::new(word)).is_some();
+            let letter = |letter: char| Expr::new(Kind::Name(letter.to_string()), index.span);
+            (!known).then(|| word.chars().map(letter).collect())
+        }
+        Kind::Mul(factors) => {
+            let touch = factors.windows(2).all(|pair| pair[0].span.end == pair[1].span.start);
+            let single = factors.iter().enumerate().all(|(at, factor)| match &factor.kind {
+                Kind::Name(_) => true,
+                Kind::Number(digit) => digit.is_integer() && (at > 0 || num_traits::Zero::is_zero(digit)),
+                _ => false,
+            });
+            (touch && single).then(|| factors.clone())
+        }
+        _ => None,
+    }
+}
+
+/// Indices side by side as they are written: digits make one index, other numbers need commas.
+fn joined(parts: Vec<Index>) -> Vec<Index> {
+    let short = |part: &Index| match part {
+        Index::Number(i) => (0..10).contains(i),
+        Index::Word(_) => true,
+    };
+    if !parts.iter().all(short) {
+        return parts;
+    }
+    let text: String = parts.iter().map(Index::to_string).collect();
+    vec![match text.parse::<i64>() {
+        Ok(number) if !text.starts_with('0') => Index::Number(number),
+        _ => Index::Word(text),
+    }]
 }
 
 /// An index as part of a name: an integer if it has such a value, else its own name.
@@ -51,17 +115,21 @@ fn index_of(expr: &Expr, machine: &mut Machine) -> Option<Index> {
     {
         return None;
     }
+    if let Kind::Prime(body, order) = &expr.kind {
+        let body = index_of(body, machine)?;
+        return Some(Index::Word(format!("{body}{}", "'".repeat(*order as usize))));
+    }
     match machine.eval(expr).ok()? {
         Value::Scalar(value) => match Value::Scalar(value.clone()).as_int() {
             Some(i) => Some(Index::Number(i)),
             None => Some(Index::Word(value.to_string())),
         },
-        Value::Function(_) | Value::Builtin(_) => match &expr.kind {
+        Value::Text(text) => Some(Index::Word(text)),
+        // A list or function named like an index has nothing to do with it.
+        _ => match &expr.kind {
             Kind::Name(name) => Some(Index::Word(name.clone())),
             _ => None,
         },
-        Value::Text(text) => Some(Index::Word(text)),
-        _ => None,
     }
 }
 
@@ -69,9 +137,12 @@ impl Machine {
     /// The value of a name, or the symbol that stands for it.
     pub(crate) fn eval_name(&mut self, expr: &Expr) -> Evaluated {
         let Some(symbol) = name_of(expr, self) else {
-            return Err(Diagnostic::error(Code::Type, "only names can have indices")
-                .at(expr.span)
-                .reason("not a name"));
+            return match &expr.kind {
+                Kind::Subscript(base, indices) => self.entry_of(base, indices, expr),
+                _ => Err(Diagnostic::error(Code::Type, "only names can have indices")
+                    .at(expr.span)
+                    .reason("not a name")),
+            };
         };
         if let Some(value) = self.lookup(&symbol) {
             return Ok(value.clone());
@@ -80,6 +151,7 @@ impl Machine {
             return Ok(value);
         }
         if stands_for_itself(symbol.base()) || !symbol.accent().is_empty() {
+            self.is_plain_index(expr)?;
             return Ok(Value::symbol(symbol));
         }
         if !symbol.is_plain() {
@@ -101,8 +173,25 @@ impl Machine {
             Kind::Upper(base, indices) => (base, indices, true),
             _ => return Ok(None),
         };
-        let Some(value) = name_of(base, self).and_then(|name| self.lookup(&name).cloned()) else {
-            return Ok(None);
+        let name = name_of(base, self);
+        let Some(value) = name.as_ref().and_then(|name| self.lookup(name).cloned()) else {
+            // p_{1,0} for a point p_1
+            if let (Some((first, rest)), false, Some(name)) = (indices.split_first(), upper, &name)
+                && !rest.is_empty()
+                && let Some(index) = index_of(first, self)
+                && let Some(value @ (Value::List(_) | Value::Matrix(_) | Value::Geometry(_))) =
+                    self.lookup(&name.with_indices(vec![index])).cloned()
+            {
+                return self.entry(&value, rest, expr);
+            }
+            // b_0[1]: the entry of an entry
+            return match &base.kind {
+                Kind::Subscript(..) if !upper => match self.indexed_value(base)? {
+                    Some(value) => self.entry(&value, indices, expr),
+                    None => Ok(None),
+                },
+                _ => Ok(None),
+            };
         };
         if upper {
             return match (&value, indices.as_slice()) {
@@ -117,49 +206,50 @@ impl Machine {
                 _ => Ok(None),
             };
         }
-        let numbers: Option<Vec<usize>> = indices
-            .iter()
-            .map(|index| self.eval_int(index).ok().and_then(|i| usize::try_from(i).ok()))
-            .collect();
-        let out_of_range =
-            |count: String| Diagnostic::error(Code::Domain, "index out of range").reason(count).at(expr.span);
-        match (&value, numbers.as_deref()) {
-            // Lists count from 0, as control points do; matrices from 1, as in books.
-            (Value::List(items), Some([i])) => {
-                items.get(*i).cloned().map(Some).ok_or_else(|| {
-                    out_of_range(format!("the list has {} items, counted from 0", items.len()))
-                })
-            }
-            (Value::Matrix(matrix), Some([i, j])) => {
-                let entry = i.checked_sub(1).zip(j.checked_sub(1)).and_then(|place| matrix.get(place));
-                entry.cloned().map(|x| Some(Value::Scalar(x))).ok_or_else(|| {
-                    out_of_range(format!("the matrix is {} x {}", matrix.nrows(), matrix.ncols()))
-                })
-            }
-            _ => Ok(None),
-        }
+        // The parameter of a function may have members of its own: in b(b_0) it is no list.
+        self.entry(&value, indices, expr)
     }
 
     /// The error for a word without meaning, with the nearest known one.
     pub(crate) fn unknown_name(&self, name: &str, expr: &Expr) -> Diagnostic {
-        let error = Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined"))
-            .at(expr.span)
-            .reason("unknown name");
-        let known = self.scope.keys().map(Symbol::base).chain((self.tools.names)());
-        match (self.tools.synonym)(name)
-            .or_else(|| nearest(name, known).filter(|_| name != "minus" && name != "plus"))
-        {
-            Some(best) => error.hint(format!("did you mean '{best}'?")),
-            None if name == "minus" || name == "plus" => {
-                error.hint("an exponent of several characters needs braces: t^{-1}")
-            }
-            None if TRANSCENDENTAL.contains(&name) => error
-                .hint("only polynomials and rational functions with rational coefficients are exact here"),
-            None if name.chars().all(|c| c.is_ascii_lowercase()) && name.len() <= 3 => {
+        self.unknown_word(name).at(expr.span)
+    }
+
+    /// The error for the call of a word without meaning.
+    pub(crate) fn unknown_function(&self, name: &str, callee: &Expr) -> Diagnostic {
+        let mut error = self.unknown_name(name, callee);
+        error.code = Code::UnknownFunction;
+        error.hints.retain(|hint| !hint.starts_with("for a product"));
+        for hint in &mut error.hints {
+            *hint = hint.replace(&format!("{name} :="), &format!("{name}(t) :="));
+        }
+        error
+    }
+
+    pub(super) fn unknown_word(&self, name: &str) -> Diagnostic {
+        let error =
+            Diagnostic::error(Code::UnknownName, format!("'{name}' is not defined")).reason("unknown name");
+        if let Some(advice) = words::elsewhere(name) {
+            return error.hint(advice);
+        }
+        if let Some(form) = words::form(name) {
+            return error.hint(format!("write {form}"));
+        }
+        let special = words::FORMS.iter().map(|(name, _)| *name);
+        let known = self.scope.keys().map(Symbol::base).chain((self.tools.names)()).chain(special);
+        // A short word is close to many others.
+        let alike = |best: &&str| name.len() > 3 || best.starts_with(name) || name.starts_with(*best);
+        let best = (self.tools.synonym)(name).or_else(|| nearest(name, known).filter(alike));
+        if let Some(best) = best {
+            return error.hint(format!("did you mean '{best}'?"));
+        }
+        let error = error.hint(format!("define it first: {name} := ..."));
+        match name.len() <= LONGEST_PRODUCT && name.bytes().all(|byte| byte.is_ascii_alphabetic()) {
+            true => {
                 let spaced: Vec<String> = name.chars().map(String::from).collect();
-                error.hint(format!("for a product of symbols write '{}'", spaced.join(" ")))
+                error.hint(format!("for a product of the letters write {}", spaced.join(" ")))
             }
-            None => error.hint(format!("define it first: {name} := ...")),
+            false => error,
         }
     }
 }

@@ -7,10 +7,11 @@ use std::iter::Peekable;
 use std::slice::Iter;
 
 use super::machine::{Evaluated, Machine};
+use super::names::name_of;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::lexicon::families::{BACKWARD_DIFFERENCE, FORWARD_DIFFERENCE};
+use crate::language::lexicon::families::{self, BACKWARD_DIFFERENCE, FORWARD_DIFFERENCE};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
@@ -19,13 +20,25 @@ impl Machine {
     /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
     /// that follows it: (F + G)(t), F^2(t).
     pub(crate) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
+        if let Some(derivative) = self.differential(factors, span) {
+            return self.eval(&derivative);
+        }
         let mut product: Option<Value> = None;
+        // [1, t, t^2] M is a row; the list after it is a column.
+        let mut row = false;
         let mut rest = factors.iter().peekable();
         while let Some(factor) = rest.next() {
             let value = self.eval_factor(factor, &mut rest)?;
-            product = Some(match product {
-                None => value,
-                Some(product) => arithmetic::multiply(product, value).at(factor.span)?,
+            product = Some(match (product, value) {
+                (None, value) => value,
+                (Some(Value::List(items)), Value::List(column)) if row => {
+                    row = false;
+                    arithmetic::row_times_column(&items, &column).at(factor.span)?
+                }
+                (Some(product), value) => {
+                    row = matches!((&product, &value), (Value::List(_), Value::Matrix(_)));
+                    arithmetic::multiply(product, value).at(factor.span)?
+                }
             });
         }
         product.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty product").at(span))
@@ -150,7 +163,7 @@ impl Machine {
     pub(crate) fn eval_power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Evaluated {
         if let Kind::Name(mark) = &exponent.kind
             && (mark == "T" || mark == "top")
-            && self.lookup(&Symbol::new(mark)).is_none()
+            && self.lookup(&Symbol::new(mark)).is_none_or(|value| !matches!(value, Value::Scalar(_)))
         {
             let value = self.eval(base)?;
             if !matches!(value, Value::Scalar(_)) {
@@ -167,12 +180,33 @@ impl Machine {
             let power = arithmetic::power(inner, &exponent_value).at(span)?;
             return arithmetic::multiply(factor, power).at(span);
         }
+        self.family_without_argument(base, span);
         let value = self.eval(base)?;
+        self.is_one_factor(exponent, "exponent")?;
         let exponent_value = self.eval(exponent)?;
         arithmetic::power(value, &exponent_value).map_err(|error| {
             let place = if error.code == Code::DivisionByZero { base.span } else { exponent.span };
             error.at(place)
         })
+    }
+
+    /// A remark on `B_1^3`, which is a power as long as no argument follows.
+    fn family_without_argument(&mut self, base: &Expr, span: Span) {
+        let Kind::Subscript(letter, lower) = &base.kind else { return };
+        let Kind::Name(letter) = &letter.kind else { return };
+        let known = self.lookup(&Symbol::new(letter)).is_some() || self.has_reading();
+        let family =
+            families::notation(letter, lower.len(), 1).is_some_and(|notation| notation.function.is_some());
+        if family && !known && name_of(base, self).is_some_and(|name| self.lookup(&name).is_none()) {
+            self.note(
+                Diagnostic::note(
+                    Code::StandardMeaning,
+                    "read as a power; a member of the family has an argument",
+                )
+                .at(span)
+                .hint(format!("write {letter}_i^n(t) for its value at t")),
+            );
+        }
     }
 
     pub(crate) fn eval_quotient(&mut self, left: &Expr, right: &Expr, style: Quotient) -> Evaluated {
@@ -181,6 +215,12 @@ impl Machine {
                 .at(right.span)
                 .reason("a product after '/'")
                 .hint("write a/(b (c)) or (a/b) (c)"));
+        }
+        if let Some(derivative) = self.differential_quotient(left, right) {
+            return self.eval(&derivative);
+        }
+        if style == Quotient::Slash {
+            self.is_one_factor(right, "denominator")?;
         }
         let numerator = self.eval(left)?;
         let denominator = self.eval(right)?;

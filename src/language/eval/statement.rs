@@ -4,8 +4,8 @@ use super::env::Env;
 use super::machine::Machine;
 use super::tools::Tools;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::diagnostic::Diagnostic;
-use crate::language::value::Value;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::value::{Value, Verdict};
 use crate::math::poly::Symbol;
 
 /// What a statement did.
@@ -35,8 +35,7 @@ pub enum Equals {
 /// # Errors
 /// A [`Diagnostic`] with its place.
 pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Result<Outcome, Diagnostic> {
-    let mut machine = Machine::new(tools);
-    machine.scope = env.names.clone();
+    let mut machine = Machine::new(tools).with_names(env);
     let (value, defined) = machine.statement(expr, equals)?;
     if let Some(name) = &defined {
         env.set(name.clone(), value.clone());
@@ -45,6 +44,16 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
 }
 
 impl Machine {
+    /// Whether a statement defines a new name.
+    pub(crate) fn defines(&mut self, statement: &Expr) -> bool {
+        let Kind::Chain(left, links) = &statement.kind else { return false };
+        match links[0].rel {
+            Rel::Define => true,
+            Rel::Eq => links.len() == 1 && self.is_new_definition(left, &links[0].expr),
+            _ => false,
+        }
+    }
+
     fn statement(&mut self, expr: &Expr, equals: Equals) -> Result<(Value, Option<Symbol>), Diagnostic> {
         if let Kind::Chain(left, links) = &expr.kind {
             let defines = links[0].rel == Rel::Define
@@ -55,7 +64,55 @@ impl Machine {
                 return self.define(left, links).map(|(name, value)| (value, Some(name)));
             }
         }
-        self.eval(expr).map(|value| (value, None))
+        let value = self.eval(expr)?;
+        if let Kind::Chain(left, links) = &expr.kind
+            && let (Kind::Name(name), [link], Equals::DefinesUnbound) = (&left.kind, links.as_slice(), equals)
+            && link.rel == Rel::Eq
+            && matches!(&value, Value::Claim(claim) if claim.verdict() == Verdict::Refuted)
+        {
+            let note = Diagnostic::note(Code::BadDefinition, format!("a claim: {name} has a value already"));
+            self.note(note.at(left.span).hint(format!("write {name} := ... to give it another")));
+        }
+        if let Kind::Sequence(items) = &expr.kind {
+            self.warn_of_commas(items);
+        }
+        Ok((value, None))
+    }
+
+    /// `1,5` is a list of two numbers; somebody may mean one and a half.
+    fn warn_of_commas(&mut self, items: &[Expr]) {
+        let touch = |pair: &&[Expr]| {
+            pair[0].span.end + 1 == pair[1].span.start
+                && ends_in_number(&pair[0])
+                && begins_with_number(&pair[1])
+        };
+        if let Some(pair) = items.windows(2).find(touch) {
+            let warning = Diagnostic::warning(Code::BadNumber, "a list of numbers, not one decimal number");
+            self.note(
+                warning.at(pair[0].span.to(pair[1].span)).hint("decimals are written with a point: 1.5"),
+            );
+        }
+    }
+}
+
+fn ends_in_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) => true,
+        Kind::Add(terms) => terms.last().is_some_and(|term| ends_in_number(&term.expr)),
+        Kind::Mul(factors) => factors.last().is_some_and(ends_in_number),
+        Kind::Chain(_, links) => links.last().is_some_and(|link| ends_in_number(&link.expr)),
+        _ => false,
+    }
+}
+
+fn begins_with_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) => true,
+        Kind::Add(terms) => terms.first().is_some_and(|term| begins_with_number(&term.expr)),
+        Kind::Mul(factors) => factors.first().is_some_and(begins_with_number),
+        Kind::Div(above, ..) | Kind::Pow(above, _) => begins_with_number(above),
+        Kind::Chain(left, _) => begins_with_number(left),
+        _ => false,
     }
 }
 
@@ -72,6 +129,7 @@ mod tests {
             names: Vec::new,
             synonym: |_| None,
             is_word: |_| false,
+            argument_word: |_| false,
             judge: |_, _, _| Ok(Vec::new()),
         };
         let mut env = Env::default();

@@ -3,7 +3,7 @@
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
 use crate::formula::source::Span;
-use crate::formula::{BigOp, Expr, Kind, Rel, Sign};
+use crate::formula::{BigOp, Expr, Kind, Link, Rel, Sign};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{unsupported, wrong_kind};
@@ -62,7 +62,15 @@ impl Machine {
         let mut assignments: Vec<Vec<(Symbol, Value)>> = vec![Vec::new()];
         let mut filters: Vec<&Expr> = Vec::new();
         let mut bound_any = false;
+        // In i, j = 0 both names have the bounds.
+        let mut together: Vec<Symbol> = Vec::new();
         for (at, piece) in lower.iter().enumerate() {
+            if let Kind::Name(_) = &piece.kind
+                && lower[at..].iter().any(|later| matches!(later.kind, Kind::Chain(..)))
+            {
+                together.push(self.binder(piece)?);
+                continue;
+            }
             let Kind::Chain(left, links) = &piece.kind else { return Err(no_bounds().at(piece.span)) };
             let link = &links[0];
             match (link.rel, links.len()) {
@@ -75,9 +83,12 @@ impl Machine {
                         (_, None) => return Err(no_bounds().at(piece.span)),
                     };
                     let count = to.saturating_sub(from).saturating_add(1).max(0);
-                    crate::budget::charge_terms(count as u64 * assignments.len() as u64);
+                    crate::budget::charge_terms(count as u64);
                     let values: Vec<Value> = (from..=to).map(Value::int).collect();
-                    assignments = extended(assignments, &name, &values);
+                    for name in together.drain(..).chain([name]) {
+                        crate::budget::charge_terms((count as u64).saturating_mul(assignments.len() as u64));
+                        assignments = extended(assignments, &name, &values);
+                    }
                     bound_any = true;
                 }
                 // i + j + k = n: all ways to write n as an ordered sum of integers ≥ 0
@@ -127,21 +138,29 @@ impl Machine {
                     assignments = extended(assignments, &name, &items);
                     bound_any = true;
                 }
-                // a ≤ i ≤ b
-                (Rel::Le | Rel::Lt, 2) if matches!(links[1].rel, Rel::Le | Rel::Lt) => {
-                    let name = self.binder(&link.expr)?;
-                    let from = self.eval_int(left)? + i64::from(link.rel == Rel::Lt);
-                    let to = self.eval_int(&links[1].expr)? - i64::from(links[1].rel == Rel::Lt);
-                    crate::budget::charge_terms(to.saturating_sub(from).saturating_add(1).max(0) as u64);
-                    let values: Vec<Value> = (from..=to).map(Value::int).collect();
-                    assignments = extended(assignments, &name, &values);
+                // a ≤ i ≤ b, a ≤ i < j ≤ b: each index has its place between the ends
+                (Rel::Le | Rel::Lt, 2..) if links.iter().all(|l| matches!(l.rel, Rel::Le | Rel::Lt)) => {
+                    let strict = |links: &[Link]| links.iter().filter(|l| l.rel == Rel::Lt).count() as i64;
+                    let last = links.len() - 1;
+                    let (from, to) = (self.eval_int(left)?, self.eval_int(&links[last].expr)?);
+                    for (k, link) in links[..last].iter().enumerate() {
+                        let name = self.binder(&link.expr)?;
+                        let (from, to) = (from + strict(&links[..=k]), to - strict(&links[k + 1..]));
+                        let count = to.saturating_sub(from).saturating_add(1).max(0) as u64;
+                        crate::budget::charge_terms(count.saturating_mul(assignments.len() as u64));
+                        let values: Vec<Value> = (from..=to).map(Value::int).collect();
+                        assignments = extended(assignments, &name, &values);
+                    }
+                    if last > 1 {
+                        filters.push(piece);
+                    }
                     bound_any = true;
                 }
                 (Rel::Eq, 1) if matches!(left.kind, Kind::Enclosed(..)) => {} // |S| = i, used above
                 _ => filters.push(piece),
             }
         }
-        if !bound_any {
+        if !bound_any || !together.is_empty() {
             return Err(no_bounds());
         }
         for filter in filters {

@@ -27,6 +27,9 @@ pub trait Callable {
     /// `labels=points`; `defined` says whether the name has a value.
     fn takes_word(&self, slot: Slot, word: &str, defined: bool) -> bool;
 
+    /// Whether a polynomial is expected at that place.
+    fn takes_polynomial(&self, place: usize) -> bool;
+
     /// Its value.
     ///
     /// # Errors
@@ -48,6 +51,8 @@ pub struct Tools {
     pub synonym: fn(&str) -> Option<&'static str>,
     /// Whether a name that stands alone is a word that means itself, such as that of a basis.
     pub is_word: fn(&str) -> bool,
+    /// Whether a word names an argument of a function, or is one.
+    pub argument_word: fn(&str) -> bool,
     /// The judge of the claims in a formula.
     pub judge: Judge,
 }

@@ -1,5 +1,9 @@
 //! The functions of the table as the evaluator calls them.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use super::parameter::{Parameter, Takes};
 use super::record::Builtin;
 use super::table::{BUILTINS, builtin};
 use crate::language::eval::{Arguments, Callable, Evaluated, Machine, Slot};
@@ -12,6 +16,20 @@ pub(crate) fn callable(name: &str) -> Option<&'static dyn Callable> {
 /// The names of all functions.
 pub(crate) fn names() -> Vec<&'static str> {
     BUILTINS.iter().map(|builtin| builtin.name).collect()
+}
+
+/// Whether a word names an argument of a function, or is one, as both do in `method=taylor`.
+pub(crate) fn is_argument_word(word: &str) -> bool {
+    static WORDS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+        let all = BUILTINS.iter().flat_map(|builtin| [*builtin].into_iter().chain(builtin.subjects));
+        let parameters = |builtin: &'static Builtin| builtin.parameter_lists().flatten();
+        let words = all
+            .clone()
+            .flat_map(parameters)
+            .flat_map(|parameter| parameter.kind.words().iter().copied().chain([parameter.name]));
+        words.chain(all.map(|builtin| builtin.name)).collect()
+    });
+    WORDS.contains(word)
 }
 
 /// Other names for functions.
@@ -47,11 +65,45 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("degree_reduction", "reduce"),
     ("continuity_conditions", "joining_conditions"),
     ("delta", "differences"),
+    ("nCr", "binomial"),
+    ("choose", "binomial"),
+    ("comb", "binomial"),
+    ("inv", "inverse"),
+    ("determinant", "det"),
+    ("differentiate", "diff"),
+    ("coeff", "coefficient"),
+    ("coeffs", "coefficients"),
+    ("substitute", "subs"),
+    ("deg", "degree"),
+    ("rem", "remainder"),
+    ("quo", "quotient"),
+    ("len", "length"),
+    ("bspline_curve", "bspline"),
+    ("bezier_curve", "bezier"),
+    ("nullspace", "null_space"),
+    ("eye", "identity"),
 ];
 
 /// The function that somebody means by another name.
 pub(crate) fn synonym(name: &str) -> Option<&'static str> {
     SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known)
+}
+
+/// What to write for an argument that a function does not take: its derivation may.
+fn elsewhere(builtin: &Builtin, argument: &str) -> String {
+    let takes = |subject: &Builtin| {
+        subject.name == builtin.name
+            && subject.parameter_lists().flatten().any(|parameter| parameter.name == argument)
+    };
+    // degree=n: n is what the form calls the value
+    let meant = |parameter: &&Parameter| parameter.form == format!("{}={argument}", parameter.name);
+    if let Some(parameter) = builtin.parameter_lists().flatten().find(meant) {
+        return format!("write {}=...", parameter.name);
+    }
+    match BUILTINS.iter().find(|parent| parent.subjects.iter().any(takes)) {
+        Some(parent) => format!("write {}({}, ..., {argument}=...) for its steps", parent.name, builtin.name),
+        None => format!("leave it out: the form is {}", builtin.signature()),
+    }
 }
 
 impl Callable for Builtin {
@@ -70,7 +122,19 @@ impl Callable for Builtin {
         }
     }
 
+    fn takes_polynomial(&self, place: usize) -> bool {
+        let parameter = self.parameters.iter().filter(|parameter| parameter.has_place()).nth(place);
+        parameter.is_some_and(|parameter| parameter.kind == Takes::Polynomial)
+    }
+
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
-        Builtin::run(self, machine, arguments)
+        Builtin::run(self, machine, arguments).map_err(|error| {
+            let unknown =
+                error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
+            match unknown.filter(|_| error.hints.is_empty()).map(|argument| elsewhere(self, argument)) {
+                Some(advice) => error.hint(advice),
+                None => error,
+            }
+        })
     }
 }

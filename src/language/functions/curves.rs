@@ -39,7 +39,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "bezier([[0, 0], [1, 2], [2, 0]])(1/2)",
         call: |_, args| {
             let (points, form) = args.control_points(0)?;
-            let curve = BezierCurve::new(points, interval(args)?).map_err(curve_error).at(args.span(0))?;
+            let curve = BezierCurve::new(points, interval(args, 1)?).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
         ..NEW
@@ -64,7 +64,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 args.with_first(item.clone()).univariate_in(0, given.clone()).map(|given| given.coefficients)
             };
             let coordinates = items.iter().map(coordinate).collect::<Result<Vec<_>>>()?;
-            let curve = BezierCurve::from_power(&coordinates, interval(args)?)
+            let curve = BezierCurve::from_power(&coordinates, interval(args, 1)?)
                 .map_err(curve_error)
                 .at(args.span(0))?;
             Ok(bezier(curve, Form { scalar, rational: false }))
@@ -187,6 +187,19 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "reverse",
+        parameters: &[required("c", Takes::Any, "a Bézier curve, a B-spline curve or a list")],
+        summary: "the same curve run through backwards, over the same interval; a list backwards",
+        example: "reverse(bezier([0, 1, 4]))",
+        call: |_, args| {
+            if let Value::List(items) = args.value(0)? {
+                return Ok(Value::List(items.iter().rev().cloned().collect()));
+            }
+            crate::language::ops::geometry::backwards(args.geometry(0)?.as_ref()).at(args.span(0))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "over",
         parameters: &[
             CURVE,
@@ -262,7 +275,7 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let (edges, form) = args.control_points(0)?;
             let curve =
-                BezierCurve::from_edges(&edges, interval(args)?).map_err(curve_error).at(args.span(0))?;
+                BezierCurve::from_edges(&edges, interval(args, 1)?).map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
         ..NEW
@@ -420,9 +433,9 @@ pub(super) const TABLE: &[Builtin] = &[
 
 /// The interval with its ends at the second and third place; 0 and the number after the start if not
 /// given.
-fn interval(args: &Arguments) -> Result<Interval<Fraction>> {
-    let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
-    let b = args.optional_scalar(2)?.unwrap_or_else(|| a.plus(&Fraction::one()));
+pub(super) fn interval(args: &Arguments, from: usize) -> Result<Interval<Fraction>> {
+    let a = args.optional_scalar(from)?.unwrap_or_else(Fraction::zero);
+    let b = args.optional_scalar(from + 1)?.unwrap_or_else(|| a.plus(&Fraction::one()));
     Interval::new(a, b).map_err(curve_error).at(args.span(0))
 }
 

@@ -20,7 +20,7 @@ mod surface_joins;
 mod surfaces;
 mod table;
 
-pub(crate) use callable::{callable, names, synonym};
+pub(crate) use callable::{callable, is_argument_word, names, synonym};
 pub(crate) use matrices::is_basis;
 
 pub use parameter::{Need, Parameter, Takes};

@@ -47,6 +47,42 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "map",
+        parameters: &[
+            required("F", Takes::Function, "the function, such as i -> i^2"),
+            required("list", Takes::List, "what it is applied to, also a range such as 0..3"),
+        ],
+        summary: "the list of the values of a function; [i^2 for i = 0..3] is the same",
+        example: "map(i -> i^2, 0..3)",
+        call: |machine, args| {
+            let Value::Function(function) = args.value(0)? else {
+                return Err(wrong_kind("a function such as i -> i^2", args.value(0)?).at(args.span(0)));
+            };
+            let Value::List(items) = args.value(1)? else {
+                return Err(wrong_kind("a list", args.value(1)?).at(args.span(1)));
+            };
+            let span = args.span(0);
+            let value = |item: &Value| machine.call(function, vec![(item.clone(), args.span(1))], span);
+            items.iter().map(value).collect::<Result<_, _>>().map(Value::List)
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "dot",
+        parameters: &[
+            required("a", Takes::Point, "a point or vector"),
+            required("b", Takes::Point, "another one, of as many coordinates"),
+        ],
+        summary: "the scalar product of two points",
+        example: "dot([1, 2], [3, 4])",
+        call: |_, args| match (args.value(0)?, args.value(1)?) {
+            (Value::List(a), Value::List(b)) => arithmetic::row_times_column(a, b),
+            (Value::List(_), b) => Err(wrong_kind("a point such as [1, 2]", b).at(args.span(1))),
+            (a, _) => Err(wrong_kind("a point such as [1, 2]", a).at(args.span(0))),
+        },
+        ..NEW
+    },
+    Builtin {
         name: "cross",
         parameters: &[
             required("a", Takes::Any, "a point of space"),

@@ -364,10 +364,14 @@ pub(super) fn pieces(args: &Arguments) -> Evaluated {
 }
 
 /// Row r, entry s: the derivative r times by u and s times by v, for r + s up to k.
-fn derivatives_at(args: &Arguments) -> Evaluated {
+/// Entry (r, s) is the derivative of order r in u and s in v.
+type Jet = Vec<Vec<Vec<Fraction>>>;
+
+/// All partial derivatives of order at most k of a patch at (u, v), and how they are shown.
+pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
     let geometry = args.geometry(0)?;
     let form = geometry.form();
-    let (u, v, k) = (args.scalar(1)?, args.scalar(2)?, args.size(3)?);
+    let (u, v) = (args.scalar(1)?, args.scalar(2)?);
     crate::budget::charge_terms((k as u64 + 1).saturating_mul(k as u64 + 1));
     let grid = match &*geometry {
         Geometry::Patch(patch, _) if form.rational => {
@@ -384,10 +388,13 @@ fn derivatives_at(args: &Arguments) -> Evaluated {
         }
         other => return Err(not_for(other, args)),
     };
-    let plain = Form { rational: false, ..form };
-    let row =
-        |row: Vec<Vec<Fraction>>| Value::List(row.into_iter().map(|point| plain.plain(point)).collect());
-    Ok(Value::List(grid.map_err(curve_error).at(args.span(1))?.into_iter().map(row).collect()))
+    Ok((grid.map_err(curve_error).at(args.span(1))?, Form { rational: false, ..form }))
+}
+
+fn derivatives_at(args: &Arguments) -> Evaluated {
+    let (grid, form) = partial_derivatives(args, args.size(3)?)?;
+    let row = |row: Vec<Vec<Fraction>>| Value::List(row.into_iter().map(|point| form.plain(point)).collect());
+    Ok(Value::List(grid.into_iter().map(row).collect()))
 }
 
 /// The value at any parameters.

@@ -1,19 +1,19 @@
 //! Polar forms: making, elevating, combining, writing out.
 
 use crate::language::eval::Arguments;
+use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula;
 use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::{laws_report, point_argument};
 use std::sync::Arc;
 
-use super::parameter::{START, Takes, VARIABLE, many, named, optional, required, size};
+use super::parameter::{START, Takes, VARIABLE, many, optional, required, size};
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::laws::Arrangement;
 use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm, symmetrize};
-use crate::math::number::Int;
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
@@ -27,7 +27,7 @@ pub(super) const POLAR: Builtin = Builtin {
     name: "polar",
     parameters: &[
         required("F", Takes::Polynomial, "the polynomial; a list of them for a curve"),
-        named("degree=n", Takes::Size, "the degree of F", "the number of arguments"),
+        optional("degree", Takes::Size, "the degree of F", "the number of arguments").shown("degree=n"),
         VARIABLE,
     ],
     summary: "the polar form of a polynomial, of its own degree or a larger one",
@@ -36,15 +36,29 @@ pub(super) const POLAR: Builtin = Builtin {
     on_curve: on_geometry::POLAR,
     on_surface: on_surface::POLAR,
     call: |_, args| {
+        names_a_polynomial(args)?;
         let given = args.univariate(0)?;
         let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
-        let degree = args.named_size("degree")?.unwrap_or(own);
+        let degree = args.optional_size(1)?.unwrap_or(own);
         let form = PolarForm::with_degree(&given.coefficients, degree)
             .map_err(|error| polar_error(error).hint(format!("use degree={own} or more")))?;
         Ok(univariate(form, given.variable))
     },
     ..NEW
 };
+
+/// Refuses polar(F) for an undefined F, which would be a polynomial in the variable F.
+fn names_a_polynomial(args: &Arguments) -> Result<()> {
+    let Some(symbol) = formula::symbol_of(args.value(0)?) else { return Ok(()) };
+    if args.variable()?.is_some() || symbol.base() == "t" || formula::is_parameter(&symbol) {
+        return Ok(());
+    }
+    Err(Diagnostic::error(Code::AmbiguousVariable, format!("'{symbol}' has no value here"))
+        .at(args.span(0))
+        .reason("a polynomial, a constant or the parameter?")
+        .hint(format!("define it first: {symbol} := t^2"))
+        .hint(format!("or name the parameter: polar({symbol}, variable=t)")))
+}
 
 pub(super) const TABLE: &[Builtin] = &[
     POLAR,
@@ -92,6 +106,7 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         summary: "the polar form of total degree d, whose arguments are points",
         example: "polar_total(u v, [u, v], degree=2)",
+        each: true,
         call: |_, args| {
             let formula = args.scalar(0)?;
             let variables = symbols(args, 1)?;
@@ -338,12 +353,10 @@ pub(super) const TABLE: &[Builtin] = &[
                     format!("sigma_{{{i},{n}}} takes {n} arguments, not {}", list.len()),
                 ));
             }
-            let count = crate::math::number::binomial(n, i);
-            if count.is_zero() {
+            if i > n {
                 return Ok(Value::int(0));
             }
-            let share = crate::math::number::Rational::new(Int::ONE, count);
-            Ok(Value::Scalar(elementary(&list, i).scaled(&share)))
+            families::symmetric_mean(i, &list).map(Value::Scalar).map_err(polar_error)
         },
         ..NEW
     },

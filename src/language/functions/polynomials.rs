@@ -1,11 +1,12 @@
 //! Polynomials and rational functions: parts, division, calculus.
 
-use super::parameter::{DEGREE, Parameter, Takes, free, optional, required, size};
+use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
+use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
-use crate::language::ops::{arithmetic, calculus, formula};
+use crate::language::ops::{calculus, formula};
 use crate::language::value::Value;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly};
 use crate::math::ring::Ring;
@@ -181,22 +182,22 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "gcd",
-        parameters: &[
-            required("a", Takes::Scalar, "an integer or polynomial"),
-            required("b", Takes::Scalar, "another one"),
-        ],
-        summary: "the greatest common divisor of two integers or polynomials",
+        parameters: &[many("a, b, ...", Takes::Scalar, 2, "integers or polynomials")],
+        summary: "the greatest common divisor of integers or polynomials",
         example: "gcd(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {
-            let (a, b) = (polynomial(args, 0)?, polynomial(args, 1)?);
-            if let (Some(x), Some(y)) = (a.as_constant(), b.as_constant())
-                && x.is_integer()
-                && y.is_integer()
-            {
-                let g = num_integer::Integer::gcd(x.numer(), y.numer());
-                return Ok(Value::number(crate::math::number::Rational::from_integer(g)));
+            let mut common = polynomial(args, 0)?;
+            for at in 1..args.len() {
+                let b = polynomial(args, at)?;
+                common = match (common.as_constant(), b.as_constant()) {
+                    (Some(x), Some(y)) if x.is_integer() && y.is_integer() => {
+                        let g = num_integer::Integer::gcd(x.numer(), y.numer());
+                        MultiPoly::constant(crate::math::number::Rational::from_integer(g))
+                    }
+                    _ => common.gcd(&b),
+                };
             }
-            Ok(Value::Scalar(Fraction::from(a.gcd(&b))))
+            Ok(Value::Scalar(Fraction::from(common)))
         },
         ..NEW
     },
@@ -280,15 +281,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let index = args.value(1)?;
             let i = index.as_int().ok_or_else(|| wrong_kind("an integer", index).at(args.span(1)))?;
             let t = args.scalar(2)?;
-            let Some(i) = usize::try_from(i).ok().filter(|i| *i <= n) else { return Ok(Value::int(0)) };
-            crate::budget::charge_terms(n as u64 + 1);
-            let one = <Fraction as num_traits::One>::one();
-            let powers = arithmetic::power(Value::Scalar(t.clone()), &Value::int(i as i64))?;
-            let rest = arithmetic::power(Value::Scalar(one.minus(&t)), &Value::int((n - i) as i64))?;
-            let count = Value::number(crate::math::number::Rational::from_integer(
-                crate::math::number::binomial(n, i),
-            ));
-            arithmetic::multiply(arithmetic::multiply(count, powers)?, rest)
+            Ok(Value::Scalar(families::bernstein(n as i64, i, &t)))
         },
         ..NEW
     },

@@ -1,6 +1,7 @@
 //! Rational curves and surfaces: conics, circles, surfaces of revolution.
 
-use super::parameter::{CURVE, Parameter, Takes, alternatives, named, required, size};
+use super::curves::interval;
+use super::parameter::{CURVE, END, Parameter, START, Takes, alternatives, named, required, size};
 use super::surfaces::{tensor, triangular};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -95,6 +96,19 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "conic_centre",
+        parameters: &[CURVE],
+        summary: "the centre of symmetry of a conic of the plane; a parabola has none",
+        example: "conic_centre(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]))",
+        call: |_, args| {
+            let conic = ImplicitConic::new(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
+            conic.centre().map(|centre| Form::default().plain(centre)).ok_or_else(|| {
+                Diagnostic::error(Code::Degenerate, "a parabola has no centre").at(args.span(0))
+            })
+        },
+        ..NEW
+    },
+    Builtin {
         name: "circle_arc",
         parameters: &[
             required("m", Takes::Point, "the centre"),
@@ -106,12 +120,14 @@ pub(super) const TABLE: &[Builtin] = &[
                 "standard",
                 "which end weights: 1 and 1, or rational",
             ),
+            named("long=1", Takes::Flag, "0", "whether it is the longer of the two arcs"),
         ],
         summary: "the arc of the circle about m from p to q; form=rational for other end weights",
         example: "circle_arc([0, 0], [1, 0], [7/25, 24/25])",
         call: |_, args| {
             let arc = CircleArc::new(args.point(0)?, args.point(1)?, args.point(2)?);
-            let arc = arc.map_err(circle_error).at(args.span(2))?;
+            let shorter = arc.map_err(circle_error).at(args.span(2))?;
+            let arc = if args.flag("long", false)? { shorter.complement() } else { shorter };
             match form(args, ARC_FORMS)? {
                 "standard" => arc.standard().map(rational).map_err(|error| {
                     let squared = arc.squared_weight();
@@ -184,6 +200,24 @@ pub(super) const TABLE: &[Builtin] = &[
             let form = Form { rational: false, ..args.bezier(0)?.1 };
             let points = rational_curve(args, 0)?.farin_points().map_err(curve_error).at(args.span(0))?;
             Ok(Value::List(points.into_iter().map(|point| form.plain(point)).collect()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "from_farin_points",
+        parameters: &[
+            required("points", Takes::Points, "the control points").shown("[p_0, ..., p_n]"),
+            required("farin", Takes::Points, "a point on each edge").shown("[q_1, ..., q_n]"),
+            START,
+            END,
+        ],
+        summary: "the rational curve with these control points and Farin points, and w_0 = 1",
+        example: "farin_points(from_farin_points([[0, 0], [3, 0], [3, 3]], [[2, 0], [3, 1]]))",
+        call: |_, args| {
+            let ((points, form), (farin, _)) = (args.control_points(0)?, args.control_points(1)?);
+            let curve = RationalCurve::from_farin_points(points, &farin, interval(args, 2)?);
+            let curve = curve.map_err(curve_error).at(args.span(1))?;
+            Ok(bezier(curve.homogeneous().clone(), Form { rational: true, ..form }))
         },
         ..NEW
     },

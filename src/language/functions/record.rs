@@ -127,7 +127,7 @@ impl Builtin {
     }
 
     /// The lists of parameters of all its ways to be called.
-    fn parameter_lists(&self) -> impl Iterator<Item = &'static [Parameter]> {
+    pub(super) fn parameter_lists(&self) -> impl Iterator<Item = &'static [Parameter]> {
         let variants = [&self.on_curve, &self.on_surface].into_iter().flatten();
         [self.parameters, self.common].into_iter().chain(variants.map(|variant| variant.parameters))
     }

@@ -13,7 +13,7 @@ use super::parameter::{
 use super::{Builtin, on_surface};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
+use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value, free_parameter};
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::spline::{BSpline, DeBoor, KnotVector};
@@ -455,7 +455,8 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 fn piecewise(function: Piecewise<Fraction>) -> Value {
-    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: Symbol::new("t") }))
+    let variable = free_parameter(function.breaks());
+    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable }))
 }
 
 /// Degree and knots at the first two places.

@@ -32,7 +32,7 @@ pub(super) const CONVERT: Option<Variant> = Variant::new(
         SURFACE,
         required(
             "to",
-            Takes::Word(&["triangle", "tensor", "polar", "pieces", "bspline", "power"]),
+            Takes::Word(&["triangle", "tensor", "degenerate", "polar", "pieces", "bspline", "power"]),
             "the representation",
         ),
         optional("domain", Takes::Any, "the unit square or triangle", "the triangle, or the interval of u"),
@@ -118,6 +118,7 @@ fn convert(args: &Arguments) -> Evaluated {
             polynomial_only(*form, args)?;
             Ok(tensor(patch.to_tensor(args.interval(2)?, args.interval(3)?), *form))
         }
+        (Geometry::Triangle(patch, form), "degenerate") => Ok(tensor(patch.to_degenerate_tensor(), *form)),
         (Geometry::Patch(..) | Geometry::Triangle(..), "polar") => polar(&args.only(1)),
         (Geometry::Surface(..), "pieces") => pieces(&args.only(1)),
         (Geometry::Patch(patch, form), "bspline") => {
@@ -134,6 +135,6 @@ fn convert(args: &Arguments) -> Evaluated {
         }
         (geometry, _) => Err(Diagnostic::error(Code::Type, format!("{} has no such representation", geometry.kind()))
             .at(args.span(1))
-            .hint("patches: triangle, polar, power, bspline; triangular ones: tensor, polar; spline surfaces: pieces")),
+            .hint("patches: triangle, polar, power, bspline; triangular ones: tensor, degenerate, polar; spline surfaces: pieces")),
     }
 }

@@ -5,12 +5,14 @@ use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use crate::language::ops::geometry::{bezier, spline};
 use std::sync::Arc;
 
-use super::Builtin;
 use super::parameter::{HOMOGENEOUS, SURFACE, Takes, named, optional, required, size};
+use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, Value};
-use crate::math::curve::{BezierCurve, Corner, Interval, Side, TensorPatch, TrianglePatch};
+use crate::math::curve::{BezierCurve, Corner, Interval, RationalPatch, Side, TensorPatch, TrianglePatch};
+use crate::math::poly::Fraction;
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
+use num_traits::One;
 
 const NEW: Builtin = Builtin::about("Surfaces");
 
@@ -146,7 +148,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let (u, v) = (args.scalar(1)?, args.scalar(2)?);
             let point = match &*args.geometry(0)? {
                 Geometry::Patch(patch, form) if form.rational => {
-                    let patch = crate::math::curve::RationalPatch::from_homogeneous(patch.clone());
+                    let patch = RationalPatch::from_homogeneous(patch.clone());
                     patch.and_then(|patch| patch.normal_at(&u, &v))
                 }
                 Geometry::Patch(patch, _) => patch.normal().map(|n| n.value(&u, &v)),
@@ -161,23 +163,59 @@ pub(super) const TABLE: &[Builtin] = &[
         },
         ..NEW
     },
+    Builtin {
+        name: "tangent_planes",
+        parameters: &[SURFACE],
+        summary: "the tangent planes of a patch as a patch of vectors (n, e): n x + e = 0",
+        example: "tangent_planes(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]))(1, 1)",
+        call: |_, args| {
+            let Geometry::Patch(patch, form) = &*args.geometry(0)? else {
+                return Err(wrong_kind("a tensor-product patch", args.value(0)?).at(args.span(0)));
+            };
+            let patch = match form.rational {
+                true => RationalPatch::from_homogeneous(patch.clone()),
+                false => {
+                    let ones = patch.net().iter().map(|row| vec![Fraction::one(); row.len()]).collect();
+                    RationalPatch::new(patch.net().to_vec(), ones, patch.u().clone(), patch.v().clone())
+                }
+            };
+            let planes = patch.and_then(|patch| patch.tangent_planes());
+            Ok(tensor(planes.map_err(curve_error).at(args.span(0))?, Form::default()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "twist",
+        parameters: &[
+            SURFACE,
+            required("u", Takes::Scalar, "the first parameter"),
+            required("v", Takes::Scalar, "the second parameter"),
+        ],
+        summary: "the mixed second derivative of a patch at one point",
+        example: "twist(patch([[0, 1], [2, 5]]), 0, 0)",
+        call: |_, args| {
+            let (mut jet, form) = on_surface::partial_derivatives(args, 2)?;
+            Ok(form.plain(jet.swap_remove(1).swap_remove(1)))
+        },
+        ..NEW
+    },
 ];
 
-pub(super) fn tensor(patch: TensorPatch<crate::math::poly::Fraction>, form: Form) -> Value {
+pub(super) fn tensor(patch: TensorPatch<Fraction>, form: Form) -> Value {
     Value::Geometry(Arc::new(Geometry::Patch(patch, form)))
 }
 
-pub(super) fn triangular(patch: TrianglePatch<crate::math::poly::Fraction>, form: Form) -> Value {
+pub(super) fn triangular(patch: TrianglePatch<Fraction>, form: Form) -> Value {
     Value::Geometry(Arc::new(Geometry::Triangle(patch, form)))
 }
 
-pub(super) fn surface(s: SplineSurface<crate::math::poly::Fraction>, form: Form) -> Value {
+pub(super) fn surface(s: SplineSurface<Fraction>, form: Form) -> Value {
     Value::Geometry(Arc::new(Geometry::Surface(s, form)))
 }
 
 /// The four boundary splines, where the knots are clamped.
-fn edges(s: &SplineSurface<crate::math::poly::Fraction>, form: Form) -> Result<Vec<Value>, Diagnostic> {
-    let clamped = |knots: &KnotVector<crate::math::poly::Fraction>| {
+fn edges(s: &SplineSurface<Fraction>, form: Form) -> Result<Vec<Value>, Diagnostic> {
+    let clamped = |knots: &KnotVector<Fraction>| {
         let list = knots.knots();
         list[0] == list[knots.degree()] && list[knots.count()] == list[list.len() - 1]
     };
@@ -187,11 +225,10 @@ fn edges(s: &SplineSurface<crate::math::poly::Fraction>, form: Form) -> Result<V
             .hint("repeat the end knots degree + 1 times, or take the patches: pieces(s)"));
     }
     let (rows, columns) = (s.net(), s.transposed());
-    let curve = |knots: &KnotVector<crate::math::poly::Fraction>,
-                 points: &[Vec<crate::math::poly::Fraction>]| {
+    let curve = |knots: &KnotVector<Fraction>, points: &[Vec<Fraction>]| {
         BSpline::new(knots.clone(), points.to_vec()).map(|s| spline(s, form)).map_err(spline_error)
     };
-    let last = |net: &[Vec<Vec<crate::math::poly::Fraction>>]| net[net.len() - 1].clone();
+    let last = |net: &[Vec<Vec<Fraction>>]| net[net.len() - 1].clone();
     Ok(vec![
         curve(v, &rows[0])?,
         curve(v, &last(rows))?,

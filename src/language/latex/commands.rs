@@ -1,4 +1,4 @@
-//! The commands and environments the reader knows, as data.
+//! The commands the reader knows, as data.
 //!
 //! One table drives the reader, the hints for misspelled commands and the page
 //! docs/latex.md, so that none of them can say what the others do not.
@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use super::token::{Env, Fence};
 use crate::formula::{Accent, BigOp, Delimiter, Rel};
 use crate::language::diagnostic::nearest;
+use crate::language::lexicon::families::FORWARD_DIFFERENCE;
 use crate::language::lexicon::letters;
 
 /// What the reader does with a command.
@@ -22,6 +23,7 @@ pub(super) enum Role {
     Relation(Rel),
     Dot,
     Star,
+    Slash,
     Cross,
     Circ,
     Binary(&'static str),
@@ -128,9 +130,13 @@ impl Command {
             Role::Function => "functions",
             Role::Big(_) | Role::Integral | Role::ForAll => "sums, limits and integrals",
             Role::Relation(_) | Role::Stacked | Role::LongArrow | Role::Not => "relations",
-            Role::Dot | Role::Star | Role::Cross | Role::Circ | Role::Binary(_) | Role::Ellipsis => {
-                "operations and dots"
-            }
+            Role::Dot
+            | Role::Star
+            | Role::Slash
+            | Role::Cross
+            | Role::Circ
+            | Role::Binary(_)
+            | Role::Ellipsis => "operations and dots",
             Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text => "accents, fonts and words",
             Role::Fraction | Role::Binomial | Role::Root | Role::Infix(_) => "fractions and roots",
             Role::Brace | Role::Lines | Role::Plain(_) => "braces, lines and matrices",
@@ -167,17 +173,12 @@ pub fn commands() -> &'static [Command] {
         let greek = letters::GREEK.iter().filter(|(name, _)| *name != "omicron");
         let greek = greek.map(|&(name, sign)| Command {
             name,
-            meaning: if name == "Delta" { "Δ; also the forward difference" } else { sign },
+            meaning: if name == FORWARD_DIFFERENCE { "Δ; also the forward difference" } else { sign },
             role: Role::Symbol(name),
         });
         greek.chain(OTHERS.iter().copied()).collect()
     });
     &COMMANDS
-}
-
-/// The environments the reader knows (each also with a star), with their meaning.
-pub fn environments() -> impl Iterator<Item = (&'static str, &'static str)> {
-    ENVIRONMENTS.iter().map(|&(name, meaning, _)| (name, meaning))
 }
 
 pub(super) fn lookup(name: &str) -> Option<&'static Command> {
@@ -186,18 +187,9 @@ pub(super) fn lookup(name: &str) -> Option<&'static Command> {
     INDEX.get(name).copied()
 }
 
-pub(super) fn environment(name: &str) -> Option<Env> {
-    let plain = name.strip_suffix('*').unwrap_or(name);
-    ENVIRONMENTS.iter().find(|&&(known, ..)| known == plain).map(|&(_, _, env)| env)
-}
-
 /// The known command most like `name`, if any is near.
 fn nearest_command(name: &str) -> Option<&'static str> {
     nearest(name, commands().iter().filter(|command| command.is_supported()).map(|command| command.name))
-}
-
-pub(super) fn nearest_environment(name: &str) -> Option<&'static str> {
-    nearest(name, ENVIRONMENTS.iter().map(|&(known, ..)| known))
 }
 
 /// What an unknown command may have been meant to be.
@@ -239,33 +231,6 @@ pub(super) const CONNECTIVES: &[&str] = &[
     "when",
     "where",
     "with",
-];
-
-const ENVIRONMENTS: &[(&str, &str, Env)] = &[
-    ("matrix", "matrix without brackets", Env::Matrix(Delimiter::None)),
-    ("smallmatrix", "matrix without brackets", Env::Matrix(Delimiter::None)),
-    ("pmatrix", "matrix in ( )", Env::Matrix(Delimiter::Paren)),
-    ("bmatrix", "matrix in [ ]", Env::Matrix(Delimiter::Bracket)),
-    ("vmatrix", "matrix in | |", Env::Matrix(Delimiter::Bar)),
-    ("array", "matrix; aligned rows if its cells hold relations", Env::Array),
-    ("subarray", "lines below a sum", Env::Array),
-    ("cases", "values with conditions, or a system of equations", Env::Cases),
-    ("dcases", "the same, set larger", Env::Cases),
-    ("rcases", "the same, with the brace on the right", Env::Cases),
-    ("align", "rows of formulas", Env::Rows),
-    ("aligned", "rows of formulas", Env::Rows),
-    ("alignat", "rows of formulas", Env::Rows),
-    ("alignedat", "rows of formulas", Env::Rows),
-    ("displaymath", "one formula", Env::Rows),
-    ("eqnarray", "rows of formulas", Env::Rows),
-    ("equation", "one formula", Env::Rows),
-    ("flalign", "rows of formulas", Env::Rows),
-    ("gather", "rows of formulas", Env::Rows),
-    ("gathered", "rows of formulas", Env::Rows),
-    ("math", "one formula", Env::Rows),
-    ("multline", "a formula over several rows", Env::Rows),
-    ("multlined", "a formula over several rows", Env::Rows),
-    ("split", "rows of formulas", Env::Rows),
 ];
 
 /// Entries in one line each: name, meaning, role.
@@ -372,6 +337,7 @@ const OTHERS: &[Command] = table! {
 
     "cdot" "product; alone, an empty place for an argument" Role::Dot;
     "ast" "product; as an exponent a star" Role::Star;
+    "div" "quotient" Role::Slash;
     "times" "product of vectors, sets or numbers" Role::Cross;
     "circ" "composition; as an exponent degrees" Role::Circ;
     "cup" "∪" Role::Binary("cup");
@@ -585,9 +551,6 @@ mod tests {
                 command.name
             );
         }
-        for (i, (name, ..)) in ENVIRONMENTS.iter().enumerate() {
-            assert!(ENVIRONMENTS[..i].iter().all(|(other, ..)| other != name), "{name} twice");
-        }
     }
 
     #[test]
@@ -597,6 +560,5 @@ mod tests {
         assert_eq!(nearest_command("aplha"), Some("alpha"));
         assert_eq!(nearest_command("underbarce"), Some("underbrace"));
         assert_eq!(nearest_command("xyzzy"), None);
-        assert_eq!(nearest_environment("algned"), Some("aligned"));
     }
 }

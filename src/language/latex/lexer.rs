@@ -6,22 +6,25 @@
 
 use super::characters::{Character, character, is_word};
 use super::commands::{self, BARE_WORDS, CONNECTIVES, Role};
+use super::environments;
 use super::token::{Env, Fence, Tok, Token};
+use super::{Word, Words};
 use crate::formula::Rel;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// A numeral with more digits is refused.
-const MAX_DIGITS: usize = 20_000;
+pub(super) const MAX_DIGITS: usize = 20_000;
 /// Words, labels and column specifications may be this long.
 const MAX_RAW: usize = 2_000;
 /// Once an argument was found without end, later ones must be shorter (keeps the lexer linear).
 const MAX_RAW_AFTER_FAILURE: usize = 100;
 
 /// The tokens of `text[range]` and the problems of the bad ones among them.
-pub(super) fn lex(text: &str, range: Span) -> (Vec<Token>, Vec<Diagnostic>) {
+pub(super) fn lex(text: &str, range: Span, words: Words) -> (Vec<Token>, Vec<Diagnostic>) {
     let mut lexer = Lexer {
         text,
+        words,
         at: range.start,
         end: range.end,
         tokens: Vec::new(),
@@ -34,9 +37,10 @@ pub(super) fn lex(text: &str, range: Span) -> (Vec<Token>, Vec<Diagnostic>) {
     (lexer.tokens, lexer.problems)
 }
 
-struct Lexer<'t> {
+pub(super) struct Lexer<'t> {
     text: &'t str,
-    at: usize,
+    words: Words<'t>,
+    pub(super) at: usize,
     end: usize,
     tokens: Vec<Token>,
     problems: Vec<Diagnostic>,
@@ -44,7 +48,7 @@ struct Lexer<'t> {
 }
 
 impl Lexer<'_> {
-    fn rest(&self) -> &str {
+    pub(super) fn rest(&self) -> &str {
         &self.text[self.at..self.end]
     }
 
@@ -57,7 +61,7 @@ impl Lexer<'_> {
     }
 
     /// Length of the longest prefix whose bytes all satisfy `test`.
-    fn run(&self, test: impl Fn(u8) -> bool) -> usize {
+    pub(super) fn run(&self, test: impl Fn(u8) -> bool) -> usize {
         self.rest().bytes().take_while(|&byte| test(byte)).count()
     }
 
@@ -66,7 +70,7 @@ impl Lexer<'_> {
     }
 
     /// Adds a token for the next `length` bytes.
-    fn push(&mut self, kind: Tok, length: usize) {
+    pub(super) fn push(&mut self, kind: Tok, length: usize) {
         self.push_from(self.at, kind, self.at + length);
     }
 
@@ -75,7 +79,7 @@ impl Lexer<'_> {
         self.at = end;
     }
 
-    fn bad(&mut self, start: usize, end: usize, problem: Diagnostic) {
+    pub(super) fn bad(&mut self, start: usize, end: usize, problem: Diagnostic) {
         let number = self.problems.len() as u32;
         self.problems.push(problem.at(Span::new(start, end)));
         self.push_from(start, Tok::Bad(number), end);
@@ -106,7 +110,6 @@ impl Lexer<'_> {
             '<' if self.starts_with("<=") => self.push(Tok::Rel(Rel::Le), 2),
             '>' if self.starts_with(">=") => self.push(Tok::Rel(Rel::Ge), 2),
             '-' if self.starts_with("->") => self.push(Tok::Rel(Rel::To), 2),
-            '{' if self.starts_with("{,}") && self.last() == Some(Tok::Number) => self.at += 3,
             _ => match ascii(c) {
                 Some(kind) => self.push(kind, 1),
                 None => self.other(c),
@@ -119,37 +122,6 @@ impl Lexer<'_> {
         let rest = &self.rest()[1..];
         let trimmed = rest.trim_start_matches([' ', '\t']);
         if trimmed.starts_with('=') { self.rest().len() - trimmed.len() + 1 } else { 0 }
-    }
-
-    fn number(&mut self) {
-        let start = self.at;
-        let is_digit = |byte: u8| byte.is_ascii_digit();
-        let mut length = self.run(is_digit);
-        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-        let mut parts = 1;
-        // `1.` before a space is the end of a sentence, `1..n` a range
-        while let Some(tail) = self.rest()[length..].strip_prefix('.') {
-            let fraction = digits(tail);
-            if fraction == 0 {
-                break;
-            }
-            length += 1 + fraction;
-            parts += 1;
-        }
-        let end = start + length;
-        if parts > 2 {
-            let problem = Diagnostic::error(Code::BadNumber, "a number with two decimal points")
-                .hint("write a product with \\cdot and a list with commas");
-            self.bad(start, end, problem);
-        } else if length > MAX_DIGITS {
-            let problem = Diagnostic::error(
-                Code::TooManyDigits,
-                format!("a number of {length} digits; at most {MAX_DIGITS} can be read"),
-            );
-            self.bad(start, end, problem);
-        } else {
-            self.push(Tok::Number, length);
-        }
     }
 
     fn dots(&mut self) {
@@ -192,9 +164,30 @@ impl Lexer<'_> {
         if CONNECTIVES.contains(&word) && (length > 2 || self.stands_alone(length)) {
             return self.push(Tok::Text(content.0, content.1), length);
         }
+        // A name of several words such as polar_sum.
+        let longest = self.run(|byte| byte.is_ascii_alphabetic() || byte == b'_');
+        if longest > length
+            && let Word::Name = self.meaning(longest)
+        {
+            return self.push(Tok::Word(content.0, (start + longest) as u32), longest);
+        }
+        if length > 1 {
+            match self.meaning(length) {
+                Word::Name => return self.push(Tok::Word(content.0, content.1), length),
+                Word::Letters => {}
+                Word::Refused(problem) => return self.bad(start, end, *problem),
+            }
+        }
         for (offset, letter) in word.to_owned().char_indices() {
             self.push_from(start + offset, Tok::Letter(letter), start + offset + 1);
         }
+    }
+
+    /// What the letters here are.
+    fn meaning(&self, length: usize) -> Word {
+        let (word, tail) = self.rest().split_at(length);
+        let tail = tail.strip_prefix("\\left").unwrap_or(tail);
+        (self.words)(word, tail.starts_with('('))
     }
 
     /// Whether a short word here (`if`, `or`, `by`) is set off from the formula, so that it is
@@ -283,6 +276,7 @@ impl Lexer<'_> {
             Role::Relation(rel) => self.push_from(start, Tok::Rel(rel), end),
             Role::Dot => self.push_from(start, Tok::Dot, end),
             Role::Star => self.push_from(start, Tok::Star, end),
+            Role::Slash => self.push_from(start, Tok::Slash, end),
             Role::Cross => self.push_from(start, Tok::Cross, end),
             Role::Circ => self.push_from(start, Tok::Circ, end),
             Role::Binary(symbol) => self.push_from(start, Tok::Binary(symbol), end),
@@ -495,12 +489,12 @@ impl Lexer<'_> {
     fn environment(&mut self, start: usize, begins: bool, name: &str) {
         let Some(argument) = self.raw_argument(start, name) else { return };
         let environment = self.text[argument.range()].trim().to_owned();
-        let Some(env) = commands::environment(&environment) else {
+        let Some(env) = environments::lookup(&environment) else {
             let problem = Diagnostic::error(
                 Code::UnknownCommand,
                 format!("unknown environment {}", environment.escape_debug()),
             );
-            let problem = match commands::nearest_environment(&environment) {
+            let problem = match environments::nearest_known(&environment) {
                 Some(near) => problem.hint(format!("did you mean {near}?")),
                 None => problem.hint("the environments that can be read are listed in docs/latex.md"),
             };

@@ -20,9 +20,11 @@ mod big;
 mod brackets;
 mod characters;
 mod commands;
+mod environments;
 mod fractions;
 mod lexer;
 mod nesting;
+mod numbers;
 mod postfix;
 mod reader;
 mod rows;
@@ -34,7 +36,8 @@ mod token;
 #[cfg(test)]
 mod tests;
 
-pub use commands::{Command, commands, environments};
+pub use commands::{Command, commands};
+pub use environments::environments;
 pub use rows::Row;
 
 use crate::formula::source::Span;
@@ -69,6 +72,32 @@ const MAX_BYTES: usize = 1 << 22;
 pub fn read(text: &str) -> Result<Expr, Diagnostic> {
     let span = checked(text)?;
     let mut reader = Reader::new(text, span, false);
+    let window = 0..reader.end;
+    reader.display(window, false).map_err(|problem| *problem)
+}
+
+/// What a run of letters in LaTeX is.
+#[derive(Debug)]
+pub(crate) enum Word {
+    /// A name of several letters.
+    Name,
+    /// A product of its letters.
+    Letters,
+    /// Neither; what is wrong, without a place.
+    Refused(Box<Diagnostic>),
+}
+
+/// What each run of letters is; the flag says whether a parenthesis follows it.
+pub(crate) type Words<'w> = &'w dyn Fn(&str, bool) -> Word;
+
+/// Reads a query: a formula in which runs of letters may be names, and square brackets may hold
+/// indices.
+///
+/// # Errors
+/// As for [`read`]; also what is wrong with a word.
+pub(crate) fn read_query(text: &str, words: Words) -> Result<Expr, Diagnostic> {
+    let span = checked(text)?;
+    let mut reader = Reader::of_query(text, span, words);
     let window = 0..reader.end;
     reader.display(window, false).map_err(|problem| *problem)
 }

@@ -12,6 +12,9 @@ use crate::budget;
 use crate::formula::source::Span;
 use crate::formula::{BinomialStyle, Expr, Kind, Sign};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::families::BINOMIAL_COEFFICIENT;
+use crate::language::lexicon::letters::is_one_letter;
+use crate::language::syntax::special_call;
 use crate::math::number::parse_decimal;
 
 /// What a superscript means.
@@ -73,11 +76,20 @@ impl Reader<'_> {
                 }
                 Some(Tok::Bang) => {
                     self.bump();
+                    if self.eat(Tok::Bang).is_some() {
+                        let base = &self.text[expr.span.range()];
+                        let problem = Diagnostic::error(Code::UnexpectedToken, "'!!' has no meaning here")
+                            .at(self.since(start))
+                            .reason("the double factorial is not known")
+                            .hint(format!("write ({base}!)! for the factorial of the factorial"));
+                        return Err(Box::new(problem));
+                    }
                     Ok(self.node(Kind::Factorial(Box::new(expr)), start))
                 }
                 Some(Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren)) if self.takes_arguments(&expr) => {
                     self.applied(expr, start)
                 }
+                Some(Tok::Open(Fence::Square)) if self.indexes(&expr) => self.bracket_index(expr, start),
                 Some(Tok::Open(Fence::Curly) | Tok::Left(Fence::Curly)) if self.is_word(&expr, first) => {
                     self.applied_to_set(expr, start)
                 }
@@ -90,8 +102,49 @@ impl Reader<'_> {
     }
 
     fn applied(&mut self, callee: Expr, start: usize) -> Result<Expr> {
-        let groups = self.arguments()?;
+        let mut groups = self.arguments()?;
+        // hat(1) and sum(i=0..n, t^i) in a query are what they are in plain notation.
+        if let (true, Kind::Name(name), [group]) = (self.query, &callee.kind, groups.as_mut_slice()) {
+            match special_call(name, std::mem::take(group)) {
+                Ok(kind) => return Ok(self.node(kind, start)),
+                Err(items) => *group = items,
+            }
+        }
         Ok(self.node(Kind::Apply(Box::new(callee), groups), start))
+    }
+
+    /// Whether the square brackets that come next, without a blank, hold indices: `b[0]`. Pages use them
+    /// for parentheses, queries for entries.
+    fn indexes(&self, base: &Expr) -> bool {
+        let Some(close) = self.partner(self.pos) else { return false };
+        let touches = self.pos > 0 && self.span_at(self.pos - 1).end == self.span_at(self.pos).start;
+        let index = |at: usize| {
+            matches!(
+                self.tokens[at].kind,
+                Tok::Number | Tok::Letter(_) | Tok::Symbol(_) | Tok::Comma | Tok::Plus | Tok::Minus
+            )
+        };
+        // f[x_0, x_1] is no product.
+        let several = self.split(self.pos + 1..close, |kind| kind == Tok::Comma).len() > 1;
+        let power = self.look(close + 1).is_some_and(|(_, kind)| kind == Tok::Sup);
+        self.query
+            && touches
+            && !power
+            && self.tokens[close].kind == Tok::Close(Fence::Square)
+            && (is_callee(base) || matches!(base.kind, Kind::Apply(..)))
+            && close > self.pos + 1
+            && (several || (self.pos + 1..close).all(index))
+    }
+
+    /// `b[0]`: an index that is a list.
+    fn bracket_index(&mut self, base: Expr, start: usize) -> Result<Expr> {
+        let window = self.inside(self.pos)?;
+        let brackets = self.span_at(self.pos).to(self.span_at(window.end));
+        let after = window.end + 1;
+        let items = self.list_in(window)?;
+        self.pos = after;
+        let list = Expr::new(Kind::List(items), brackets);
+        Ok(self.node(Kind::Subscript(Box::new(base), vec![list]), start))
     }
 
     fn applied_to_set(&mut self, callee: Expr, start: usize) -> Result<Expr> {
@@ -120,8 +173,14 @@ impl Reader<'_> {
             return false;
         }
         let window = self.pos + 1..close;
-        if self.row && self.is_condition() || self.is_table(window.clone()) {
+        // polar(t^2, degree=3) of a query is no formula with a condition beside it.
+        let word = self.query && matches!(&callee.kind, Kind::Name(name) if !is_one_letter(name));
+        if self.row && self.is_condition() && !word || self.is_table(window.clone()) {
             return false;
+        }
+        // polar(F)(0, 1)
+        if let Kind::Apply(function, _) = &callee.kind {
+            return self.query && matches!(&function.kind, Kind::Name(name) if !is_one_letter(name));
         }
         let Kind::Group(inner) = &callee.kind else { return is_callee(callee) };
         match &inner.kind {
@@ -210,7 +269,9 @@ impl Reader<'_> {
 
     /// The number written at `span`.
     pub fn numeral(&self, span: Span) -> Result<Expr> {
-        match parse_decimal(&self.text[span.range()]) {
+        // Groups of digits are set apart by small spaces, decimals by a comma in some countries.
+        let text = self.text[span.range()].replace("\\,", "").replace('~', "").replace("{,}", ".");
+        match parse_decimal(&text) {
             Ok(value) => Ok(Expr::new(Kind::Number(value), span)),
             Err(error) => Err(Box::new(Diagnostic::error(Code::BadNumber, error.to_string()).at(span))),
         }
@@ -265,7 +326,7 @@ impl Reader<'_> {
         let square = matches!(self.tokens[first].kind, Tok::Open(Fence::Square) | Tok::Left(Fence::Square));
         let (lower, upper) = match (lower, upper) {
             (Some(mut lower), Some(Raise::Power(above))) if primes == 0 => {
-                if is_letter_c(&base) && lower.len() == 1 && is_index(&lower[0]) && is_index(&above) {
+                if is_binomial_letter(&base) && lower.len() == 1 && is_index(&lower[0]) && is_index(&above) {
                     let below = Box::new(lower.swap_remove(0));
                     let kind = Kind::Binomial(below, Box::new(above), BinomialStyle::Subscripted);
                     return self.node(kind, start);
@@ -513,8 +574,8 @@ fn has_index(expr: &Expr) -> bool {
     }
 }
 
-fn is_letter_c(expr: &Expr) -> bool {
-    matches!(&expr.kind, Kind::Name(name) if name == "C")
+fn is_binomial_letter(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Name(name) if name == BINOMIAL_COEFFICIENT)
 }
 
 /// What may stand in a binomial coefficient `C_n^i`.

@@ -28,6 +28,7 @@ use super::commands::{self, Role};
 use super::lexer::lex;
 use super::nesting::pair;
 use super::token::{ALONE, Tok, Token};
+use super::{Word, Words};
 use crate::formula::source::Span;
 use crate::formula::{Enclosure, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -62,6 +63,8 @@ pub(super) struct Reader<'t> {
     pub row: bool,
     /// Unreadable pieces become [`Kind::Unread`] instead of an error.
     pub tolerant: bool,
+    /// The formula is a query, not a part of a page.
+    pub query: bool,
     /// Where a `|` that opens nothing and a `:` end the expression (in sets).
     pub in_set: bool,
     /// Where a `:` ends the expression (after ∀).
@@ -79,7 +82,16 @@ pub(super) struct Reader<'t> {
 impl<'t> Reader<'t> {
     /// A reader of `text[range]`.
     pub fn new(text: &'t str, range: Span, tolerant: bool) -> Self {
-        let (mut tokens, mut lexical) = lex(text, range);
+        Reader::with_words(text, range, tolerant, &|_, _| Word::Letters)
+    }
+
+    /// A reader of a query, told what runs of letters are.
+    pub fn of_query(text: &'t str, range: Span, words: Words) -> Self {
+        Reader { query: true, ..Reader::with_words(text, range, false, words) }
+    }
+
+    fn with_words(text: &'t str, range: Span, tolerant: bool, words: Words) -> Self {
+        let (mut tokens, mut lexical) = lex(text, range, words);
         pair(&mut tokens, &mut lexical);
         let end = tokens.len();
         let has_infix = tokens.iter().any(|token| matches!(token.kind, Tok::Command(Role::Infix(_))));
@@ -91,6 +103,7 @@ impl<'t> Reader<'t> {
             end,
             row: false,
             tolerant,
+            query: false,
             in_set: false,
             colon_ends: false,
             bars: Vec::new(),

@@ -19,12 +19,7 @@ pub struct Row {
     pub problems: Vec<Diagnostic>,
 }
 
-impl Row {
-    /// Whether the row goes on with a chain begun above.
-    pub fn continues(&self) -> bool {
-        self.leading.is_some()
-    }
-}
+impl Row {}
 
 /// The part of `text` between the signs that delimit a formula, without spaces around it.
 pub(super) fn formula_span(text: &str) -> Span {

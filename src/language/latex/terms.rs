@@ -173,7 +173,9 @@ impl Reader<'_> {
             let mut list = vec![left];
             while self.eat(operator).is_some() {
                 self.skip_gaps();
-                list.push(self.postfix()?);
+                // 2 \times -3
+                let signed = operator == Tok::Cross && matches!(self.peek(), Some(Tok::Plus | Tok::Minus));
+                list.push(if signed { self.signed(Self::postfix)? } else { self.postfix()? });
             }
             let kind = match operator {
                 Tok::Circ => Kind::Compose(list),

@@ -14,11 +14,8 @@ pub(crate) const FORWARD_DIFFERENCE: &str = "Delta";
 /// The backward difference.
 pub(crate) const BACKWARD_DIFFERENCE: &str = "nabla";
 
-/// Letters that are read as functions when they have no value: `f(t + 1)` is then a question.
-pub(crate) const FUNCTION_LETTERS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
-
-/// Letters that are read as families of functions when they have indices but no value.
-pub(crate) const FAMILY_LETTERS: &[&str] = &["B", "N", "L", "H", "T"];
+/// The binomial coefficient: C_n^i is n over i.
+pub(crate) const BINOMIAL_COEFFICIENT: &str = "C";
 
 /// What a family consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

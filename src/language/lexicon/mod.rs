@@ -1,4 +1,7 @@
-//! What the field means by its letters and notations, whoever reads them.
+//! What the field means by its letters and notations, whoever reads them: their signs (`letters`), what
+//! they usually stand for (`roles`), words (`words`), and families with a standard meaning and its values (`families`).
 
 pub(crate) mod families;
 pub mod letters;
+pub(crate) mod roles;
+pub mod words;

@@ -31,6 +31,8 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
             Ok(Value::Piecewise(a))
         }
         (Value::Geometry(a), Value::Geometry(b)) => geometry::add(&a, &b),
+        (Value::Geometry(a), b @ (Value::List(_) | Value::Scalar(_)))
+        | (b @ (Value::List(_) | Value::Scalar(_)), Value::Geometry(a)) => geometry::translate(&a, &b),
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "added", |x, y| Ok(x + y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "added", |x, y| Ok(x + y)),
         (Value::List(a), Value::List(b)) => Err(Diagnostic::error(
@@ -99,6 +101,22 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
             budget::charge_terms((a.nrows() * b.ncols()) as u64);
             Ok(Value::Matrix(crate::math::linalg::multiply(&a, &b).map_err(linalg_error)?))
         }
+        // A matrix times points: each row combines them.
+        (Value::Matrix(a), Value::List(items))
+            if a.ncols() == items.len() && items.iter().all(|item| matches!(item, Value::List(_))) =>
+        {
+            let row = |i: usize| combination(a.row(i).iter(), &items);
+            (0..a.nrows()).map(row).collect::<Result<_>>().map(Value::List)
+        }
+        // A row times a matrix; with a column it is one number.
+        (Value::List(items), Value::Matrix(a)) if a.nrows() == items.len() => {
+            let column = |j: usize| combination(a.column(j).iter(), &items);
+            let row: Vec<Value> = (0..a.ncols()).map(column).collect::<Result<_>>()?;
+            match <[Value; 1]>::try_from(row) {
+                Ok([only]) => Ok(only),
+                Err(row) => Ok(Value::List(row)),
+            }
+        }
         (Value::Matrix(a), Value::List(items)) => {
             let product = multiply(Value::Matrix(a), column(&items)?)?;
             Ok(match product {
@@ -110,12 +128,41 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         }
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "multiplied", |x, y| Ok(x * y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "multiplied", |x, y| Ok(x * y)),
+        (Value::Geometry(c), Value::Geometry(d)) => {
+            Err(mismatch("multiplied", &Value::Geometry(c), &Value::Geometry(d))
+                .hint("curve_product(c, d) is the product of a function and a curve, or the scalar product"))
+        }
+        (Value::Builtin(name), b) => Err(mismatch("multiplied", &Value::Builtin(name), &b)
+            .hint(format!("a function is called with parentheses: {name}(...)"))),
+        (Value::List(a), Value::List(b)) => Err(mismatch("multiplied", &Value::List(a), &Value::List(b))
+            .hint("dot(a, b) is the scalar product of two points, cross(a, b) their cross product")),
         (Value::Polar(_), Value::Polar(_)) => {
             Err(Diagnostic::error(Code::Type, "the product of two polar forms is not symmetric")
                 .hint("polar_product(f, g) is the polar form of the product of the polynomials"))
         }
         (a, b) => Err(mismatch("multiplied", &a, &b)),
     }
+}
+
+/// The sum of multiples of the items.
+fn combination<'a>(weights: impl Iterator<Item = &'a Fraction>, items: &[Value]) -> Result<Value> {
+    let mut terms =
+        weights.zip(items).map(|(weight, item)| multiply(Value::Scalar(weight.clone()), item.clone()));
+    let first = terms.next().unwrap_or_else(|| Ok(Value::int(0)))?;
+    terms.try_fold(first, |sum, term| add(sum, term?))
+}
+
+/// The product of a row and a column of values.
+pub(crate) fn row_times_column(row: &[Value], column: &[Value]) -> Result<Value> {
+    if row.len() != column.len() {
+        return Err(Diagnostic::error(
+            Code::Shape,
+            format!("a row of {} and a column of {} items cannot be multiplied", row.len(), column.len()),
+        ));
+    }
+    let mut terms = row.iter().zip(column).map(|(x, y)| multiply(x.clone(), y.clone()));
+    let first = terms.next().unwrap_or_else(|| Ok(Value::int(0)))?;
+    terms.try_fold(first, |sum, term| add(sum, term?))
 }
 
 /// A list of scalars as a column.
@@ -172,7 +219,14 @@ pub(crate) fn power(base: Value, exponent: &Value) -> Result<Value> {
             let zero = Value::int(0);
             pointwise(&Value::Function(f), &zero, "raised to a power", |x, _| scalar_power(&x, k))
         }
-        other => Err(Diagnostic::error(Code::Type, format!("{} has no powers", other.kind()))),
+        other => {
+            let error = Diagnostic::error(Code::Type, format!("{} has no powers", other.kind()));
+            Err(match other {
+                Value::List(_) => error.hint("dot(a, a) is the square of a length"),
+                Value::Geometry(_) => error.hint("curve_product(c, c) is the square of a function"),
+                _ => error,
+            })
+        }
     }
 }
 

@@ -10,8 +10,15 @@ use crate::math::spline::SplineError;
 
 /// "expected X, found Y".
 pub(crate) fn wrong_kind(expected: &str, found: &Value) -> Diagnostic {
-    Diagnostic::error(Code::Type, format!("expected {expected}, found {}", found.kind()))
-        .reason(format!("this is {}", found.kind()))
+    let error = Diagnostic::error(Code::Type, format!("expected {expected}, found {}", found.kind()))
+        .reason(format!("this is {}", found.kind()));
+    match found {
+        Value::Scalar(formula) if expected.starts_with("an integer") && formula.as_rational().is_none() => {
+            let names: Vec<String> = formula.variables().iter().map(ToString::to_string).collect();
+            error.hint(format!("give {} a value first, for example {} := 3", names.join(", "), names[0]))
+        }
+        _ => error,
+    }
 }
 
 /// The diagnostic for what has no meaning here.

@@ -18,6 +18,11 @@ pub(crate) fn symbol_of(value: &Value) -> Option<Symbol> {
 /// Letters that usually stand for the parameter of a curve, not for a coefficient.
 const PARAMETERS: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
 
+/// Whether a symbol usually stands for a parameter: t, u, x and the like.
+pub(crate) fn is_parameter(symbol: &Symbol) -> bool {
+    symbol.is_plain() && (symbol.base() == "t" || PARAMETERS.contains(&symbol.base()))
+}
+
 /// The variable of a formula: the one asked for, the only one, t, or the only letter that
 /// usually stands for a parameter.
 pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<Symbol> {

@@ -155,13 +155,78 @@ pub(crate) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value
     Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
 }
 
+/// The same curve from its end to its start, over the same interval.
+pub(crate) fn backwards(c: &Geometry) -> Result<Value> {
+    match c {
+        Geometry::Bezier(curve, form) => {
+            let points = curve.points().iter().rev().cloned().collect();
+            BezierCurve::new(points, curve.interval().clone()).map(|c| bezier(c, *form)).map_err(curve_error)
+        }
+        Geometry::Spline(s, form) => {
+            let knots = s.knots().knots();
+            let ends = knots[0].plus(&knots[knots.len() - 1]);
+            let mirrored = knots.iter().rev().map(|knot| ends.minus(knot)).collect();
+            let knots = KnotVector::new(s.degree(), mirrored).map_err(spline_error)?;
+            let points = s.points().iter().rev().cloned().collect();
+            BSpline::new(knots, points).map(|s| spline(s, *form)).map_err(spline_error)
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} is not run through backwards", other.kind()))),
+    }
+}
+
+/// A curve moved by a vector.
+pub(crate) fn translate(c: &Geometry, by: &Value) -> Result<Value> {
+    let form = c.form();
+    let Some((by, _)) = point_of(by).filter(|(_, scalar)| *scalar == form.scalar) else {
+        let message = format!("{} and {} cannot be added", c.kind(), by.kind());
+        return Err(Diagnostic::error(Code::Type, message)
+            .hint("a curve is moved by a point of as many coordinates: c + [1, 0]"));
+    };
+    let moved = |point: &Point<Fraction>| -> Option<Point<Fraction>> {
+        let weight = if form.rational { point.last()?.clone() } else { Fraction::one() };
+        let size = point.len() - usize::from(form.rational);
+        (size == by.len()).then(|| {
+            let place =
+                |(k, x): (usize, &Fraction)| by.get(k).map_or(x.clone(), |b| x.plus(&b.times(&weight)));
+            point.iter().enumerate().map(place).collect()
+        })
+    };
+    let unequal =
+        || Diagnostic::error(Code::Shape, "the curve and the point have different numbers of coordinates");
+    let all =
+        |points: &[Point<Fraction>]| points.iter().map(moved).collect::<Option<Vec<_>>>().ok_or_else(unequal);
+    match c {
+        Geometry::Bezier(curve, _) => {
+            let curve = BezierCurve::new(all(curve.points())?, curve.interval().clone());
+            curve.map(|c| bezier(c, form)).map_err(curve_error)
+        }
+        Geometry::Spline(s, _) => {
+            BSpline::new(s.knots().clone(), all(s.points())?).map(|s| spline(s, form)).map_err(spline_error)
+        }
+        other => Err(Diagnostic::error(Code::Type, format!("{} is not moved here", other.kind()))),
+    }
+}
+
+/// The sum of two polynomial splines over the same knots.
+fn add_splines(a: &BSpline<Fraction>, b: &BSpline<Fraction>, form: Form) -> Result<Value> {
+    let points = a.points().iter().zip(b.points()).map(|(p, q)| crate::math::curve::sum(p, q)).collect();
+    BSpline::new(a.knots().clone(), points).map(|s| spline(s, form)).map_err(spline_error)
+}
+
 /// The sum of two polynomial Bézier curves over one interval, of the larger degree.
 pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
+    if let (Geometry::Spline(f, left), Geometry::Spline(g, right)) = (a, b)
+        && !left.rational
+        && left == right
+        && f.knots() == g.knots()
+        && f.dimension() == g.dimension()
+    {
+        return add_splines(f, g, *left);
+    }
     let (Geometry::Bezier(f, left), Geometry::Bezier(g, right)) = (a, b) else {
         let message = format!("{} and {} cannot be added", a.kind(), b.kind());
-        return Err(
-            Diagnostic::error(Code::Type, message).hint("polynomial Bézier curves over one interval can be")
-        );
+        return Err(Diagnostic::error(Code::Type, message)
+            .hint("polynomial Bézier curves over one interval can be, and splines over the same knots"));
     };
     if left.rational || right.rational || f.interval().ends() != g.interval().ends() {
         return Err(Diagnostic::error(Code::Shape, "only polynomial curves over one interval can be added")

@@ -12,6 +12,10 @@ pub(crate) fn together(values: Vec<Value>) -> Result<Value, Diagnostic> {
     if claims == 0 {
         return Ok(Value::List(values));
     }
+    let choice = |value: &Value| matches!(value, Value::Text(word) if ["or", "oder", "ou", "或"].contains(&word.trim()));
+    if values.iter().any(choice) {
+        return Err(unsupported("a choice between claims").hint("give the claims one at a time"));
+    }
     let words = values.iter().filter(|value| matches!(value, Value::Text(_))).count();
     if claims + words < values.len() {
         return Err(unsupported("a claim among other things").hint(

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::errors::{polar_error, wrong_kind};
+use crate::formula::Accent;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::laws::{self, Arrangement};
@@ -10,7 +11,7 @@ use crate::math::blossom::{
     Argument, PointArgument, TensorPolarForm, TotalDegreePolarForm, Written, expand_tensor, expand_total,
     expand_univariate,
 };
-use crate::math::poly::{Fraction, MultiPoly};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -18,10 +19,24 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 /// A value as an argument of a polar form.
 pub(crate) fn argument(value: Value) -> Result<Argument<Fraction>> {
     match value {
+        Value::Scalar(u) if is_vector(&u) => Ok(Argument::Vector(u)),
         Value::Scalar(u) => Ok(Argument::Point(u)),
         Value::Vector(v) => Ok(Argument::Vector(v)),
         other => Err(wrong_kind("a number, symbol or vector argument", &other)),
     }
+}
+
+/// Whether a formula is a combination of names with an arrow, such as `vec(d) - 2 vec(e)`.
+fn is_vector(formula: &Fraction) -> bool {
+    let arrows: Vec<Symbol> =
+        formula.variables().into_iter().filter(|symbol| symbol.accent() == Accent::Vec.name()).collect();
+    let doubled = arrows.iter().map(|arrow| {
+        let arrow_twice = Fraction::from(MultiPoly::symbol(arrow.clone()))
+            .plus(&Fraction::from(MultiPoly::symbol(arrow.clone())));
+        (arrow.clone(), arrow_twice)
+    });
+    let doubled: Vec<(Symbol, Fraction)> = doubled.collect();
+    !arrows.is_empty() && formula.substitute(&doubled).is_ok_and(|value| value == formula.plus(formula))
 }
 
 /// A point of several coordinates, or a vector argument of such.

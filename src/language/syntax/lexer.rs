@@ -150,7 +150,9 @@ impl Lexer<'_> {
             self.at += self.peek().map_or(0, char::len_utf8);
             self.skip(is_digit);
         }
-        let bad = self.number_tail();
+        // 0.(3)
+        let repeats = point && self.text[start..self.at].ends_with('.') && self.peek() == Some('(');
+        let bad = self.number_tail() || repeats;
         self.push(if bad { TokenKind::BadNumber } else { TokenKind::Number }, start)
     }
 
@@ -182,6 +184,7 @@ impl Lexer<'_> {
         let kind = match &self.text[start..self.at] {
             "in" if !index => TokenKind::Relation(Rel::In),
             "if" if !index => TokenKind::If,
+            "for" if !index => TokenKind::For,
             "otherwise" if !index => TokenKind::Otherwise,
             _ => TokenKind::Name,
         };

@@ -27,6 +27,7 @@ mod tests;
 
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
+pub(crate) use parser::{is_special, special_call};
 pub use token::MAX_TOKENS;
 
 use crate::formula::Expr;

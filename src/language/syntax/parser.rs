@@ -51,8 +51,11 @@
 //! - after a blank or a number makes a product: `c_2 (t1+t2)`, `2(t+1)`
 
 mod call;
+mod index;
 mod operand;
 mod problem;
+
+pub(crate) use call::{is_special, special_call};
 
 use super::token::{Token, TokenKind};
 use crate::formula::source::Span;
@@ -273,6 +276,13 @@ impl<'a> Parser<'a> {
 
     /// `B_i^n(t)`: a parenthesis after an exponent may call the power.
     fn power_calls(&mut self, stack: &mut Vec<Pending>, mut operand: Node) -> Parsed<Node> {
+        // B^3_1 is B_1^3
+        if self.peek().kind == TokenKind::Underscore
+            && let Some(top) = stack.last_mut().filter(|top| top.op == Op::Power)
+            && let Some(base) = top.left.take_if(|base| matches!(base.expr.kind, Kind::Name(_)))
+        {
+            top.left = Some(self.subscript(base)?);
+        }
         while self.at_call()
             && let Some(power) = stack.pop_if(|top| top.op == Op::Power)
         {
@@ -340,7 +350,18 @@ impl<'a> Parser<'a> {
             TokenKind::DotDot => Op::Range,
             TokenKind::Arrow => Op::Lambda,
             TokenKind::Relation(rel) => Op::Relation(rel),
-            TokenKind::Number if self.last.is_some_and(|last| last.kind == TokenKind::Number) => {
+            // 0^3 1^2 is a product
+            TokenKind::Number
+                if self.last.is_some_and(|last| last.kind == TokenKind::Number)
+                    && !(self
+                        .at
+                        .checked_sub(2)
+                        .is_some_and(|at| self.tokens[at].kind == TokenKind::Caret)
+                        && self
+                            .tokens
+                            .get(self.at + 1)
+                            .is_some_and(|next| next.kind == TokenKind::Caret)) =>
+            {
                 return Err(self.two_numbers());
             }
             _ if self.at_operand() => Op::Mul,
@@ -392,7 +413,7 @@ impl<'a> Parser<'a> {
             Op::Mul => Kind::Mul(vec![left, right]),
             Op::Div => Kind::Div(Box::new(left), Box::new(right), Quotient::Slash),
             Op::Compose => Kind::Compose(vec![left, right]),
-            Op::Power => Kind::Pow(Box::new(left), Box::new(right)),
+            Op::Power => operand::power(left, right),
             Op::Range => Kind::Range(Box::new(left), Box::new(right)),
             Op::Lambda => Kind::Lambda(parameters(left), Box::new(right)),
             Op::Relation(rel) => {

@@ -100,6 +100,8 @@ pub(super) enum TokenKind {
     Relation(Rel),
     /// the word `if`
     If,
+    /// `for` in a list by a formula.
+    For,
     /// the word `otherwise`
     Otherwise,
     /// a character without meaning

@@ -2,10 +2,11 @@
 
 use num_traits::{One, Zero};
 
-use super::{Value, polynomial_expr};
+use super::piecewise::free_parameter;
+use super::{Value, polynomial_expr, symbol_expr};
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::math::curve::{BezierCurve, CurveError, Interval, Point, TensorPatch, TrianglePatch, indices};
-use crate::math::poly::Fraction;
+use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 use crate::math::spline::{BSpline, SplineSurface};
 
@@ -198,27 +199,42 @@ impl Geometry {
         }
     }
 
+    /// How the parameter of a curve is called: t, unless an end, a knot or a point is called so.
+    pub fn parameter(&self) -> Symbol {
+        match self {
+            Geometry::Bezier(curve, _) => {
+                let (a, b) = curve.interval().ends();
+                free_parameter(curve.points().iter().flatten().chain([a, b]))
+            }
+            Geometry::Spline(spline, _) => {
+                free_parameter(spline.points().iter().flatten().chain(spline.knots().knots()))
+            }
+            _ => Symbol::new("t"),
+        }
+    }
+
     /// The object as a formula in control points and basis functions, for reading.
     pub fn display_expr(&self) -> Expr {
-        let t = || Expr::name("t");
+        let parameter = self.parameter();
+        let t = || symbol_expr(&parameter);
         match self {
             Geometry::Bezier(curve, form) => {
                 let (a, b) = curve.interval().ends();
                 let interval = Interval::new(a.clone(), b.clone()).expect("the ends differ");
-                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, "t")]);
+                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, &parameter)]);
                 self.combination(curve.points(), *form, &basis)
             }
             Geometry::Spline(spline, form) => {
                 let basis = |i: usize| family("N", &[i], spline.degree(), vec![t()]);
                 let body = self.combination(spline.points(), *form, &basis);
-                Kind::Sequence(vec![body, knots_expr("t", spline.knots().knots())]).into()
+                Kind::Sequence(vec![body, knots_expr(&parameter.to_string(), spline.knots().knots())]).into()
             }
             Geometry::Patch(patch, form) => {
                 let (m, n) = patch.degrees();
                 let basis = |k: usize| {
                     let (i, j) = (k / (n + 1), k % (n + 1));
-                    let left = family("B", &[i], m, vec![local(patch.u(), "u")]);
-                    Expr::product(vec![left, family("B", &[j], n, vec![local(patch.v(), "v")])])
+                    let left = family("B", &[i], m, vec![local(patch.u(), &Symbol::new("u"))]);
+                    Expr::product(vec![left, family("B", &[j], n, vec![local(patch.v(), &Symbol::new("v"))])])
                 };
                 self.combination(&patch.net().concat(), *form, &basis)
             }
@@ -290,8 +306,8 @@ fn interval_expr(interval: &Interval<Fraction>) -> Expr {
 }
 
 /// The parameter relative to an interval: (u − a)/(b − a).
-fn local(interval: &Interval<Fraction>, name: &str) -> Expr {
-    let variable = Fraction::from(crate::math::poly::MultiPoly::symbol(crate::math::poly::Symbol::new(name)));
+fn local(interval: &Interval<Fraction>, name: &Symbol) -> Expr {
+    let variable = Fraction::from(crate::math::poly::MultiPoly::symbol(name.clone()));
     polynomial_expr(&interval.local(&variable))
 }
 

@@ -21,6 +21,7 @@ pub use geometry::{Form, Geometry, homogeneous};
 pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
+pub(crate) use piecewise::free_parameter;
 pub use polar::{Notation, Polar, PolarKind};
 pub use table::{Cell, Table};
 pub use to_expr::{collected, curve_expr, exact_term, polynomial_expr, symbol_expr};

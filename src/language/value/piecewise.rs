@@ -1,5 +1,7 @@
 //! Piecewise polynomials as values.
 
+use std::collections::BTreeSet;
+
 use super::{Value, polynomial_expr, symbol_expr};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -13,6 +15,16 @@ pub struct PiecewiseFunction {
     pub function: Piecewise<Fraction>,
     /// How its variable is called.
     pub variable: Symbol,
+}
+
+/// A parameter that is none of the symbols in some formulas: t where it is free.
+pub(crate) fn free_parameter<'a>(formulas: impl IntoIterator<Item = &'a Fraction>) -> Symbol {
+    let taken: BTreeSet<Symbol> = formulas.into_iter().flat_map(Fraction::variables).collect();
+    let letters = ["t", "x", "u", "tau", "xi", "s"].map(Symbol::new);
+    letters.into_iter().find(|letter| !taken.contains(letter)).unwrap_or_else(|| {
+        let mut indexed = (0..).map(|i| Symbol::indexed("x", i));
+        indexed.find(|symbol| !taken.contains(symbol)).unwrap_or_else(|| Symbol::new("t"))
+    })
 }
 
 impl PartialEq for PiecewiseFunction {
@@ -72,10 +84,5 @@ impl PiecewiseFunction {
             cases.push((Expr::int(0), None));
         }
         Kind::Cases(cases).into()
-    }
-
-    /// Whether all breakpoints are numbers, so that the variable may be a number only.
-    pub fn is_numeric(&self) -> bool {
-        self.function.breaks().iter().all(|x| x.as_rational().is_some())
     }
 }

@@ -7,6 +7,7 @@ use super::factors::quotient;
 use super::{Notation, Polar, PolarKind, Value};
 use crate::budget;
 use crate::formula::{Accent, Delimiter, Expr, Kind, Rel, Sign, Term};
+use crate::language::lexicon::families::FORWARD_DIFFERENCE;
 use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm};
 use crate::math::number::{Combinations, Int, Rational, binomial, multinomial};
 use crate::math::poly::{Fraction, Index, MonomialOrder, MultiPoly, Symbol};
@@ -47,7 +48,14 @@ pub fn exact_term(coefficient: &Rational, mut factors: Vec<Expr>) -> Term {
 
 fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
     let base = symbol_expr(symbol);
-    if exponent == 1 { base } else { base.power(Expr::int(i64::from(exponent))) }
+    match exponent {
+        1 => base,
+        // C_5^2 is a binomial coefficient.
+        _ if symbol.base() == "C" && symbol.indices().len() == 1 => {
+            base.grouped().power(Expr::int(i64::from(exponent)))
+        }
+        _ => base.power(Expr::int(i64::from(exponent))),
+    }
 }
 
 fn poly_terms(p: &MultiPoly) -> Vec<Term> {
@@ -59,9 +67,12 @@ fn poly_terms(p: &MultiPoly) -> Vec<Term> {
     {
         list.swap(0, 1);
     }
-    list.into_iter()
-        .map(|(powers, c)| exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect()))
-        .collect()
+    let term = |(mut powers, c): (Vec<(Symbol, u32)>, Rational)| {
+        // Before an indexed name Δ is a difference.
+        powers.sort_by_key(|(symbol, _)| symbol.is_plain() && symbol.base() == FORWARD_DIFFERENCE);
+        exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect())
+    };
+    list.into_iter().map(term).collect()
 }
 
 fn poly_expr(p: &MultiPoly) -> Expr {

@@ -5,6 +5,7 @@ use std::fmt;
 use super::decimal;
 use super::marks::Marks;
 use super::names;
+use super::plain::without_brackets;
 use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, walk};
 use crate::formula::{
@@ -127,7 +128,7 @@ impl Notation for Latex {
             Kind::Subscript(base, indices) => {
                 // letters with accents or styles take an index as letters do
                 out.node(base, Precedence::Atom);
-                script("_", indices, out);
+                script("_", without_brackets(indices), out);
             }
             Kind::Upper(base, indices) => {
                 out.node(base, Postfix);

@@ -54,7 +54,7 @@ pub use table::{latex_table, table_json, write_table};
 pub use text::{text, write_text};
 #[cfg(feature = "figure")]
 pub(crate) use unicode::relation as unicode_relation;
-pub use unicode::{unicode, write_unicode};
+pub use unicode::unicode;
 pub use words::write_words;
 
 use crate::formula::Expr;

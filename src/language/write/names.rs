@@ -64,8 +64,14 @@ const KEYWORDS: &[&str] = &[
     "lambda", "nonlocal", "not", "or", "pass", "raise", "return", "try", "while", "with", "yield",
 ];
 
-/// The name as a Python identifier: keywords get an underscore at their end, and what
-/// cannot stand in an identifier becomes one.
+/// Names of letters that SymPy takes for a number or function of its own.
+const OF_SYMPY: &[&str] = &[
+    "E", "I", "N", "O", "Q", "S", "beta", "gamma", "zeta", "pi", "Lambda", "E1", "Chi", "Ci", "Ei", "Li",
+    "Si",
+];
+
+/// The name as a Python identifier that is a symbol to SymPy: keywords and names that mean
+/// something to it get an underscore at their end, and what cannot stand in an identifier becomes one.
 pub(super) fn identifier(name: &str) -> String {
     let mut text: String = name
         .chars()
@@ -74,7 +80,7 @@ pub(super) fn identifier(name: &str) -> String {
     if text.chars().next().is_none_or(|c| c.is_ascii_digit()) {
         text.insert(0, '_');
     }
-    if KEYWORDS.contains(&text.as_str()) {
+    if KEYWORDS.contains(&text.as_str()) || OF_SYMPY.contains(&text.as_str()) {
         text.push('_');
     }
     text
@@ -93,6 +99,8 @@ mod tests {
             ("a b", "a_b"),
             ("", "_"),
             ("Bézier", "Bézier"),
+            ("E", "E_"),
+            ("beta", "beta_"),
         ] {
             assert_eq!(identifier(name), identifier_);
         }

@@ -222,6 +222,7 @@ fn takes_digits(base: &Expr) -> bool {
 }
 
 fn subscript<'a>(base: &'a Expr, indices: &'a [Expr], out: &mut Pieces<'a>) {
+    let indices = without_brackets(indices);
     match base.kind {
         // no index may follow these
         Kind::Subscript(..) | Kind::Number(_) | Kind::Ellipsis | Kind::Text(_) => out.wrapped("(", base, ")"),
@@ -251,6 +252,14 @@ pub(super) fn is_numeral(index: &Expr) -> bool {
         // 01 is the name of an index
         Kind::Name(name) => !name.is_empty() && name.bytes().all(|b| b.is_ascii_digit()),
         _ => false,
+    }
+}
+
+/// The indices of `b[0]`, which are those of `b_0`.
+pub(super) fn without_brackets(indices: &[Expr]) -> &[Expr] {
+    match indices {
+        [Expr { kind: Kind::List(items), .. }] => items,
+        _ => indices,
     }
 }
 

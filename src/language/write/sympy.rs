@@ -13,6 +13,7 @@ use num_traits::Signed;
 use super::decimal;
 use super::marks::Marks;
 use super::names;
+use super::plain::without_brackets;
 use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, walk};
 use crate::formula::{Accent, BigOp, Delimiter, Enclosure, Expr, Kind, Link, Precedence, Rel};
@@ -143,7 +144,7 @@ impl Notation for Sympy {
                     }
                     out.string(identifier(base)?);
                     out.str("[");
-                    out.list(indices, ", ", Sum);
+                    out.list(without_brackets(indices), ", ", Sum);
                     out.str("]");
                 }
             },
@@ -387,6 +388,7 @@ fn identifier(expr: &Expr) -> Result<String, WriteError> {
                 Kind::Name(name) => name.clone(), // lambda_1 is no keyword
                 _ => identifier(base)?,
             };
+            let indices = without_brackets(indices);
             let several = indices.len() > 1;
             for index in indices {
                 name.push_str(if several { "_" } else { "" });

@@ -8,7 +8,7 @@ use super::boxes;
 use super::names;
 use super::plain::{self, Plain};
 use super::shape;
-use super::walk::{Joint, Notation, Pieces, Tail, to_string, walk};
+use super::walk::{Joint, Notation, Pieces, Tail, to_string};
 use crate::formula::{Accent, Expr, Kind, Precedence, Rel, Sign, Term};
 use crate::language::lexicon::letters;
 
@@ -24,17 +24,6 @@ use crate::language::lexicon::letters;
 /// ```
 pub fn unicode(expr: &Expr) -> String {
     boxes::layout(expr, one_line).unwrap_or_else(|| one_line(expr))
-}
-
-/// Writes what [`unicode()`] returns into `out`.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write_unicode(out: &mut dyn fmt::Write, expr: &Expr) -> fmt::Result {
-    match boxes::layout(expr, one_line) {
-        Some(lines) => out.write_str(&lines),
-        None => walk(&Unicode, expr, Precedence::Sequence, out),
-    }
 }
 
 fn one_line(expr: &Expr) -> String {
@@ -124,7 +113,7 @@ impl Notation for Unicode {
     fn expand<'a>(&self, expr: &'a Expr, out: &mut Pieces<'a>) -> fmt::Result {
         match &expr.kind {
             Kind::Name(name) => out.str(names::sign(name).unwrap_or(name)),
-            Kind::Subscript(base, indices) => match indices.as_slice() {
+            Kind::Subscript(base, indices) => match plain::without_brackets(indices) {
                 [index] if can_take_index(base) => match run(index, lowered) {
                     Some(run) => {
                         out.node(base, Precedence::Postfix);

@@ -56,28 +56,6 @@ pub fn change_of_basis<F: Field>(n: usize, from: &Basis<F>, to: &Basis<F>) -> Re
     Ok(DMatrix::from_vec(n + 1, n + 1, entries))
 }
 
-/// The power coefficients of all basis functions: column j has those of φ_j, row i those of t^i.
-///
-/// Cost: O(n³) products at most.
-///
-/// # Errors
-/// [`BasisError`] as by [`Basis::validate`].
-///
-/// ```
-/// use nalgebra::DMatrix;
-/// use polarform::basis::{Basis, basis_polynomials};
-/// use polarform::number::rational as q;
-/// // on the nodes 0 and 2: 1 − t/2 and t/2
-/// let basis = Basis::Lagrange(vec![q(0, 1), q(2, 1)]);
-/// assert_eq!(basis_polynomials(1, &basis), Ok(DMatrix::from_row_slice(2, 2, &[
-///     q(1, 1), q(0, 1),
-///     q(-1, 2), q(1, 2)
-/// ])));
-/// ```
-pub fn basis_polynomials<F: Field>(n: usize, basis: &Basis<F>) -> Result<DMatrix<F>, BasisError> {
-    change_of_basis(n, basis, &Basis::Power)
-}
-
 impl<F: Field> Basis<F> {
     /// The basis of the functions φ_j(t + by).
     fn translated(&self, by: &F) -> Basis<F> {

@@ -31,7 +31,7 @@ use std::fmt;
 use crate::math::ring::Field;
 
 pub use bernstein::{bernstein, bernstein_all};
-pub use change::{basis_polynomials, change_of_basis};
+pub use change::change_of_basis;
 pub use evaluate::evaluate_basis;
 pub use matrices::{bernstein_to_power, lowering, power_to_bernstein, raising};
 

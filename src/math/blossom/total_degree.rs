@@ -175,24 +175,6 @@ impl<C: Ring> TotalDegreePolarForm<C> {
         sum
     }
 
-    /// The polar form of the derivative in the given directions, of degree d − k:
-    /// d!/(d−k)! f(·, …, ·, v̂_1, …, v̂_k); degree 0 and zero when k > d.
-    ///
-    /// # Errors
-    /// [`PolarError::ArgumentCount`] for a direction with a wrong number of coordinates.
-    pub fn derivative(&self, directions: &[Vec<C>]) -> Result<Self, PolarError> {
-        let k = directions.len();
-        if k > self.degree {
-            return TotalDegreePolarForm::new(self.dimension, 0, []);
-        }
-        let vectors: Vec<_> = directions.iter().cloned().map(Argument::Vector).collect();
-        let mut form = self.partial(&vectors)?;
-        let factor: Int = (self.degree - k + 1..=self.degree).map(Int::from).product();
-        let factor = Rational::from_integer(factor);
-        form.coefficients.values_mut().for_each(|c| *c = c.scaled(&factor));
-        Ok(form)
-    }
-
     /// The same polynomial with more arguments.
     pub fn elevate(&self, by: usize) -> Self {
         TotalDegreePolarForm { degree: self.degree + by, ..self.clone() }
@@ -209,6 +191,24 @@ impl<C: Ring> TotalDegreePolarForm<C> {
             Some(power) if power > asked => Err(PolarError::NotReducible { power, asked }),
             _ => Ok(TotalDegreePolarForm { degree: asked, ..self.clone() }),
         }
+    }
+
+    /// The polar form of the derivative in the given directions, of degree d − k:
+    /// d!/(d−k)! f(·, …, ·, v̂_1, …, v̂_k); degree 0 and zero when k > d.
+    ///
+    /// # Errors
+    /// [`PolarError::ArgumentCount`] for a direction with a wrong number of coordinates.
+    pub fn derivative(&self, directions: &[Vec<C>]) -> Result<Self, PolarError> {
+        let k = directions.len();
+        if k > self.degree {
+            return TotalDegreePolarForm::new(self.dimension, 0, []);
+        }
+        let vectors: Vec<_> = directions.iter().cloned().map(Argument::Vector).collect();
+        let mut form = self.partial(&vectors)?;
+        let factor: Int = (self.degree - k + 1..=self.degree).map(Int::from).product();
+        let factor = Rational::from_integer(factor);
+        form.coefficients.values_mut().for_each(|c| *c = c.scaled(&factor));
+        Ok(form)
     }
 
     /// The Bézier points over a simplex with corners a_0, …, a_m: for every multi-index

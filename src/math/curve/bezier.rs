@@ -6,7 +6,7 @@
 //! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); G. Farin, *Curves and
 //! Surfaces for CAGD*, 5th ed. (2002), chapters 4–6.
 
-use super::{CurveError, Interval, Point, combination, difference, dimension, lerp, scaled, sum};
+use super::{CurveError, Interval, Point, Vector, combination, difference, dimension, lerp, scaled, sum};
 use crate::budget;
 use crate::math::basis::raising;
 use crate::math::blossom::{Argument, PolarForm};
@@ -295,7 +295,7 @@ impl<C: Field> BezierCurve<C> {
     }
 
     /// Δ^k b_0, …, Δ^k b_{n−k}, with Δ b_i = b_{i+1} − b_i; none if k > n.
-    pub fn differences(&self, k: usize) -> Vec<Point<C>> {
+    pub fn differences(&self, k: usize) -> Vec<Vector<C>> {
         let mut level = self.points.clone();
         for _ in 0..k {
             budget::step();

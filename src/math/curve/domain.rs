@@ -79,11 +79,6 @@ impl<C: Field> Interval<C> {
         Some(not_negative(&s)? && not_negative(&C::one().minus(&s))?)
     }
 
-    /// [b, a]
-    pub fn reversed(&self) -> Self {
-        Interval { a: self.b.clone(), b: self.a.clone(), inverse: -self.inverse.clone() }
-    }
-
     /// [a, t] and [t, b].
     ///
     /// # Errors
@@ -280,6 +275,5 @@ mod tests {
             [0, 1, 2, 3, 4].map(|u| backwards.contains(&z(u)) == Some(true)),
             [false, true, true, true, false]
         );
-        assert_eq!(Interval::<Rational>::unit().reversed(), Interval::new(z(1), z(0)).unwrap());
     }
 }

@@ -6,7 +6,7 @@
 //! Reference: A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions",
 //! Information Processing Letters 9 (1979).
 
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 use super::{CurveError, Point, dimension};
 use crate::math::number::Rational;
@@ -58,31 +58,31 @@ pub fn convex_hull(points: &[Point<Rational>]) -> Result<Vec<Point<Rational>>, C
     Ok(hull)
 }
 
-/// Whether a point lies in a convex polygon given counterclockwise, its border included. A
-/// polygon of one or two corners is a point or a segment.
-pub fn in_convex_polygon(corners: &[Point<Rational>], p: &[Rational]) -> bool {
-    match corners {
-        [] => false,
-        [only] => only == p,
-        [a, b] => {
-            let along = |k: usize| {
-                let (low, high) = if a[k] <= b[k] { (&a[k], &b[k]) } else { (&b[k], &a[k]) };
-                low <= &p[k] && &p[k] <= high
-            };
-            turn(a, b, p).is_zero() && along(0) && along(1)
-        }
-        _ => {
-            (0..corners.len()).all(|i| !turn(&corners[i], &corners[(i + 1) % corners.len()], p).is_negative())
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::curve::{BezierCurve, Interval};
     use crate::math::number::{integer as z, rational as q};
+    use num_traits::Zero;
     use proptest::prelude::*;
+
+    /// Whether a point lies in a convex polygon given counterclockwise, its border included. A
+    /// polygon of one or two corners is a point or a segment.
+    fn in_convex_polygon(corners: &[Point<Rational>], p: &[Rational]) -> bool {
+        match corners {
+            [] => false,
+            [only] => only == p,
+            [a, b] => {
+                let along = |k: usize| {
+                    let (low, high) = if a[k] <= b[k] { (&a[k], &b[k]) } else { (&b[k], &a[k]) };
+                    low <= &p[k] && &p[k] <= high
+                };
+                turn(a, b, p).is_zero() && along(0) && along(1)
+            }
+            _ => (0..corners.len())
+                .all(|i| !turn(&corners[i], &corners[(i + 1) % corners.len()], p).is_negative()),
+        }
+    }
 
     proptest! {
         #[test]

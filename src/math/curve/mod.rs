@@ -37,8 +37,8 @@ pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bez
 pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
 pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
 pub use domain::{Corner, Interval, Triangle};
-pub use edge::{EdgeEquation, EdgeReport};
-pub use hull::{convex_hull, in_convex_polygon};
+pub use edge::EdgeEquation;
+pub use hull::convex_hull;
 pub use join::{
     Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
     joining_conditions,
@@ -52,8 +52,12 @@ pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
 
-/// A point or a vector: its coordinates.
+/// A point: its coordinates.
 pub type Point<C> = Vec<C>;
+
+/// A vector, the difference of two points: its coordinates. It is no type of its own, because the
+/// derivative of a curve is a curve again, whose points are vectors.
+pub type Vector<C> = Vec<C>;
 
 /// Why a curve or surface cannot be made or changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -221,7 +225,7 @@ pub fn lerp<C: Ring>(p: &[C], q: &[C], s: &C) -> Point<C> {
 }
 
 /// p − q
-pub fn difference<C: Ring>(p: &[C], q: &[C]) -> Point<C> {
+pub fn difference<C: Ring>(p: &[C], q: &[C]) -> Vector<C> {
     p.iter().zip(q).map(|(x, y)| x.minus(y)).collect()
 }
 

@@ -15,7 +15,7 @@
 
 use super::domain::Interval;
 use super::polygon::{self, falling};
-use super::{BezierCurve, CurveError, Point, scaled};
+use super::{BezierCurve, CurveError, Point, Vector, scaled};
 use crate::budget;
 use crate::math::blossom::{Argument, TensorPolarForm};
 use crate::math::number::{Rational, binomial_row};
@@ -268,7 +268,7 @@ impl<C: Field> TensorPatch<C> {
     }
 
     /// The value of ∂^{r+s}/∂u^r ∂v^s at (u, v), by one polar value.
-    pub fn derivative_at(&self, r: usize, s: usize, u: &C, v: &C) -> Point<C> {
+    pub fn derivative_at(&self, r: usize, s: usize, u: &C, v: &C) -> Vector<C> {
         let (m, n) = self.degrees();
         if r > m || s > n {
             return vec![C::zero(); self.dimension()];
@@ -303,26 +303,6 @@ impl<C: Field> TensorPatch<C> {
             Side::VStart | Side::VEnd => &self.u,
         };
         BezierCurve::new(self.boundary(side), along.clone()).expect("points of equal dimension")
-    }
-
-    /// The control points of the derivative across a boundary curve, along it: ∂f/∂u on the sides
-    /// of constant u, ∂f/∂v on the others.
-    pub fn cross_boundary(&self, side: Side) -> Vec<Point<C>> {
-        match side {
-            Side::UStart | Side::UEnd => self.derivative(1, 0).boundary(side),
-            Side::VStart | Side::VEnd => self.derivative(0, 1).boundary(side),
-        }
-    }
-
-    /// The two tangent vectors ∂f/∂u and ∂f/∂v at (u, v).
-    pub fn tangents(&self, u: &C, v: &C) -> (Point<C>, Point<C>) {
-        (self.derivative_at(1, 0, u, v), self.derivative_at(0, 1, u, v))
-    }
-
-    /// The twist ∂²f/∂u∂v at (u, v); at the first corner of the unit square it is
-    /// m n (b_11 − b_10 − b_01 + b_00).
-    pub fn twist(&self, u: &C, v: &C) -> Point<C> {
-        self.derivative_at(1, 1, u, v)
     }
 
     /// The normal ∂f/∂u × ∂f/∂v as a polynomial: a patch of vectors of degree (2m − 1, 2n − 1).
@@ -361,22 +341,6 @@ impl<C: Field> TensorPatch<C> {
         TensorPatch { net: transposed(&self.net), u: self.v.clone(), v: self.u.clone() }
     }
 
-    /// The same surface with the ends of one interval exchanged.
-    pub fn reversed(&self, direction: Direction) -> Self {
-        let mut patch = self.clone();
-        match direction {
-            Direction::U => {
-                patch.net.reverse();
-                patch.u = self.u.reversed();
-            }
-            Direction::V => {
-                patch.net.iter_mut().for_each(|row| row.reverse());
-                patch.v = self.v.reversed();
-            }
-        }
-        patch
-    }
-
     /// The points c_{ij} of f(u, v) = Σ c_{ij} u^i v^j.
     pub fn power_coefficients(&self) -> Net<C> {
         let frame = |interval: &Interval<C>| {
@@ -412,31 +376,6 @@ impl<C: Field> TensorPatch<C> {
     pub fn polar_forms(&self) -> Vec<TensorPolarForm<C>> {
         let power = self.with_net(self.power_coefficients());
         (0..self.dimension()).map(|k| power_form(power.coordinate(k))).collect()
-    }
-
-    /// The patch with these polar forms of its coordinates.
-    ///
-    /// # Errors
-    /// [`CurveError::TooFewPoints`] if there are none, [`CurveError::Degrees`] if they have
-    /// different degrees.
-    pub fn from_polar_forms(
-        forms: &[TensorPolarForm<C>],
-        u: Interval<C>,
-        v: Interval<C>,
-    ) -> Result<Self, CurveError> {
-        let Some(first) = forms.first() else {
-            return Err(CurveError::TooFewPoints { needed: 1, given: 0 });
-        };
-        let (m, n) = first.degrees();
-        for form in forms {
-            let (k, l) = form.degrees();
-            if (k, l) != (m, n) {
-                let (left, right) = if k == m { (n, l) } else { (m, k) };
-                return Err(CurveError::Degrees { left, right });
-            }
-        }
-        let nets: Vec<Vec<Vec<C>>> = forms.iter().map(|form| bezier_net(form, &u, &v)).collect();
-        Ok(TensorPatch { net: joined(&nets), u, v })
     }
 }
 

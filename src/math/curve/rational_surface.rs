@@ -13,7 +13,7 @@ use super::patch::{Direction, Net, Side, TensorPatch, minus};
 use super::projective::{check_weight, lifted, parted, projected, quotient_derivatives};
 use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
-use super::{BezierCurve, CurveError, Point, polygon};
+use super::{BezierCurve, CurveError, Point, Vector, polygon};
 use crate::budget;
 use crate::math::ring::{Field, Ring};
 
@@ -124,7 +124,7 @@ impl<C: Field> RationalPatch<C> {
     ///
     /// # Errors
     /// [`CurveError::DimensionsOf`] unless the dimension is 3, [`CurveError::ZeroDenominator`].
-    pub fn normal_at(&self, u: &C, v: &C) -> Result<Point<C>, CurveError> {
+    pub fn normal_at(&self, u: &C, v: &C) -> Result<Vector<C>, CurveError> {
         three(self.dimension())?;
         let jet = self.derivatives(u, v, 1)?;
         Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).to_vec())
@@ -182,14 +182,6 @@ impl<C: Field> RationalPatch<C> {
     /// The same surface of degree (m + by_u, n + by_v).
     pub fn elevate(&self, by_u: usize, by_v: usize) -> Self {
         RationalPatch { homogeneous: self.homogeneous.elevate(by_u, by_v) }
-    }
-
-    /// The same homogeneous patch of degree (m − by_u, n − by_v), exactly.
-    ///
-    /// # Errors
-    /// [`CurveError::NotReducible`].
-    pub fn reduce(&self, by_u: usize, by_v: usize) -> Result<Self, CurveError> {
-        Ok(RationalPatch { homogeneous: self.homogeneous.reduce(by_u, by_v)? })
     }
 
     /// A boundary curve.
@@ -284,7 +276,7 @@ impl<C: Field> RationalTriangle<C> {
     /// # Errors
     /// [`CurveError::DimensionsOf`] unless the dimension is 3 and p is in the plane,
     /// [`CurveError::ZeroDenominator`].
-    pub fn normal_at(&self, p: &[C]) -> Result<Point<C>, CurveError> {
+    pub fn normal_at(&self, p: &[C]) -> Result<Vector<C>, CurveError> {
         three(self.dimension())?;
         let jet = self.derivatives(p, 1)?;
         Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).to_vec())
@@ -306,14 +298,6 @@ impl<C: Field> RationalTriangle<C> {
     /// The same surface of degree n + by.
     pub fn elevate(&self, by: usize) -> Self {
         RationalTriangle { homogeneous: self.homogeneous.elevate(by) }
-    }
-
-    /// The same homogeneous patch of degree n − by, exactly.
-    ///
-    /// # Errors
-    /// [`CurveError::NotReducible`].
-    pub fn reduce(&self, by: usize) -> Result<Self, CurveError> {
-        Ok(RationalTriangle { homogeneous: self.homogeneous.reduce(by)? })
     }
 
     /// The edge opposite to a corner, over [0, 1].
@@ -427,7 +411,6 @@ mod tests {
             let patch = RationalPatch::from_homogeneous(homogeneous).unwrap();
             let value = patch.value(&u, &v);
             prop_assert_eq!(&patch.elevate(1, 2).value(&u, &v), &value);
-            prop_assert_eq!(&patch.elevate(1, 2).reduce(1, 2).unwrap(), &patch);
             prop_assert_eq!(&patch.part(Interval::unit(), Interval::unit()).value(&u, &v), &value);
             if let Ok((left, right)) = patch.subdivide(Direction::U, &q(2, 5)) {
                 prop_assert_eq!(&left.value(&u, &v), &value);
@@ -447,7 +430,6 @@ mod tests {
             prop_assert_eq!(patch.derivatives(&p, 2), tensor.derivatives(&p[0], &p[1], 2));
             prop_assert_eq!(patch.normal_at(&p), tensor.normal_at(&p[0], &p[1]));
             prop_assert_eq!(patch.elevate(2).value(&p), patch.value(&p));
-            prop_assert_eq!(&patch.elevate(2).reduce(2).unwrap(), &patch);
             prop_assert_eq!(patch.over(Triangle::unit()).value(&p), patch.value(&p));
             let corners = patch.homogeneous.triangle().corners();
             let middle = crate::math::curve::lerp(&corners[0], &corners[1], &q(1, 2));

@@ -2,7 +2,7 @@
 
 use super::{
     BezierCurve, CurveError, Direction, Interval, Point, RationalCurve, RationalPatch, RationalTriangle,
-    TensorPatch, Triangle, TrianglePatch,
+    TensorPatch, Triangle, TrianglePatch, Vector,
 };
 use crate::math::blossom::Argument;
 use crate::math::ring::Field;
@@ -158,7 +158,7 @@ pub trait Surface<C: Field>: Sized {
     ///
     /// # Errors
     /// If there is none.
-    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Point<C>, CurveError>;
+    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Vector<C>, CurveError>;
 
     /// The same surface with each degree raised.
     fn elevate(&self, by: usize) -> Self;
@@ -181,7 +181,7 @@ impl<C: Field> Surface<C> for TensorPatch<C> {
     fn value(&self, [u, v]: &[C; 2]) -> Result<Point<C>, CurveError> {
         Ok(self.value(u, v))
     }
-    fn derivative(&self, r: usize, s: usize, [u, v]: &[C; 2]) -> Result<Point<C>, CurveError> {
+    fn derivative(&self, r: usize, s: usize, [u, v]: &[C; 2]) -> Result<Vector<C>, CurveError> {
         Ok(self.derivative_at(r, s, u, v))
     }
     fn elevate(&self, by: usize) -> Self {
@@ -203,7 +203,7 @@ impl<C: Field> Surface<C> for RationalPatch<C> {
     fn value(&self, [u, v]: &[C; 2]) -> Result<Point<C>, CurveError> {
         self.value(u, v)
     }
-    fn derivative(&self, r: usize, s: usize, [u, v]: &[C; 2]) -> Result<Point<C>, CurveError> {
+    fn derivative(&self, r: usize, s: usize, [u, v]: &[C; 2]) -> Result<Vector<C>, CurveError> {
         Ok(self.derivatives(u, v, r + s)?.swap_remove(r).swap_remove(s))
     }
     fn elevate(&self, by: usize) -> Self {
@@ -230,7 +230,7 @@ impl<C: Field> Surface<C> for TrianglePatch<C> {
     fn value(&self, p: &[C; 2]) -> Result<Point<C>, CurveError> {
         self.value(p)
     }
-    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Point<C>, CurveError> {
+    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Vector<C>, CurveError> {
         self.partial_derivative(r, s).value(p)
     }
     fn elevate(&self, by: usize) -> Self {
@@ -252,7 +252,7 @@ impl<C: Field> Surface<C> for RationalTriangle<C> {
     fn value(&self, p: &[C; 2]) -> Result<Point<C>, CurveError> {
         self.value(p)
     }
-    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Point<C>, CurveError> {
+    fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Vector<C>, CurveError> {
         Ok(self.derivatives(p, r + s)?.swap_remove(r).swap_remove(s))
     }
     fn elevate(&self, by: usize) -> Self {

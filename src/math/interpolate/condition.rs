@@ -7,10 +7,6 @@
 //! For A_n, the change from the Bernstein basis over [0, 1] to powers, both numbers are
 //! (n+1) max_i 2^i C(n,i), the maximum being at i = ⌊2(n+1)/3⌋; they grow as 3^n.
 //!
-//! For one polynomial Σ c_j φ_j and one parameter the condition of its value is Σ |c_j φ_j(t)|:
-//! relative errors ε of all c_j change the value by at most ε times that. On [0, 1] the Bernstein
-//! basis never has a larger one than powers.
-//!
 //! References: R. T. Farouki, V. T. Rajan, "On the numerical condition of polynomials in Bernstein
 //! form", CAGD 4 (1987); R. T. Farouki, "The Bernstein polynomial basis: a centennial
 //! retrospective", CAGD 29 (2012), section 6.
@@ -18,9 +14,7 @@
 use nalgebra::DMatrix;
 use num_traits::{Signed, Zero};
 
-use super::InterpolationError;
-use super::vandermonde::{vandermonde, vandermonde_inverse};
-use crate::math::basis::{Basis, bernstein_to_power, evaluate_basis, power_to_bernstein};
+use crate::math::basis::{bernstein_to_power, power_to_bernstein};
 use crate::math::linalg::{LinalgError, inverse};
 use crate::math::number::Rational;
 
@@ -86,23 +80,6 @@ pub fn matrix_condition(matrix: &DMatrix<Rational>, norm: Norm) -> Result<Condit
     Ok(Condition::new(norm, matrix, &inverse(matrix)?))
 }
 
-/// The condition number of the Vandermonde matrix: of interpolation in powers.
-///
-/// ```
-/// use polarform::interpolate::{Norm, vandermonde_condition};
-/// use polarform::number::integer as z;
-/// let condition = vandermonde_condition(&[0, 1, 2].map(z), Norm::Infinity)?;
-/// assert_eq!((condition.of_matrix, condition.of_inverse), (z(7), z(4)));
-/// # Ok::<(), polarform::interpolate::InterpolationError>(())
-/// ```
-///
-/// # Errors
-/// [`InterpolationError`] when there are no nodes, or two are equal.
-pub fn vandermonde_condition(nodes: &[Rational], norm: Norm) -> Result<Condition, InterpolationError> {
-    let inverse = vandermonde_inverse(nodes)?;
-    Ok(Condition::new(norm, &vandermonde(nodes, nodes.len() - 1), &inverse))
-}
-
 /// The condition number of A_n, from the Bernstein basis on [0, 1] to powers, for degree n.
 ///
 /// ```
@@ -114,31 +91,4 @@ pub fn vandermonde_condition(nodes: &[Rational], norm: Norm) -> Result<Condition
 /// ```
 pub fn power_bernstein_condition(n: usize, norm: Norm) -> Condition {
     Condition::new(norm, &bernstein_to_power(n), &power_to_bernstein(n))
-}
-
-/// Σ |c_j φ_j(t)|, the condition of the value at t of the polynomial with these coefficients in a
-/// basis. Cost: that of the values of the basis.
-///
-/// ```
-/// use polarform::basis::Basis;
-/// use polarform::interpolate::value_condition;
-/// use polarform::number::{integer as z, rational as q};
-/// // (2t − 1)^2 at 1/2: 1 + 4/2 + 4/4 in powers, 1/4 + 1/2 + 1/4 in the Bernstein basis
-/// assert_eq!(value_condition(&Basis::Power, &[1, -4, 4].map(z), &q(1, 2)), Ok(z(4)));
-/// let unit = Basis::Bernstein { a: z(0), b: z(1) };
-/// assert_eq!(value_condition(&unit, &[1, -1, 1].map(z), &q(1, 2)), Ok(z(1)));
-/// ```
-///
-/// # Errors
-/// [`InterpolationError`] when there are no coefficients, or the basis does not fit them.
-pub fn value_condition(
-    basis: &Basis<Rational>,
-    coefficients: &[Rational],
-    t: &Rational,
-) -> Result<Rational, InterpolationError> {
-    let Some(degree) = coefficients.len().checked_sub(1) else {
-        return Err(InterpolationError::TooFewPoints { needed: 1, given: 0 });
-    };
-    let values = evaluate_basis(degree, basis, t)?;
-    Ok(coefficients.iter().zip(&values).fold(Rational::zero(), |sum, (c, x)| sum + (c * x).abs()))
 }

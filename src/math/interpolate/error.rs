@@ -73,8 +73,6 @@ pub enum InterpolationError {
     },
     /// The first and the last value of a periodic function differ.
     NotPeriodic,
-    /// The parameter lies outside of the nodes, or on which side of them depends on symbols.
-    OutsideDomain,
     /// A system of equations has not exactly one solution.
     Singular {
         /// The number of its unknowns.
@@ -163,9 +161,6 @@ impl fmt::Display for InterpolationError {
             }
             E::NoData { index } => write!(f, "the node x_{index} has no value"),
             E::NotPeriodic => f.write_str("the first and the last value of a periodic spline must be equal"),
-            E::OutsideDomain => f.write_str(
-                "the parameter lies outside of the nodes, or between which ones depends on symbols",
-            ),
             E::Singular { unknowns, rank } => {
                 write!(f, "the system of {unknowns} equations is singular, its rank is {rank}")
             }

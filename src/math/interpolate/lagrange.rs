@@ -9,7 +9,7 @@
 //! 46 (2004).
 
 use super::InterpolationError;
-use super::datum::{Datum, check, combination, distinct, divided, enough, fitting, reciprocal};
+use super::datum::{Datum, check, combination, distinct, divided, enough, reciprocal};
 use crate::budget;
 use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
@@ -43,29 +43,6 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
     pub fn new(nodes: &[C], values: &[V]) -> Result<Self, InterpolationError> {
         check(nodes, values)?;
         Ok(LagrangeForm { nodes: nodes.to_vec(), weights: weights_of(nodes), values: values.to_vec() })
-    }
-
-    /// Adds a node at the end: w_j is divided by x_j − x. Cost: n quotients.
-    ///
-    /// # Errors
-    /// [`InterpolationError::EqualNodes`], [`InterpolationError::Dimensions`]; nothing is changed
-    /// then.
-    pub fn insert(&mut self, node: C, value: V) -> Result<(), InterpolationError> {
-        fitting("value", [&value], &self.values[0])?;
-        if let Some(first) = self.nodes.iter().position(|x| *x == node) {
-            return Err(InterpolationError::EqualNodes { first, second: self.nodes.len() });
-        }
-        let mut product = C::one();
-        for (x, w) in self.nodes.iter().zip(&mut self.weights) {
-            budget::step();
-            let difference = x.minus(&node);
-            product *= -difference.clone();
-            *w *= reciprocal(&difference);
-        }
-        self.weights.push(reciprocal(&product));
-        self.nodes.push(node);
-        self.values.push(value);
-        Ok(())
     }
 
     /// x_0, …, x_n
@@ -102,20 +79,6 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
     /// p(t) = Σ y_j L_j(t). Cost: 5n products.
     pub fn value(&self, t: &C) -> V {
         combination(self.basis_values(t).iter().zip(&self.values)).expect("there is at least one node")
-    }
-
-    /// p(t) by the second barycentric formula, the quotient of two sums over w_j/(t − x_j); the
-    /// value y_j itself at a node. Cost: n quotients, 2n products.
-    pub fn barycentric_value(&self, t: &C) -> V {
-        if let Some(j) = self.nodes.iter().position(|x| x == t) {
-            return self.values[j].clone();
-        }
-        let terms: Vec<C> =
-            self.nodes.iter().zip(&self.weights).map(|(x, w)| w.times(&reciprocal(&t.minus(x)))).collect();
-        let bottom = terms.iter().fold(C::zero(), |sum, term| sum.plus(term));
-        let top = combination(terms.iter().zip(&self.values)).expect("there is at least one node");
-        // The sum below is 1/ω(t), since the basis sums to 1.
-        top.multiple(&reciprocal(&bottom))
     }
 
     /// The power coefficients of L_0, …, L_n, each a list of n + 1, lowest first. Cost: 2n²

@@ -10,7 +10,7 @@
 //! | divided differences, Newton's form, repeated nodes | [`DividedDifferences`], [`NewtonForm`] |
 //! | Lagrange's form, barycentric weights | [`LagrangeForm`], [`polynomial_through`] |
 //! | Hermite data, Bézier points from them | [`DividedDifferences::hermite`], [`hermite_bezier`] |
-//! | Neville's and Aitken's pyramid, also of polar forms | [`Tableau`], [`polar_pyramid`] |
+//! | Neville's and Aitken's pyramid | [`Tableau`] |
 //! | the matrices, their inverses and condition numbers | [`vandermonde`], [`Condition`] |
 //! | the error of interpolation | [`Remainder`] |
 //! | cubic splines by moments and by slopes | [`CubicSpline`], [`SplineSystem`] |
@@ -39,9 +39,7 @@ mod vandermonde;
 #[cfg(test)]
 mod tests;
 
-pub use condition::{
-    Condition, Norm, matrix_condition, power_bernstein_condition, value_condition, vandermonde_condition,
-};
+pub use condition::{Condition, Norm, matrix_condition, power_bernstein_condition};
 pub use datum::{Datum, value_of};
 pub use error::InterpolationError;
 pub use hermite::{hermite_basis, hermite_bezier};
@@ -49,12 +47,9 @@ pub use lagrange::{LagrangeForm, barycentric_weights, nodal_polynomial, polynomi
 pub use least_squares::{
     Conditions, FitOptions, LeastSquares, PolynomialFit, fit_polynomial, least_squares, least_squares_under,
 };
-pub use neville::{Scheme, Tableau, interpolant_pyramid, polar_pyramid};
+pub use neville::{Scheme, Tableau};
 pub use newton::{DividedDifferences, NewtonForm};
 pub use parameters::{Parameterization, Parameters, Scale, parameters};
 pub use remainder::Remainder;
 pub use spline::{CubicSpline, End, Ends, SplineSystem, Tridiagonal, Unknowns};
-pub use vandermonde::{
-    confluent_determinant, confluent_vandermonde, gautschi_bound, vandermonde, vandermonde_determinant,
-    vandermonde_inverse,
-};
+pub use vandermonde::{confluent_vandermonde, vandermonde, vandermonde_determinant};

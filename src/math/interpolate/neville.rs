@@ -13,9 +13,8 @@
 //! 2.1.2; R. N. Goldman, *Pyramid Algorithms* (2003), chapter 2.
 
 use super::InterpolationError;
-use super::datum::{Datum, check, reciprocal, times_linear};
+use super::datum::{Datum, check, reciprocal};
 use crate::budget;
-use crate::math::blossom::PolarForm;
 use crate::math::ring::Field;
 
 /// In which order the interpolants are combined.
@@ -147,71 +146,4 @@ fn pyramid<T>(scheme: Scheme, first: Vec<T>, step: impl Fn(&T, &T, usize, usize)
         levels.push(level);
     }
     levels
-}
-
-/// The pyramid of polynomials: all p of the scheme by their power coefficients, those of level k
-/// having k + 1. The last one is the interpolating polynomial. Cost: n³/3 products.
-///
-/// ```
-/// use polarform::interpolate::{Scheme, interpolant_pyramid};
-/// use polarform::number::integer as z;
-/// let levels = interpolant_pyramid(Scheme::Neville, &[0, 1, 2].map(z), &[0, 1, 4].map(z))?;
-/// assert_eq!(levels[1], [[z(0), z(1)], [z(-2), z(3)]]);
-/// assert_eq!(levels[2], [[z(0), z(0), z(1)]]);
-/// # Ok::<(), polarform::interpolate::InterpolationError>(())
-/// ```
-///
-/// # Errors
-/// As [`Tableau::new`].
-pub fn interpolant_pyramid<C: Field, V: Datum<C>>(
-    scheme: Scheme,
-    nodes: &[C],
-    values: &[V],
-) -> Result<Vec<Vec<Vec<V>>>, InterpolationError> {
-    check(nodes, values)?;
-    let constants = values.iter().map(|value| vec![value.clone()]).collect();
-    Ok(pyramid(scheme, constants, |left: &Vec<V>, right: &Vec<V>, l, r| {
-        let inverse = reciprocal(&nodes[r].minus(&nodes[l]));
-        // (t − x_l) right − (t − x_r) left
-        let right = times_linear(right.clone(), &nodes[l]);
-        let left = times_linear(left.clone(), &nodes[r]);
-        let difference = |(x, y): (&V, &V)| x.less(y).multiple(&inverse);
-        right.iter().zip(&left).map(difference).collect()
-    }))
-}
-
-/// The pyramid of polar forms: all p of the scheme as symmetric multiaffine maps, those of level
-/// k with k arguments, by multiplying polar forms with affine maps and symmetrising:
-///
-/// f_{i,k}(u_1, …, u_k) = (1/k) Σ_j ((x_r − u_j) left(…û_j…) + (u_j − x_l) right(…û_j…)) / (x_r − x_l),
-///
-/// where û_j is left out. Cost: n³/3 ring operations.
-///
-/// ```
-/// use polarform::interpolate::{Scheme, polar_pyramid};
-/// use polarform::number::{integer as z, rational as q};
-/// let levels = polar_pyramid(Scheme::Neville, &[0, 1, 2].map(z), &[0, 1, 4].map(z))?;
-/// // t^2 has the polar form u v
-/// assert_eq!(levels[2][0].value(&[z(3), z(5)]), Ok(z(15)));
-/// assert_eq!(levels[1][1].value(&[q(5, 3)]), Ok(z(3)));
-/// # Ok::<(), polarform::interpolate::InterpolationError>(())
-/// ```
-///
-/// # Errors
-/// As [`Tableau::new`].
-pub fn polar_pyramid<C: Field>(
-    scheme: Scheme,
-    nodes: &[C],
-    values: &[C],
-) -> Result<Vec<Vec<PolarForm<C>>>, InterpolationError> {
-    check(nodes, values)?;
-    let constants = values.iter().map(|value| PolarForm::new(vec![value.clone()])).collect();
-    Ok(pyramid(scheme, constants, |left: &PolarForm<C>, right: &PolarForm<C>, l, r| {
-        let inverse = reciprocal(&nodes[r].minus(&nodes[l]));
-        let affine =
-            |at_zero: C, slope: C| PolarForm::new(vec![at_zero.times(&inverse), slope.times(&inverse)]);
-        let down = affine(nodes[r].clone(), -C::one());
-        let up = affine(-nodes[l].clone(), C::one());
-        down.product_by_symmetrizing(left).sum(&up.product_by_symmetrizing(right))
-    }))
 }

@@ -15,7 +15,7 @@
 
 use super::InterpolationError;
 use super::datum::{
-    Datum, as_many, check, divided, enough, fitting, over_factorial, reciprocal, same_dimension, times_linear,
+    Datum, as_many, check, enough, fitting, over_factorial, reciprocal, same_dimension, times_linear,
 };
 use crate::budget;
 use crate::math::ring::{Field, Ring};
@@ -197,13 +197,6 @@ impl<C: Field, V: Datum<C>> DividedDifferences<C, V> {
         let nodes = self.nodes[..self.degree()].to_vec();
         NewtonForm { nodes, coefficients: self.coefficients() }
     }
-
-    /// The form that starts at x_n, with f\[x_n\], f[x_{n−1}, x_n], …: the same polynomial.
-    pub fn backward_form(&self) -> NewtonForm<C, V> {
-        let nodes = self.nodes[1..].iter().rev().cloned().collect();
-        let coefficients = self.columns.iter().map(|column| column[column.len() - 1].clone());
-        NewtonForm { nodes, coefficients: coefficients.collect() }
-    }
 }
 
 /// The difference over i, …, i+k from those over one node less; x_i ≠ x_{i+k}.
@@ -231,35 +224,6 @@ impl<C: Ring, V: Datum<C>> NewtonForm<C, V> {
         Ok(NewtonForm { nodes, coefficients })
     }
 
-    /// The polynomial with these power coefficients in Newton's form: the coefficients are the
-    /// remainders of repeated division by t − x_k. Cost: n²/2 products.
-    ///
-    /// ```
-    /// use polarform::interpolate::NewtonForm;
-    /// use polarform::number::integer as z;
-    /// let form = NewtonForm::from_power(&[0, 0, 1].map(z), vec![z(1), z(2)])?;
-    /// assert_eq!(form.coefficients(), [1, 3, 1].map(z)); // 1 + 3 (t − 1) + (t − 1)(t − 2)
-    /// # Ok::<(), polarform::interpolate::InterpolationError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`NewtonForm::new`].
-    pub fn from_power(power: &[V], nodes: Vec<C>) -> Result<Self, InterpolationError> {
-        let mut form = NewtonForm::new(nodes, power.to_vec())?;
-        let mut rest = power.to_vec();
-        for (coefficient, node) in form.coefficients.iter_mut().zip(&form.nodes) {
-            if let Some((quotient, remainder)) = divided(&rest, node) {
-                *coefficient = remainder;
-                rest = quotient;
-            }
-        }
-        let n = form.nodes.len();
-        if let (Some(last), Some(constant)) = (form.coefficients.get_mut(n), rest.first()) {
-            *last = constant.clone();
-        }
-        Ok(form)
-    }
-
     /// x_0, …, x_{n−1}
     pub fn nodes(&self) -> &[C] {
         &self.nodes
@@ -268,18 +232,6 @@ impl<C: Ring, V: Datum<C>> NewtonForm<C, V> {
     /// c_0, …, c_n
     pub fn coefficients(&self) -> &[V] {
         &self.coefficients
-    }
-
-    /// Horner's scheme: c_n, then each value times (t − x_k) plus c_k for k = n−1, …, 0. The
-    /// last is p(t). Cost: n products.
-    pub fn horner(&self, t: &C) -> Vec<V> {
-        let n = self.nodes.len();
-        let mut scheme = vec![self.coefficients[n].clone()];
-        for (k, (node, c)) in self.nodes.iter().zip(&self.coefficients).rev().enumerate() {
-            budget::step();
-            scheme.push(scheme[k].multiple(&t.minus(node)).added(c));
-        }
-        scheme
     }
 
     /// p(t). Cost: n products.

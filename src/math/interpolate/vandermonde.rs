@@ -13,12 +13,9 @@
 
 use nalgebra::DMatrix;
 
-use super::InterpolationError;
-use super::datum::{distinct, enough, reciprocal};
-use super::lagrange::LagrangeForm;
 use crate::budget;
 use crate::math::number::{Int, Rational, factorial};
-use crate::math::ring::{Field, Ring};
+use crate::math::ring::Ring;
 
 /// V with V_{ij} = x_i^j, one row for each node, columns for the degrees 0, …, `degree`.
 ///
@@ -63,25 +60,6 @@ pub fn vandermonde_determinant<C: Ring>(nodes: &[C]) -> C {
     product
 }
 
-/// V^{-1} for n + 1 distinct nodes: column j has the power coefficients of L_j. Cost: 3n² products.
-///
-/// ```
-/// use nalgebra::DMatrix;
-/// use polarform::interpolate::vandermonde_inverse;
-/// use polarform::number::integer as z;
-/// let inverse = vandermonde_inverse(&[0, 1].map(z))?;
-/// assert_eq!(inverse, DMatrix::from_row_slice(2, 2, &[1, 0, -1, 1].map(z)));
-/// # Ok::<(), polarform::interpolate::InterpolationError>(())
-/// ```
-///
-/// # Errors
-/// [`InterpolationError`] when there are no nodes, or two are equal.
-pub fn vandermonde_inverse<C: Field>(nodes: &[C]) -> Result<DMatrix<C>, InterpolationError> {
-    let form = LagrangeForm::new(nodes, nodes)?;
-    let count = nodes.len();
-    Ok(DMatrix::from_iterator(count, count, form.basis_polynomials().into_iter().flatten()))
-}
-
 /// The matrix for Hermite data at nodes x_i with multiplicities m_i: Σ m_i rows and columns, in the
 /// block of x_i row k has the k-th derivatives j!/(j−k)! x_i^{j−k}.
 ///
@@ -118,51 +96,4 @@ fn charged_size<C>(nodes: &[(C, usize)]) -> usize {
     let size = nodes.iter().fold(0usize, |sum, (_, m)| sum.saturating_add(*m));
     budget::charge_terms((size as u64).saturating_mul(size as u64));
     size
-}
-
-/// Its determinant ∏_i ∏_{k<m_i} k! · ∏_{i<j} (x_j − x_i)^{m_i m_j}.
-///
-/// ```
-/// use polarform::interpolate::confluent_determinant;
-/// use polarform::number::integer as z;
-/// assert_eq!(confluent_determinant(&[(z(2), 2), (z(5), 1)]), z(9));
-/// ```
-pub fn confluent_determinant<C: Ring>(nodes: &[(C, usize)]) -> C {
-    charged_size(nodes);
-    let mut product = C::one();
-    for (j, (right, m)) in nodes.iter().enumerate() {
-        let factorials: Int = (0..*m).map(factorial).product();
-        product = product.scaled(&Rational::from_integer(factorials));
-        for (left, other) in &nodes[..j] {
-            budget::step();
-            product *= num_traits::pow(right.minus(left), m.saturating_mul(*other));
-        }
-    }
-    product
-}
-
-/// Gautschi's bound max_j ∏_{k≠j} (1 + |x_k|)/|x_j − x_k| for the norm ‖V^{-1}‖_1, the largest sum
-/// of the absolute power coefficients of an L_j. It is attained when no two nodes have
-/// opposite signs. Cost: n² products.
-///
-/// ```
-/// use polarform::interpolate::gautschi_bound;
-/// use polarform::number::integer as z;
-/// assert_eq!(gautschi_bound(&[0, 1, 2].map(z)), Ok(z(3))); // L_0 = 1 − 3/2 t + 1/2 t^2
-/// ```
-///
-/// # Errors
-/// [`InterpolationError`] when there are no nodes, or two are equal.
-pub fn gautschi_bound(nodes: &[Rational]) -> Result<Rational, InterpolationError> {
-    use num_traits::{One, Signed, Zero};
-    enough(nodes.len(), 1)?;
-    distinct(nodes)?;
-    let product = |(j, x): (usize, &Rational)| {
-        let others = nodes.iter().enumerate().filter(|(k, _)| *k != j);
-        others.fold(Rational::one(), |product, (_, y)| {
-            budget::step();
-            product * (Rational::one() + y.abs()) * reciprocal(&(x - y).abs())
-        })
-    };
-    Ok(nodes.iter().enumerate().map(product).max().unwrap_or_else(Rational::zero))
 }

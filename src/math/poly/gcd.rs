@@ -102,6 +102,8 @@ impl MultiPoly {
             return MultiPoly::one();
         }
         let (a, b) = (self.primitive_part(), other.primitive_part());
+        // Its cost grows with both; limits by steps rest on this count.
+        crate::budget::steps(u32::try_from(a.len().saturating_mul(b.len())).unwrap_or(u32::MAX).max(16));
         if a.len() == 1 || b.len() == 1 {
             return monomial_gcd(&a, &b);
         }

@@ -153,33 +153,4 @@ impl<C: Ring> KnotVector<C> {
         let inner = &self.knots[self.degree..=self.count()];
         Ok(self.degree + crate::math::piecewise::interval_of(inner, t)?)
     }
-
-    /// The same knots with some added, in order.
-    ///
-    /// # Errors
-    /// [`SplineError::Unordered`] if the place of one depends on symbols, and as [`KnotVector::new`].
-    pub fn with(&self, more: &[C]) -> Result<Self, SplineError> {
-        let mut knots = self.knots.clone();
-        for t in more {
-            crate::budget::step();
-            let at = match knots.iter().rposition(|knot| knot == t) {
-                Some(i) => i + 1,
-                None => {
-                    let mut place = None;
-                    for (i, knot) in knots.iter().enumerate() {
-                        match compare(knot, t) {
-                            Some(Ordering::Greater) => {
-                                place.get_or_insert(i);
-                            }
-                            Some(_) => place = None,
-                            None => return Err(SplineError::Unordered),
-                        }
-                    }
-                    place.unwrap_or(knots.len())
-                }
-            };
-            knots.insert(at, t.clone());
-        }
-        KnotVector::new(self.degree, knots)
-    }
 }

@@ -177,7 +177,6 @@ proptest! {
         prop_assert_eq!(&fine, &one_by_one);
         prop_assert_eq!(s.refine(fine.knots().clone()).unwrap().tight(), fine.tight());
         prop_assert_eq!(&s.refine(s.knots().clone()).unwrap(), &s);
-        prop_assert_eq!(s.knots().with(&fresh).unwrap(), fine.knots().clone());
         prop_assert_eq!(merged(&fine), merged(&s));
         let mut back = fine;
         for t in &fresh {

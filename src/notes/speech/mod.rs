@@ -9,7 +9,61 @@ mod english;
 mod french;
 mod german;
 
+use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+
+/// What a phrase is in a sentence that says what names stand for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Word {
+    /// What something can be.
+    Noun(Sort),
+    /// "cubic": of degree 3.
+    OfDegree(i64),
+    /// "degree".
+    Degree,
+    /// "order", which is the degree and one.
+    Order,
+    /// 次: the number before it is a degree.
+    DegreeAfter,
+    /// 阶: the number before it is an order.
+    OrderAfter,
+    /// "of".
+    Of,
+    /// "der": an article, or "of the".
+    Der,
+    /// 的: what stands before it owns what comes after.
+    Owns,
+    /// "with".
+    With,
+    /// "on", "over", "for".
+    On,
+    /// "as".
+    As,
+    /// "is", "be", "denotes".
+    Be,
+    /// "its".
+    Its,
+    /// "let".
+    Let,
+    /// "by": what follows is the name.
+    By,
+    /// "and".
+    And,
+    /// "uniform".
+    Uniform,
+    /// "rational": with weights.
+    Rational,
+    /// "weights", after "with".
+    Weights,
+    /// "from", "to": the formula after it is not what the sentence speaks of.
+    Preposition,
+    /// "segment", "piece".
+    Piece,
+    /// "a": what follows says what a name is.
+    Article,
+    /// Changes nothing.
+    Filler,
+}
 
 /// A phrase and what it makes of a formula.
 enum Cue {
@@ -24,10 +78,21 @@ enum Cue {
 /// What a labelled paragraph does to names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Block {
-    /// An example, a proof, a case: what is said of names there ends with it.
+    /// An example, an exercise: what is said of names there ends with it.
     Closed,
+    /// A proof or a solution: it goes on from the example or exercise before.
+    Proof,
+    /// A case: it is within a proof.
+    Case,
     /// A theorem, a definition: what is said of names there goes on.
     Open,
+}
+
+impl Block {
+    /// Whether a block of another kind that begins in it is a part of it.
+    pub fn holds(self, other: Block) -> bool {
+        matches!((self, other), (Block::Closed, Block::Proof | Block::Case) | (Block::Proof, Block::Case))
+    }
 }
 
 struct Language {
@@ -36,15 +101,41 @@ struct Language {
     fillers: &'static [&'static str],
     /// Labels of paragraphs.
     blocks: &'static [(&'static str, Block)],
+    /// What phrases are in a sentence that says what names stand for.
+    words: &'static [(&'static str, Word)],
     /// Whether blanks separate words.
     spaced: bool,
 }
 
 const LANGUAGES: &[Language] = &[
-    Language { cues: english::CUES, fillers: english::FILLERS, blocks: english::BLOCKS, spaced: true },
-    Language { cues: german::CUES, fillers: german::FILLERS, blocks: german::BLOCKS, spaced: true },
-    Language { cues: french::CUES, fillers: french::FILLERS, blocks: french::BLOCKS, spaced: true },
-    Language { cues: chinese::CUES, fillers: chinese::FILLERS, blocks: chinese::BLOCKS, spaced: false },
+    Language {
+        cues: english::CUES,
+        fillers: english::FILLERS,
+        blocks: english::BLOCKS,
+        words: english::WORDS,
+        spaced: true,
+    },
+    Language {
+        cues: german::CUES,
+        fillers: german::FILLERS,
+        blocks: german::BLOCKS,
+        words: german::WORDS,
+        spaced: true,
+    },
+    Language {
+        cues: french::CUES,
+        fillers: french::FILLERS,
+        blocks: french::BLOCKS,
+        words: french::WORDS,
+        spaced: true,
+    },
+    Language {
+        cues: chinese::CUES,
+        fillers: chinese::FILLERS,
+        blocks: chinese::BLOCKS,
+        words: chinese::WORDS,
+        spaced: false,
+    },
 ];
 
 /// The words around a formula, as far as its sentence goes.
@@ -59,7 +150,7 @@ pub struct Around {
 }
 
 /// Small letters, single blanks, no marks of emphasis and no punctuation at the ends.
-fn normal(words: &str) -> String {
+pub(super) fn normal(words: &str) -> String {
     let plain: String = words
         .chars()
         .map(|c| match c {
@@ -73,6 +164,19 @@ fn normal(words: &str) -> String {
         c.is_whitespace() || matches!(c, ',' | ':' | ';' | '(' | ')' | '，' | '：' | '；' | '（' | '）')
     };
     joined.trim_matches(ends).to_owned()
+}
+
+/// The longest phrase at the start of a text in small letters, with its length in bytes.
+pub fn word(text: &str) -> Option<(usize, &'static Word)> {
+    let mut best: Option<(usize, &'static Word)> = None;
+    for language in LANGUAGES {
+        for (phrase, word) in language.words {
+            if starts_with(text, phrase, language) && best.is_none_or(|(most, _)| phrase.len() > most) {
+                best = Some((phrase.len(), word));
+            }
+        }
+    }
+    best
 }
 
 /// The words after the last occurrence of a phrase, if only fillers follow it.
@@ -199,10 +303,10 @@ mod tests {
     #[test]
     fn labels() {
         assert_eq!(block("**Example.** Let"), Some(Block::Closed));
-        assert_eq!(block("Proof. We"), Some(Block::Closed));
+        assert_eq!(block("Proof. We"), Some(Block::Proof));
         assert_eq!(block("Theorem 3. Let"), Some(Block::Open));
         assert_eq!(block("例 2 设"), Some(Block::Closed));
-        assert_eq!(block("Case 1: "), Some(Block::Closed));
+        assert_eq!(block("Case 1: "), Some(Block::Case));
         assert_eq!(block("Examples of this kind abound"), None);
         assert_eq!(block("The proof is easy."), None);
     }

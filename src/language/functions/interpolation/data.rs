@@ -36,7 +36,6 @@ pub(crate) fn interpolation_error(error: InterpolationError) -> Diagnostic {
         E::NodesApart { .. } => (Code::Coincident, "write equal nodes one after the other"),
         E::NotIncreasing { .. } => (Code::Knots, "write the nodes in increasing order, with their values"),
         E::NotPeriodic => (Code::Domain, "repeat the first value at the end, or choose other ends"),
-        E::OutsideDomain => (Code::OutsideDomain, "choose a parameter between the first and the last node"),
         E::Singular { .. } | E::DependentColumns { .. } | E::DependentCondition { .. } => {
             (Code::Singular, "choose a smaller degree, or other nodes, weights or conditions")
         }

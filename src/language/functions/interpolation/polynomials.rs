@@ -1,7 +1,8 @@
 //! Interpolating polynomials in the forms of Lagrange, Newton, Hermite, Neville and Aitken.
 
 use crate::language::eval::Arguments;
-use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, linalg_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, scalar_list};
 use std::sync::Arc;
 
 use num_traits::Zero;
@@ -13,20 +14,25 @@ use super::data::{
 };
 use super::tables;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
-use crate::language::diagnostic::At;
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::functions::Builtin;
 use crate::language::functions::parameter::{
     DEGREE, NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, VARIABLE, optional, required,
 };
 use crate::language::value::{Cell, Form, Table, Value, newton_function, nodes_expr, symbol_expr};
+use crate::math::curve::{BezierCurve, Interval};
 use crate::math::interpolate::{
     DividedDifferences, InterpolationError, LagrangeForm, NewtonForm, Remainder, Scheme, Tableau,
-    matrix_condition, polynomial_through, power_bernstein_condition, vandermonde, vandermonde_determinant,
+    barycentric_weights, confluent_vandermonde, hermite_basis, hermite_bezier, matrix_condition,
+    polynomial_through, power_bernstein_condition, vandermonde, vandermonde_determinant,
 };
 use crate::math::poly::{Fraction, Symbol};
 
 const DATA: Parameter = required("data", Takes::Rows, "each node with its value and derivatives")
     .shown("[[x_0, f, f', ...], ..., [x_n, f, f', ...]]");
+
+const REPEATED: Parameter =
+    required("nodes", Takes::Scalars, "the nodes, equal ones together").shown("[x_0, x_0, ..., x_n]");
 
 const NORM: Parameter = optional(
     "norm",
@@ -66,6 +72,16 @@ pub(crate) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "barycentric_weights",
+        parameters: &[NODES],
+        summary: "w_j = 1/omega'(x_j) in L_j = w_j omega/(t - x_j), omega = (t - x_0) ... (t - x_n)",
+        example: "barycentric_weights([0, 1, 2, 3])",
+        call: |_, args| {
+            barycentric_weights(&args.scalars(0)?).map(scalar_list).map_err(Samples::failed(args))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "newton",
         parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the same polynomial as a function in Newton's form c_0 + c_1 (t - x_0) + ...",
@@ -101,6 +117,37 @@ pub(crate) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let (table, _, samples) = hermite_differences(args)?;
             Ok(polynomial(&table.newton_form().to_power(), samples.form, &samples.variable(args)?))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "hermite_basis",
+        parameters: &[REPEATED, RESULT_VARIABLE],
+        summary: "the polynomials dual to values and derivatives: at a double node f and f' are given",
+        example: "hermite_basis([0, 0, 1, 1])",
+        call: |_, args| {
+            let basis = hermite_basis(&multiplicities(args)?).map_err(Samples::failed(args))?;
+            let samples = Samples { nodes: args.scalars(0)?, values: Vec::new(), form: Form::default() };
+            let variable = samples.variable(args)?;
+            Ok(Value::List(basis.iter().flatten().map(|p| scalar_polynomial(p, &variable)).collect()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "hermite_bezier",
+        parameters: &[DATA.shown("[[a, f, f', ...], [b, f, f', ...]]")],
+        summary: "the Bézier curve over [a, b] with given values and derivatives at both ends",
+        example: "control_points(hermite_bezier([[0, 1, 6], [1, 4, 3]]))",
+        call: |_, args| {
+            let (data, form) = hermite_data(args)?;
+            let [(a, left), (b, right)] = data.as_slice() else {
+                let problem = format!("two nodes are needed, the ends of the interval, not {}", data.len());
+                return Err(Diagnostic::error(Code::Shape, problem).at(args.span(0)));
+            };
+            let points = hermite_bezier(a, b, left, right).map_err(hermite_error).at(args.span(0))?;
+            let interval = Interval::new(a.clone(), b.clone()).map_err(curve_error).at(args.span(0))?;
+            let curve = BezierCurve::new(points, interval).map_err(curve_error).at(args.span(0))?;
+            Ok(bezier(curve, form))
         },
         ..NEW
     },
@@ -169,6 +216,14 @@ pub(crate) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "confluent_vandermonde",
+        parameters: &[REPEATED],
+        summary: "the matrix of Hermite interpolation: a node that stands k times has k - 1 derivatives",
+        example: "confluent_vandermonde([a, a, b])",
+        call: |_, args| Ok(Value::Matrix(confluent_vandermonde(&multiplicities(args)?))),
+        ..NEW
+    },
+    Builtin {
         name: "interpolation_error",
         parameters: &[required("F", Takes::Polynomial, "the polynomial"), NODES, VARIABLE],
         summary: "F minus its interpolant p: the quotient f[x_0, ..., x_n, t] and the node polynomial",
@@ -230,11 +285,30 @@ fn newton_form(table: &DividedDifferences<Fraction, Datum>, form: Form, variable
     Ok(if form.scalar { functions.swap_remove(0) } else { Value::List(functions) })
 }
 
-/// The rows [x_i, f, f', …] as a table of differences, the index of the node in each of its rows,
-/// and the data in one list.
-fn hermite_differences(
-    args: &Arguments,
-) -> Result<(DividedDifferences<Fraction, Datum>, Vec<usize>, Samples)> {
+/// The nodes, each with how often it stands there.
+fn multiplicities(args: &Arguments) -> Result<Vec<(Fraction, usize)>> {
+    let nodes = args.scalars(0)?;
+    let mut runs: Vec<(Fraction, usize)> = Vec::new();
+    for (second, node) in nodes.iter().enumerate() {
+        crate::budget::step();
+        match runs.last_mut() {
+            Some((last, count)) if last == node => *count += 1,
+            _ => match nodes[..second].iter().position(|other| other == node) {
+                Some(first) => {
+                    return Err(Samples::failed(args)(InterpolationError::NodesApart { first, second }));
+                }
+                None => runs.push((node.clone(), 1)),
+            },
+        }
+    }
+    Ok(runs)
+}
+
+/// Nodes with f, f', … there.
+type HermiteData = Vec<(Fraction, Vec<Datum>)>;
+
+/// The rows [x_i, f, f', …].
+fn hermite_data(args: &Arguments) -> Result<(HermiteData, Form)> {
     let span = args.span(0);
     let value = args.value(0)?;
     let wrong = |value: &Value| {
@@ -263,15 +337,25 @@ fn hermite_differences(
         let own = rest.iter().map(|item| datum(item, form, span)).collect::<Result<_>>()?;
         data.push((node.clone(), own));
     }
-    let failed = |error| {
-        let equal = matches!(error, InterpolationError::EqualNodes { .. });
-        let mut problem = interpolation_error(error);
-        if equal {
-            problem.hints = vec!["write all data of a node in one list: [x_0, f, f', ...]".to_owned()];
-        }
-        problem
-    };
-    let table = DividedDifferences::hermite(&data).map_err(failed).at(span)?;
+    Ok((data, form))
+}
+
+fn hermite_error(error: InterpolationError) -> Diagnostic {
+    let equal = matches!(error, InterpolationError::EqualNodes { .. });
+    let mut problem = interpolation_error(error);
+    if equal {
+        problem.hints = vec!["write all data of a node in one list: [x_0, f, f', ...]".to_owned()];
+    }
+    problem
+}
+
+/// The data as a table of differences, the index of the node in each of its rows, and the data in
+/// one list.
+fn hermite_differences(
+    args: &Arguments,
+) -> Result<(DividedDifferences<Fraction, Datum>, Vec<usize>, Samples)> {
+    let (data, form) = hermite_data(args)?;
+    let table = DividedDifferences::hermite(&data).map_err(hermite_error).at(args.span(0))?;
     let places =
         data.iter().enumerate().flat_map(|(i, (_, own))| std::iter::repeat_n(i, own.len())).collect();
     let (nodes, values): (Vec<Fraction>, Vec<Vec<Datum>>) = data.into_iter().unzip();

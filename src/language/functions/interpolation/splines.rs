@@ -89,6 +89,14 @@ pub(crate) const TABLE: &[Builtin] = &[
         },
         ..NEW
     },
+    Builtin {
+        name: "bending_energy",
+        parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
+        summary: "the integral of |S''|^2, which no interpolant makes smaller than the natural spline",
+        example: "bending_energy([0, 1, 2], [0, 1, 0])",
+        call: |_, args| Ok(Value::Scalar(Given::read(args)?.spline(args)?.bending_energy())),
+        ..NEW
+    },
 ];
 
 /// What a spline is asked for with.

@@ -23,7 +23,7 @@ fn rows_of_a_display() {
     assert_eq!(&text[rows[2].span.range()], r"\le 2,");
     let (rel, place) = rows[2].leading.expect("the row begins with a relation");
     assert_eq!((rel, &text[place.range()]), (Rel::Le, r"\le"));
-    assert!(rows[2].continues() && !rows[1].continues());
+    assert!(rows[1].leading.is_none());
 }
 
 #[test]

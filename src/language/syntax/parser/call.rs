@@ -1,7 +1,7 @@
 //! Calls `f(a, b; c)` and the calls that have a node of their own, such as `sum(i=0..n, …)`.
 
 use super::super::token::Token;
-use super::operand::{Inside, Items};
+use super::operand::{Cell, Inside, Items};
 use super::{Node, Parsed, Parser};
 use crate::formula::source::Span;
 use crate::formula::{Accent, BigOp, BinomialStyle, Enclosure, Expr, Kind, Link, Rel};
@@ -37,13 +37,13 @@ fn special(name: &str) -> Option<Special> {
         "floor" => S::Enclosed(Enclosure::Floor),
         "ceil" => S::Enclosed(Enclosure::Ceil),
         "sum" => S::Big(BigOp::Sum),
-        "prod" => S::Big(BigOp::Product),
+        "prod" | "product" => S::Big(BigOp::Product),
         "max" => S::Big(BigOp::Max),
         "min" => S::Big(BigOp::Min),
         "union" => S::Big(BigOp::Union),
         "intersection" => S::Big(BigOp::Intersection),
         "binomial" | "binom" => S::Binomial,
-        "integral" => S::Integral,
+        "integral" | "int" => S::Integral,
         "transpose" => S::Transpose,
         "compose" => S::Compose,
         "cases" => S::Cases,
@@ -51,7 +51,64 @@ fn special(name: &str) -> Option<Special> {
     })
 }
 
-pub(super) fn is_special(name: &str) -> bool {
+impl Special {
+    /// Whether it has a meaning with these arguments; sums have more ways.
+    fn takes(self, items: &[&Expr]) -> bool {
+        match self {
+            Special::Accent(_) | Special::Enclosed(_) | Special::Transpose => items.len() == 1,
+            Special::Binomial => items.len() == 2,
+            Special::Integral => items.len() == 2 && is_integration(items[1]),
+            Special::Compose => items.len() >= 2,
+            Special::Big(_) => items.len() == 2 && split_range(items[0]).is_some(),
+            Special::Cases => false,
+        }
+    }
+
+    /// What it makes of its arguments, of which [`Special::takes`] holds.
+    fn of(self, mut list: Vec<Expr>) -> Kind {
+        if let Special::Compose | Special::Cases = self {
+            return Kind::Compose(list);
+        }
+        let second = (list.len() > 1).then(|| list.remove(1));
+        let first = Box::new(list.remove(0));
+        match (self, second) {
+            (Special::Accent(accent), _) => Kind::Accent(accent, first),
+            (Special::Enclosed(enclosure), _) => Kind::Enclosed(enclosure, first),
+            (Special::Binomial, Some(lower)) => {
+                Kind::Binomial(first, Box::new(lower), BinomialStyle::Stacked)
+            }
+            (Special::Integral, Some(over)) => integral(first, over),
+            (Special::Big(op), Some(body)) => {
+                let (lower, upper) = match first.kind {
+                    Kind::Chain(name, links) => from_range(*name, links),
+                    kind => (Expr::new(kind, first.span), None),
+                };
+                Kind::Big { op, lower: vec![lower], upper, body: Box::new(body) }
+            }
+            _ => Kind::Transpose(first),
+        }
+    }
+}
+
+/// The node of a call such as `hat(1)` or `sum(i=0..n, t^i)`, for other readers; the arguments come
+/// back if the name means nothing special, or not with these.
+pub(crate) fn special_call(name: &str, items: Vec<Expr>) -> Result<Kind, Vec<Expr>> {
+    match special(name) {
+        Some(special) if special.takes(&items.iter().collect::<Vec<_>>()) => Ok(special.of(items)),
+        _ => Err(items),
+    }
+}
+
+/// The accent that a name sets over its argument.
+pub(super) fn accent_of(name: &str) -> Option<Accent> {
+    match special(name) {
+        Some(Special::Accent(accent)) => Some(accent),
+        _ => None,
+    }
+}
+
+/// Whether the calls of a name have nodes of their own, such as those of `sum`.
+pub(crate) fn is_special(name: &str) -> bool {
     special(name).is_some()
 }
 
@@ -108,47 +165,37 @@ impl Parser<'_> {
         if let Special::Cases = special {
             return self.cases(name, inside);
         }
+        let mut inside = inside;
         let full = inside.rows.len() == 1 && inside.rows[0].iter().all(|cell| cell.item.is_some());
-        let count = inside.rows[0].len();
+        if full {
+            spell_bounds(special, &mut inside.rows[0]);
+        }
+        let bounded = |cell: &Cell| cell.item.as_ref().is_some_and(|item| is_bound(&item.expr));
+        let items: Vec<&Expr> =
+            inside.rows[0].iter().filter_map(|cell| cell.item.as_ref()).map(|item| &item.expr).collect();
         let expected = match special {
-            Special::Accent(_) | Special::Enclosed(_) | Special::Transpose => count == 1,
-            Special::Binomial | Special::Integral => count == 2,
-            Special::Compose => count >= 2,
-            Special::Big(_) => inside.rows[0].iter().filter_map(|cell| cell.item.as_ref()).any(is_bound),
-            Special::Cases => false,
+            Special::Big(_) => inside.rows[0].iter().any(bounded),
+            _ => special.takes(&items),
         };
         if !full || !expected {
             return self.apply(name, inside);
         }
-        if let Special::Integral = special
-            && !inside.rows[0][1].item.as_ref().is_some_and(is_integration)
-        {
-            return self.apply(name, inside);
-        }
         let mut items = Items::default();
         inside.rows.into_iter().flatten().filter_map(|cell| cell.item).for_each(|item| items.push(item));
-        let Items { mut list, height } = items;
-        let mut next = || Box::new(list.remove(0));
-        let kind = match special {
-            Special::Accent(accent) => Kind::Accent(accent, next()),
-            Special::Enclosed(enclosure) => Kind::Enclosed(enclosure, next()),
-            Special::Transpose => Kind::Transpose(next()),
-            Special::Binomial => {
-                let upper = next();
-                Kind::Binomial(upper, next(), BinomialStyle::Stacked)
-            }
-            Special::Integral => {
-                let body = next();
-                integral(body, *next())
-            }
-            Special::Compose | Special::Cases => Kind::Compose(list),
-            Special::Big(op) => return self.big(op, list, span, height),
-        };
+        let Items { list, height } = items;
+        if let Special::Big(op) = special {
+            return self.big(op, list, span, height);
+        }
+        let kind = special.of(list);
         self.node(kind, span, height)
     }
 
     /// `sum(i=0..n, j=0..i, j != 3, body)`: nested sums; relations restrict the bound before them.
     fn big(&self, op: BigOp, mut items: Vec<Expr>, span: Span, mut height: u32) -> Parsed<Node> {
+        // sum(k^2, k=1..4) is sum(k=1..4, k^2)
+        if items.first().is_some_and(|first| !is_bound(first)) && items.last().is_some_and(is_bound) {
+            items.rotate_left(1);
+        }
         let is_body = items.last().is_some_and(|last| split_range(last).is_none());
         let Some(body) = items.pop().filter(|_| is_body && !items.is_empty()) else {
             return Err(self.missing_body(op, span));
@@ -197,9 +244,42 @@ impl Parser<'_> {
     }
 }
 
+/// Bounds as other systems write them, `sum(k^2, k, 1, 4)` and `sum(k, 1, 4, k^2)`, become `k = 1..4`.
+fn spell_bounds(special: Special, cells: &mut Vec<Cell>) {
+    if !matches!(special, Special::Big(BigOp::Sum | BigOp::Product) | Special::Integral) {
+        return;
+    }
+    let named = |cell: &Cell| cell.item.as_ref().is_some_and(|item| super::is_parameter(&item.expr.kind));
+    let plain = |cell: &Cell| {
+        cell.item.as_ref().is_some_and(|item| !matches!(item.expr.kind, Kind::Chain(..) | Kind::Range(..)))
+    };
+    let at = match cells.as_slice() {
+        [_, name, _, _] if named(name) => 1,
+        [name, _, _, _] if named(name) && matches!(special, Special::Big(_)) => 0,
+        _ => return,
+    };
+    if !cells.iter().all(plain) {
+        return;
+    }
+    let mut taken = cells.drain(at..at + 3).filter_map(|cell| Some((cell.item?, cell.end)));
+    let (Some((name, _)), Some((low, _)), Some((high, end))) = (taken.next(), taken.next(), taken.next())
+    else {
+        return;
+    };
+    drop(taken);
+    let extent = name.extent.to(high.extent);
+    let height = name.height.max(low.height).max(high.height) + 2;
+    let bounds = low.extent.to(high.extent);
+    let range = Expr::new(Kind::Range(Box::new(low.expr), Box::new(high.expr)), bounds);
+    let link = Link { rel: Rel::Eq, span: bounds, expr: range };
+    let expr = Expr::new(Kind::Chain(Box::new(name.expr), vec![link]), extent);
+    let cell = Cell { item: Some(Node { expr, extent, height }), end, condition: None };
+    cells.insert(at, cell);
+}
+
 /// Whether an argument bounds a sum: `i = 0..n` or `i in S`.
-fn is_bound(node: &Node) -> bool {
-    split_range(&node.expr).is_some() || is_membership(&node.expr)
+fn is_bound(expr: &Expr) -> bool {
+    split_range(expr).is_some() || is_membership(expr)
 }
 
 fn is_membership(expr: &Expr) -> bool {
@@ -235,8 +315,8 @@ fn from_range(name: Expr, mut links: Vec<Link>) -> (Expr, Option<Box<Expr>>) {
     (Expr::new(Kind::Chain(Box::new(name), links), span), upper)
 }
 
-fn is_integration(node: &Node) -> bool {
-    split_range(&node.expr).is_some() || super::is_parameter(&node.expr.kind)
+fn is_integration(expr: &Expr) -> bool {
+    split_range(expr).is_some() || super::is_parameter(&expr.kind)
 }
 
 /// The integral over a variable, of which [`is_integration`] holds.

@@ -2,10 +2,10 @@
 
 use super::super::chars;
 use super::super::token::{Bracket, Token, TokenKind};
-use super::call::is_special;
+use super::call::{accent_of, is_special};
 use super::{MAX_DEPTH, Node, Parsed, Parser};
 use crate::formula::source::Span;
-use crate::formula::{Accent, Delimiter, Enclosure, Expr, Kind};
+use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind};
 use crate::language::lexicon::letters;
 use crate::math::number::{Rational, parse_decimal};
 
@@ -109,7 +109,7 @@ impl Parser<'_> {
         }
     }
 
-    fn numeral(&mut self) -> Parsed<Node> {
+    pub(super) fn numeral(&mut self) -> Parsed<Node> {
         let token = self.bump();
         let value = self.number(token)?;
         self.node(Kind::Number(value), token.span(), 0)
@@ -118,7 +118,17 @@ impl Parser<'_> {
     /// A name, or the call of a special one.
     fn word(&mut self) -> Parsed<Node> {
         let token = self.bump();
-        if self.at_call() && is_special(self.text_of(token)) { self.special(token) } else { self.name(token) }
+        if self.at_call() && is_special(self.text_of(token)) {
+            return self.special(token);
+        }
+        // hat 1, vec d
+        let accented = matches!(self.peek().kind, TokenKind::Number | TokenKind::Name) && self.peek().spaced;
+        if let Some(accent) = accent_of(self.text_of(token)).filter(|_| accented) {
+            let body = self.atom(Some(token))?;
+            let span = token.span().to(body.extent);
+            return self.node(Kind::Accent(accent, Box::new(body.expr)), span, body.height);
+        }
+        self.name(token)
     }
 
     fn words(&mut self) -> Parsed<Node> {
@@ -178,6 +188,8 @@ impl Parser<'_> {
     pub(super) fn postfix(&mut self, mut node: Node, exponent: bool) -> Parsed<Node> {
         loop {
             let attached = match self.peek().kind {
+                // B^3_1: the index belongs to B
+                TokenKind::Underscore if exponent && is_number(&node.expr) => return Ok(node),
                 TokenKind::Index | TokenKind::Underscore | TokenKind::Open(Bracket::Sub) => {
                     self.subscript(node)
                 }
@@ -186,6 +198,9 @@ impl Parser<'_> {
                 TokenKind::Prime => self.prime(node),
                 TokenKind::Accent => self.accent(node),
                 TokenKind::Bang => self.factorial(node),
+                TokenKind::Open(Bracket::Square) if self.index_follows(&node.expr) => {
+                    self.bracket_index(node)
+                }
                 _ if !exponent && self.at_call() && self.calls(&node.expr) => self.call(node),
                 _ => return Ok(node),
             };
@@ -306,73 +321,9 @@ impl Parser<'_> {
         let kind = match exponent.expr.kind {
             Kind::Group(inner) if !number => Kind::Upper(left, vec![*inner]),
             Kind::Tuple(items) if !number => Kind::Upper(left, items),
-            kind => Kind::Pow(left, Box::new(Expr::new(kind, exponent.expr.span))),
+            kind => power(*left, Expr::new(kind, exponent.expr.span)),
         };
         self.node(kind, base.extent.to(exponent.extent), height)
-    }
-
-    /// The index after a name or an underscore.
-    fn subscript(&mut self, base: Node) -> Parsed<Node> {
-        match &base.expr.kind {
-            Kind::Subscript(..) => return Err(self.double_index(&base, self.peek())),
-            Kind::Number(_) | Kind::Ellipsis | Kind::Text(_) => return Err(self.no_index(&base)),
-            _ => {}
-        }
-        if self.peek().kind == TokenKind::Underscore {
-            self.bump();
-        }
-        let (indices, end) = match self.peek().kind {
-            TokenKind::Open(Bracket::Brace | Bracket::Paren | Bracket::Sub) => self.indices()?,
-            _ => self.plain_index()?,
-        };
-        self.indexed(base, indices, end)
-    }
-
-    /// Indices in brackets.
-    fn indices(&mut self) -> Parsed<(Items, Span)> {
-        let inside = self.inside(false)?;
-        let span = inside.span();
-        Ok((self.items(inside, "an index")?, span))
-    }
-
-    /// An index of digits or letters, the letters perhaps with digits of their own.
-    fn plain_index(&mut self) -> Parsed<(Items, Span)> {
-        let token = self.peek();
-        let mut index = match token.kind {
-            TokenKind::Index | TokenKind::Number => self.numeral()?,
-            TokenKind::Name => {
-                self.bump();
-                self.name(token)?
-            }
-            TokenKind::BadNumber => return Err(self.bad_number(token)),
-            _ => return Err(self.missing_index()),
-        };
-        if token.kind == TokenKind::Name && self.peek().kind == TokenKind::Index {
-            let (digits, end) = self.plain_index()?;
-            index = self.indexed(index, digits, end)?;
-        }
-        let span = index.extent;
-        let mut items = Items::default();
-        items.push(index);
-        Ok((items, span))
-    }
-
-    fn indexed(&self, base: Node, mut indices: Items, end: Span) -> Parsed<Node> {
-        for index in &mut indices.list {
-            self.keep_leading_zero(index);
-        }
-        let height = base.height.max(indices.height);
-        let kind = Kind::Subscript(Box::new(base.expr), indices.list);
-        self.node(kind, base.extent.to(end), height)
-    }
-
-    /// The index 01 is a name: it differs from 1.
-    fn keep_leading_zero(&self, index: &mut Expr) {
-        let text = &self.text[index.span.range()];
-        let first = text.chars().next().map(chars::ordinary);
-        if is_number(index) && first == Some('0') && text.chars().nth(1).is_some() && !text.contains('.') {
-            index.kind = Kind::Name(text.chars().map(chars::ordinary).collect());
-        }
     }
 
     /// Reads a pair of brackets; `conditions` allows `if` and `otherwise` after items.
@@ -393,6 +344,9 @@ impl Parser<'_> {
                 self.bump();
                 bar = Some(self.boxed()?);
             }
+            if bracket == Bracket::Square && self.peek().kind == TokenKind::For && rows.len() == 1 {
+                self.listed(&mut rows[0])?;
+            }
             let end = self.peek();
             match end.kind {
                 TokenKind::Comma | TokenKind::Semicolon if bar.is_none() => {}
@@ -412,6 +366,27 @@ impl Parser<'_> {
                 }
             }
         }
+    }
+
+    /// `[i^2 for i = 0..3]` is map(i -> i^2, 0..3), joined with nothing else.
+    fn listed(&mut self, row: &mut [Cell]) -> Parsed<()> {
+        let [Cell { item: Some(item), .. }] = row else { return Err(self.unexpected()) };
+        self.bump();
+        let bound = self.expr()?;
+        let extent = item.extent.to(bound.extent);
+        let height = item.height.max(bound.height) + 2;
+        let Kind::Chain(name, mut links) = bound.expr.kind else { return Err(self.unexpected()) };
+        if links.len() != 1 || !super::is_parameter(&name.kind) {
+            return Err(self.unexpected());
+        }
+        let values = links.remove(0).expr;
+        let body = Box::new(std::mem::replace(&mut item.expr, Expr::new(Kind::Ellipsis, extent)));
+        let each = Expr::new(Kind::Lambda(vec![*name], body), extent);
+        let map = Box::new(Expr::new(Kind::Name("map".to_owned()), extent));
+        item.expr = Expr::new(Kind::Apply(map, vec![vec![each, values]]), extent);
+        item.extent = extent;
+        item.height = height;
+        Ok(())
     }
 
     /// Adds what stands before the next separator to the last row.
@@ -449,7 +424,7 @@ impl Parser<'_> {
     }
 
     /// The items of a bracket without semicolons, at least one.
-    fn items(&self, inside: Inside, what: &str) -> Parsed<Items> {
+    pub(super) fn items(&self, inside: Inside, what: &str) -> Parsed<Items> {
         if inside.is_empty() {
             return Err(self.empty_brackets(&inside, what));
         }
@@ -506,7 +481,13 @@ impl Parser<'_> {
             return self.node(Kind::List(Vec::new()), span, 0);
         }
         if inside.rows.len() == 1 {
-            let Items { list, height } = self.items(inside, "an item")?;
+            let Items { mut list, height } = self.items(inside, "an item")?;
+            if let [Expr { kind: Kind::Apply(callee, groups), .. }] = list.as_slice()
+                && matches!(&callee.kind, Kind::Name(name) if name == "map")
+                && callee.span == groups[0][0].span
+            {
+                return Ok(Node { expr: list.remove(0), extent: span, height });
+            }
             return self.node(Kind::List(list), span, height);
         }
         let mut height = 0;
@@ -538,6 +519,27 @@ impl Parser<'_> {
     }
 }
 
+/// A power, or the binomial coefficient `C_n^k`.
+pub(super) fn power(base: Expr, exponent: Expr) -> Kind {
+    match base.kind {
+        Kind::Subscript(letter, mut indices)
+            if indices.len() == 1
+                && matches!(&letter.kind, Kind::Name(name) if name == "C")
+                && is_size(&indices[0])
+                && is_size(&exponent) =>
+        {
+            let below = Box::new(indices.remove(0));
+            Kind::Binomial(below, Box::new(exponent), BinomialStyle::Subscripted)
+        }
+        kind => Kind::Pow(Box::new(Expr::new(kind, base.span)), Box::new(exponent)),
+    }
+}
+
+/// What may stand in a binomial coefficient `C_n^k`.
+fn is_size(expr: &Expr) -> bool {
+    matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Subscript(..))
+}
+
 /// Whether a parenthesis directly after `base^exponent` makes a call of the power.
 pub(super) fn calls_power(base: &Expr, exponent: &Expr) -> bool {
     let bare = match &exponent.kind {
@@ -548,7 +550,7 @@ pub(super) fn calls_power(base: &Expr, exponent: &Expr) -> bool {
     is_named(base) && (bare || has_index(base))
 }
 
-fn is_named(expr: &Expr) -> bool {
+pub(super) fn is_named(expr: &Expr) -> bool {
     matches!(
         expr.kind,
         Kind::Name(_) | Kind::Subscript(..) | Kind::Prime(..) | Kind::Accent(..) | Kind::Upper(..)
@@ -563,6 +565,6 @@ fn has_index(expr: &Expr) -> bool {
     }
 }
 
-fn is_number(expr: &Expr) -> bool {
+pub(super) fn is_number(expr: &Expr) -> bool {
     matches!(expr.kind, Kind::Number(_))
 }

@@ -64,6 +64,9 @@ impl Parser<'_> {
                 .hint("write abs(x) for |x|, norm(x) for ‖x‖, and {x | x > 0} for a set"),
             TokenKind::Colon => unexpected("':' has no meaning here".into())
                 .hint("write := to define a name, / to divide, 0..3 for a range"),
+            TokenKind::For => unexpected(format!("{text} stands outside a list"))
+                .reason("only a list is made for several values")
+                .hint("write [i^2 for i = 0..3]"),
             TokenKind::If | TokenKind::Otherwise => unexpected(format!("{text} stands outside cases(…)"))
                 .hint("write cases(1 if i = 0, t otherwise)"),
             TokenKind::Open(Bracket::Brace) => unexpected("'{' cannot follow here".into())
@@ -297,6 +300,11 @@ impl Parser<'_> {
                 || self
                     .last
                     .is_some_and(|last| last.span().end == token.span().start && takes_index(last.kind));
+            if text.ends_with('.') {
+                return Box::new(problem.reason("repeating decimals are not read").hint(
+                    "write a fraction: 1/3 for 0.333..., or a blank before the parenthesis of a product",
+                ));
+            }
             return Box::new(if index {
                 problem
                     .reason("an index has no decimal point")

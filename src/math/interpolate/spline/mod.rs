@@ -27,11 +27,10 @@ mod tests;
 use crate::budget;
 use crate::math::interpolate::InterpolationError;
 use crate::math::interpolate::datum::{
-    Datum, as_many, enough, fitting, increasing, reciprocal, same_dimension, share, times_linear, value_of,
+    Datum, as_many, enough, fitting, increasing, reciprocal, same_dimension, share, times_linear,
 };
-use crate::math::interpolate::hermite::hermite_bezier;
 use crate::math::number::rational;
-use crate::math::piecewise::{Outside, Piecewise, interval_of};
+use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::poly::Coefficients;
 use crate::math::ring::Field;
 
@@ -197,7 +196,6 @@ impl<C: Field, V: Datum<C>> Steps<C, V> {
 /// assert_eq!(spline.moments(), [0, -3, 0].map(z));
 /// assert_eq!(spline.slopes(), [q(3, 2), z(0), q(-3, 2)]);
 /// assert_eq!(spline.power(0), [z(0), q(3, 2), z(0), q(-1, 2)]);
-/// assert_eq!(spline.value(&q(1, 2))?, q(11, 16));
 /// let other = CubicSpline::by_slopes(&nodes, &[0, 1, 0].map(z), Ends::natural())?;
 /// assert_eq!(spline.moments(), other.moments());
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
@@ -328,28 +326,6 @@ impl<C: Field, V: Datum<C>> CubicSpline<C, V> {
             power[0] = power[0].added(c);
             power
         })
-    }
-
-    /// The Bézier points of piece i over [x_i, x_{i+1}]: y_i, y_i + h_i m_i/3,
-    /// y_{i+1} − h_i m_{i+1}/3, y_{i+1}.
-    ///
-    /// # Panics
-    /// If there is no piece i.
-    pub fn bezier_points(&self, i: usize) -> Vec<V> {
-        let end = |i: usize| [self.values[i].clone(), self.slopes[i].clone()];
-        hermite_bezier(&self.nodes[i], &self.nodes[i + 1], &end(i), &end(i + 1))
-            .expect("neighbouring nodes differ and all data have one dimension")
-    }
-
-    /// S(t).
-    ///
-    /// # Errors
-    /// [`InterpolationError::OutsideDomain`] outside of [x_0, x_n], or when symbols leave open
-    /// which piece is meant.
-    pub fn value(&self, t: &C) -> Result<V, InterpolationError> {
-        let i = interval_of(&self.nodes, t).map_err(|_| InterpolationError::OutsideDomain)?;
-        let value = value_of(&self.taylor(i), &t.minus(&self.nodes[i]));
-        Ok(value.expect("a piece has four coefficients"))
     }
 
     /// The spline as piecewise polynomials, one for each coordinate.

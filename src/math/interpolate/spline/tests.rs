@@ -3,7 +3,6 @@ use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
 use super::*;
-use crate::math::blossom::PolarForm;
 use crate::math::linalg::{determinant, solve};
 use crate::math::number::{Rational, integer as z, rational as q};
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
@@ -54,7 +53,6 @@ fn check(spline: &CubicSpline<Rational>) {
     let (nodes, n) = (spline.nodes(), spline.pieces());
     let function = spline.to_piecewise().remove(0);
     for (i, (x, y)) in nodes.iter().zip(spline.values()).enumerate() {
-        assert_eq!(spline.value(x).unwrap(), *y);
         assert_eq!(function.value(x).unwrap(), *y);
         assert_eq!(function.derivative(1).value(x).unwrap(), spline.slopes()[i]);
         assert_eq!(function.derivative(2).value(x).unwrap(), spline.moments()[i]);
@@ -65,8 +63,6 @@ fn check(spline: &CubicSpline<Rational>) {
     for i in 0..n {
         let (a, b) = (&nodes[i], &nodes[i + 1]);
         let power = spline.power(i);
-        let form = PolarForm::with_degree(&power, 3).unwrap();
-        assert_eq!(spline.bezier_points(i), form.bezier_points(a, b));
         let middle = (a + b) * q(1, 3);
         let [alpha, beta, gamma, eta] = spline.moment_form(i);
         let (left, right) = (b - &middle, &middle - a);
@@ -232,13 +228,14 @@ fn textbook_splines() {
 fn checked_with_sympy() {
     let (nodes, values) = ([0, 1, 3, 4, 7, 8].map(z), [0, 1, -2, 3, 3, 1].map(z));
     let spline = CubicSpline::by_moments(&nodes, &values, Ends::not_a_knot()).unwrap();
-    let second = spline.to_piecewise()[0].derivative(2);
+    let function = spline.to_piecewise().remove(0);
+    let second = function.derivative(2);
     for (t, value, bend) in [
         (q(1, 2), q(2941, 2184), q(-1849, 273)),
         (q(5, 2), q(-1849, 728), q(1069, 195)),
         (q(15, 2), q(2939, 1560), q(181, 195)),
     ] {
-        assert_eq!(spline.value(&t), Ok(value));
+        assert_eq!(function.value(&t), Ok(value));
         assert_eq!(second.value(&t), Ok(bend));
     }
     let ends = Ends::Each { first: End::Natural, last: End::Slope(z(3)) };
@@ -321,8 +318,6 @@ fn symbolic_splines() {
     let other = CubicSpline::by_moments(&nodes, &values, ends).unwrap();
     assert_eq!(spline.moments(), other.moments());
     assert_eq!(spline.power(0), spline.power(1));
-    assert_eq!(spline.value(&s("b")), Ok(s("v")));
-    assert_eq!(spline.value(&s("t")), Err(InterpolationError::OutsideDomain));
 }
 
 #[test]
@@ -337,9 +332,6 @@ fn errors_name_the_offender() {
     let open = [0, 1, 2].map(z);
     assert_eq!(new(&open, &open, Ends::Periodic), Err(E::NotPeriodic));
     assert!(matches!(new(&open, &open[..2], Ends::natural()), Err(E::Lengths { given: 2, .. })));
-    let spline = new(&open, &open, Ends::natural()).unwrap();
-    assert_eq!(spline.value(&z(3)), Err(E::OutsideDomain));
-    assert_eq!(spline.value(&q(-1, 9)), Err(E::OutsideDomain));
     let ragged = CubicSpline::by_moments(
         &open[..2],
         &[vec![z(0)], vec![z(1)]],
@@ -351,6 +343,7 @@ fn errors_name_the_offender() {
     let ends = Ends::natural();
     assert_eq!(CubicSpline::by_moments(&twice, &twice, ends), Err(E::EqualNodes { first: 0, second: 2 }));
     assert!(Tridiagonal::<Rational>::new(vec![], vec![], vec![], true).is_err());
+    let spline = new(&open, &open, Ends::natural()).unwrap();
     assert!(spline.bending_energy().is_zero() && !spline.bending_energy().is_negative());
     assert!(spline.slopes().iter().all(One::is_one));
 }

@@ -1,0 +1,605 @@
+//! Values of what the page introduced in words: polar forms, B-splines, Bézier curves, their points.
+
+use super::calls::{each, unclear, variable};
+use super::{Bound, Evaluated, Model};
+use crate::formula::{Expr, Kind};
+use crate::judge::context::is_variable;
+use crate::judge::names::{Head, bases, is_index_letter};
+use crate::judge::object::{Declared, Object, Sort};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::Machine;
+use crate::language::lexicon::families;
+use crate::language::ops::arithmetic;
+use crate::language::value::Value;
+use crate::math::blossom::{Argument, PolarForm};
+use crate::math::number::{Rational, integer, multinomial};
+use crate::math::poly::{Coefficients, Fraction, Index, Symbol};
+use crate::math::ring::Ring;
+use num_traits::Zero;
+
+/// The variable in which a polynomial is taken apart.
+const PLACE: &str = "\u{25e6}";
+
+impl Model {
+    /// The object that a head is one of.
+    pub(super) fn object(&self, head: &Head) -> Option<&Declared> {
+        self.context.object(head, &self.place)
+    }
+
+    /// What the indices of an object stand for in a name of it: i and n in B_2^5, if it was introduced as B_i^n.
+    fn indices(&self, machine: &mut Machine, object: &Object, head: &Head) -> Bound {
+        let Some(own) = object.name_for(head) else { return Bound::new() };
+        let pairs = own.lower.iter().chain(&own.upper).zip(head.lower.iter().chain(&head.upper));
+        let letter = |pattern: &Expr| match &pattern.kind {
+            Kind::Name(name) if is_index_letter(name) => Some(Symbol::new(name)),
+            _ => None,
+        };
+        pairs
+            .filter_map(|(pattern, index)| Some((letter(pattern)?, machine.eval(index).ok()?)))
+            .filter(|(_, value)| value.as_int().is_some())
+            .collect()
+    }
+
+    /// The degree that was said of an object.
+    fn stated_degree(&self, machine: &mut Machine, object: &Object, bound: &Bound) -> Option<usize> {
+        let degree = object.degree.as_ref()?;
+        let value = machine.with_locals(bound.clone(), |machine| machine.eval(degree)).ok()?;
+        match value.as_int() {
+            Some(degree) => usize::try_from(degree).ok(),
+            // Of degree n, where n is nothing else here.
+            None => {
+                if self.degree.is_none() {
+                    self.record.borrow_mut().wants_degree = true;
+                }
+                self.degree
+            }
+        }
+    }
+
+    /// The degree of a function by name, as far as words say it.
+    fn degree_of(&self, machine: &mut Machine, of: &Expr) -> Option<usize> {
+        let head = Head::of(of)?;
+        let declared = self.object(&head)?;
+        let object = declared.object.clone();
+        let bound = self.indices(machine, &object, &head);
+        self.stated_degree(machine, &object, &bound)
+    }
+
+    /// How many arguments a polar form takes, if words say it.
+    pub(super) fn stated_arity(&self, machine: &mut Machine, head: &Head) -> Option<usize> {
+        let object = self.object(head)?.object.clone();
+        if object.sort != Sort::PolarForm {
+            return None;
+        }
+        let bound = self.indices(machine, &object, head);
+        self.stated_degree(machine, &object, &bound)
+            .or_else(|| object.of.as_ref().and_then(|of| self.degree_of(machine, of)))
+    }
+
+    /// The value of a function that words introduced.
+    pub(super) fn spoken(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let Declared { object, line, .. } = self.object(head)?.clone();
+        let bound = self.indices(machine, &object, head);
+        let [arguments] = values else { return None };
+        let one = match arguments.as_slice() {
+            [Value::Scalar(x)] => Some(x.clone()),
+            _ => None,
+        };
+        let note = |what: &str| self.note(format!("{} is {what} of line {line}", head.base));
+        let result = match object.sort {
+            Sort::PolarForm if !self.open.borrow_mut().insert(format!("polar form {}", head.base)) => {
+                // F is known by f only.
+                return None;
+            }
+            Sort::PolarForm => {
+                let Some(of) = object.of.as_ref() else {
+                    self.open.borrow_mut().remove(&format!("polar form {}", head.base));
+                    return None;
+                };
+                note("the polar form");
+                // Of the piece on an interval.
+                let piece = object.interval.as_ref().filter(|_| self.is_local()).and_then(|(from, to)| {
+                    let ends = machine
+                        .with_locals(bound.clone(), |machine| Ok((machine.eval(from)?, machine.eval(to)?)));
+                    let (from, to) = ends.ok()?;
+                    Some((from.as_rational()? + to.as_rational()?) / integer(2))
+                });
+                let value = match piece {
+                    Some(middle) => {
+                        self.moved(Some(middle), || self.polar_form(machine, head, of, arguments, expr))
+                    }
+                    None => self.polar_form(machine, head, of, arguments, expr),
+                };
+                self.open.borrow_mut().remove(&format!("polar form {}", head.base));
+                value
+            }
+            Sort::Polynomial => {
+                let degree = self.stated_degree(machine, &object, &bound)?;
+                let x = one?;
+                note(&format!("any polynomial of degree {degree}"));
+                Ok(Value::Scalar(self.generic(machine, head, degree, expr).value(&x)))
+            }
+            Sort::BSpline => {
+                let x = one?;
+                let degree = self.stated_degree(machine, &object, &bound)?;
+                let knots = match self.explicit_knots(machine, &object, &bound, degree) {
+                    Some(knots) => knots,
+                    None => {
+                        let first =
+                            head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
+                        (first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect()
+                    }
+                };
+                note("the B-spline");
+                self.local_spline(&knots, &x, expr).map(Value::Scalar)
+            }
+            Sort::SplineCurve if object.uniform && object.interval.is_some() => {
+                let x = one?;
+                let degree = self.stated_degree(machine, &object, &bound)?;
+                let points = self.points(machine, &object, &bound, degree)?;
+                note("a uniform segment");
+                let x = self.reparametrised(machine, &object, &x)?;
+                let weights = (0..=degree as i64).map(|j| {
+                    let knots: Vec<Rational> = (j - degree as i64..=j + 1).map(integer).collect();
+                    families::spline(&knots, degree as i64 - j, &x).unwrap_or_else(Fraction::zero)
+                });
+                combination(&points, &weights.collect::<Vec<_>>())
+            }
+            Sort::SplineCurve if !object.knots.is_empty() && !object.points.is_empty() => {
+                let x = one?;
+                let knots = self.all_knots(machine, &object, &bound)?;
+                let stated = self.stated_degree(machine, &object, &bound);
+                let count = self.count(machine, &object.points, &bound);
+                let degree = stated.or_else(|| knots.len().checked_sub(count? + 1))?;
+                let points = self.points(machine, &object, &bound, knots.len().checked_sub(degree + 2)?)?;
+                note("the spline curve");
+                let weights: Result<Vec<Fraction>, Diagnostic> =
+                    knots.windows(degree + 2).map(|window| self.local_spline(window, &x, expr)).collect();
+                match weights {
+                    Ok(weights) => combination(&points, &weights),
+                    Err(error) => Err(error),
+                }
+            }
+            Sort::BezierCurve => {
+                let x = one?;
+                let degree = self
+                    .stated_degree(machine, &object, &bound)
+                    .or_else(|| self.count(machine, &object.points, &bound)?.checked_sub(1))?;
+                let points = self.points(machine, &object, &bound, degree)?;
+                note("the Bézier curve");
+                let x = self.reparametrised(machine, &object, &x)?;
+                let mut weights: Vec<Fraction> =
+                    (0..=degree as i64).map(|i| families::bernstein(degree as i64, i, &x)).collect();
+                if !object.weights.is_empty() {
+                    let own = Object { points: object.weights.clone(), ..object.clone() };
+                    let own = self.points(machine, &own, &bound, degree)?;
+                    for (weight, own) in weights.iter_mut().zip(&own) {
+                        *weight = weight.times(own.as_scalar()?);
+                    }
+                    let sum = weights.iter().fold(Fraction::zero(), |sum, weight| sum.plus(weight));
+                    for weight in &mut weights {
+                        let share =
+                            arithmetic::divide(Value::Scalar(weight.clone()), Value::Scalar(sum.clone()));
+                        *weight = share.ok()?.as_scalar()?.clone();
+                    }
+                }
+                combination(&points, &weights)
+            }
+            Sort::Lagrange => {
+                let x = one?;
+                let nodes = self.nodes(machine, &object, &bound)?;
+                let i = head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
+                let i = usize::try_from(i).ok().filter(|&i| i < nodes.len())?;
+                note("a Lagrange polynomial");
+                let others = nodes.iter().enumerate().filter(|(j, _)| *j != i);
+                let mut product = Fraction::from_rational(&integer(1));
+                for (_, node) in others {
+                    let factor =
+                        arithmetic::divide(Value::Scalar(x.minus(node)), Value::Scalar(nodes[i].minus(node)));
+                    match factor {
+                        Ok(Value::Scalar(factor)) => product = product.times(&factor),
+                        Ok(_) => return None,
+                        Err(error) => return Some(Err(error)),
+                    }
+                }
+                Ok(Value::Scalar(product))
+            }
+            Sort::Bernstein => {
+                let x = one?;
+                let indices: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
+                let own = object.name_for(head)?;
+                let patterns: Vec<&Expr> = own.lower.iter().chain(&own.upper).collect();
+                // B_0, …, B_3 of degree 3
+                if let [i] = indices.as_slice() {
+                    let degree = self.stated_degree(machine, &object, &bound)?;
+                    let i = machine.eval(i).ok()?.as_int()?;
+                    note("a Bernstein polynomial");
+                    return Some(Ok(Value::Scalar(families::bernstein(degree as i64, i, &x))));
+                }
+                let ([a, b], [p, _]) = (indices.as_slice(), patterns.as_slice()) else { return None };
+                let first = object.degree.as_ref().map_or_else(
+                    || bases(p).iter().any(|name| matches!(name.as_str(), "n" | "m" | "d" | "N")),
+                    |degree| degree.same_as(p),
+                );
+                let (i, n) = if first && head.upper.is_empty() { (b, a) } else { (a, b) };
+                let (i, n) = (machine.eval(i).ok()?.as_int()?, machine.eval(n).ok()?.as_int()?);
+                note("a Bernstein polynomial");
+                Ok(Value::Scalar(families::bernstein(n, i, &x)))
+            }
+            _ => return None,
+        };
+        Some(result)
+    }
+
+    /// The value of a name without arguments that words introduced: a control point, a matrix.
+    pub(super) fn spoken_name(&self, machine: &mut Machine, head: &Head) -> Option<Evaluated> {
+        let Declared { object, line, .. } = self.object(head)?.clone();
+        match object.sort {
+            Sort::Matrix if head.lower.is_empty() && head.upper.is_empty() => {
+                let entry = |i: usize, j: usize| {
+                    let name = Symbol::new(&head.base);
+                    variable(name.numbered(i as i64 + 1).numbered(j as i64 + 1))
+                };
+                self.note(format!("{} is any 2 by 2 matrix", head.base));
+                Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
+            }
+            Sort::ControlPoints => {
+                let of = object.of.clone()?;
+                let [index] = head.lower.as_slice() else { return None };
+                let i = usize::try_from(machine.eval(index).ok()?.as_int()?).ok()?;
+                // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
+                if !self.open.borrow_mut().insert(head.base.clone()) {
+                    return None;
+                }
+                let bound = self.indices(machine, &object, head);
+                let degree = self
+                    .stated_degree(machine, &object, &bound)
+                    .or_else(|| self.degree_of(machine, &of))
+                    .or_else(|| self.count(machine, &object.names, &bound)?.checked_sub(1));
+                let value = degree.filter(|&degree| i <= degree).and_then(|degree| {
+                    let ends = object.interval.clone().unwrap_or_else(|| (Expr::int(0), Expr::int(1)));
+                    let (a, b) = (machine.eval(&ends.0).ok()?, machine.eval(&ends.1).ok()?);
+                    let arguments: Vec<Value> =
+                        (0..degree).map(|k| if k < degree - i { a.clone() } else { b.clone() }).collect();
+                    self.polar_value(machine, &of, degree, &arguments, &of).ok()
+                });
+                self.open.borrow_mut().remove(&head.base);
+                let value = value?;
+                self.note(format!("{}_i are the control points of line {line}", head.base));
+                Some(Ok(value))
+            }
+            _ => None,
+        }
+    }
+
+    /// How many items a list has, dots written out.
+    fn count(&self, machine: &mut Machine, items: &[Expr], bound: &Bound) -> Option<usize> {
+        let first = items.first()?;
+        let items =
+            machine.with_locals(bound.clone(), |machine| self.arguments(machine, items, None, first)).ok()?;
+        Some(items.len())
+    }
+
+    /// The control points of an object of a degree.
+    fn points(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        bound: &Bound,
+        degree: usize,
+    ) -> Option<Vec<Value>> {
+        let first = object.points.first()?;
+        // b_i stands for all of them.
+        if let ([one], Some(head)) = (object.points.as_slice(), Head::of(first))
+            && matches!(head.lower.as_slice(), [Expr { kind: Kind::Name(_), .. }])
+        {
+            let name = |i: usize| {
+                let head = Head { lower: vec![Expr::int(i as i64)], ..head.clone() };
+                self.symbol(machine, &head, one).map(Value::symbol).ok()
+            };
+            return (0..=degree).map(name).collect();
+        }
+        let points = machine
+            .with_locals(bound.clone(), |machine| {
+                self.arguments(machine, &object.points, Some(degree + 1), first)
+            })
+            .ok()?;
+        (points.len() == degree + 1).then_some(points)
+    }
+
+    fn nodes(&self, machine: &mut Machine, object: &Object, bound: &Bound) -> Option<Vec<Fraction>> {
+        let first = object.knots.first()?;
+        let nodes = machine
+            .with_locals(bound.clone(), |machine| self.arguments(machine, &object.knots, None, first))
+            .ok()?;
+        nodes.iter().map(|node| node.as_scalar().cloned()).collect()
+    }
+
+    /// The knots that words give, if they are numbers.
+    pub(in crate::judge) fn all_knots(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        bound: &Bound,
+    ) -> Option<Vec<Rational>> {
+        let knots: Option<Vec<Rational>> =
+            self.nodes(machine, object, bound)?.iter().map(Fraction::as_rational).collect();
+        knots.filter(|knots| knots.windows(2).all(|ends| ends[0] <= ends[1]))
+    }
+
+    /// The knots of a B-spline, if they are said and are numbers.
+    pub(in crate::judge) fn explicit_knots(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        bound: &Bound,
+        degree: usize,
+    ) -> Option<Vec<Rational>> {
+        let first = object.knots.first()?;
+        let values = machine
+            .with_locals(bound.clone(), |machine| {
+                self.arguments(machine, &object.knots, Some(degree + 2), first)
+            })
+            .ok()?;
+        let knots: Option<Vec<Rational>> = values.iter().map(Value::as_rational).collect();
+        knots.filter(|knots| knots.len() == degree + 2)
+    }
+
+    /// The parameter of a curve over [a, b] as one over [0, 1].
+    fn reparametrised(&self, machine: &mut Machine, object: &Object, x: &Fraction) -> Option<Fraction> {
+        let Some((from, to)) = &object.interval else { return Some(x.clone()) };
+        let (from, to) = (machine.eval(from).ok()?, machine.eval(to).ok()?);
+        let (Value::Scalar(from), Value::Scalar(to)) = (from, to) else { return None };
+        match arithmetic::divide(Value::Scalar(x.minus(&from)), Value::Scalar(to.minus(&from))).ok()? {
+            Value::Scalar(x) => Some(x),
+            _ => None,
+        }
+    }
+
+    /// A polynomial with symbols as coefficients.
+    fn generic(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        degree: usize,
+        expr: &Expr,
+    ) -> Coefficients<Fraction> {
+        let mut name = Symbol::new(format!("[{}]", head.base));
+        for index in head.lower.iter().chain(&head.upper) {
+            name = match self.symbol(machine, &Head { lower: vec![index.clone()], ..head.clone() }, expr) {
+                Ok(symbol) => name.with_indices(symbol.indices().iter().map(|index| match index {
+                    Index::Number(i) => Index::Word(i.to_string()),
+                    word => word.clone(),
+                })),
+                Err(_) => name,
+            };
+        }
+        self.record.borrow_mut().unknown.insert(head.base.clone());
+        Coefficients::new((0..=degree as i64).map(|k| variable(name.numbered(k))).collect())
+    }
+
+    /// The polar form of something at arguments.
+    fn polar_form(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        of: &Expr,
+        arguments: &[Value],
+        expr: &Expr,
+    ) -> Evaluated {
+        let stated = self.stated_arity(machine, head);
+        if let Some(name) = Head::of(of) {
+            self.record.borrow_mut().paired.insert(name.base);
+        }
+        if stated.is_none() && !self.flexible.get() {
+            self.record.borrow_mut().arities.insert(arguments.len());
+        }
+        if self.discovering && stated.is_none() {
+            return Ok(Value::int(0));
+        }
+        if let Some(degree) = stated
+            && degree != arguments.len()
+        {
+            self.record.borrow_mut().mixed = true;
+            let message = format!(
+                "{} is a polar form of degree {degree}, so it has {degree} arguments, not {}",
+                head.base,
+                arguments.len()
+            );
+            return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
+        }
+        self.polar_value(machine, of, arguments.len(), arguments, expr)
+    }
+
+    /// The value of the polar form of degree `degree` of a polynomial, in each coordinate.
+    fn polar_value(
+        &self,
+        machine: &mut Machine,
+        of: &Expr,
+        degree: usize,
+        arguments: &[Value],
+        expr: &Expr,
+    ) -> Evaluated {
+        if let Some(pairs) = arguments.iter().map(pair).collect::<Option<Vec<_>>>()
+            && !pairs.is_empty()
+        {
+            return self.total_polar_value(machine, of, &pairs, expr);
+        }
+        let place = Symbol::new(PLACE);
+        let value = self.at_place(machine, of, vec![Value::symbol(place.clone())], expr)?;
+        let list: Option<Vec<Argument<Fraction>>> = arguments
+            .iter()
+            .map(|value| match value {
+                Value::Scalar(u) => Some(Argument::Point(u.clone())),
+                Value::Vector(v) => Some(Argument::Vector(v.clone())),
+                _ => None,
+            })
+            .collect();
+        let list = list.ok_or_else(|| unclear("what these arguments are", expr))?;
+        each(value, &|formula| {
+            let coefficients = coefficients_in(&formula, &place, expr)?;
+            let least = coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+            if least > degree {
+                let message =
+                    format!("a polynomial of degree {least} has no polar form with {degree} arguments");
+                return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
+            }
+            let mut coefficients = coefficients;
+            coefficients.resize(degree + 1, Fraction::zero());
+            PolarForm::new(coefficients).value(&list).map_err(|_| unclear("what this polar value is", expr))
+        })
+    }
+
+    /// The value of the polar form of a polynomial in two variables, by its total degree, at points of the plane:
+    /// the product of the sums 1 + x u_k + y v_k has the symmetric functions as coefficients.
+    fn total_polar_value(
+        &self,
+        machine: &mut Machine,
+        of: &Expr,
+        points: &[(Fraction, Fraction)],
+        expr: &Expr,
+    ) -> Evaluated {
+        let (x, y) = (Symbol::new(PLACE), Symbol::new(PLACE).numbered(2));
+        let symbols = vec![Value::symbol(x.clone()), Value::symbol(y.clone())];
+        let value = self.at_place(machine, of, symbols, expr)?;
+        let n = points.len();
+        let mut table = vec![vec![Fraction::zero(); n + 1]; n + 1];
+        table[0][0] = Fraction::from_rational(&integer(1));
+        for (u, v) in points {
+            for i in (0..=n).rev() {
+                for j in (0..=n).rev() {
+                    let left = if i > 0 { table[i - 1][j].times(u) } else { Fraction::zero() };
+                    let below = if j > 0 { table[i][j - 1].times(v) } else { Fraction::zero() };
+                    table[i][j] = table[i][j].plus(&left).plus(&below);
+                }
+            }
+        }
+        each(value, &|formula| {
+            let mut sum = Fraction::zero();
+            for (i, row) in coefficients_in(&formula, &x, expr)?.iter().enumerate() {
+                for (j, coefficient) in coefficients_in(row, &y, expr)?.iter().enumerate() {
+                    if coefficient.is_zero() {
+                        continue;
+                    }
+                    if i + j > n {
+                        let message =
+                            format!("a polynomial of degree {} has no polar form with {n} arguments", i + j);
+                        return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
+                    }
+                    let count = Rational::new(1.into(), multinomial(&[i, j, n - i - j]));
+                    sum = sum.plus(&coefficient.times(&table[i][j]).scaled(&count));
+                }
+            }
+            Ok(sum)
+        })
+    }
+
+    /// The value of a function, a product or sum of functions, or a formula in a variable, at symbols.
+    fn at_place(&self, machine: &mut Machine, of: &Expr, symbols: Vec<Value>, expr: &Expr) -> Evaluated {
+        let group = Expr::new(Kind::Group(Box::new(of.clone())), of.span);
+        let function = match &of.kind {
+            Kind::Mul(_) | Kind::Add(_) | Kind::Compose(_) => group,
+            _ => of.clone(),
+        };
+        // H = FG
+        if let Some(head) = Head::of(of)
+            && let Some((_, definition, _)) = self.context.visible(&head.base, &self.place).next()
+            && definition.head.arguments.is_none()
+            && definition.head.lower.len() + definition.head.upper.len()
+                == head.lower.len() + head.upper.len()
+            && let crate::judge::context::Body::Formula(body) = &definition.body
+        {
+            let body = body.clone();
+            return self.at_place(machine, &body, symbols, expr);
+        }
+        if self.is_function(machine, &function) {
+            return self.apply(machine, &function, &[symbols], expr);
+        }
+        let free: Vec<String> = bases(of)
+            .into_iter()
+            .filter(|name| is_variable(name) && machine.lookup(&Symbol::new(name)).is_none())
+            .collect();
+        if free.len() != symbols.len() {
+            return Err(unclear("in which variable this is a polynomial", expr));
+        }
+        let locals: Bound = free.iter().map(Symbol::new).zip(symbols).collect();
+        machine.with_locals(locals, |machine| machine.eval(of))
+    }
+
+    /// The B-spline over knots near the parameter considered: a polynomial in it.
+    pub(super) fn local_spline(
+        &self,
+        knots: &[Rational],
+        x: &Fraction,
+        expr: &Expr,
+    ) -> Result<Fraction, Diagnostic> {
+        let Some(at) = self.number_here(x) else {
+            return Err(unclear("on which knot interval this B-spline is taken", expr));
+        };
+        let degree = knots.len().saturating_sub(2);
+        let zero = Fraction::zero;
+        let mut row: Vec<Fraction> =
+            knots
+                .windows(2)
+                .map(|ends| {
+                    if ends[0] <= at && at < ends[1] { Fraction::from_rational(&integer(1)) } else { zero() }
+                })
+                .collect();
+        for p in 1..=degree {
+            let ratio = |from: &Rational, to: &Rational, f: &Fraction, top: Fraction| {
+                if from == to || f.is_zero() {
+                    zero()
+                } else {
+                    top.times(f).scaled(&(integer(1) / (to - from)))
+                }
+            };
+            row = (0..row.len() - 1)
+                .map(|i| {
+                    let (a, b) = (&knots[i], &knots[i + p]);
+                    let (c, d) = (&knots[i + 1], &knots[i + p + 1]);
+                    let rising = ratio(a, b, &row[i], x.minus(&Fraction::from_rational(a)));
+                    let falling = ratio(c, d, &row[i + 1], Fraction::from_rational(d).minus(x));
+                    rising.plus(&falling)
+                })
+                .collect();
+        }
+        Ok(row.into_iter().next().unwrap_or_else(zero))
+    }
+}
+
+/// The coordinates of a point of the plane.
+fn pair(value: &Value) -> Option<(Fraction, Fraction)> {
+    let Value::List(items) = value else { return None };
+    match items.as_slice() {
+        [Value::Scalar(x), Value::Scalar(y)] => Some((x.clone(), y.clone())),
+        _ => None,
+    }
+}
+
+fn coefficients_in(formula: &Fraction, place: &Symbol, expr: &Expr) -> Result<Vec<Fraction>, Diagnostic> {
+    let not = || Diagnostic::error(Code::Type, "this is not a polynomial").at(expr.span);
+    let denominator = formula.denominator();
+    if denominator.variables().contains(place) {
+        return Err(not());
+    }
+    let parts = formula.numerator().coefficients_in(place);
+    parts.into_iter().map(|part| Fraction::new(part, denominator.clone()).map_err(|_| not())).collect()
+}
+
+fn combination(points: &[Value], weights: &[Fraction]) -> Evaluated {
+    let mut sum: Option<Value> = None;
+    for (point, weight) in points.iter().zip(weights) {
+        let term = each(point.clone(), &|x| Ok(x.times(weight)))?;
+        sum = Some(match sum {
+            None => term,
+            Some(sum) => arithmetic::add(sum, term)?,
+        });
+    }
+    sum.ok_or_else(|| Diagnostic::error(Code::Empty, "no points"))
+}

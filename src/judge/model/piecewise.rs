@@ -1,0 +1,208 @@
+//! Piecewise polynomials near a parameter: where it lies decides which piece is meant.
+//!
+//! **Definition.** A value near a parameter t₀ is a formula that is right in a neighbourhood of t₀. Two piecewise
+//! polynomials agree near t₀ if these formulas do; whether they agree everywhere is sampled by enough t₀.
+
+use super::calls::unclear;
+use super::{Evaluated, Model};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::diagnostic::Diagnostic;
+use crate::language::eval::Machine;
+use crate::language::ops::arithmetic;
+use crate::language::value::Value;
+use crate::math::number::{Rational, integer};
+use crate::math::poly::{Fraction, Symbol};
+
+/// Generic knots have these numbers.
+const KNOTS: std::ops::Range<i64> = -4..12;
+
+impl Model {
+    /// Whether piecewise polynomials are considered near a parameter.
+    pub fn is_local(&self) -> bool {
+        self.around.borrow().is_some()
+    }
+
+    /// The knot number j: uneven ones, unless the notes define B-splines over the integers.
+    pub fn knot(&self, j: i64) -> Rational {
+        const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
+        let uneven = usize::try_from(j - KNOTS.start).ok().and_then(|at| UNEVEN.get(at).copied());
+        integer(match uneven {
+            Some(knot) if !self.uniform => knot,
+            _ if self.uniform => j,
+            _ => 3 * j,
+        })
+    }
+
+    /// The generic knots, called by letters.
+    pub fn knots(&self, letters: &[String]) -> Vec<(Symbol, Value)> {
+        let named = |letter: &String| {
+            let letter = Symbol::new(letter);
+            KNOTS.map(move |j| (letter.numbered(j), Value::number(self.knot(j)))).collect::<Vec<_>>()
+        };
+        letters.iter().flat_map(named).collect()
+    }
+
+    /// A value at the parameter considered: its plain symbols are that parameter.
+    pub(super) fn number_here(&self, x: &Fraction) -> Option<Rational> {
+        if let Some(number) = x.as_rational() {
+            return Some(number);
+        }
+        let around = self.around.borrow().clone()?;
+        let at = |symbol: &Symbol| symbol.is_plain().then(|| around.clone());
+        x.value(&at)
+    }
+
+    /// Evaluates with another parameter to be near to.
+    pub(super) fn moved<T>(&self, around: Option<Rational>, work: impl FnOnce() -> T) -> T {
+        let before = self.around.replace(around);
+        let result = work();
+        self.around.replace(before);
+        result
+    }
+
+    /// Whether a condition holds near the parameter; `None` if that cannot be said.
+    pub fn holds_here(&self, machine: &mut Machine, condition: &Expr) -> Option<bool> {
+        if let Some(items) = condition.alternatives() {
+            let held: Vec<Option<bool>> = items.iter().map(|item| self.holds_here(machine, item)).collect();
+            return match held.contains(&Some(true)) {
+                true => Some(true),
+                false => (!held.contains(&None)).then_some(false),
+            };
+        }
+        let Kind::Chain(left, links) = &condition.kind else { return None };
+        let number = |machine: &mut Machine, expr: &Expr| match machine.eval(expr) {
+            Ok(Value::Scalar(x)) => self.number_here(&x),
+            _ => None,
+        };
+        let mut value = number(machine, left);
+        let mut unknown = false;
+        for link in links {
+            if link.rel == Rel::In {
+                let items = match &link.expr.kind {
+                    Kind::Apply(_, groups) => groups.first().map(Vec::as_slice),
+                    Kind::List(items) | Kind::Tuple(items) => Some(items.as_slice()),
+                    _ => None,
+                };
+                let [from, to] = items? else { return None };
+                let (from, to) = (number(machine, from), number(machine, to));
+                let value = value.as_ref()?;
+                if from.as_ref().is_some_and(|from| value < from) || to.as_ref().is_some_and(|to| value > to)
+                {
+                    return Some(false);
+                }
+                return (from.is_some() && to.is_some()).then_some(true);
+            }
+            let next = number(machine, &link.expr);
+            match (&value, &next) {
+                (Some(a), Some(b)) => {
+                    let ok = match link.rel {
+                        Rel::Lt => a < b,
+                        Rel::Le => a <= b,
+                        Rel::Gt => a > b,
+                        Rel::Ge => a >= b,
+                        Rel::Eq => a == b,
+                        Rel::Ne => a != b,
+                        _ => return None,
+                    };
+                    if !ok {
+                        return Some(false);
+                    }
+                }
+                _ => unknown = true,
+            }
+            value = next;
+        }
+        (!unknown).then_some(true)
+    }
+
+    /// Cases on where a parameter lies.
+    pub(super) fn cases_here(
+        &self,
+        machine: &mut Machine,
+        cases: &[(Expr, Option<Expr>)],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        for (value, condition) in cases {
+            let relation = |condition: &&Expr| {
+                matches!(condition.kind, Kind::Chain(..)) || condition.alternatives().is_some()
+            };
+            // "otherwise" in words
+            let Some(condition) = condition.as_ref().filter(relation) else {
+                return Some(machine.eval(value));
+            };
+            match self.holds_here(machine, condition) {
+                Some(true) => return Some(machine.eval(value)),
+                Some(false) => {}
+                None => return Some(Err(unclear("when this case holds", expr))),
+            }
+        }
+        Some(Err(unclear("which case holds", expr)))
+    }
+
+    /// An integral over numbers, piece by piece.
+    pub(super) fn piecewise_integral(
+        &self,
+        machine: &mut Machine,
+        lower: Option<&Expr>,
+        upper: Option<&Expr>,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let Kind::Integral { body, variable, .. } = &expr.kind else { return None };
+        let not = |what: &str| Some(Err(unclear(what, expr)));
+        let (Some(lower), Some(upper)) = (lower, upper) else {
+            return not("between which bounds this is integrated");
+        };
+        let ends = [lower, upper].map(|end| match machine.eval(end) {
+            Ok(Value::Scalar(x)) => x.as_rational(),
+            _ => None,
+        });
+        let [Some(from), Some(to)] = ends else { return not("where the pieces of this integrand end") };
+        let (least, most) = if from <= to { (from.clone(), to.clone()) } else { (to.clone(), from.clone()) };
+        let mut breaks: Vec<Rational> =
+            self.breaks.iter().cloned().chain(KNOTS.map(|j| self.knot(j))).collect();
+        breaks.retain(|at| least < *at && *at < most);
+        breaks.extend([least.clone(), most]);
+        breaks.sort();
+        breaks.dedup();
+        let mut sum: Option<Value> = None;
+        for ends in breaks.windows(2) {
+            let middle = (&ends[0] + &ends[1]) / integer(2);
+            let piece = Expr::new(
+                Kind::Integral {
+                    lower: Some(Box::new(Expr::number(&ends[0]))),
+                    upper: Some(Box::new(Expr::number(&ends[1]))),
+                    body: body.clone(),
+                    variable: variable.clone(),
+                },
+                expr.span,
+            );
+            let value = self.moved(None, || {
+                // The integrand first, near the middle of the piece; then a polynomial is integrated.
+                let Kind::Name(name) = &variable.kind else {
+                    return Err(unclear("in which variable this is integrated", expr));
+                };
+                let own = [(Symbol::new(name), Value::symbol(Symbol::new(name)))];
+                let integrand = self
+                    .moved(Some(middle.clone()), || machine.with_locals(own, |machine| machine.eval(body)))?;
+                let mut piece = piece.clone();
+                if let Kind::Integral { body, .. } = &mut piece.kind {
+                    **body = integrand.to_expr();
+                }
+                machine.eval(&piece)
+            });
+            let value = match value {
+                Ok(value) => value,
+                Err(error) => return Some(Err(error)),
+            };
+            sum = Some(match sum {
+                None => value,
+                Some(sum) => match arithmetic::add(sum, value) {
+                    Ok(sum) => sum,
+                    Err(error) => return Some(Err(Diagnostic::from(error).at(expr.span))),
+                },
+            });
+        }
+        let sum = sum.unwrap_or_else(|| Value::int(0));
+        Some(if from <= to { Ok(sum) } else { arithmetic::negate(sum) })
+    }
+}

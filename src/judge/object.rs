@@ -1,0 +1,236 @@
+//! What the page says in words that its names stand for: a polar form, a B-spline, a cubic polynomial.
+
+use super::context::{Body, Context};
+use std::collections::BTreeSet;
+
+use super::names::{Head, bases, is_index_letter};
+use super::statement::Place;
+use crate::formula::{Expr, Kind, Rel};
+
+/// What a name stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sort {
+    /// The polar form of something.
+    PolarForm,
+    /// A polynomial, of a degree if that is said.
+    Polynomial,
+    /// A function of which nothing more is said.
+    Function,
+    /// A B-spline, a function of the basis.
+    BSpline,
+    /// A curve, or a segment of one, made of B-splines and control points.
+    SplineCurve,
+    /// A Bézier curve.
+    BezierCurve,
+    /// The control points of a curve.
+    ControlPoints,
+    /// The Lagrange polynomials of nodes.
+    Lagrange,
+    /// The Bernstein polynomials.
+    Bernstein,
+    /// Knots.
+    Knots,
+    /// Nodes of an interpolation.
+    Nodes,
+    /// A matrix.
+    Matrix,
+    /// Numbers, points, vectors, indices: symbols without properties.
+    Symbols,
+    /// Something else, in these words: what is claimed of it cannot be wrong as far as is known here.
+    Other(String),
+}
+
+/// Something that a sentence speaks of.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its names as written.
+    pub names: Vec<Expr>,
+    /// What it is.
+    pub sort: Sort,
+    /// Its degree.
+    pub degree: Option<Expr>,
+    /// What it belongs to: the polar form of F, the control points of p.
+    pub of: Option<Expr>,
+    /// Its knots or nodes.
+    pub knots: Vec<Expr>,
+    /// Its control points.
+    pub points: Vec<Expr>,
+    /// Their weights.
+    pub weights: Vec<Expr>,
+    /// The ends of its interval.
+    pub interval: Option<(Expr, Expr)>,
+    /// Whether its knots are equally spaced.
+    pub uniform: bool,
+}
+
+impl Object {
+    /// Nothing but a sort.
+    pub fn new(sort: Sort) -> Self {
+        Object {
+            names: Vec::new(),
+            sort,
+            degree: None,
+            of: None,
+            knots: Vec::new(),
+            points: Vec::new(),
+            weights: Vec::new(),
+            interval: None,
+            uniform: false,
+        }
+    }
+
+    /// The name of the object that a head is written with, if it is one of this object: the same letter with as
+    /// many indices, where numbers agree.
+    pub fn name_for(&self, head: &Head) -> Option<Head> {
+        self.names.iter().find_map(|name| {
+            let own = Head::of(name)?;
+            let fits = |pattern: &Expr, index: &Expr| match (&pattern.kind, &index.kind) {
+                (Kind::Number(a), Kind::Number(b)) => a == b,
+                (Kind::Number(_), _) => false,
+                (Kind::Name(letter), _) if is_index_letter(letter) => true,
+                // b_0, …, b_n names all of b_i.
+                _ => true,
+            };
+            let all = self.names.iter().any(|other| other.kind == Kind::Ellipsis);
+            let same = own.base == head.base
+                && own.lower.len() == head.lower.len()
+                && (own.upper.len() == head.upper.len() || own.upper.is_empty() && head.arguments.is_some())
+                && own.lower.iter().zip(&head.lower).all(|(a, b)| all || fits(a, b));
+            same.then_some(own)
+        })
+    }
+
+    /// Whether it can be applied to arguments.
+    pub fn is_function(&self) -> bool {
+        matches!(
+            self.sort,
+            Sort::PolarForm
+                | Sort::Polynomial
+                | Sort::Function
+                | Sort::BSpline
+                | Sort::SplineCurve
+                | Sort::BezierCurve
+                | Sort::Lagrange
+                | Sort::Bernstein
+        )
+    }
+
+    /// Whether it says all about its names, so that an equation for one of them is a claim.
+    pub fn determines(&self) -> bool {
+        match self.sort {
+            Sort::PolarForm => self.of.is_some(),
+            Sort::Bernstein => true,
+            Sort::Lagrange => !self.knots.is_empty(),
+            Sort::BezierCurve => !self.points.is_empty(),
+            Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
+            Sort::BSpline => self.degree.is_some(),
+            Sort::ControlPoints => self.of.is_some(),
+            _ => false,
+        }
+    }
+}
+
+/// An object and where it was introduced.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// What.
+    pub object: Object,
+    /// Where.
+    pub place: Place,
+    /// The line, for reports.
+    pub line: usize,
+}
+
+impl Context {
+    /// What a head is, as far as words tell: the latest object of its name, those of the same section first.
+    pub fn object(&self, head: &Head, place: &Place) -> Option<&Declared> {
+        let alive = |declared: &&Declared| {
+            place.in_reach(&declared.place, false) && declared.object.name_for(head).is_some()
+        };
+        let found = self.objects_of(&head.base).filter(alive);
+        found.clone().find(|declared| place.sees(&declared.place)).or_else(|| found.clone().next())
+    }
+
+    /// The names in formulas, and those that the definitions and objects of these lead to.
+    pub fn reached(&self, sides: &[&Expr], place: &Place) -> BTreeSet<String> {
+        let mut found: BTreeSet<String> = sides.iter().flat_map(|side| bases(side)).collect();
+        let mut next: Vec<String> = found.iter().cloned().collect();
+        while let Some(base) = next.pop() {
+            let mut more = BTreeSet::new();
+            for (_, definition, _) in self.visible(&base, place) {
+                if let Body::Formula(body) = &definition.body {
+                    more.extend(bases(body));
+                }
+            }
+            if let Some(of) =
+                self.object_called(&base, place).and_then(|declared| declared.object.of.as_ref())
+            {
+                more.extend(bases(of));
+            }
+            for name in more {
+                if found.insert(name.clone()) {
+                    next.push(name);
+                }
+            }
+        }
+        found
+    }
+
+    /// The letters whose members are knots: those that words call so, or between which a B-spline is defined to
+    /// be 1; else t.
+    pub fn knot_letters(&self, place: &Place) -> Vec<String> {
+        let found = self.stated_knots(place);
+        if found.is_empty() { vec!["t".to_owned()] } else { found }
+    }
+
+    /// The letters that the page itself gives to knots.
+    pub fn stated_knots(&self, place: &Place) -> Vec<String> {
+        let mut found: Vec<String> = Vec::new();
+        let mut add = |expr: &Expr| {
+            if let Kind::Subscript(base, _) = &expr.kind
+                && let Kind::Name(letter) = &base.kind
+                && !found.contains(letter)
+            {
+                found.push(letter.clone());
+            }
+        };
+        let alive = |declared: &&Declared| place.in_reach(&declared.place, false);
+        for declared in self.objects.iter().filter(alive) {
+            if declared.object.sort == Sort::Knots {
+                declared.object.names.iter().for_each(&mut add);
+            }
+            if declared.object.sort == Sort::BSpline {
+                declared.object.knots.iter().for_each(&mut add);
+            }
+        }
+        for definition in self.definitions.iter().filter(|d| place.in_reach(&d.place, d.assumed)) {
+            let Body::Formula(Expr { kind: Kind::Cases(cases), .. }) = &definition.body else { continue };
+            for condition in cases.iter().filter_map(|(_, condition)| condition.as_ref()) {
+                if let Kind::Chain(left, links) = &condition.kind
+                    && let [one, two] = links.as_slice()
+                    && matches!((one.rel, two.rel), (Rel::Le | Rel::Lt, Rel::Le | Rel::Lt))
+                {
+                    add(left);
+                    add(&two.expr);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a letter is not that of its standard family here: the page calls it a B-spline, or defines it by
+    /// cases.
+    pub fn is_own(&self, base: &str, place: &Place) -> bool {
+        let spoken = self.object_called(base, place).is_some_and(|d| d.object.sort == Sort::BSpline);
+        spoken
+            || self.visible(base, place).any(|(_, definition, _)| {
+                matches!(&definition.body, Body::Formula(Expr { kind: Kind::Cases(_), .. }))
+                    && !definition.head.lower.is_empty()
+            })
+    }
+
+    /// What stands in the place of a name whatever its indices are.
+    pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
+        self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
+    }
+}

@@ -1,0 +1,90 @@
+//! Words that mean something in other systems or in prose, and what to write for them here.
+
+/// Functions that somebody may expect that have no exact rational values.
+const TRANSCENDENTAL: &[&str] = &[
+    "sqrt", "root", "sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "ln", "lg", "sinh", "cosh",
+    "tanh", "arcsin", "arccos", "arctan", "asin", "acos", "atan",
+];
+
+/// Words and what to write for them.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("let", "a definition is written x := 3"),
+    ("def", "a function is defined by F(t) := t^2"),
+    ("var", "a name needs no declaration; a definition is written x := 3"),
+    ("set", "a definition is written x := 3"),
+    ("where", "define the names first, in statements of their own: a := 3"),
+    ("with", "define the names first, in statements of their own: a := 3"),
+    ("and", "write two statements, with ';' between them"),
+    ("or", "write two statements, with ';' between them"),
+    ("is", "claims are written with =, !=, <, <=, > or >="),
+    ("the", "words are not read; write a formula"),
+    ("mod", "of numbers write a - b*floor(a/b), of polynomials remainder(a, b)"),
+    ("lim", "limits are not computed; put in the value"),
+    ("eval", "write the formula alone, or F(2) for a value of F"),
+    ("print", "write the formula alone"),
+    ("minus", "an exponent of several characters needs braces: t^{-1}"),
+    ("plus", "an exponent of several characters needs braces: t^{-1}"),
+    ("dt", "a derivative is written diff(F, t) or d/dt F"),
+    ("dx", "a derivative is written diff(F, x) or d/dx F"),
+    ("help", "polarform functions lists the functions; :help at the prompt"),
+    ("quit", "leave the prompt with :quit"),
+    ("exit", "leave the prompt with :quit"),
+    ("simplify", "results are simplified as they are computed; write the formula alone"),
+    ("factor", "polynomials are not factored; gcd(a, b), quotient(a, b) and count_roots(F) may help"),
+    ("collect", "coefficients(F, t) lists the coefficients of the powers of t"),
+    ("limit", "limits are not computed; put in the value"),
+    ("roots", "roots are not computed; count_roots(F) counts them"),
+    ("plot", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
+    ("rightopen", "intervals have no value; write a <= t and t < b as claims"),
+    ("leftopen", "intervals have no value; write a < t and t <= b as claims"),
+    ("lcm", "the least common multiple is a*b/gcd(a, b)"),
+    ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
+];
+
+/// Names whose calls have a form of their own.
+pub const FORMS: &[(&str, &str)] = &[
+    ("sum", "sum(k=1..4, k^2)"),
+    ("prod", "prod(k=1..4, k)"),
+    ("product", "product(k=1..4, k)"),
+    ("union", "union(i=1..3, A_i)"),
+    ("intersection", "intersection(i=1..3, A_i)"),
+    ("integral", "integral(t^2, t=0..1)"),
+    ("int", "integral(t^2, t=0..1)"),
+    ("binom", "binomial(5, 2)"),
+    ("cases", "cases(t^2 if t < 1, 2t - 1 otherwise)"),
+    ("hat", "hat(1)"),
+    ("vec", "vec(d)"),
+    ("bar", "bar(z)"),
+    ("tilde", "tilde(z)"),
+    ("ddot", "ddot(F)"),
+    ("bold", "bold(b)"),
+    ("abs", "abs(x)"),
+    ("norm", "norm(x)"),
+    ("floor", "floor(x)"),
+    ("ceil", "ceil(x)"),
+];
+
+/// How a name is called whose calls have a form of their own.
+pub fn form(name: &str) -> Option<&'static str> {
+    FORMS.iter().find(|(known, _)| *known == name).map(|(_, form)| *form)
+}
+
+/// What to write for a word that is known elsewhere; `None` if it is not.
+///
+/// ```
+/// use polarform::language::lexicon::words::elsewhere;
+/// assert!(elsewhere("sin").unwrap().starts_with("only polynomials"));
+/// assert!(elsewhere("let").unwrap().contains(":="));
+/// assert_eq!(elsewhere("uvw"), None);
+/// ```
+pub fn elsewhere(word: &str) -> Option<&'static str> {
+    if is_foreign_function(word) {
+        return Some("only polynomials and rational functions with rational coefficients are exact here");
+    }
+    ELSEWHERE.iter().find(|(known, _)| *known == word).map(|(_, advice)| *advice)
+}
+
+/// Whether a word is a function that has no exact rational values.
+pub fn is_foreign_function(word: &str) -> bool {
+    TRANSCENDENTAL.contains(&word)
+}

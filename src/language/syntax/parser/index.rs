@@ -1,0 +1,110 @@
+//! Indices: `t_1`, `p_{i,j}`, `b[0]`.
+
+use super::super::chars;
+use super::super::token::{Bracket, TokenKind};
+use super::operand::{Items, is_named, is_number};
+use super::{MAX_DEPTH, Node, Parsed, Parser};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind};
+
+impl Parser<'_> {
+    /// Whether square brackets that open here, without a blank, hold indices: `b[0]`, `M[1,2]`. Before a
+    /// matrix or a list of points they begin a factor.
+    pub(super) fn index_follows(&self, base: &Expr) -> bool {
+        let holds = is_named(base) || matches!(base.kind, Kind::Apply(..) | Kind::List(_));
+        if !holds || self.peek().spaced {
+            return false;
+        }
+        let mut depth = 0_usize;
+        for (at, token) in self.tokens[self.at..].iter().enumerate() {
+            match token.kind {
+                TokenKind::Open(Bracket::Square) if at == 1 => return false,
+                TokenKind::Open(_) if depth > MAX_DEPTH => return false,
+                TokenKind::Open(_) => depth += 1,
+                TokenKind::Close(_) if depth <= 1 => return true,
+                TokenKind::Close(_) => depth -= 1,
+                TokenKind::Semicolon if depth == 1 => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// `b[0]`, of which [`Self::index_follows`] holds: an index that is a list.
+    pub(super) fn bracket_index(&mut self, base: Node) -> Parsed<Node> {
+        let inside = self.inside(false)?;
+        let span = base.extent.to(inside.span());
+        let brackets = inside.span();
+        let Items { list, height } = self.items(inside, "an index")?;
+        let list = Expr::new(Kind::List(list), brackets);
+        self.node(Kind::Subscript(Box::new(base.expr), vec![list]), span, height.max(base.height) + 1)
+    }
+
+    /// The index after a name or an underscore.
+    pub(super) fn subscript(&mut self, base: Node) -> Parsed<Node> {
+        match &base.expr.kind {
+            Kind::Subscript(_, indices)
+                if !matches!(indices.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
+            {
+                return Err(self.double_index(&base, self.peek()));
+            }
+            Kind::Number(_) | Kind::Ellipsis | Kind::Text(_) => return Err(self.no_index(&base)),
+            _ => {}
+        }
+        if self.peek().kind == TokenKind::Underscore {
+            self.bump();
+        }
+        let (indices, end) = match self.peek().kind {
+            TokenKind::Open(Bracket::Brace | Bracket::Paren | Bracket::Sub) => self.indices()?,
+            _ => self.plain_index()?,
+        };
+        self.indexed(base, indices, end)
+    }
+
+    /// Indices in brackets.
+    fn indices(&mut self) -> Parsed<(Items, Span)> {
+        let inside = self.inside(false)?;
+        let span = inside.span();
+        Ok((self.items(inside, "an index")?, span))
+    }
+
+    /// An index of digits or letters, the letters perhaps with digits of their own.
+    fn plain_index(&mut self) -> Parsed<(Items, Span)> {
+        let token = self.peek();
+        let mut index = match token.kind {
+            TokenKind::Index | TokenKind::Number => self.numeral()?,
+            TokenKind::Name => {
+                self.bump();
+                self.name(token)?
+            }
+            TokenKind::BadNumber => return Err(self.bad_number(token)),
+            _ => return Err(self.missing_index()),
+        };
+        if token.kind == TokenKind::Name && self.peek().kind == TokenKind::Index {
+            let (digits, end) = self.plain_index()?;
+            index = self.indexed(index, digits, end)?;
+        }
+        let span = index.extent;
+        let mut items = Items::default();
+        items.push(index);
+        Ok((items, span))
+    }
+
+    fn indexed(&self, base: Node, mut indices: Items, end: Span) -> Parsed<Node> {
+        for index in &mut indices.list {
+            self.keep_leading_zero(index);
+        }
+        let height = base.height.max(indices.height);
+        let kind = Kind::Subscript(Box::new(base.expr), indices.list);
+        self.node(kind, base.extent.to(end), height)
+    }
+
+    /// The index 01 is a name: it differs from 1.
+    fn keep_leading_zero(&self, index: &mut Expr) {
+        let text = &self.text[index.span.range()];
+        let first = text.chars().next().map(chars::ordinary);
+        if is_number(index) && first == Some('0') && text.chars().nth(1).is_some() && !text.contains('.') {
+            index.kind = Kind::Name(text.chars().map(chars::ordinary).collect());
+        }
+    }
+}
