@@ -1,11 +1,11 @@
 //! Trying the readings of ambiguous notations until one makes a chain true.
 
-use super::check::Checker;
 use std::collections::BTreeSet;
 
+use super::check::Checker;
 use super::context::{Condition, is_variable};
 use super::model::{Ambiguity, Choices, Curve};
-use super::names::is_index_letter;
+use super::names::{is_index_letter, is_range};
 use super::statement::{Chain, Place};
 use super::tally::{Outcomes, Tally};
 use super::trial::Trial;
@@ -165,9 +165,8 @@ fn about(
         .iter()
         .map(|condition| names(&condition.expr).into_iter().filter(|name| telling(name)).collect())
         .collect();
-    let range = |condition: &&Condition| !matches!(&condition.expr.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq));
     let mut known: BTreeSet<String> = claim.iter().filter(|name| telling(name)).cloned().collect();
-    let mut taken: Vec<bool> = conditions.iter().map(range).collect();
+    let mut taken: Vec<bool> = conditions.iter().map(|condition| is_range(&condition.expr)).collect();
     while let Some(at) = (0..own.len()).find(|&at| !taken[at] && !own[at].is_disjoint(&known)) {
         taken[at] = true;
         known.extend(own[at].iter().cloned());

@@ -7,7 +7,7 @@ use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
-use super::names::{Head, is_index_letter};
+use super::names::{Head, is_index_letter, is_range};
 use super::object::{Declared, Object};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
@@ -68,9 +68,7 @@ impl Checker {
                 // A case is a condition of the claims of its sentence, and of nothing else.
                 if !statement.is_case() {
                     // A range said in passing holds in its paragraph.
-                    let range = !matches!(&side.expr.kind, Kind::Chain(_, links)
-                        if links.iter().any(|link| link.rel == Rel::Eq));
-                    let passing = range && statement.role != Some(Role::Introduced);
+                    let passing = is_range(&side.expr) && statement.role != Some(Role::Introduced);
                     let assumed = statement.role == Some(Role::Assumed) || passing;
                     self.condition(side.expr.clone(), side.expr.span, assumed, &statement.place);
                 }
@@ -120,7 +118,7 @@ impl Checker {
     /// Takes in what words say that names stand for.
     fn object(&mut self, object: &Object, place: &Place) {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
-        let declared = Declared { object: object.clone(), place: place.clone(), line };
+        let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
     }
 
@@ -360,58 +358,6 @@ impl Checker {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
-    }
-
-    /// Whether a claim rests on knots that the page does not give.
-    pub(super) fn invents_knots(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
-        let mut indexed = false;
-        for side in [left, right] {
-            super::names::walk(side, &mut |part| {
-                indexed |= matches!(&part.kind, Kind::Subscript(base, _)
-                    if matches!(&base.kind, Kind::Name(name) if name == "t"));
-            });
-        }
-        let bases = super::names::bases(left).into_iter().chain(super::names::bases(right));
-        let given = bases.into_iter().any(|base| {
-            self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
-                || self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
-        });
-        !indexed && !given && self.context.stated_knots(place).is_empty()
-    }
-
-    /// Whether a hypothesis of the section speaks of a name.
-    fn is_constrained(&self, head: &Head, place: &Place) -> bool {
-        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
-        self.context.conditions.iter().filter(alive).any(|condition| {
-            matches!(&condition.expr.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq)
-                && super::names::bases(&condition.expr).contains(&head.base)
-        })
-    }
-
-    /// Whether a condition introduced a name: a ≠ b, 0 < c < 1.
-    pub(super) fn is_restricted(&self, base: &str, place: &Place) -> bool {
-        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
-        self.context
-            .conditions
-            .iter()
-            .filter(alive)
-            .any(|condition| super::names::bases(&condition.expr).contains(base))
-    }
-
-    /// Whether no definition speaks of the family of a symbol.
-    pub(super) fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
-        let points = curve.as_ref().is_some_and(|curve| curve.points == symbol.base());
-        let mut mentioned = false;
-        for definition in &self.context.definitions {
-            if let Body::Formula(body) = &definition.body {
-                super::names::walk(body, &mut |part| {
-                    mentioned |= Head::of(part).is_some_and(|head| {
-                        head.base == symbol.base() && head.upper.len() == symbol.upper().len()
-                    });
-                });
-            }
-        }
-        !points && !mentioned
     }
 
     /// Judges the relations from number `start` on.

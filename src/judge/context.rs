@@ -220,10 +220,11 @@ impl Context {
     pub fn forget(&mut self, since: Mark) {
         let Mark([definitions, conditions, objects]) = since;
         if self.definitions.len() > definitions || self.objects.len() > objects {
-            for [own, others] in self.named.values_mut() {
+            self.named.retain(|_, [own, others]| {
                 own.retain(|&number| number < definitions);
                 others.retain(|&number| number < objects);
-            }
+                !own.is_empty() || !others.is_empty()
+            });
         }
         self.definitions.truncate(definitions);
         self.conditions.truncate(conditions);

@@ -2,15 +2,16 @@
 //! definition.
 
 use super::check::Checker;
-use super::context::{Definition, is_variable};
+use super::context::{Body, Condition, Definition, is_variable};
 use super::model::{Curve, capital_of};
-use super::names::{Head, bases, is_index_letter};
+use super::names::{Head, bases, has_members, is_index_letter, walk};
 use super::refute::calls;
 use super::statement::Place;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::Family;
 use crate::language::value::Value;
 use crate::language::write;
+use crate::math::poly::Symbol;
 
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
 pub fn definable(expr: &Expr) -> Option<Head> {
@@ -248,12 +249,58 @@ impl Checker {
             && (calls_plain(body, &small) && self.context.letters.is_function(&small)
                 || calls(body, &head.base))
     }
+
+    /// Whether a claim rests on knots that the page does not give.
+    pub(super) fn invents_knots(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
+        let letters = ["t".to_owned()];
+        let indexed = [left, right].iter().any(|side| has_members(side, &letters));
+        let bases = bases(left).into_iter().chain(bases(right));
+        let given = bases.into_iter().any(|base| {
+            self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
+                || self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
+        });
+        !indexed && !given && self.context.stated_knots(place).is_empty()
+    }
+
+    /// Whether a hypothesis of the section speaks of a name.
+    pub(super) fn is_constrained(&self, head: &Head, place: &Place) -> bool {
+        self.conditions_on(&head.base, place)
+            .any(|condition| matches!(&condition.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq))
+    }
+
+    /// Whether a condition introduced a name: a ≠ b, 0 < c < 1.
+    pub(super) fn is_restricted(&self, base: &str, place: &Place) -> bool {
+        self.conditions_on(base, place).next().is_some()
+    }
+
+    /// The conditions of the section that speak of a name.
+    fn conditions_on<'a>(&'a self, base: &'a str, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
+        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
+        let expressions = self.context.conditions.iter().filter(alive).map(|condition| &condition.expr);
+        expressions.filter(|expr| bases(expr).contains(base))
+    }
+
+    /// Whether no definition speaks of the family of a symbol.
+    pub(super) fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
+        let points = curve.as_ref().is_some_and(|curve| curve.points == symbol.base());
+        let mut mentioned = false;
+        for definition in &self.context.definitions {
+            if let Body::Formula(body) = &definition.body {
+                walk(body, &mut |part| {
+                    mentioned |= Head::of(part).is_some_and(|head| {
+                        head.base == symbol.base() && head.upper.len() == symbol.upper().len()
+                    });
+                });
+            }
+        }
+        !points && !mentioned
+    }
 }
 
 /// Whether a letter without indices is called in a formula.
 fn calls_plain(expr: &Expr, base: &str) -> bool {
     let mut found = false;
-    super::names::walk(expr, &mut |part| {
+    walk(expr, &mut |part| {
         if let Kind::Apply(callee, _) = &part.kind {
             found = found
                 || Head::of(callee)

@@ -28,6 +28,7 @@ mod lists;
 mod model;
 pub(crate) mod names;
 pub(crate) mod object;
+mod places;
 pub mod prove;
 mod refute;
 mod repair;

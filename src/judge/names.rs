@@ -270,6 +270,21 @@ pub fn walk<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     expr.for_each_child(&mut |child| walk(child, visit));
 }
 
+/// Whether a member of a family with one of these letters stands in an expression: t_i.
+pub fn has_members(expr: &Expr, letters: &[String]) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        found |= matches!(&part.kind, Kind::Subscript(base, _)
+            if matches!(&base.kind, Kind::Name(name) if letters.contains(name)));
+    });
+    found
+}
+
+/// Whether a condition is no equation but a range, an inequality, a membership.
+pub fn is_range(condition: &Expr) -> bool {
+    !matches!(&condition.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq))
+}
+
 /// The bases of all names in an expression.
 pub fn bases(expr: &Expr) -> BTreeSet<String> {
     let mut found = BTreeSet::new();

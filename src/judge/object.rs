@@ -1,8 +1,10 @@
 //! What the page says in words that its names stand for: a polar form, a B-spline, a cubic polynomial.
 
-use super::context::{Body, Context};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
+use super::context::{Body, Context};
 use super::names::{Head, bases, is_index_letter};
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
@@ -37,7 +39,7 @@ pub enum Sort {
     /// Numbers, points, vectors, indices: symbols without properties.
     Symbols,
     /// Something else, in these words: what is claimed of it cannot be wrong as far as is known here.
-    Other(String),
+    Other(Cow<'static, str>),
 }
 
 /// Something that a sentence speaks of.
@@ -134,7 +136,7 @@ impl Object {
 #[derive(Clone, Debug)]
 pub struct Declared {
     /// What.
-    pub object: Object,
+    pub object: Rc<Object>,
     /// Where.
     pub place: Place,
     /// The line, for reports.

@@ -161,3 +161,11 @@ pub struct Statement {
     /// The words between the formula before and this one.
     pub gap: String,
 }
+
+impl Statement {
+    /// A statement without words around it.
+    pub fn new(said: Said, place: Place) -> Self {
+        let (before, recent, gap) = Default::default();
+        Statement { said, place, role: None, before, recent, gap }
+    }
+}

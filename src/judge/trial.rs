@@ -11,17 +11,15 @@ use super::compare::Outcome;
 use super::conditions::Conditions;
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
-use super::features::{has_divided_differences, has_groups, has_splines, highest_derivative, pairs};
+use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{Head, integer_names, is_index_letter, walk};
-use super::object::{Object, Sort};
 use super::statement::Place;
 use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
-use crate::language::write;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
 use num_traits::Zero;
@@ -31,9 +29,6 @@ const LARGEST_DEGREE: usize = 4;
 
 /// The largest value tried for an integer, by the number of integers.
 const LARGEST: [i64; 6] = [0, 6, 4, 3, 2, 2];
-
-/// Generic knot intervals are tried from number 0 to this one.
-const LAST_INTERVAL: i64 = 3;
 
 /// More instances than this are not tried.
 const MOST: usize = 260;
@@ -166,7 +161,7 @@ impl Trial<'_> {
 
     fn run_some(&self, count: Option<usize>) -> Outcomes {
         let integers = self.integers();
-        let splines = has_splines(&self.sides) || self.defined_by_splines() || self.speaks_of_splines();
+        let splines = self.has_pieces();
         let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
         let largest = if splines { largest.min(3) } else { largest };
         let mut outcomes = Outcomes {
@@ -252,81 +247,6 @@ impl Trial<'_> {
         outcomes
     }
 
-    /// Whether a name in it was introduced as a B-spline or a curve of them.
-    fn speaks_of_splines(&self) -> bool {
-        self.spoken().any(|object| {
-            object.sort == Sort::BSpline || object.sort == Sort::SplineCurve && !object.knots.is_empty()
-        })
-    }
-
-    /// What words introduced of the names in it.
-    fn spoken(&self) -> impl Iterator<Item = &Object> {
-        self.reached.iter().filter_map(|base| Some(&self.context.object_called(base, self.place)?.object))
-    }
-
-    /// The knots that words give, in increasing order.
-    fn breaks(&self, bound: &[(String, i64)]) -> Vec<Rational> {
-        let model = Rc::new(self.model(None, None, &[]));
-        let names: Vec<(Symbol, Value)> =
-            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
-        let mut found: Vec<Rational> = Vec::new();
-        for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
-        {
-            let knots = evaluator::machine().with_locals(names.clone(), |machine| {
-                if object.sort == Sort::SplineCurve {
-                    return Ok(model.all_knots(machine, object, &Vec::new()));
-                }
-                let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
-                let degree = degree.and_then(|degree| usize::try_from(degree).ok());
-                Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
-            });
-            found.extend(knots.ok().flatten().unwrap_or_default());
-        }
-        found.sort();
-        found.dedup();
-        found
-    }
-
-    /// The parameters near which piecewise polynomials are compared: in every interval between knots, and for given
-    /// knots also beside them, as far as the conditions allow.
-    fn places(&self, bound: &[(String, i64)], breaks: &[Rational]) -> Vec<Rational> {
-        let model = self.model(None, Some(Rational::zero()), breaks);
-        let generic: Vec<Rational> = (0..=LAST_INTERVAL + 1).map(|j| model.knot(j)).collect();
-        let knots = if breaks.is_empty() { generic } else { breaks.to_vec() };
-        let mut places: Vec<Rational> = Vec::new();
-        for ends in knots.windows(2).filter(|ends| ends[0] < ends[1]) {
-            let inside = |a: i64, b: i64| (&ends[0] * integer(a) + &ends[1] * integer(b)) / integer(a + b);
-            match breaks.is_empty() {
-                true => places.push(inside(1, 1)),
-                false => places.extend([inside(2, 1), inside(1, 3)]),
-            }
-        }
-        if let (false, [first, .., last]) = (breaks.is_empty(), knots.as_slice()) {
-            places.extend([first - integer(1), last + integer(1)]);
-        }
-        let mentions_knots = |condition: &&Expr| {
-            let mut found = false;
-            walk(condition, &mut |part| {
-                found |= matches!(&part.kind, Kind::Subscript(base, _) if self.knot_letters.contains(&write::text(base)));
-            });
-            found
-        };
-        let conditions: Vec<&Expr> =
-            self.conditions.iter().chain(self.hypotheses.iter().filter(mentions_knots)).collect();
-        places.retain(|place| {
-            let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
-            let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
-            let names: Vec<(Symbol, Value)> =
-                reading.knots(&self.knot_letters).into_iter().chain(integers).collect();
-            conditions.iter().all(|condition| {
-                let held = evaluator::machine()
-                    .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
-                held.ok().flatten() != Some(false)
-            })
-        });
-        places
-    }
-
     /// Whether the conditions on integers hold.
     fn allows(&self, bound: &[(String, i64)]) -> bool {
         let names: Vec<(Symbol, Value)> =
@@ -349,7 +269,12 @@ impl Trial<'_> {
         })
     }
 
-    fn model(&self, degree: Option<usize>, around: Option<Rational>, breaks: &[Rational]) -> Model {
+    pub(super) fn model(
+        &self,
+        degree: Option<usize>,
+        around: Option<Rational>,
+        breaks: &[Rational],
+    ) -> Model {
         Model::new(self.context.clone(), self.place.clone(), self.choices, self.curve.clone())
             .with_degree(degree)
             .with_pairs(pairs(&self.sides))
@@ -357,33 +282,6 @@ impl Trial<'_> {
             .near(around, self.has_integer_knots())
             .with_breaks(breaks.to_vec())
             .with_tensor(has_groups(&self.sides))
-    }
-
-    /// Whether a function in it is defined by B-splines.
-    fn defined_by_splines(&self) -> bool {
-        self.reached.iter().any(|base| {
-            self.context.visible(base, self.place).next().is_some_and(|(_, definition, _)| {
-                matches!(&definition.body, super::context::Body::Formula(body) if has_splines(&[body]))
-            })
-        })
-    }
-
-    /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
-    fn has_integer_knots(&self) -> bool {
-        let defined = self.context.visible("N", self.place).next();
-        let indexed = |expr: &Expr| {
-            let mut found = false;
-            walk(expr, &mut |part| {
-                found |= matches!(&part.kind, Kind::Subscript(base, _) if self.knot_letters.contains(&write::text(base)));
-            });
-            found
-        };
-        match defined.map(|(_, definition, _)| &definition.body) {
-            Some(super::context::Body::Formula(body)) => {
-                !indexed(body) && !self.sides.iter().any(|side| indexed(side))
-            }
-            _ => false,
-        }
     }
 
     /// The variables of the function on the left: in F(u) = … the name u stands for itself, whatever

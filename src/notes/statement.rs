@@ -173,12 +173,10 @@ impl Reader<'_> {
 
     fn push(&mut self, said: Said) {
         let statement = Statement {
-            said,
-            place: self.place(),
-            role: None,
             before: self.before.clone(),
             recent: self.recent.clone(),
             gap: self.gap.clone(),
+            ..Statement::new(said, self.place())
         };
         self.statements.push(statement);
     }

@@ -1,6 +1,8 @@
 //! Values of what the page introduced in words: polar forms, B-splines, Bézier curves, their points.
 
 use super::calls::{each, unclear, variable};
+use std::rc::Rc;
+
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::context::is_variable;
@@ -24,6 +26,21 @@ impl Model {
     /// The object that a head is one of.
     pub(super) fn object(&self, head: &Head) -> Option<&Declared> {
         self.context.object(head, &self.place)
+    }
+
+    /// The same, shared, with the line where it was introduced.
+    fn declared(&self, head: &Head) -> Option<(Rc<Object>, usize)> {
+        self.object(head).map(|declared| (declared.object.clone(), declared.line))
+    }
+
+    /// Works out what a name is, unless that is what is being worked out.
+    fn once<T>(&self, name: &str, work: impl FnOnce() -> Option<T>) -> Option<T> {
+        if !self.open.borrow_mut().insert(name.to_owned()) {
+            return None;
+        }
+        let result = work();
+        self.open.borrow_mut().remove(name);
+        result
     }
 
     /// What the indices of an object stand for in a name of it: i and n in B_2^5, if it was introduced as B_i^n.
@@ -59,15 +76,14 @@ impl Model {
     /// The degree of a function by name, as far as words say it.
     fn degree_of(&self, machine: &mut Machine, of: &Expr) -> Option<usize> {
         let head = Head::of(of)?;
-        let declared = self.object(&head)?;
-        let object = declared.object.clone();
+        let (object, _) = self.declared(&head)?;
         let bound = self.indices(machine, &object, &head);
         self.stated_degree(machine, &object, &bound)
     }
 
     /// How many arguments a polar form takes, if words say it.
     pub(super) fn stated_arity(&self, machine: &mut Machine, head: &Head) -> Option<usize> {
-        let object = self.object(head)?.object.clone();
+        let (object, _) = self.declared(head)?;
         if object.sort != Sort::PolarForm {
             return None;
         }
@@ -84,7 +100,7 @@ impl Model {
         values: &[Vec<Value>],
         expr: &Expr,
     ) -> Option<Evaluated> {
-        let Declared { object, line, .. } = self.object(head)?.clone();
+        let (object, line) = self.declared(head)?;
         let bound = self.indices(machine, &object, head);
         let [arguments] = values else { return None };
         let one = match arguments.as_slice() {
@@ -93,15 +109,9 @@ impl Model {
         };
         let note = |what: &str| self.note(format!("{} is {what} of line {line}", head.base));
         let result = match object.sort {
-            Sort::PolarForm if !self.open.borrow_mut().insert(format!("polar form {}", head.base)) => {
-                // F is known by f only.
-                return None;
-            }
-            Sort::PolarForm => {
-                let Some(of) = object.of.as_ref() else {
-                    self.open.borrow_mut().remove(&format!("polar form {}", head.base));
-                    return None;
-                };
+            // F may be known by f only.
+            Sort::PolarForm => self.once(&format!("polar form {}", head.base), || {
+                let of = object.of.as_ref()?;
                 note("the polar form");
                 // Of the piece on an interval.
                 let piece = object.interval.as_ref().filter(|_| self.is_local()).and_then(|(from, to)| {
@@ -110,15 +120,13 @@ impl Model {
                     let (from, to) = ends.ok()?;
                     Some((from.as_rational()? + to.as_rational()?) / integer(2))
                 });
-                let value = match piece {
+                Some(match piece {
                     Some(middle) => {
                         self.moved(Some(middle), || self.polar_form(machine, head, of, arguments, expr))
                     }
                     None => self.polar_form(machine, head, of, arguments, expr),
-                };
-                self.open.borrow_mut().remove(&format!("polar form {}", head.base));
-                value
-            }
+                })
+            })?,
             Sort::Polynomial => {
                 let degree = self.stated_degree(machine, &object, &bound)?;
                 let x = one?;
@@ -142,7 +150,7 @@ impl Model {
             Sort::SplineCurve if object.uniform && object.interval.is_some() => {
                 let x = one?;
                 let degree = self.stated_degree(machine, &object, &bound)?;
-                let points = self.points(machine, &object, &bound, degree)?;
+                let points = self.points(machine, &object.points, &bound, degree)?;
                 note("a uniform segment");
                 let x = self.reparametrised(machine, &object, &x)?;
                 let weights = (0..=degree as i64).map(|j| {
@@ -157,7 +165,8 @@ impl Model {
                 let stated = self.stated_degree(machine, &object, &bound);
                 let count = self.count(machine, &object.points, &bound);
                 let degree = stated.or_else(|| knots.len().checked_sub(count? + 1))?;
-                let points = self.points(machine, &object, &bound, knots.len().checked_sub(degree + 2)?)?;
+                let points =
+                    self.points(machine, &object.points, &bound, knots.len().checked_sub(degree + 2)?)?;
                 note("the spline curve");
                 let weights: Result<Vec<Fraction>, Diagnostic> =
                     knots.windows(degree + 2).map(|window| self.local_spline(window, &x, expr)).collect();
@@ -171,14 +180,13 @@ impl Model {
                 let degree = self
                     .stated_degree(machine, &object, &bound)
                     .or_else(|| self.count(machine, &object.points, &bound)?.checked_sub(1))?;
-                let points = self.points(machine, &object, &bound, degree)?;
+                let points = self.points(machine, &object.points, &bound, degree)?;
                 note("the Bézier curve");
                 let x = self.reparametrised(machine, &object, &x)?;
                 let mut weights: Vec<Fraction> =
                     (0..=degree as i64).map(|i| families::bernstein(degree as i64, i, &x)).collect();
                 if !object.weights.is_empty() {
-                    let own = Object { points: object.weights.clone(), ..object.clone() };
-                    let own = self.points(machine, &own, &bound, degree)?;
+                    let own = self.points(machine, &object.weights, &bound, degree)?;
                     for (weight, own) in weights.iter_mut().zip(&own) {
                         *weight = weight.times(own.as_scalar()?);
                     }
@@ -239,7 +247,7 @@ impl Model {
 
     /// The value of a name without arguments that words introduced: a control point, a matrix.
     pub(super) fn spoken_name(&self, machine: &mut Machine, head: &Head) -> Option<Evaluated> {
-        let Declared { object, line, .. } = self.object(head)?.clone();
+        let (object, line) = self.declared(head)?;
         match object.sort {
             Sort::Matrix if head.lower.is_empty() && head.upper.is_empty() => {
                 let entry = |i: usize, j: usize| {
@@ -250,27 +258,23 @@ impl Model {
                 Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
             }
             Sort::ControlPoints => {
-                let of = object.of.clone()?;
+                let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };
                 let i = usize::try_from(machine.eval(index).ok()?.as_int()?).ok()?;
                 // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
-                if !self.open.borrow_mut().insert(head.base.clone()) {
-                    return None;
-                }
-                let bound = self.indices(machine, &object, head);
-                let degree = self
-                    .stated_degree(machine, &object, &bound)
-                    .or_else(|| self.degree_of(machine, &of))
-                    .or_else(|| self.count(machine, &object.names, &bound)?.checked_sub(1));
-                let value = degree.filter(|&degree| i <= degree).and_then(|degree| {
+                let value = self.once(&head.base, || {
+                    let bound = self.indices(machine, &object, head);
+                    let degree = self
+                        .stated_degree(machine, &object, &bound)
+                        .or_else(|| self.degree_of(machine, of))
+                        .or_else(|| self.count(machine, &object.names, &bound)?.checked_sub(1))
+                        .filter(|&degree| i <= degree)?;
                     let ends = object.interval.clone().unwrap_or_else(|| (Expr::int(0), Expr::int(1)));
                     let (a, b) = (machine.eval(&ends.0).ok()?, machine.eval(&ends.1).ok()?);
                     let arguments: Vec<Value> =
                         (0..degree).map(|k| if k < degree - i { a.clone() } else { b.clone() }).collect();
-                    self.polar_value(machine, &of, degree, &arguments, &of).ok()
-                });
-                self.open.borrow_mut().remove(&head.base);
-                let value = value?;
+                    self.polar_value(machine, of, degree, &arguments, of).ok()
+                })?;
                 self.note(format!("{}_i are the control points of line {line}", head.base));
                 Some(Ok(value))
             }
@@ -280,23 +284,34 @@ impl Model {
 
     /// How many items a list has, dots written out.
     fn count(&self, machine: &mut Machine, items: &[Expr], bound: &Bound) -> Option<usize> {
-        let first = items.first()?;
-        let items =
-            machine.with_locals(bound.clone(), |machine| self.arguments(machine, items, None, first)).ok()?;
-        Some(items.len())
+        self.items(machine, items, bound, None).map(|items| items.len())
     }
 
-    /// The control points of an object of a degree.
+    /// The values of a list, dots written out; as many as are wanted.
+    fn items(
+        &self,
+        machine: &mut Machine,
+        items: &[Expr],
+        bound: &Bound,
+        wanted: Option<usize>,
+    ) -> Option<Vec<Value>> {
+        let first = items.first()?;
+        let work = |machine: &mut Machine| self.arguments(machine, items, wanted, first);
+        let values = machine.with_locals(bound.clone(), work).ok()?;
+        wanted.is_none_or(|wanted| values.len() == wanted).then_some(values)
+    }
+
+    /// The control points, or weights, of a curve of a degree.
     fn points(
         &self,
         machine: &mut Machine,
-        object: &Object,
+        points: &[Expr],
         bound: &Bound,
         degree: usize,
     ) -> Option<Vec<Value>> {
-        let first = object.points.first()?;
+        let first = points.first()?;
         // b_i stands for all of them.
-        if let ([one], Some(head)) = (object.points.as_slice(), Head::of(first))
+        if let ([one], Some(head)) = (points, Head::of(first))
             && matches!(head.lower.as_slice(), [Expr { kind: Kind::Name(_), .. }])
         {
             let name = |i: usize| {
@@ -305,19 +320,11 @@ impl Model {
             };
             return (0..=degree).map(name).collect();
         }
-        let points = machine
-            .with_locals(bound.clone(), |machine| {
-                self.arguments(machine, &object.points, Some(degree + 1), first)
-            })
-            .ok()?;
-        (points.len() == degree + 1).then_some(points)
+        self.items(machine, points, bound, Some(degree + 1))
     }
 
     fn nodes(&self, machine: &mut Machine, object: &Object, bound: &Bound) -> Option<Vec<Fraction>> {
-        let first = object.knots.first()?;
-        let nodes = machine
-            .with_locals(bound.clone(), |machine| self.arguments(machine, &object.knots, None, first))
-            .ok()?;
+        let nodes = self.items(machine, &object.knots, bound, None)?;
         nodes.iter().map(|node| node.as_scalar().cloned()).collect()
     }
 
@@ -341,14 +348,8 @@ impl Model {
         bound: &Bound,
         degree: usize,
     ) -> Option<Vec<Rational>> {
-        let first = object.knots.first()?;
-        let values = machine
-            .with_locals(bound.clone(), |machine| {
-                self.arguments(machine, &object.knots, Some(degree + 2), first)
-            })
-            .ok()?;
-        let knots: Option<Vec<Rational>> = values.iter().map(Value::as_rational).collect();
-        knots.filter(|knots| knots.len() == degree + 2)
+        let values = self.items(machine, &object.knots, bound, Some(degree + 2))?;
+        values.iter().map(Value::as_rational).collect()
     }
 
     /// The parameter of a curve over [a, b] as one over [0, 1].
@@ -433,15 +434,7 @@ impl Model {
         }
         let place = Symbol::new(PLACE);
         let value = self.at_place(machine, of, vec![Value::symbol(place.clone())], expr)?;
-        let list: Option<Vec<Argument<Fraction>>> = arguments
-            .iter()
-            .map(|value| match value {
-                Value::Scalar(u) => Some(Argument::Point(u.clone())),
-                Value::Vector(v) => Some(Argument::Vector(v.clone())),
-                _ => None,
-            })
-            .collect();
-        let list = list.ok_or_else(|| unclear("what these arguments are", expr))?;
+        let list = polar_arguments(arguments, expr)?;
         each(value, &|formula| {
             let coefficients = coefficients_in(&formula, &place, expr)?;
             let least = coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
@@ -531,46 +524,16 @@ impl Model {
         let locals: Bound = free.iter().map(Symbol::new).zip(symbols).collect();
         machine.with_locals(locals, |machine| machine.eval(of))
     }
+}
 
-    /// The B-spline over knots near the parameter considered: a polynomial in it.
-    pub(super) fn local_spline(
-        &self,
-        knots: &[Rational],
-        x: &Fraction,
-        expr: &Expr,
-    ) -> Result<Fraction, Diagnostic> {
-        let Some(at) = self.number_here(x) else {
-            return Err(unclear("on which knot interval this B-spline is taken", expr));
-        };
-        let degree = knots.len().saturating_sub(2);
-        let zero = Fraction::zero;
-        let mut row: Vec<Fraction> =
-            knots
-                .windows(2)
-                .map(|ends| {
-                    if ends[0] <= at && at < ends[1] { Fraction::from_rational(&integer(1)) } else { zero() }
-                })
-                .collect();
-        for p in 1..=degree {
-            let ratio = |from: &Rational, to: &Rational, f: &Fraction, top: Fraction| {
-                if from == to || f.is_zero() {
-                    zero()
-                } else {
-                    top.times(f).scaled(&(integer(1) / (to - from)))
-                }
-            };
-            row = (0..row.len() - 1)
-                .map(|i| {
-                    let (a, b) = (&knots[i], &knots[i + p]);
-                    let (c, d) = (&knots[i + 1], &knots[i + p + 1]);
-                    let rising = ratio(a, b, &row[i], x.minus(&Fraction::from_rational(a)));
-                    let falling = ratio(c, d, &row[i + 1], Fraction::from_rational(d).minus(x));
-                    rising.plus(&falling)
-                })
-                .collect();
-        }
-        Ok(row.into_iter().next().unwrap_or_else(zero))
-    }
+/// Points and vectors as arguments of a polar form.
+pub(super) fn polar_arguments(values: &[Value], expr: &Expr) -> Result<Vec<Argument<Fraction>>, Diagnostic> {
+    let argument = |value: &Value| match value {
+        Value::Scalar(u) => Ok(Argument::Point(u.clone())),
+        Value::Vector(v) => Ok(Argument::Vector(v.clone())),
+        _ => Err(unclear("what these arguments are", expr)),
+    };
+    values.iter().map(argument).collect()
 }
 
 /// The coordinates of a point of the plane.

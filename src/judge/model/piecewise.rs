@@ -6,12 +6,15 @@
 use super::calls::unclear;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::diagnostic::Diagnostic;
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Symbol};
+use crate::math::ring::Ring;
+use crate::math::spline::KnotVector;
+use num_traits::Zero;
 
 /// Generic knots have these numbers.
 const KNOTS: std::ops::Range<i64> = -4..12;
@@ -139,6 +142,30 @@ impl Model {
         Some(Err(unclear("which case holds", expr)))
     }
 
+    /// The B-spline over knots near the parameter considered: a polynomial in it.
+    pub(super) fn local_spline(
+        &self,
+        knots: &[Rational],
+        x: &Fraction,
+        expr: &Expr,
+    ) -> Result<Fraction, Diagnostic> {
+        let Some(at) = self.number_here(x) else {
+            return Err(unclear("on which knot interval this B-spline is taken", expr));
+        };
+        let degree = knots.len().saturating_sub(2);
+        let spline = KnotVector::new(degree, knots.to_vec()).and_then(|knots| knots.basis_function(0));
+        let spline =
+            spline.map_err(|error| Diagnostic::error(Code::Domain, error.to_string()).at(expr.span))?;
+        let inside = spline.breaks().last().is_some_and(|last| at < *last);
+        Ok(match spline.locate(&at) {
+            Ok(piece) if inside => {
+                let piece = spline.pieces()[piece].iter().map(Fraction::from_rational);
+                piece.collect::<Coefficients<Fraction>>().value(x)
+            }
+            _ => Fraction::zero(),
+        })
+    }
+
     /// An integral over numbers, piece by piece.
     pub(super) fn piecewise_integral(
         &self,
@@ -164,45 +191,34 @@ impl Model {
         breaks.extend([least.clone(), most]);
         breaks.sort();
         breaks.dedup();
-        let mut sum: Option<Value> = None;
-        for ends in breaks.windows(2) {
+        let Kind::Name(name) = &variable.kind else {
+            return not("in which variable this is integrated");
+        };
+        let own = [(Symbol::new(name), Value::symbol(Symbol::new(name)))];
+        let mut piece = |ends: &[Rational]| {
+            // The integrand first, near the middle of the piece; then a polynomial is integrated.
             let middle = (&ends[0] + &ends[1]) / integer(2);
-            let piece = Expr::new(
-                Kind::Integral {
-                    lower: Some(Box::new(Expr::number(&ends[0]))),
-                    upper: Some(Box::new(Expr::number(&ends[1]))),
-                    body: body.clone(),
-                    variable: variable.clone(),
-                },
-                expr.span,
-            );
-            let value = self.moved(None, || {
-                // The integrand first, near the middle of the piece; then a polynomial is integrated.
-                let Kind::Name(name) = &variable.kind else {
-                    return Err(unclear("in which variable this is integrated", expr));
-                };
-                let own = [(Symbol::new(name), Value::symbol(Symbol::new(name)))];
-                let integrand = self
-                    .moved(Some(middle.clone()), || machine.with_locals(own, |machine| machine.eval(body)))?;
-                let mut piece = piece.clone();
-                if let Kind::Integral { body, .. } = &mut piece.kind {
-                    **body = integrand.to_expr();
-                }
-                machine.eval(&piece)
-            });
-            let value = match value {
-                Ok(value) => value,
-                Err(error) => return Some(Err(error)),
+            let integrand =
+                self.moved(Some(middle), || machine.with_locals(own.clone(), |machine| machine.eval(body)))?;
+            let integral = Kind::Integral {
+                lower: Some(Box::new(Expr::number(&ends[0]))),
+                upper: Some(Box::new(Expr::number(&ends[1]))),
+                body: Box::new(integrand.to_expr()),
+                variable: variable.clone(),
             };
-            sum = Some(match sum {
+            self.moved(None, || machine.eval(&Expr::new(integral, expr.span)))
+        };
+        let sum = breaks.windows(2).try_fold(None, |sum: Option<Value>, ends| {
+            let value = piece(ends)?;
+            Ok(Some(match sum {
                 None => value,
-                Some(sum) => match arithmetic::add(sum, value) {
-                    Ok(sum) => sum,
-                    Err(error) => return Some(Err(Diagnostic::from(error).at(expr.span))),
-                },
-            });
-        }
-        let sum = sum.unwrap_or_else(|| Value::int(0));
+                Some(sum) => arithmetic::add(sum, value).map_err(|error| error.at(expr.span))?,
+            }))
+        });
+        let sum = match sum {
+            Ok(sum) => sum.unwrap_or_else(|| Value::int(0)),
+            Err(error) => return Some(Err(error)),
+        };
         Some(if from <= to { Ok(sum) } else { arithmetic::negate(sum) })
     }
 }

@@ -1,6 +1,7 @@
 //! Functions without a definition: polynomials with symbols as coefficients, and their polar forms.
 
 use super::calls::{each, unclear, variable};
+use super::objects::polar_arguments;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::names::Head;
@@ -10,7 +11,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
 use crate::math::basis;
-use crate::math::blossom::{Argument, PolarForm};
+use crate::math::blossom::PolarForm;
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -249,17 +250,7 @@ impl Model {
         if self.discovering {
             return Ok(Value::int(0));
         }
-        let list: Option<Vec<Argument<Fraction>>> = arguments
-            .iter()
-            .map(|value| match value {
-                Value::Scalar(u) => Some(Argument::Point(u.clone())),
-                Value::Vector(v) => Some(Argument::Vector(v.clone())),
-                _ => None,
-            })
-            .collect();
-        let Some(list) = list else {
-            return Err(unclear("what these arguments are", expr));
-        };
+        let list = polar_arguments(arguments, expr)?;
         let mut coefficients = self.coefficients(machine, capital, expr)?;
         while coefficients.len() > 1 && coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();

@@ -2,7 +2,7 @@
 
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
-use super::{Block, Cue};
+use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 
@@ -155,8 +155,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("参数", Noun(Sort::Symbols)),
     ("变量", Noun(Sort::Symbols)),
     ("值", Noun(Sort::Symbols)),
-    ("素数", Noun(Sort::Other(String::new()))),
-    ("质数", Noun(Sort::Other(String::new()))),
+    ("素数", Noun(PRIME)),
+    ("质数", Noun(PRIME)),
     ("次", DegreeAfter),
     ("阶", OrderAfter),
     ("次数", Degree),

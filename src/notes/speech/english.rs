@@ -2,7 +2,7 @@
 
 use super::Cue::{After, Before};
 use super::Word::{self, *};
-use super::{Block, Cue};
+use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 
@@ -316,10 +316,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("values", Noun(Sort::Symbols)),
     ("data", Noun(Sort::Symbols)),
     ("moments", Noun(Sort::Symbols)),
-    ("prime", Noun(Sort::Other(String::new()))),
-    ("primes", Noun(Sort::Other(String::new()))),
-    ("prime number", Noun(Sort::Other(String::new()))),
-    ("prime power", Noun(Sort::Other(String::new()))),
+    ("prime", Noun(PRIME)),
+    ("primes", Noun(PRIME)),
+    ("prime number", Noun(PRIME)),
+    ("prime power", Noun(PRIME)),
     ("degree", Degree),
     ("degrees", Degree),
     ("total degree", Degree),

@@ -2,7 +2,7 @@
 
 use super::Cue::{After, Before};
 use super::Word::{self, *};
-use super::{Block, Cue};
+use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 
@@ -172,8 +172,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("réels", Noun(Sort::Symbols)),
     ("valeurs", Noun(Sort::Symbols)),
     ("coefficients", Noun(Sort::Symbols)),
-    ("nombre premier", Noun(Sort::Other(String::new()))),
-    ("nombres premiers", Noun(Sort::Other(String::new()))),
+    ("nombre premier", Noun(PRIME)),
+    ("nombres premiers", Noun(PRIME)),
     ("degré", Degree),
     ("degré total", Degree),
     ("ordre", Order),

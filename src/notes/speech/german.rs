@@ -2,7 +2,7 @@
 
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
-use super::{Block, Cue};
+use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 
@@ -202,8 +202,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("koeffizienten", Noun(Sort::Symbols)),
     ("variable", Noun(Sort::Symbols)),
     ("werte", Noun(Sort::Symbols)),
-    ("primzahl", Noun(Sort::Other(String::new()))),
-    ("primzahlen", Noun(Sort::Other(String::new()))),
+    ("primzahl", Noun(PRIME)),
+    ("primzahlen", Noun(PRIME)),
     ("grad", Degree),
     ("grades", Degree),
     ("grads", Degree),

@@ -9,6 +9,8 @@ mod english;
 mod french;
 mod german;
 
+use std::borrow::Cow;
+
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 
@@ -95,6 +97,9 @@ impl Block {
     }
 }
 
+/// "A prime": an integer of which nothing can be tried.
+const PRIME: Sort = Sort::Other(Cow::Borrowed("prime"));
+
 struct Language {
     cues: &'static [Cue],
     /// Words that may stand between a cue and its formula.
@@ -149,21 +154,26 @@ pub struct Around {
     pub first: bool,
 }
 
-/// Small letters, single blanks, no marks of emphasis and no punctuation at the ends.
-pub(super) fn normal(words: &str) -> String {
-    let plain: String = words
+/// Small letters, single blanks, no marks of emphasis.
+pub fn plain(words: &str) -> String {
+    let clean: String = words
         .chars()
         .map(|c| match c {
             '*' | '_' | '#' | '>' | '~' | '`' | '\\' => ' ',
             '’' => '\'',
+            '–' | '‑' => '-',
             c => c,
         })
         .collect();
-    let joined = plain.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+    clean.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
+}
+
+/// Plain words without punctuation at the ends.
+fn normal(words: &str) -> String {
     let ends = |c: char| {
         c.is_whitespace() || matches!(c, ',' | ':' | ';' | '(' | ')' | '，' | '：' | '；' | '（' | '）')
     };
-    joined.trim_matches(ends).to_owned()
+    plain(words).trim_matches(ends).to_owned()
 }
 
 /// The longest phrase at the start of a text in small letters, with its length in bytes.

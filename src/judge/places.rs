@@ -1,0 +1,113 @@
+//! Where piecewise polynomials are tried: near parameters in each knot interval.
+
+use std::rc::Rc;
+
+use super::context::Body;
+use super::evaluator;
+use super::features::has_splines;
+use super::names::has_members;
+use super::object::{Object, Sort};
+use super::trial::Trial;
+use crate::formula::Expr;
+use crate::language::value::Value;
+use crate::math::number::{Rational, integer};
+use crate::math::poly::Symbol;
+use num_traits::Zero;
+
+/// Generic knot intervals are tried from number 0 to this one.
+const LAST_INTERVAL: i64 = 3;
+
+impl Trial<'_> {
+    /// Whether it is about piecewise polynomials.
+    pub(super) fn has_pieces(&self) -> bool {
+        has_splines(&self.sides) || self.defined_by_splines() || self.speaks_of_splines()
+    }
+
+    /// Whether a name in it was introduced as a B-spline or a curve of them.
+    fn speaks_of_splines(&self) -> bool {
+        self.spoken().any(|object| {
+            object.sort == Sort::BSpline || object.sort == Sort::SplineCurve && !object.knots.is_empty()
+        })
+    }
+
+    /// What words introduced of the names in it.
+    fn spoken(&self) -> impl Iterator<Item = &Object> {
+        self.reached.iter().filter_map(|base| Some(&*self.context.object_called(base, self.place)?.object))
+    }
+
+    /// The knots that words give, in increasing order.
+    pub(super) fn breaks(&self, bound: &[(String, i64)]) -> Vec<Rational> {
+        let model = Rc::new(self.model(None, None, &[]));
+        let names: Vec<(Symbol, Value)> =
+            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let mut found: Vec<Rational> = Vec::new();
+        for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
+        {
+            let knots = evaluator::machine().with_locals(names.clone(), |machine| {
+                if object.sort == Sort::SplineCurve {
+                    return Ok(model.all_knots(machine, object, &Vec::new()));
+                }
+                let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
+                let degree = degree.and_then(|degree| usize::try_from(degree).ok());
+                Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
+            });
+            found.extend(knots.ok().flatten().unwrap_or_default());
+        }
+        found.sort();
+        found.dedup();
+        found
+    }
+
+    /// The parameters near which piecewise polynomials are compared: in every interval between knots, and for given
+    /// knots also beside them, as far as the conditions allow.
+    pub(super) fn places(&self, bound: &[(String, i64)], breaks: &[Rational]) -> Vec<Rational> {
+        let model = self.model(None, Some(Rational::zero()), breaks);
+        let generic: Vec<Rational> = (0..=LAST_INTERVAL + 1).map(|j| model.knot(j)).collect();
+        let knots = if breaks.is_empty() { generic } else { breaks.to_vec() };
+        let mut places: Vec<Rational> = Vec::new();
+        for ends in knots.windows(2).filter(|ends| ends[0] < ends[1]) {
+            let inside = |a: i64, b: i64| (&ends[0] * integer(a) + &ends[1] * integer(b)) / integer(a + b);
+            match breaks.is_empty() {
+                true => places.push(inside(1, 1)),
+                false => places.extend([inside(2, 1), inside(1, 3)]),
+            }
+        }
+        if let (false, [first, .., last]) = (breaks.is_empty(), knots.as_slice()) {
+            places.extend([first - integer(1), last + integer(1)]);
+        }
+        let mentions_knots = |condition: &&Expr| has_members(condition, &self.knot_letters);
+        let conditions: Vec<&Expr> =
+            self.conditions.iter().chain(self.hypotheses.iter().filter(mentions_knots)).collect();
+        places.retain(|place| {
+            let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
+            let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+            let names: Vec<(Symbol, Value)> =
+                reading.knots(&self.knot_letters).into_iter().chain(integers).collect();
+            conditions.iter().all(|condition| {
+                let held = evaluator::machine()
+                    .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
+                held.ok().flatten() != Some(false)
+            })
+        });
+        places
+    }
+
+    /// Whether a function in it is defined by B-splines.
+    fn defined_by_splines(&self) -> bool {
+        self.reached.iter().any(|base| {
+            self.context.visible(base, self.place).next().is_some_and(
+                |(_, definition, _)| matches!(&definition.body, Body::Formula(body) if has_splines(&[body])),
+            )
+        })
+    }
+
+    /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
+    pub(super) fn has_integer_knots(&self) -> bool {
+        let defined = self.context.visible("N", self.place).next();
+        let indexed = |expr: &Expr| has_members(expr, &self.knot_letters);
+        match defined.map(|(_, definition, _)| &definition.body) {
+            Some(Body::Formula(body)) => !indexed(body) && !self.sides.iter().any(|side| indexed(side)),
+            _ => false,
+        }
+    }
+}

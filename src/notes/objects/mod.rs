@@ -1,0 +1,192 @@
+//! What sentences say in words that names stand for: "let f be the polar form of F".
+//!
+//! **Definition.** A *noun phrase* is a noun of the field with what belongs to it: adjectives before it, and after
+//! it its names, its degree, what it belongs to, its knots, its control points. Its *subject*, the names that it
+//! speaks of, follows it at once ("the polar form f of F"), or stands before it ("let f be the polar form of F",
+//! "f its polar form"), or after "by". What a phrase is, in four languages, is data of `speech`.
+
+mod phrase;
+mod subject;
+#[cfg(test)]
+mod tests;
+mod tokens;
+
+use std::collections::BTreeMap;
+
+use self::phrase::Phrase;
+use self::subject::{left_side, name_in, named};
+use self::tokens::{Token, tokens};
+use super::sentence::Piece;
+use super::speech::Word;
+use crate::formula::{Expr, Kind};
+use crate::judge::names::Head;
+use crate::judge::object::{Object, Sort};
+use crate::judge::statement::{Said, Statement};
+
+/// Puts a statement about each object before the first formula that speaks of it.
+///
+/// Cost: linear in the words, times the number of phrases.
+pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
+    let formulas = formulas(statements);
+    let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
+    let mut topic: Vec<Expr> = Vec::new();
+    for sentence in sentences {
+        let tokens = tokens(sentence);
+        let mut reader = Reader { tokens, formulas: &formulas, topic, taken: 0, found: &mut found };
+        reader.read();
+        topic = reader.topic;
+    }
+    let mut all = Vec::with_capacity(statements.len() + found.len());
+    for statement in statements.drain(..) {
+        for object in found.remove(&statement.place.formula).unwrap_or_default() {
+            let said = Said::Object(Box::new(object));
+            all.push(Statement::new(said, statement.place.clone()));
+        }
+        all.push(statement);
+    }
+    *statements = all;
+}
+
+/// What the formula with a number says, in its parts.
+fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
+    let mut found: BTreeMap<usize, Vec<Expr>> = BTreeMap::new();
+    for statement in statements {
+        let expr = match &statement.said {
+            Said::Chain(chain) => chain.whole(),
+            Said::Condition(side) | Said::Bare(side, _) => side.expr.clone(),
+            _ => continue,
+        };
+        let own = found.entry(statement.place.formula).or_default();
+        match expr.kind {
+            Kind::Sequence(items) => own.extend(items),
+            _ => own.push(expr),
+        }
+    }
+    found
+}
+
+struct Reader<'a> {
+    tokens: Vec<Token>,
+    formulas: &'a BTreeMap<usize, Vec<Expr>>,
+    /// What "its" refers to.
+    topic: Vec<Expr>,
+    /// The tokens before this one belong to noun phrases already.
+    taken: usize,
+    found: &'a mut BTreeMap<usize, Vec<Object>>,
+}
+
+impl<'a> Reader<'a> {
+    fn said(&self, number: usize) -> &'a [Expr] {
+        self.formulas.get(&number).map_or(&[], Vec::as_slice)
+    }
+
+    fn read(&mut self) {
+        let mut at = 0;
+        while at < self.tokens.len() {
+            match &self.tokens[at] {
+                Token::Word(Word::Noun(sort)) => {
+                    let phrase = self.phrase(at, sort.clone());
+                    at = phrase.to.max(at + 1);
+                    self.take(phrase);
+                }
+                // A cubic: an adjective without a noun.
+                Token::Word(Word::OfDegree(degree))
+                    if *degree > 1 && self.follows_article(at) && !self.leads_to_noun(at) =>
+                {
+                    let phrase = self.phrase(at, Sort::Polynomial);
+                    at = phrase.to.max(at + 1);
+                    self.take(phrase);
+                }
+                Token::Formula(number) => {
+                    if let Some(first) = self.said(*number).first() {
+                        self.speak_of(left_side(first));
+                    }
+                    at += 1;
+                }
+                Token::Word(Word::Let) => {
+                    self.unknown_sort(at);
+                    at += 1;
+                }
+                _ => at += 1,
+            }
+        }
+    }
+
+    /// "its" refers to the function that was spoken of last, not to a member of a family nor to a value.
+    fn speak_of(&mut self, call: &Expr) {
+        let Some(head) = Head::of(call) else { return };
+        let plain = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
+        if head.arguments.is_some() && head.lower.is_empty() && head.upper.is_empty() {
+            self.topic = if head.flat().iter().all(plain) { vec![named(call)] } else { Vec::new() };
+        }
+    }
+
+    fn follows_article(&self, at: usize) -> bool {
+        let article = |word: &Word| matches!(word, Word::Article | Word::Filler | Word::Der | Word::Its);
+        at.checked_sub(1)
+            .is_some_and(|before| matches!(&self.tokens[before], Token::Word(word) if article(word)))
+    }
+
+    fn take(&mut self, phrase: Phrase) {
+        let Phrase { mut object, mut of, piece, anonymous, from, to, named } = phrase;
+        if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
+            object.sort = Sort::SplineCurve;
+            object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));
+        }
+        let subject = match named {
+            Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
+            _ => self.subjects_before(from).or_else(|| self.subject_after(to)),
+        };
+        let Some((names, number)) = subject else { return };
+        let whole = |expr: &Expr| expr.kind != Kind::Ellipsis && name_in(expr).is_none();
+        if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
+            return;
+        }
+        let owned = from.checked_sub(1).is_some_and(|before| self.is(before, &Word::With));
+        let takes = object.sort == Sort::PolarForm || object.sort == Sort::ControlPoints && owned;
+        if takes && of.is_empty() && !anonymous {
+            of.extend(self.topic.iter().cloned());
+        }
+        self.taken = to;
+        let function = object.is_function() && object.sort != Sort::PolarForm;
+        let names: Vec<Expr> =
+            names.iter().map(|name| name_in(name).unwrap_or_else(|| name.clone())).collect();
+        if function {
+            self.topic = names.clone();
+        }
+        // The polar forms f and g of F and G
+        if of.len() > 1 && of.len() == names.len() {
+            for (name, of) in names.into_iter().zip(of) {
+                let own = Object { names: vec![name], of: Some(of), ..object.clone() };
+                self.found.entry(number).or_default().push(own);
+            }
+            return;
+        }
+        object.names = names;
+        object.of = of.into_iter().next();
+        self.found.entry(number).or_default().push(object);
+    }
+
+    /// "Let G be a group": what a noun that is not known here says of names.
+    fn unknown_sort(&mut self, at: usize) {
+        let start = self.skip_fillers(at + 1);
+        let (items, mut end) = self.list(start);
+        let names: Vec<Expr> =
+            items.iter().filter(|item| matches!(item.kind, Kind::Name(_))).cloned().collect();
+        let Some(number) = self.formula_at(start).filter(|_| !names.is_empty() && names.len() == items.len())
+        else {
+            return;
+        };
+        let mut article = false;
+        while let Some(Token::Word(word @ (Word::Be | Word::Filler | Word::Article))) = self.tokens.get(end) {
+            article |= *word == Word::Article;
+            end += 1;
+        }
+        if let (true, Some(Token::Unknown(words))) = (article, self.tokens.get(end))
+            && !matches!(self.tokens.get(end + 1), Some(Token::Word(Word::Noun(_))))
+        {
+            let sort = Sort::Other(words.clone().into());
+            self.found.entry(number).or_default().push(Object { names, ..Object::new(sort) });
+        }
+    }
+}

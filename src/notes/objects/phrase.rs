@@ -1,0 +1,343 @@
+//! A noun with what belongs to it.
+
+use super::super::speech::Word;
+use super::Reader;
+use super::subject::{interval, minus_one, name_in, named, subject};
+use super::tokens::Token;
+use crate::formula::{Expr, Kind};
+use crate::judge::object::{Object, Sort};
+
+/// A noun phrase.
+pub(super) struct Phrase {
+    pub(super) object: Object,
+    /// Several things that it belongs to: the polar forms of F and G.
+    pub(super) of: Vec<Expr>,
+    /// Whether it is a piece of what it says.
+    pub(super) piece: bool,
+    /// Whether it belongs to something without a name: the polar form of any quadratic.
+    pub(super) anonymous: bool,
+    /// Its first token and the one after it.
+    pub(super) from: usize,
+    pub(super) to: usize,
+    /// The number of the first formula that names it, right after its noun.
+    pub(super) named: Option<usize>,
+}
+
+impl Reader<'_> {
+    /// Whether only adjectives stand between a word and a noun after it.
+    pub(super) fn leads_to_noun(&self, at: usize) -> bool {
+        let rest = self.tokens[at + 1..].iter().find(|token| {
+            !matches!(
+                token,
+                Token::Word(
+                    Word::Filler
+                        | Word::Article
+                        | Word::Uniform
+                        | Word::Rational
+                        | Word::OfDegree(_)
+                        | Word::Piece
+                )
+            )
+        });
+        matches!(rest, Some(Token::Word(Word::Noun(_)) | Token::Unknown(_)))
+    }
+
+    pub(super) fn formula_at(&self, at: usize) -> Option<usize> {
+        match self.tokens.get(at) {
+            Some(Token::Formula(number)) => Some(*number),
+            _ => None,
+        }
+    }
+
+    pub(super) fn is(&self, at: usize, word: &Word) -> bool {
+        matches!(self.tokens.get(at), Some(Token::Word(own)) if own == word)
+    }
+
+    pub(super) fn skip_fillers(&self, mut at: usize) -> usize {
+        while self.is(at, &Word::Filler) || self.is(at, &Word::Article) || self.is(at, &Word::Der) {
+            at += 1;
+        }
+        at
+    }
+
+    /// The formulas and numbers from a token on, with commas and "and" between them, and the token after them.
+    pub(super) fn list(&self, mut at: usize) -> (Vec<Expr>, usize) {
+        let mut items = Vec::new();
+        let mut end = at;
+        loop {
+            match self.tokens.get(at) {
+                Some(Token::Formula(number)) => items.extend(self.said(*number).iter().cloned()),
+                Some(Token::Number(number)) => items.push(Expr::int(*number)),
+                _ => break,
+            }
+            at += 1;
+            end = at;
+            while matches!(self.tokens.get(at), Some(Token::Comma | Token::Word(Word::And))) {
+                at += 1;
+            }
+        }
+        (items, end)
+    }
+
+    /// The knots that end before a token, and their noun.
+    fn list_before(&self, end: usize) -> Option<(usize, Vec<Expr>)> {
+        let mut at = end;
+        while matches!(
+            self.tokens.get(at.wrapping_sub(1)),
+            Some(Token::Formula(_) | Token::Number(_) | Token::Comma)
+        ) {
+            at -= 1;
+        }
+        let noun = at.checked_sub(1)?;
+        let knots = matches!(self.tokens[noun], Token::Word(Word::Noun(Sort::Knots | Sort::Nodes)));
+        (knots && at < end).then(|| (noun, self.list(at).0))
+    }
+
+    /// The noun phrase around a noun.
+    pub(super) fn phrase(&self, noun: usize, sort: Sort) -> Phrase {
+        let mut object = Object::new(sort);
+        let mut phrase_of = Vec::new();
+        let (mut piece, mut rational, mut anonymous) = (false, false, false);
+        let mut from = noun;
+        if let Token::Word(Word::OfDegree(degree)) = self.tokens[noun] {
+            object.degree = Some(Expr::int(degree));
+        }
+        // Adjectives, what owns it, its degree before it.
+        while let Some(before) = from.checked_sub(1) {
+            match &self.tokens[before] {
+                Token::Word(Word::Filler | Word::Article | Word::Der) => {}
+                Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
+                Token::Word(Word::Uniform) => object.uniform = true,
+                Token::Word(Word::Piece) => piece = true,
+                Token::Word(Word::Of) if before > 0 && self.is(before - 1, &Word::Piece) => {
+                    piece = true;
+                    from = before;
+                }
+                Token::Word(Word::Its) => phrase_of.extend(self.topic.iter().cloned()),
+                // 3 次, F 的
+                Token::Word(mark @ (Word::DegreeAfter | Word::OrderAfter)) if before > 0 => {
+                    let Some(degree) = self.number_at(before - 1) else { break };
+                    object.degree = Some(if *mark == Word::OrderAfter { minus_one(degree) } else { degree });
+                    from = before;
+                }
+                // 节点 0, 1, 2 上的
+                Token::Word(Word::Owns) if before > 1 && self.is(before - 1, &Word::On) => {
+                    let Some((noun, items)) = self.list_before(before - 1) else { break };
+                    object.knots = items;
+                    from = noun + 1;
+                }
+                Token::Word(Word::Owns) if before > 0 => {
+                    let Some(number) = self.formula_at(before - 1) else { break };
+                    phrase_of.extend(self.said(number).iter().cloned());
+                    from = before;
+                }
+                // degree-n polynomial, degree n polynomial
+                Token::Formula(_) | Token::Number(_) if before > 0 && self.is(before - 1, &Word::Degree) => {
+                    object.degree = self.number_at(before);
+                    from = before;
+                }
+                Token::Word(Word::Rational) => rational = true,
+                // An adjective that is not known here may change everything.
+                Token::Unknown(word)
+                    if object.sort != Sort::Symbols
+                        && !word.contains(' ')
+                        && (self.is(before.wrapping_sub(1), &Word::Filler)
+                            || self.is(before.wrapping_sub(1), &Word::Article)) =>
+                {
+                    object.sort = Sort::Other(word.clone().into());
+                }
+                _ => break,
+            }
+            from -= 1;
+        }
+        // Adjectives after it: B-spline quadratique.
+        let mut at = noun + 1;
+        while let Some(Token::Word(
+            word @ (Word::Filler | Word::OfDegree(_) | Word::Uniform | Word::Rational),
+        )) = self.tokens.get(at)
+        {
+            match word {
+                Word::OfDegree(degree) => object.degree = Some(Expr::int(*degree)),
+                Word::Uniform => object.uniform = true,
+                Word::Rational => rational = true,
+                _ => {}
+            }
+            at += 1;
+        }
+        let mut number_of_name = None;
+        // What has no values is named without an equation.
+        let plain = matches!(object.sort, Sort::Symbols | Sort::Other(_));
+        let of_name = |expr: &Expr| {
+            expr.kind == Kind::Ellipsis
+                || subject(expr).is_some_and(|name| !plain || named(&name).same_as(expr))
+        };
+        let first = self.skip_fillers(at);
+        if let Some(number) = self.formula_at(first) {
+            let (items, end) = self.list(first);
+            if items.iter().all(of_name) || matches!(object.sort, Sort::Knots | Sort::Nodes) {
+                object.names = items;
+                number_of_name = Some(number);
+                at = end;
+            }
+        } else if matches!(object.sort, Sort::Knots | Sort::Nodes)
+            && matches!(self.tokens.get(first), Some(Token::Number(_)))
+        {
+            (object.names, at) = self.list(first);
+        }
+        // Knots and control points in a phrase are names of their own only if they are names.
+        loop {
+            let mut next = at;
+            while matches!(self.tokens.get(next), Some(Token::Comma | Token::Word(Word::Filler))) {
+                next += 1;
+            }
+            let Some(end) = self.attribute(next, &mut object, &mut phrase_of, &mut piece, &mut anonymous)
+            else {
+                break;
+            };
+            at = end;
+        }
+        // The cubic with the Bézier points …
+        if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
+            object.sort = Sort::BezierCurve;
+        }
+        if rational && object.weights.is_empty() {
+            object.sort = Sort::Other("rational".into());
+        }
+        Phrase { object, of: phrase_of, piece, anonymous, from, to: at, named: number_of_name }
+    }
+
+    /// A number or formula that says a degree.
+    fn number_at(&self, at: usize) -> Option<Expr> {
+        match self.tokens.get(at)? {
+            Token::Number(number) => Some(Expr::int(*number)),
+            Token::Formula(number) => self.said(*number).first().cloned(),
+            _ => None,
+        }
+    }
+
+    /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
+    fn attribute(
+        &self,
+        at: usize,
+        object: &mut Object,
+        of: &mut Vec<Expr>,
+        piece: &mut bool,
+        anonymous: &mut bool,
+    ) -> Option<usize> {
+        let next = self.skip_fillers(at + 1);
+        let word = match self.tokens.get(at)? {
+            // with … and weights …
+            Token::Word(Word::And)
+                if matches!(
+                    self.tokens.get(next),
+                    Some(Token::Word(
+                        Word::Weights | Word::Noun(Sort::Knots | Sort::Nodes | Sort::ControlPoints)
+                    ))
+                ) =>
+            {
+                &Word::With
+            }
+            Token::Word(Word::Der) => &Word::Of,
+            Token::Word(word) => word,
+            _ => return None,
+        };
+        match word {
+            Word::Of | Word::On | Word::With | Word::As => {
+                let mut next = next;
+                while self.is(next, &Word::Uniform) || self.is(next, &Word::Piece) {
+                    object.uniform |= self.is(next, &Word::Uniform);
+                    *piece |= self.is(next, &Word::Piece);
+                    next = self.skip_fillers(next + 1);
+                    if *piece && self.is(next, &Word::Of) {
+                        next = self.skip_fillers(next + 1);
+                    }
+                }
+                match self.tokens.get(next)? {
+                    Token::Word(mark @ (Word::Degree | Word::Order)) => {
+                        let value = self.skip_fillers(next + 1);
+                        let degree = self.number_at(value)?;
+                        object.degree = Some(if *mark == Word::Order { minus_one(degree) } else { degree });
+                        Some(value + 1)
+                    }
+                    Token::Word(Word::OfDegree(degree)) if *word == Word::As => {
+                        object.degree = Some(Expr::int(*degree));
+                        Some(next + 1)
+                    }
+                    Token::Word(
+                        noun @ (Word::Noun(Sort::Knots | Sort::Nodes | Sort::ControlPoints) | Word::Weights),
+                    ) => {
+                        let list = match noun {
+                            Word::Weights => &mut object.weights,
+                            Word::Noun(Sort::ControlPoints) => &mut object.points,
+                            _ => &mut object.knots,
+                        };
+                        let mut at = next + 1;
+                        while matches!(
+                            self.tokens.get(at),
+                            Some(Token::Word(Word::Filler | Word::Article | Word::Be | Word::OfDegree(_)))
+                        ) {
+                            at += 1;
+                        }
+                        let (items, end) = self.list(at);
+                        *list = items;
+                        (!list.is_empty()).then_some(end)
+                    }
+                    Token::Word(Word::Noun(_) | Word::OfDegree(_)) if *word != Word::With => {
+                        let noun = (next..self.tokens.len())
+                            .find(|&at| matches!(self.tokens[at], Token::Word(Word::Noun(_))))
+                            .filter(|&at| at == next || self.leads_to_noun(next))
+                            .unwrap_or(next);
+                        let sort = match &self.tokens[noun] {
+                            Token::Word(Word::Noun(sort)) => sort.clone(),
+                            _ => Sort::Polynomial,
+                        };
+                        let inner = self.phrase(noun, sort);
+                        if *word == Word::As || object.degree.is_none() {
+                            object.degree = inner.object.degree.clone().or(object.degree.take());
+                        }
+                        if *piece {
+                            // A segment of a curve is what the curve is.
+                            object.sort = inner.object.sort.clone();
+                        }
+                        if of.is_empty() {
+                            of.extend(
+                                inner
+                                    .object
+                                    .names
+                                    .iter()
+                                    .map(|name| name_in(name).unwrap_or_else(|| name.clone())),
+                            );
+                            of.extend(inner.of);
+                            *anonymous |= of.is_empty() && *word == Word::Of;
+                        }
+                        object.uniform |= inner.object.uniform;
+                        object.knots.extend(inner.object.knots);
+                        object.points.extend(inner.object.points);
+                        object.interval = object.interval.take().or(inner.object.interval);
+                        Some(inner.to)
+                    }
+                    Token::Formula(_) if *word == Word::Of => {
+                        let (items, end) = self.list(next);
+                        // P(u) = … is P.
+                        of.extend(items.iter().map(|item| match &item.kind {
+                            Kind::Chain(..) => name_in(item).unwrap_or_else(|| item.clone()),
+                            _ => item.clone(),
+                        }));
+                        Some(end)
+                    }
+                    Token::Formula(number) if *word == Word::On => {
+                        object.interval = Some(interval(self.said(*number))?);
+                        Some(next + 1)
+                    }
+                    Token::Unknown(_) if *word == Word::On => {
+                        let number = self.formula_at(next + 1)?;
+                        object.interval = Some(interval(self.said(number))?);
+                        Some(next + 2)
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The names that a phrase speaks of.
+
+use super::super::speech::Word;
+use super::Reader;
+use super::tokens::Token;
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::judge::names::Head;
+
+impl Reader<'_> {
+    /// The formulas right before a token that a phrase can be said of, and the number of the first one.
+    pub(super) fn subjects_before(&self, from: usize) -> Option<(Vec<Expr>, usize)> {
+        let mut at = from;
+        while let Some(before) = at.checked_sub(1) {
+            match &self.tokens[before] {
+                Token::Word(Word::Be | Word::Filler | Word::Article | Word::Der) | Token::Comma => {
+                    at = before
+                }
+                _ => break,
+            }
+        }
+        let mut items: Vec<Expr> = Vec::new();
+        let mut first = None;
+        let formula_before =
+            |at: usize| at.checked_sub(1).filter(|&b| b >= self.taken).and_then(|b| self.formula_at(b));
+        while let Some(number) = formula_before(at) {
+            let own = self.said(number);
+            // p(t), 0 ≤ t ≤ 1, is …
+            let range = matches!(own, [Expr { kind: Kind::Chain(_, links), .. }]
+                if links.iter().all(|link| !matches!(link.rel, Rel::Eq | Rel::Define)));
+            if !range {
+                let names: Vec<Expr> = own.iter().filter_map(name_in).collect();
+                if names.len() != own.len() {
+                    break;
+                }
+                items.splice(0..0, names);
+                first = Some(number);
+            }
+            at -= 1;
+            let mut gap = at;
+            while matches!(
+                gap.checked_sub(1).map(|before| &self.tokens[before]),
+                Some(Token::Comma | Token::Word(Word::And))
+            ) {
+                gap -= 1;
+            }
+            // f and g: but not "F a polynomial and f its polar form"
+            if formula_before(gap).is_none() || range && first.is_some() {
+                break;
+            }
+            at = gap;
+        }
+        // "from p_1 to p_2 is a curve" does not speak of p_2.
+        let governed = at.checked_sub(1).is_some_and(|before| {
+            matches!(
+                &self.tokens[before],
+                Token::Word(Word::Of | Word::On | Word::With | Word::As | Word::Preposition | Word::Degree)
+            )
+        });
+        Some((items, first?)).filter(|_| !governed)
+    }
+
+    /// "denoted by f"
+    pub(super) fn subject_after(&self, to: usize) -> Option<(Vec<Expr>, usize)> {
+        let at = self.skip_fillers(to);
+        let by = self.is(at, &Word::By) || self.is(at, &Word::Be);
+        let number = self.formula_at(self.skip_fillers(at + 1)).filter(|_| by)?;
+        let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
+        (!items.is_empty()).then_some((items, number))
+    }
+}
+
+/// The left side of an equation, or a formula alone.
+pub(super) fn left_side(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Chain(left, links) if matches!(links[0].rel, Rel::Eq | Rel::Define | Rel::In | Rel::Colon) => {
+            left.as_ref()
+        }
+        _ => expr,
+    }
+}
+
+/// A name, or a function at variables, on the left of an equation or alone.
+pub(super) fn subject(expr: &Expr) -> Option<Expr> {
+    let name = left_side(expr);
+    let plain = |argument: &&Expr| {
+        Head::of(argument).is_some_and(|head| head.arguments.is_none()) || argument.kind == Kind::Ellipsis
+    };
+    let whole = |argument: &&Expr| !matches!(argument.kind, Kind::Number(_)) && plain(argument);
+    Head::of(name).filter(|head| head.flat().iter().all(whole)).map(|_| name.clone())
+}
+
+pub(super) fn name_in(expr: &Expr) -> Option<Expr> {
+    if expr.kind == Kind::Ellipsis {
+        return Some(expr.clone());
+    }
+    subject(expr).map(|name| named(&name))
+}
+
+/// A name without its arguments.
+pub(super) fn named(expr: &Expr) -> Expr {
+    match &expr.kind {
+        Kind::Apply(callee, _) => callee.as_ref().clone(),
+        _ => expr.clone(),
+    }
+}
+
+pub(super) fn minus_one(order: Expr) -> Expr {
+    let one = Term { sign: Sign::Minus, expr: Expr::int(1) };
+    Expr::sum(vec![Term { sign: Sign::Plus, expr: order }, one])
+}
+
+/// [a, b]
+pub(super) fn interval(items: &[Expr]) -> Option<(Expr, Expr)> {
+    let [one] = items else { return None };
+    let ends: &[Expr] = match &one.kind {
+        Kind::List(ends) | Kind::Tuple(ends) => ends,
+        Kind::Apply(_, groups) => groups.first()?,
+        _ => return None,
+    };
+    match ends {
+        [from, to] => Some((from.clone(), to.clone())),
+        _ => None,
+    }
+}

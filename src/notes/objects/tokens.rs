@@ -1,0 +1,75 @@
+//! The words of a sentence, as far as they matter for what names stand for.
+
+use super::super::sentence::Piece;
+use super::super::speech::{self, Word};
+
+/// A part of a sentence, as far as it matters here.
+#[derive(Clone, Debug)]
+pub(super) enum Token {
+    Word(Word),
+    /// Words without a known meaning.
+    Unknown(String),
+    /// A number in words.
+    Number(i64),
+    /// A formula in the sentence.
+    Formula(usize),
+    Comma,
+    /// A colon, a bracket, a dash.
+    Stop,
+}
+
+pub(super) fn tokens(sentence: &[Piece]) -> Vec<Token> {
+    let mut found = Vec::new();
+    for piece in sentence {
+        match piece {
+            Piece::Formula(number) => found.push(Token::Formula(*number)),
+            Piece::Words(words) => words_of(words, &mut found),
+        }
+    }
+    found
+}
+
+fn words_of(words: &str, found: &mut Vec<Token>) {
+    let words = speech::plain(words);
+    let mut rest = words.as_str();
+    while let Some(c) = rest.chars().next() {
+        if c == ' ' {
+            rest = &rest[1..];
+        } else if let Some((length, word)) = speech::word(rest) {
+            found.push(Token::Word(word.clone()));
+            rest = &rest[length..];
+        } else if matches!(c, ',' | '，' | '、') {
+            found.push(Token::Comma);
+            rest = &rest[c.len_utf8()..];
+        } else if c.is_ascii_digit() {
+            let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+            let number = rest[..digits].parse();
+            found.push(number.map_or_else(|_| Token::Unknown(rest[..digits].to_owned()), Token::Number));
+            rest = &rest[digits..];
+        } else if c.is_alphabetic() {
+            let spaced = !('\u{2e80}'..='\u{ffef}').contains(&c);
+            let length = match spaced {
+                true => rest
+                    .find(|c: char| !c.is_alphanumeric() && !matches!(c, '-' | '\''))
+                    .unwrap_or(rest.len()),
+                false => c.len_utf8(),
+            };
+            let word = &rest[..length.max(c.len_utf8())];
+            match found.last_mut() {
+                Some(Token::Unknown(known)) => {
+                    if spaced {
+                        known.push(' ');
+                    }
+                    known.push_str(word);
+                }
+                _ => found.push(Token::Unknown(word.to_owned())),
+            }
+            rest = &rest[word.len()..];
+        } else {
+            if !matches!(c, '\'' | '"' | '.' | '。') {
+                found.push(Token::Stop);
+            }
+            rest = &rest[c.len_utf8()..];
+        }
+    }
+}
