@@ -432,9 +432,10 @@ impl Checker {
                 && !tally.fails.is_empty();
             let datum = statement.role != Some(Role::Claimed)
                 && findings[at].verdict == Verdict::Undecided
+                && chain.relations[at].0 == Rel::Eq
                 && !tally.record.unknown.is_empty()
                 && head.is_none()
-                && is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr);
+                && self.is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr, place);
             if datum {
                 findings[at].verdict = Verdict::Definition;
                 findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
@@ -512,6 +513,25 @@ impl Checker {
         }
     }
 
+    /// Whether an equation says what the value of a function or a derivative is at a place: S(x_i) = y_i. What is
+    /// made of the function itself says nothing new of it.
+    fn is_datum(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
+        let Kind::Apply(callee, _) = &left.kind else { return false };
+        let mut function = callee.as_ref();
+        while let Kind::Prime(inner, _) | Kind::Accent(_, inner) = &function.kind {
+            function = inner;
+        }
+        Head::of(function).is_some_and(|head| {
+            let inside = self.context.reached(&[right], place);
+            let another = |expr: &Expr| {
+                matches!(&expr.kind, Kind::Apply(_, groups)
+                    if groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Number(_))))
+            };
+            !inside.contains(&head.base) && !inside.contains(&head.base.to_lowercase())
+                || another(left) && another(right)
+        })
+    }
+
     /// S''(x) = … of an unknown S tells what its derivative is.
     fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<String> {
         let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
@@ -535,24 +555,6 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
         return true;
     };
     is_variable(only) || is_index_letter(only) || inside.contains(only)
-}
-
-/// Whether an equation says what the value of a function or a derivative is at a place: S(x_i) = y_i.
-fn is_datum(left: &Expr, right: &Expr) -> bool {
-    let Kind::Apply(callee, _) = &left.kind else { return false };
-    let mut function = callee.as_ref();
-    while let Kind::Prime(inner, _) | Kind::Accent(_, inner) = &function.kind {
-        function = inner;
-    }
-    Head::of(function).is_some_and(|head| {
-        let inside = super::names::bases(right);
-        let another = |expr: &Expr| {
-            matches!(&expr.kind, Kind::Apply(_, groups)
-                if groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Number(_))))
-        };
-        !inside.contains(&head.base) && !inside.contains(&head.base.to_lowercase())
-            || another(left) && another(right)
-    })
 }
 
 /// A finding for a relation, not judged yet.

@@ -7,6 +7,7 @@ use super::compare::{self, Outcome};
 use super::hypotheses::{self, Solution};
 use super::model::FREE_TERMS;
 use super::names::{Head, implied_index, own_names};
+use super::object::Sort;
 use super::tally::Tally;
 use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
@@ -80,6 +81,15 @@ impl Conditions<'_> {
                 instances.into_iter().filter_map(|own| trial.condition_values(condition, &own, degree))
             })
             .collect();
+        // Data determine a function only within a class that the page names: for all that is known, S may be a spline.
+        let supposed = tally.record.unknown.iter().any(|base| {
+            let object = trial.context.object_called(base, trial.place);
+            let polynomial = object.is_some_and(|declared| declared.object.sort == Sort::Polynomial);
+            !polynomial && !tally.record.paired.contains(base)
+        });
+        if supposed {
+            return plain;
+        }
         let family = |value: &Value| -> BTreeSet<String> {
             let members = compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain());
             members.map(|symbol| symbol.base().to_owned()).collect()

@@ -100,6 +100,13 @@ pub fn is_variable(name: &str) -> bool {
     VARIABLES.contains(&name)
 }
 
+impl Definition {
+    /// Whether its formula speaks of what it defines.
+    pub fn is_recursive(&self) -> bool {
+        matches!(&self.body, Body::Formula(body) if bases(body).contains(&self.head.base))
+    }
+}
+
 impl Letters {
     /// Looks through all formulas.
     pub fn of(statements: &[Statement]) -> Self {
@@ -266,6 +273,7 @@ impl Context {
         let first = all().filter(move |(_, d)| near(d)).map(|(i, d)| (i, d, true));
         let second = all()
             .filter(move |(_, d)| !near(d) && matches!(d.body, Body::Formula(_)))
+            .filter(move |(_, d)| !self.is_spoken_of_anew(base, &d.place, place))
             .map(|(i, d)| (i, d, false));
         first.chain(second)
     }

@@ -150,7 +150,27 @@ impl Context {
             place.in_reach(&declared.place, false) && declared.object.name_for(head).is_some()
         };
         let found = self.objects_of(&head.base).filter(alive);
-        found.clone().find(|declared| place.sees(&declared.place)).or_else(|| found.clone().next())
+        found
+            .clone()
+            .find(|declared| place.sees(&declared.place))
+            .or_else(|| found.clone().next().filter(|declared| !self.is_past(declared, place)))
+    }
+
+    /// Whether a section speaks anew of what another one introduced, or of what that belongs to.
+    fn is_past(&self, declared: &Declared, place: &Place) -> bool {
+        let object = &declared.object;
+        let since = &declared.place;
+        object.names.iter().chain(&object.of).filter_map(Head::of).any(|head| {
+            let later = |other: &Place| place.sees(other) && other.formula > since.formula;
+            self.visible(&head.base, place).any(|(_, definition, _)| later(&definition.place))
+                || self.is_spoken_of_anew(&head.base, since, place)
+        })
+    }
+
+    /// Whether words of this section say what a letter stands for that another one used before.
+    pub fn is_spoken_of_anew(&self, base: &str, since: &Place, place: &Place) -> bool {
+        let objects = self.objects_of(base).map(|declared| &declared.place);
+        objects.into_iter().any(|other| place.sees(other) && other.formula > since.formula)
     }
 
     /// The names in formulas, and those that the definitions and objects of these lead to.
@@ -226,8 +246,10 @@ impl Context {
         let spoken = self.object_called(base, place).is_some_and(|d| d.object.sort == Sort::BSpline);
         spoken
             || self.visible(base, place).any(|(_, definition, _)| {
+                let named = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
                 matches!(&definition.body, Body::Formula(Expr { kind: Kind::Cases(_), .. }))
                     && !definition.head.lower.is_empty()
+                    && definition.head.flat().iter().all(named)
             })
     }
 

@@ -84,6 +84,14 @@ impl Trial<'_> {
             if ranges {
                 names.extend(own);
             }
+            // n = 2, also where n stands in what b_0 is only
+            if let Kind::Chain(left, _) = &condition.kind
+                && let Kind::Name(name) = &left.kind
+                && is_index_letter(name)
+                && self.fixed(name).is_some()
+            {
+                names.insert(name.clone());
+            }
         }
         // n in a formula about P, where P(t) = Σ_{i=0}^n …
         let used: BTreeSet<String> = self.sides.iter().flat_map(|side| super::names::bases(side)).collect();

@@ -58,9 +58,21 @@ impl Model {
         }
         let mut values = Vec::with_capacity(groups.len());
         self.flexible.set(false);
+        let polar = Head::of(callee).and_then(|head| self.stated_arity(machine, &head));
         for group in groups {
-            let arity = self.arity(machine, callee, groups.len());
-            match self.arguments(machine, group, arity, expr) {
+            // f(t^n)
+            let repeated = match polar {
+                Some(_) => self.repeated_by_powers(machine, group, polar),
+                None => Ok(None),
+            };
+            let group = repeated.and_then(|repeated| match repeated {
+                Some(values) => Ok(values),
+                None => {
+                    let arity = self.arity(machine, callee, groups.len());
+                    self.arguments(machine, group, arity, expr)
+                }
+            });
+            match group {
                 Ok(group) => values.push(group),
                 Err(error) => return Some(Err(error)),
             }
@@ -97,14 +109,14 @@ impl Model {
                 if head.arguments.is_some() {
                     return false;
                 }
+                let plain = head.lower.is_empty() && head.upper.is_empty();
+                if plain && machine.lookup(&Symbol::new(&head.base)).is_some() {
+                    return false;
+                }
                 if let Some(declared) = self.object(&head)
                     && !matches!(declared.object.sort, Sort::Other(_))
                 {
                     return declared.object.is_function();
-                }
-                let plain = head.lower.is_empty() && head.upper.is_empty();
-                if plain && machine.lookup(&Symbol::new(&head.base)).is_some() {
-                    return false;
                 }
                 if plain && (is_index_letter(&head.base) && !self.context.letters.is_function(&head.base)) {
                     return false;
@@ -149,7 +161,7 @@ impl Model {
         expr: &Expr,
     ) -> Result<Vec<Value>, Diagnostic> {
         // f(0^{n-i} 1^i), f(0^2, t)
-        if let Some(values) = self.repeated_by_powers(machine, items)? {
+        if let Some(values) = self.repeated_by_powers(machine, items, None)? {
             return Ok(values);
         }
         if !items.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..))) {
@@ -162,25 +174,37 @@ impl Model {
         &self,
         machine: &mut Machine,
         items: &[Expr],
+        arity: Option<usize>,
     ) -> Result<Option<Vec<Value>>, Diagnostic> {
-        let repetition = |expr: &Expr| {
-            matches!(&expr.kind, Kind::Pow(base, _)
-                if matches!(&base.kind, Kind::Number(_)))
-        };
+        let single = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Accent(..));
         let factors: Vec<&Expr> = items
             .iter()
             .flat_map(|item| match &item.kind {
-                Kind::Mul(factors) if factors.iter().any(repetition) => factors.iter().collect(),
+                Kind::Mul(factors) if factors.iter().any(|factor| matches!(factor.kind, Kind::Pow(..))) => {
+                    factors.iter().collect()
+                }
                 _ => vec![item],
             })
             .collect();
-        if !factors.iter().any(|factor| repetition(factor)) {
+        let count = |factor: &&Expr| match &factor.kind {
+            Kind::Pow(base, exponent) if single(base) => machine.eval_int(exponent).ok(),
+            _ if single(factor) => Some(1),
+            _ => None,
+        };
+        let number = |factor: &&Expr| matches!(&factor.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Number(_)));
+        // Powers of names are repetitions where that gives the number of arguments, and the powers do not.
+        let repeated = factors.iter().any(number)
+            || arity.is_some_and(|arity| {
+                arity != items.len()
+                    && factors.iter().map(count).sum::<Option<i64>>() == i64::try_from(arity).ok()
+            });
+        if !repeated {
             return Ok(None);
         }
         let mut values = Vec::new();
         for factor in factors {
             match &factor.kind {
-                Kind::Pow(base, exponent) if matches!(base.kind, Kind::Number(_) | Kind::Name(_)) => {
+                Kind::Pow(base, exponent) if single(base) => {
                     let count = machine.eval_int(exponent)?;
                     let count = usize::try_from(count).map_err(|_| {
                         Diagnostic::error(Code::Domain, format!("{count} copies make no sense"))

@@ -43,6 +43,13 @@ impl Model {
             {
                 continue;
             }
+            // A family that another section gave anew, whole: b_0 of the one before is another.
+            if let Some((latest, _, false, _)) = &best
+                && context.definitions[*latest].place.scope != definition.place.scope
+                && !context.definitions[*latest].is_recursive()
+            {
+                continue;
+            }
             let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
             // Of several that fit, the one with most exact indices; else the latest.
             let better = best.as_ref().is_none_or(|(latest, most, ..)| exact > *most || number > *latest);

@@ -128,7 +128,8 @@ impl<'a> Reader<'a> {
     }
 
     fn take(&mut self, phrase: Phrase) {
-        let Phrase { mut object, mut of, piece, anonymous, from, to, named } = phrase;
+        let Phrase { mut object, mut of, piece, anonymous, from, to, named, inner } = phrase;
+        inner.into_iter().for_each(|phrase| self.take(phrase));
         if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
             object.sort = Sort::SplineCurve;
             object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));

@@ -21,6 +21,8 @@ pub(super) struct Phrase {
     pub(super) to: usize,
     /// The number of the first formula that names it, right after its noun.
     pub(super) named: Option<usize>,
+    /// What it belongs to, where that has names: the polar form of a cubic F.
+    pub(super) inner: Vec<Phrase>,
 }
 
 impl Reader<'_> {
@@ -65,6 +67,10 @@ impl Reader<'_> {
         let mut items = Vec::new();
         let mut end = at;
         loop {
+            // "with polar form f, G a quadratic": G begins another phrase.
+            if !items.is_empty() && (self.is(at + 1, &Word::Article) || self.is(at + 1, &Word::Its)) {
+                break;
+            }
             match self.tokens.get(at) {
                 Some(Token::Formula(number)) => items.extend(self.said(*number).iter().cloned()),
                 Some(Token::Number(number)) => items.push(Expr::int(*number)),
@@ -97,7 +103,7 @@ impl Reader<'_> {
     pub(super) fn phrase(&self, noun: usize, sort: Sort) -> Phrase {
         let mut object = Object::new(sort);
         let mut phrase_of = Vec::new();
-        let (mut piece, mut rational, mut anonymous) = (false, false, false);
+        let (mut piece, mut rational) = (false, false);
         let mut from = noun;
         if let Token::Word(Word::OfDegree(degree)) = self.tokens[noun] {
             object.degree = Some(Expr::int(degree));
@@ -184,18 +190,26 @@ impl Reader<'_> {
         {
             (object.names, at) = self.list(first);
         }
+        let mut phrase = Phrase {
+            object,
+            of: phrase_of,
+            piece,
+            anonymous: false,
+            from,
+            to: at,
+            named: number_of_name,
+            inner: Vec::new(),
+        };
         // Knots and control points in a phrase are names of their own only if they are names.
         loop {
-            let mut next = at;
+            let mut next = phrase.to;
             while matches!(self.tokens.get(next), Some(Token::Comma | Token::Word(Word::Filler))) {
                 next += 1;
             }
-            let Some(end) = self.attribute(next, &mut object, &mut phrase_of, &mut piece, &mut anonymous)
-            else {
-                break;
-            };
-            at = end;
+            let Some(end) = self.attribute(next, &mut phrase) else { break };
+            phrase.to = end;
         }
+        let object = &mut phrase.object;
         // The cubic with the Bézier points …
         if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
             object.sort = Sort::BezierCurve;
@@ -203,7 +217,7 @@ impl Reader<'_> {
         if rational && object.weights.is_empty() {
             object.sort = Sort::Other("rational".into());
         }
-        Phrase { object, of: phrase_of, piece, anonymous, from, to: at, named: number_of_name }
+        phrase
     }
 
     /// A number or formula that says a degree.
@@ -216,14 +230,8 @@ impl Reader<'_> {
     }
 
     /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
-    fn attribute(
-        &self,
-        at: usize,
-        object: &mut Object,
-        of: &mut Vec<Expr>,
-        piece: &mut bool,
-        anonymous: &mut bool,
-    ) -> Option<usize> {
+    fn attribute(&self, at: usize, phrase: &mut Phrase) -> Option<usize> {
+        let Phrase { object, of, piece, anonymous, inner: within, .. } = phrase;
         let next = self.skip_fillers(at + 1);
         let word = match self.tokens.get(at)? {
             // with … and weights …
@@ -307,14 +315,18 @@ impl Reader<'_> {
                                     .iter()
                                     .map(|name| name_in(name).unwrap_or_else(|| name.clone())),
                             );
-                            of.extend(inner.of);
+                            of.extend(inner.of.iter().cloned());
                             *anonymous |= of.is_empty() && *word == Word::Of;
                         }
                         object.uniform |= inner.object.uniform;
-                        object.knots.extend(inner.object.knots);
-                        object.points.extend(inner.object.points);
-                        object.interval = object.interval.take().or(inner.object.interval);
-                        Some(inner.to)
+                        object.knots.extend(inner.object.knots.iter().cloned());
+                        object.points.extend(inner.object.points.iter().cloned());
+                        object.interval = object.interval.take().or(inner.object.interval.clone());
+                        let to = inner.to;
+                        if *word == Word::Of && inner.named.is_some() {
+                            within.push(inner);
+                        }
+                        Some(to)
                     }
                     Token::Formula(_) if *word == Word::Of => {
                         let (items, end) = self.list(next);
