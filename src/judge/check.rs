@@ -287,7 +287,10 @@ impl Checker {
                     Verdict::Refuted => {
                         let symbol =
                             Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
-                        tried[0].determined || head.arguments.is_none() && !self.is_open(&symbol, &curve)
+                        let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
+                        statement.role == Some(Role::Claimed) && given
+                            || tried[0].determined
+                            || head.arguments.is_none() && !self.is_open(&symbol, &curve)
                     }
                     _ => false,
                 };

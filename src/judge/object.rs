@@ -117,6 +117,11 @@ impl Object {
         )
     }
 
+    /// Whether its names have values by it, if it is not all that is said of them.
+    pub fn has_values(&self) -> bool {
+        self.determines() || self.sort == Sort::ControlPoints && self.of.is_some()
+    }
+
     /// Whether it says all about its names, so that an equation for one of them is a claim.
     pub fn determines(&self) -> bool {
         match self.sort {
@@ -126,7 +131,6 @@ impl Object {
             Sort::BezierCurve => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
             Sort::BSpline => self.degree.is_some(),
-            Sort::ControlPoints => self.of.is_some(),
             _ => false,
         }
     }
@@ -152,8 +156,22 @@ impl Context {
         let found = self.objects_of(&head.base).filter(alive);
         found
             .clone()
-            .find(|declared| place.sees(&declared.place))
+            .find(|declared| place.sees(&declared.place) && !self.is_defined_again(declared, place))
             .or_else(|| found.clone().next().filter(|declared| !self.is_past(declared, place)))
+    }
+
+    /// Whether a name got another formula since words spoke of it: H = FG is a quadratic, then F is another one.
+    fn is_defined_again(&self, declared: &Declared, place: &Place) -> bool {
+        declared.object.names.iter().filter_map(Head::of).any(|head| {
+            let formulas = || {
+                let near = self.visible(&head.base, place).filter(|(_, definition, near)| {
+                    *near && definition.head.lower.is_empty() && definition.head.arguments.is_some()
+                });
+                near.map(|(_, definition, _)| definition.place.formula)
+            };
+            let since = declared.place.formula;
+            formulas().any(|at| at > since) && formulas().any(|at| at <= since)
+        })
     }
 
     /// Whether a section speaks anew of what another one introduced, or of what that belongs to.

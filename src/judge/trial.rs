@@ -84,15 +84,13 @@ impl Trial<'_> {
             if ranges {
                 names.extend(own);
             }
-            // n = 2, also where n stands in what b_0 is only
-            if let Kind::Chain(left, _) = &condition.kind
-                && let Kind::Name(name) = &left.kind
-                && is_index_letter(name)
-                && self.fixed(name).is_some()
-            {
-                names.insert(name.clone());
-            }
         }
+        // n = 2, also where n stands in what b_0 is only; n = 2 and n = 3 are two cases
+        let said: Vec<&String> = self.conditions.iter().filter_map(equated_index).collect();
+        let once = |name: &&&String| said.iter().filter(|other| *other == *name).count() == 1;
+        names.extend(
+            said.iter().filter(once).filter(|name| self.fixed(name).is_some()).map(|name| (*name).clone()),
+        );
         // n in a formula about P, where P(t) = Σ_{i=0}^n …
         let used: BTreeSet<String> = self.sides.iter().flat_map(|side| super::names::bases(side)).collect();
         for base in &used {
@@ -512,6 +510,17 @@ impl Trial<'_> {
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))
+    }
+}
+
+/// The index that a condition gives a value: n = 2.
+fn equated_index(condition: &Expr) -> Option<&String> {
+    match &condition.kind {
+        Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => match &left.kind {
+            Kind::Name(name) if is_index_letter(name) => Some(name),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -127,6 +127,8 @@ impl Model {
                     None => self.polar_form(machine, head, of, arguments, expr),
                 })
             })?,
+            // "the cubics B_0^3, …" says nothing new of what has a meaning.
+            Sort::Polynomial if head.notation().is_some() => return None,
             Sort::Polynomial => {
                 let degree = self.stated_degree(machine, &object, &bound)?;
                 let x = one?;

@@ -99,7 +99,10 @@ impl<'a> Reader<'a> {
                 }
                 Token::Formula(number) => {
                     if let Some(first) = self.said(*number).first() {
-                        self.speak_of(left_side(first));
+                        let beside = at > 1
+                            && matches!(self.tokens[at - 1], Token::Comma | Token::Word(Word::And))
+                            && matches!(self.tokens[at - 2], Token::Formula(_));
+                        self.speak_of(left_side(first), beside);
                     }
                     at += 1;
                 }
@@ -113,11 +116,18 @@ impl<'a> Reader<'a> {
     }
 
     /// "its" refers to the function that was spoken of last, not to a member of a family nor to a value.
-    fn speak_of(&mut self, call: &Expr) {
+    fn speak_of(&mut self, call: &Expr, beside: bool) {
         let Some(head) = Head::of(call) else { return };
         let plain = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
         if head.arguments.is_some() && head.lower.is_empty() && head.upper.is_empty() {
-            self.topic = if head.flat().iter().all(plain) { vec![named(call)] } else { Vec::new() };
+            // P(t) = … and Q(t) = … with the polar forms p and q
+            if !beside {
+                self.topic.clear();
+            }
+            match head.flat().iter().all(plain) {
+                true => self.topic.push(named(call)),
+                false => self.topic.clear(),
+            }
         }
     }
 
@@ -129,7 +139,6 @@ impl<'a> Reader<'a> {
 
     fn take(&mut self, phrase: Phrase) {
         let Phrase { mut object, mut of, piece, anonymous, from, to, named, inner } = phrase;
-        inner.into_iter().for_each(|phrase| self.take(phrase));
         if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
             object.sort = Sort::SplineCurve;
             object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));
@@ -138,6 +147,7 @@ impl<'a> Reader<'a> {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
             _ => self.subjects_before(from).or_else(|| self.subject_after(to)),
         };
+        inner.into_iter().for_each(|phrase| self.take(phrase));
         let Some((names, number)) = subject else { return };
         let whole = |expr: &Expr| expr.kind != Kind::Ellipsis && name_in(expr).is_none();
         if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
@@ -146,6 +156,9 @@ impl<'a> Reader<'a> {
         let owned = from.checked_sub(1).is_some_and(|before| self.is(before, &Word::With));
         let takes = object.sort == Sort::PolarForm || object.sort == Sort::ControlPoints && owned;
         if takes && of.is_empty() && !anonymous {
+            if object.sort == Sort::PolarForm && names.len() != self.topic.len() && !self.topic.is_empty() {
+                return;
+            }
             of.extend(self.topic.iter().cloned());
         }
         self.taken = to;

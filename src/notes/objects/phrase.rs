@@ -64,15 +64,23 @@ impl Reader<'_> {
 
     /// The formulas and numbers from a token on, with commas and "and" between them, and the token after them.
     pub(super) fn list(&self, mut at: usize) -> (Vec<Expr>, usize) {
-        let mut items = Vec::new();
+        let mut items: Vec<Expr> = Vec::new();
         let mut end = at;
+        let equation = |item: &Expr| matches!(item.kind, Kind::Chain(..));
         loop {
             // "with polar form f, G a quadratic": G begins another phrase.
             if !items.is_empty() && (self.is(at + 1, &Word::Article) || self.is(at + 1, &Word::Its)) {
                 break;
             }
             match self.tokens.get(at) {
-                Some(Token::Formula(number)) => items.extend(self.said(*number).iter().cloned()),
+                Some(Token::Formula(number)) => {
+                    let more = self.said(*number);
+                    // "of a cubic F and u = 1": equations are no items of a list of names.
+                    if items.first().is_some_and(|first| !equation(first)) && more.iter().any(equation) {
+                        break;
+                    }
+                    items.extend(more.iter().cloned());
+                }
                 Some(Token::Number(number)) => items.push(Expr::int(*number)),
                 _ => break,
             }
@@ -159,13 +167,14 @@ impl Reader<'_> {
         // Adjectives after it: B-spline quadratique.
         let mut at = noun + 1;
         while let Some(Token::Word(
-            word @ (Word::Filler | Word::OfDegree(_) | Word::Uniform | Word::Rational),
+            word @ (Word::Filler | Word::OfDegree(_) | Word::Uniform | Word::Rational | Word::Piece),
         )) = self.tokens.get(at)
         {
             match word {
                 Word::OfDegree(degree) => object.degree = Some(Expr::int(*degree)),
                 Word::Uniform => object.uniform = true,
                 Word::Rational => rational = true,
+                Word::Piece => piece = true,
                 _ => {}
             }
             at += 1;

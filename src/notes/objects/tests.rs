@@ -83,6 +83,28 @@ fn objects_in_four_languages() {
             "The cubic Bézier curve $p$ with control points $b_0,b_1,b_2,b_3$ is drawn.",
             vec!["p: BezierCurve degree 3 points b_0 b_1 b_2 b_3"],
         ),
+        (
+            "Let $f$ be the polar form of a cubic $F$ and $\\hat 1 = 1 - 0$.",
+            vec!["f: PolarForm degree 3 of F", "F: Polynomial degree 3"],
+        ),
+        (
+            "Let $f$ be the polar form of a cubic piece $F$ over $[t_2,t_3]$; its control points are $d_i = 1$.",
+            vec![
+                "f: PolarForm degree 3 of F on t2..t3",
+                "F: Polynomial degree 3 on t2..t3",
+                "d_i: ControlPoints of F",
+            ],
+        ),
+        (
+            "Let $F$ be a cubic with polar form $f$, $G$ a quadratic with polar form $g$, and $S(t) = 1$ with polar form $s$.",
+            vec![
+                "F: Polynomial degree 3",
+                "f: PolarForm of F",
+                "G: Polynomial degree 2",
+                "g: PolarForm of G",
+                "s: PolarForm of S",
+            ],
+        ),
         ("Sei $f$ die Polarform von $F$.", vec!["f: PolarForm of F"]),
         (
             "Es sei $F$ ein Polynom vom Grad $n$ und $f$ seine Polarform.",
