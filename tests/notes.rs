@@ -115,7 +115,8 @@ fn declarations_count() {
 fn one_unread_side_spoils_itself_only() {
     let findings = check("$$(t+1)^2 = \\unknowncommand{t} = t^2 + 2t + 1 = t^2 + 2t$$");
     let words: Vec<&str> = findings.iter().map(|finding| finding.verdict.word()).collect();
-    assert_eq!(words, ["unread", "proved", "refuted"]);
+    // What is equal to the side before the unread one is not confirmed by courtesy.
+    assert_eq!(words, ["unread", "undecided", "refuted"]);
 }
 
 #[test]
