@@ -1,6 +1,7 @@
 //! Trying the readings of ambiguous notations until one makes a chain true.
 
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 use super::check::Checker;
 use super::context::{Condition, is_variable};
@@ -8,7 +9,7 @@ use super::model::{Ambiguity, Choices, Curve};
 use super::names::{is_index_letter, is_range};
 use super::statement::{Chain, Place};
 use super::tally::{Outcomes, Tally};
-use super::trial::Trial;
+use super::trial::{Facts, Setting, Trial};
 use crate::formula::{Expr, Kind, Rel};
 
 /// An attempt to judge a chain under one way of reading it.
@@ -20,20 +21,10 @@ pub struct Attempt {
 
 impl Checker {
     /// Tries the readings of ambiguous notations until one makes everything true; else the first.
-    pub(super) fn attempts(
-        &self,
-        sides: &[&Expr],
-        relations: &[Rel],
-        chain: &Chain,
-        place: &Place,
-        curve: Option<Curve>,
-    ) -> Attempt {
+    pub(super) fn attempts(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
         let run = |choices: Choices| -> Attempt {
-            Attempt {
-                outcomes: self.trial(sides, relations, chain, place, curve.clone(), choices).run(),
-                choices,
-                curve: curve.clone(),
-            }
+            let outcomes = self.trial(setting, sides, relations, choices).run();
+            Attempt { outcomes, choices, curve: setting.curve.clone() }
         };
         let first = run(Choices::default());
         let bad =
@@ -112,15 +103,13 @@ impl Checker {
         best
     }
 
-    pub(super) fn trial<'a>(
+    /// What surrounds a chain: the facts that it may rest on.
+    pub(super) fn setting<'a>(
         &self,
-        sides: &[&'a Expr],
-        relations: &[Rel],
-        chain: &Chain,
+        chain: &'a Chain,
         place: &'a Place,
         curve: Option<Curve>,
-        choices: Choices,
-    ) -> Trial<'a> {
+    ) -> Setting<'a> {
         let mut earlier: Vec<&Condition> = self
             .context
             .conditions
@@ -130,26 +119,28 @@ impl Checker {
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
         earlier.reverse();
-        let reached = self.context.reached(sides, place);
+        let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
+        let reached = self.context.reached(&sides, place);
         let relevant = about(&earlier, &reached, &|expr| self.context.reached(&[expr], place));
         let mut relevant = relevant.into_iter();
         earlier.retain(|_| relevant.next() == Some(true));
-        let hypotheses =
-            earlier.iter().filter(|c| place.sees(&c.place)).map(|condition| condition.expr.clone()).collect();
-        Trial {
-            sides: sides.to_vec(),
-            relations: relations.to_vec(),
-            conditions: chain.conditions.clone(),
-            hypotheses,
+        let facts = Facts {
+            near: earlier.iter().filter(|condition| place.sees(&condition.place)).count(),
             earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
-            context: self.context.clone(),
-            place,
-            curve,
-            choices,
             reached,
             knot_letters: self.context.knot_letters(place),
-            limits: self.limits.clone(),
-        }
+        };
+        Setting { chain, place, curve, facts: Rc::new(facts) }
+    }
+
+    pub(super) fn trial<'a>(
+        &self,
+        setting: &Setting<'a>,
+        sides: &[&'a Expr],
+        relations: &[Rel],
+        choices: Choices,
+    ) -> Trial<'a> {
+        Trial::new(self.context.clone(), setting, sides.to_vec(), relations.to_vec(), choices, &self.limits)
     }
 }
 

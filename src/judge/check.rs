@@ -11,6 +11,7 @@ use super::names::{Head, is_index_letter, is_range};
 use super::object::{Declared, Object};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
+use super::trial::Setting;
 use super::verdict::Judged;
 use super::words;
 use crate::budget::{self, Limits};
@@ -376,7 +377,8 @@ impl Checker {
         let place = &statement.place;
         let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
         let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
-        let best = self.attempts(&sides, &relations, chain, place, curve.clone());
+        let setting = self.setting(chain, place, curve);
+        let best = self.attempts(&setting, &sides, &relations);
         if let (Some(head), 0) = (head, start) {
             findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
         }
@@ -426,7 +428,7 @@ impl Checker {
                 }
             }
         }
-        self.across(chain, start, place, &curve, best.choices, findings);
+        self.across(&setting, start, best.choices, findings);
         // An equation that nothing decides and nobody claims is a condition that later lines may need.
         for (i, tally) in best.outcomes.tallies.iter().enumerate() {
             let at = start + i;
@@ -474,7 +476,7 @@ impl Checker {
             .iter()
             .enumerate()
             .filter(|(at, finding)| *at >= start && finding.verdict == Verdict::Refuted)
-            .map(|(at, _)| (at, super::repair::suggestion(self, chain, at, place, &curve, best.choices)))
+            .map(|(at, _)| (at, super::repair::suggestion(self, &setting, at, best.choices)))
             .collect();
         for (at, suggestion) in suggestions {
             findings[at].suggestion = suggestion;
@@ -483,15 +485,8 @@ impl Checker {
 
     /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one
     /// is judged by comparing the sides around.
-    fn across(
-        &self,
-        chain: &Chain,
-        start: usize,
-        place: &Place,
-        curve: &Option<Curve>,
-        choices: Choices,
-        findings: &mut [Finding],
-    ) {
+    fn across(&self, setting: &Setting, start: usize, choices: Choices, findings: &mut [Finding]) {
+        let chain = setting.chain;
         for at in start..chain.relations.len().saturating_sub(1) {
             let open = |finding: &Finding| {
                 matches!(finding.verdict, Verdict::Refuted | Verdict::Undecided | Verdict::Unread)
@@ -504,8 +499,7 @@ impl Checker {
                 continue;
             }
             let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
-            let trial = self.trial(&sides, &[Rel::Eq], chain, place, curve.clone(), choices);
-            let outcomes = trial.run();
+            let outcomes = self.trial(setting, &sides, &[Rel::Eq], choices).run();
             let tally = &outcomes.tallies[0];
             if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
                 let next = &mut findings[at + 1];

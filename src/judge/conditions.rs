@@ -43,14 +43,19 @@ impl Conditions<'_> {
         let mut solved: Vec<(Symbol, crate::math::poly::Fraction)> = Vec::new();
         let mut plain = plain;
         for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
-            // A sum of weights runs as far as the weights do that occur.
-            let exactly =
-                if is_bounded(condition) { trial.condition_values(condition, bound, degree) } else { None };
-            let extended = with_upper_bound(condition, left, right);
-            let usable = exactly.filter(|(a, b)| {
-                compare::solved(a, b, &solved, left, right).is_some() || compare::contradicts(a, b)
-            });
-            let values = usable.or_else(|| trial.condition_values(&extended, bound, degree));
+            let values = match weights(condition) {
+                None => trial.condition_values(condition, bound, degree),
+                // A sum of weights runs as far as the weights do that occur.
+                Some(bounded) => {
+                    let exactly =
+                        if bounded { trial.condition_values(condition, bound, degree) } else { None };
+                    let usable = exactly.filter(|(a, b)| {
+                        compare::solved(a, b, &solved, left, right).is_some() || compare::contradicts(a, b)
+                    });
+                    let extended = || with_upper_bound(condition, left, right);
+                    usable.or_else(|| trial.evaluated_condition(&extended(), bound, degree))
+                }
+            };
             let Some((a, b)) = values else { continue };
             if compare::contradicts(&a, &b) && at < self.own.len() + 3 {
                 return Outcome::Unclear("the condition cannot hold".to_owned());
@@ -75,7 +80,7 @@ impl Conditions<'_> {
         let equations: Vec<(Value, Value)> = self
             .own
             .iter()
-            .chain(trial.hypotheses.iter().take(NEAREST))
+            .chain(trial.hypotheses().iter().take(NEAREST))
             .flat_map(|condition| {
                 let instances = trial.condition_instances(condition, bound, degree);
                 instances.into_iter().filter_map(|own| trial.condition_values(condition, &own, degree))
@@ -142,11 +147,14 @@ impl Conditions<'_> {
 /// So many earlier conditions, the nearest ones, are solved together.
 const NEAREST: usize = 12;
 
-/// Whether a condition is no sum, or one with both bounds.
-fn is_bounded(condition: &Expr) -> bool {
+/// Whether a condition is about a sum, and whether that has both bounds.
+fn weights(condition: &Expr) -> Option<bool> {
     match &condition.kind {
-        Kind::Chain(sum, _) => !matches!(&sum.kind, Kind::Big { upper: None, .. }),
-        _ => false,
+        Kind::Chain(sum, _) => match &sum.kind {
+            Kind::Big { upper, .. } => Some(upper.is_some()),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

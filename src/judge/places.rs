@@ -32,7 +32,10 @@ impl Trial<'_> {
 
     /// What words introduced of the names in it.
     fn spoken(&self) -> impl Iterator<Item = &Object> {
-        self.reached.iter().filter_map(|base| Some(&*self.context.object_called(base, self.place)?.object))
+        self.facts
+            .reached
+            .iter()
+            .filter_map(|base| Some(&*self.context.object_called(base, self.place)?.object))
     }
 
     /// The knots that words give, in increasing order.
@@ -75,14 +78,14 @@ impl Trial<'_> {
         if let (false, [first, .., last]) = (breaks.is_empty(), knots.as_slice()) {
             places.extend([first - integer(1), last + integer(1)]);
         }
-        let mentions_knots = |condition: &&Expr| has_members(condition, &self.knot_letters);
+        let mentions_knots = |condition: &&Expr| has_members(condition, &self.facts.knot_letters);
         let conditions: Vec<&Expr> =
-            self.conditions.iter().chain(self.hypotheses.iter().filter(mentions_knots)).collect();
+            self.conditions.iter().chain(self.hypotheses().iter().filter(mentions_knots)).collect();
         places.retain(|place| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
             let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
             let names: Vec<(Symbol, Value)> =
-                reading.knots(&self.knot_letters).into_iter().chain(integers).collect();
+                reading.knots(&self.facts.knot_letters).into_iter().chain(integers).collect();
             conditions.iter().all(|condition| {
                 let held = evaluator::machine()
                     .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
@@ -94,7 +97,7 @@ impl Trial<'_> {
 
     /// Whether a function in it is defined by B-splines.
     fn defined_by_splines(&self) -> bool {
-        self.reached.iter().any(|base| {
+        self.facts.reached.iter().any(|base| {
             self.context.visible(base, self.place).next().is_some_and(
                 |(_, definition, _)| matches!(&definition.body, Body::Formula(body) if has_splines(&[body])),
             )
@@ -104,7 +107,7 @@ impl Trial<'_> {
     /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
     pub(super) fn has_integer_knots(&self) -> bool {
         let defined = self.context.visible("N", self.place).next();
-        let indexed = |expr: &Expr| has_members(expr, &self.knot_letters);
+        let indexed = |expr: &Expr| has_members(expr, &self.facts.knot_letters);
         match defined.map(|(_, definition, _)| &definition.body) {
             Some(Body::Formula(body)) => !indexed(body) && !self.sides.iter().any(|side| indexed(side)),
             _ => false,

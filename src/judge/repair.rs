@@ -9,8 +9,8 @@
 use super::check::Checker;
 use super::model::{Choices, Curve};
 use super::names::{Head, walk};
-use super::statement::{Chain, Place};
 use super::tally::Outcomes;
+use super::trial::Setting;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::write;
@@ -18,19 +18,13 @@ use crate::math::number::{Rational, integer};
 use num_traits::{One, Signed, Zero};
 
 /// A repair of the relation number `at`, as LaTeX.
-pub fn suggestion(
-    checker: &Checker,
-    chain: &Chain,
-    at: usize,
-    place: &Place,
-    curve: &Option<Curve>,
-    choices: Choices,
-) -> Option<String> {
+pub fn suggestion(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<String> {
+    let Setting { chain, curve, .. } = setting;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     let rel = chain.relations[at].0;
     let start = budget::spent();
     let holds = |left: &Expr, right: &Expr, quick: bool| -> bool {
-        let trial = checker.trial(&[left, right], &[rel], chain, place, curve.clone(), choices);
+        let trial = checker.trial(setting, &[left, right], &[rel], choices);
         let outcomes = if quick { trial.first(3) } else { trial.run() };
         is_true(&outcomes, quick)
     };
@@ -68,7 +62,7 @@ pub fn suggestion(
             _ => return Some(printed(&left, rel, &right)),
         }
     }
-    best.or_else(|| constant_apart(checker, chain, at, place, curve, choices))
+    best.or_else(|| constant_apart(checker, setting, at, choices))
         .map(|(left, right)| printed(&left, rel, &right))
 }
 
@@ -106,17 +100,10 @@ fn with_arguments(left: &Expr, right: &Expr) -> Option<Expr> {
 
 /// The right side with the constant added that makes the relation true, if the sides differ by a
 /// number only, or the formula on the left written out, if the relation is between numbers.
-fn constant_apart(
-    checker: &Checker,
-    chain: &Chain,
-    at: usize,
-    place: &Place,
-    curve: &Option<Curve>,
-    choices: Choices,
-) -> Option<(Expr, Expr)> {
+fn constant_apart(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<(Expr, Expr)> {
+    let chain = setting.chain;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
-    let trial = checker.trial(&[left, right], &[Rel::Eq], chain, place, curve.clone(), choices);
-    let outcomes = trial.run();
+    let outcomes = checker.trial(setting, &[left, right], &[Rel::Eq], choices).run();
     if !outcomes.integers.is_empty() {
         return None;
     }

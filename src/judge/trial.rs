@@ -4,7 +4,8 @@
 //! not defined). In an instance each side is evaluated exactly; a side that makes no sense there,
 //! such as a binomial of a negative number, makes the instance invalid for its relations only.
 
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::compare::Outcome;
@@ -14,7 +15,7 @@ use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{Head, integer_names, is_index_letter, walk};
-use super::statement::Place;
+use super::statement::{Chain, Place};
 use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::{Expr, Kind, Rel};
@@ -41,6 +42,30 @@ pub fn share(limits: &Limits, part: u64) -> u64 {
     limits.steps.unwrap_or(STEPS) / part
 }
 
+/// What a chain may rest on.
+pub struct Facts {
+    /// Conditions said before, those of the same section first, the latest first.
+    pub earlier: Vec<Expr>,
+    /// So many of them stand in the same section.
+    pub near: usize,
+    /// The names in the chain, and those that what is known of these leads to.
+    pub reached: BTreeSet<String>,
+    /// Letters whose members are knots.
+    pub knot_letters: Vec<String>,
+}
+
+/// What surrounds a chain.
+pub struct Setting<'a> {
+    /// The chain.
+    pub chain: &'a Chain,
+    /// Where it stands.
+    pub place: &'a Place,
+    /// The curve that its sentence speaks of.
+    pub curve: Option<Curve>,
+    /// What is known.
+    pub facts: Rc<Facts>,
+}
+
 /// What is tried.
 pub struct Trial<'a> {
     /// The sides of the chain.
@@ -48,35 +73,65 @@ pub struct Trial<'a> {
     /// The relations between them.
     pub relations: Vec<Rel>,
     /// Conditions said with the chain.
-    pub conditions: Vec<Expr>,
-    /// Conditions said before, that may be needed.
-    pub earlier: Vec<Expr>,
-    /// Those of them that stand in the same section, the nearest first.
-    pub hypotheses: Vec<Expr>,
+    pub conditions: &'a [Expr],
+    /// What it may rest on.
+    pub facts: Rc<Facts>,
     /// What is known.
     pub context: Rc<Context>,
     /// Where the chain stands.
     pub place: &'a Place,
-    /// The curve that the sentence speaks of.
-    pub curve: Option<Curve>,
-    /// How ambiguous notations are read.
-    pub choices: Choices,
-    /// The names in it, and those that what is known of these leads to.
-    pub reached: BTreeSet<String>,
-    /// Letters whose members are knots.
-    pub knot_letters: Vec<String>,
     /// The limits of the chain.
-    pub limits: Limits,
+    limits: Limits,
+    /// What its names mean, before an instance fixes degree and parameter.
+    reading: Model,
+    /// What its conditions are in an instance.
+    memo: Memo,
 }
 
-impl Trial<'_> {
+/// The sides of conditions, by condition, integers and degree.
+type Memo = RefCell<HashMap<(*const Expr, Vec<(String, i64)>, Option<usize>), Option<(Value, Value)>>>;
+
+impl<'a> Trial<'a> {
+    /// Some sides and relations, in the setting of a chain, under one way to read ambiguous notations.
+    pub(super) fn new(
+        context: Rc<Context>,
+        setting: &Setting<'a>,
+        sides: Vec<&'a Expr>,
+        relations: Vec<Rel>,
+        choices: Choices,
+        limits: &Limits,
+    ) -> Self {
+        let reading = Model::new(context.clone(), setting.place.clone(), choices, setting.curve.clone())
+            .with_pairs(pairs(&sides))
+            .opaque(has_divided_differences(&sides))
+            .with_tensor(has_groups(&sides));
+        let mut trial = Trial {
+            sides,
+            relations,
+            conditions: &setting.chain.conditions,
+            facts: setting.facts.clone(),
+            context,
+            place: setting.place,
+            limits: limits.clone(),
+            reading,
+            memo: Memo::default(),
+        };
+        trial.reading = trial.reading.clone().with_uniform_knots(trial.has_integer_knots());
+        trial
+    }
+
+    /// Conditions that stand in the same section, the nearest first.
+    pub(super) fn hypotheses(&self) -> &[Expr] {
+        &self.facts.earlier[..self.facts.near]
+    }
+
     /// The integers of the chain.
     pub fn integers(&self) -> Vec<String> {
         let mut names: BTreeSet<String> = BTreeSet::new();
         for side in &self.sides {
             names.extend(integer_names(side));
         }
-        for condition in &self.conditions {
+        for condition in self.conditions {
             // i = 0, …, n: its bound is an integer, too
             let own = integer_names(condition);
             let ranges = matches!(&condition.kind, Kind::Chain(_, links)
@@ -117,7 +172,7 @@ impl Trial<'_> {
             matches!(&hypothesis.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq)
                 && first.as_ref().is_some_and(|base| super::names::bases(hypothesis).contains(base))
         };
-        for hypothesis in self.hypotheses.iter().filter(about) {
+        for hypothesis in self.hypotheses().iter().filter(about) {
             names.extend(integer_names(hypothesis).into_iter().filter(|name| used.contains(name)));
         }
         // A name that is a variable of a function on a side is no integer.
@@ -267,7 +322,7 @@ impl Trial<'_> {
             }
             _ => false,
         };
-        self.conditions.iter().chain(self.hypotheses.iter().filter(restricts)).all(|condition| {
+        self.conditions.iter().chain(self.hypotheses().iter().filter(restricts)).all(|condition| {
             // Conditions on other names than integers are used when sides are compared.
             let holds =
                 evaluator::machine().with_locals(names.clone(), |machine| Ok(holds(machine, condition)));
@@ -281,13 +336,7 @@ impl Trial<'_> {
         around: Option<Rational>,
         breaks: &[Rational],
     ) -> Model {
-        Model::new(self.context.clone(), self.place.clone(), self.choices, self.curve.clone())
-            .with_degree(degree)
-            .with_pairs(pairs(&self.sides))
-            .opaque(has_divided_differences(&self.sides))
-            .near(around, self.has_integer_knots())
-            .with_breaks(breaks.to_vec())
-            .with_tensor(has_groups(&self.sides))
+        self.reading.clone().with_degree(degree).near(around).with_breaks(breaks.to_vec())
     }
 
     /// The variables of the function on the left: in F(u) = … the name u stands for itself, whatever
@@ -318,7 +367,7 @@ impl Trial<'_> {
         let mut values = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
             let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
-            let knots = if local { reading.knots(&self.knot_letters) } else { Vec::new() };
+            let knots = if local { reading.knots(&self.facts.knot_letters) } else { Vec::new() };
             let names = free
                 .chain(knots)
                 .chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
@@ -330,6 +379,7 @@ impl Trial<'_> {
 
     fn instance(&self, bound: &[(String, i64)], splines: bool, outcomes: &mut Outcomes) {
         crate::budget::steps(64);
+        self.memo.borrow_mut().clear();
         // First the degrees: a polar form with m arguments is one of degree m.
         let mut degrees: Vec<Option<usize>> = vec![None];
         let first = splines.then(|| integer(1) / integer(2));
@@ -411,7 +461,7 @@ impl Trial<'_> {
             };
             tally.record.merge(&records[left_at.unwrap_or(at)]);
             tally.record.merge(&records[at + 1]);
-            let conditions = Conditions { own: &self.conditions, earlier: &self.earlier };
+            let conditions = Conditions { own: self.conditions, earlier: &self.facts.earlier };
             let outcome = conditions.compare(self, *rel, left, right, bound, degree, tally);
             // With B-splines an inequality may be meant for a part of the intervals.
             if around.is_some()
@@ -493,8 +543,24 @@ impl Trial<'_> {
             .any(|side| matches!(&side.kind, Kind::Number(q) if q.is_zero()))
     }
 
-    /// The value of a condition's sides in an instance.
+    /// The values of the sides of one of the conditions of this trial in an instance, worked out once.
     pub(super) fn condition_values(
+        &self,
+        condition: &Expr,
+        bound: &[(String, i64)],
+        degree: Option<usize>,
+    ) -> Option<(Value, Value)> {
+        let key = (std::ptr::from_ref(condition), bound.to_vec(), degree);
+        if let Some(known) = self.memo.borrow().get(&key) {
+            return known.clone();
+        }
+        let values = self.evaluated_condition(condition, bound, degree);
+        self.memo.borrow_mut().insert(key, values.clone());
+        values
+    }
+
+    /// The values of the sides of a condition in an instance.
+    pub(super) fn evaluated_condition(
         &self,
         condition: &Expr,
         bound: &[(String, i64)],

@@ -123,6 +123,7 @@ pub struct Curve {
 }
 
 /// One instance of a statement.
+#[derive(Clone)]
 pub struct Model {
     context: Rc<Context>,
     place: Place,
@@ -201,8 +202,13 @@ impl Model {
     }
 
     /// Piecewise polynomials are considered near a parameter.
-    pub fn near(mut self, around: Option<Rational>, uniform: bool) -> Self {
+    pub fn near(mut self, around: Option<Rational>) -> Self {
         self.around = RefCell::new(around);
+        self
+    }
+
+    /// Generic knots are the integers.
+    pub fn with_uniform_knots(mut self, uniform: bool) -> Self {
         self.uniform = uniform;
         self
     }
