@@ -356,6 +356,7 @@ impl Checker {
             && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
         // The pieces of one B-spline follow from the recursion for all.
         let pieces = head.base == "N"
+            && !head.lower.is_empty()
             && matches!(body.expr.kind, Kind::Cases(_))
             && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
         if derivative || pieces || lint::missing_argument(head, &body.expr).is_some() {
@@ -534,7 +535,10 @@ impl Checker {
         let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
         let Kind::Prime(function, _) = &callee.kind else { return None };
         let head = Head::of(function)?;
-        let bare = groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Name(_)));
+        let bare = groups
+            .iter()
+            .flatten()
+            .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
         let right = super::names::bases(&chain.sides[1].expr);
         let known =
             self.context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some())

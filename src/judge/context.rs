@@ -101,6 +101,22 @@ pub fn is_variable(name: &str) -> bool {
 }
 
 impl Definition {
+    /// The number that it gives to a name without indices: n = 3.
+    pub fn number(&self) -> Option<&Expr> {
+        let head = &self.head;
+        match &self.body {
+            Body::Formula(body)
+                if matches!(body.kind, Kind::Number(_))
+                    && head.arguments.is_none()
+                    && head.lower.is_empty()
+                    && head.upper.is_empty() =>
+            {
+                Some(body)
+            }
+            _ => None,
+        }
+    }
+
     /// Whether its formula speaks of what it defines.
     pub fn is_recursive(&self) -> bool {
         matches!(&self.body, Body::Formula(body) if bases(body).contains(&self.head.base))
@@ -201,8 +217,28 @@ impl Context {
         Context { letters, ..Context::default() }
     }
 
+    /// The number that the paragraph gives to a name.
+    pub fn number_in<'a>(&'a self, name: &'a str, place: &'a Place) -> Option<&'a Expr> {
+        let (_, definition, _) = self.visible(name, place).next()?;
+        definition.number().filter(|_| definition.place.group == place.group)
+    }
+
+    /// b_{10} is b_{1,0}, where the page has b_{00}, too.
+    pub fn with_pairs_apart(&self, mut head: Head) -> Head {
+        if let [Expr { kind: Kind::Number(q), span }] = head.lower.as_slice()
+            && self.letters.pairs.contains(&head.base)
+            && let Some(number) = q.is_integer().then(|| q.to_string()).filter(|digits| digits.len() > 1)
+        {
+            let digits = number.bytes().filter(u8::is_ascii_digit);
+            let digit = |digit: u8| Expr::new(Expr::int(i64::from(digit - b'0')).kind, *span);
+            head.lower = digits.map(digit).collect();
+        }
+        head
+    }
+
     /// Adds a definition.
-    pub fn define(&mut self, definition: Definition) {
+    pub fn define(&mut self, mut definition: Definition) {
+        definition.head = self.with_pairs_apart(definition.head);
         let base = definition.head.base.clone();
         self.named.entry(base).or_default()[0].push(self.definitions.len());
         self.definitions.push(definition);

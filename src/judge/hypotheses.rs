@@ -134,11 +134,12 @@ fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
 /// Cost: one elimination over the fractions of the other symbols.
 pub fn solve(hypotheses: &[(Value, Value)], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
     let equations = hypotheses.iter().filter_map(|(a, b)| equations(a, b, is_parameter));
-    solved(&equations.flatten().collect::<Vec<_>>(), wanted)
+    let all: Vec<MultiPoly> = equations.flatten().collect();
+    let symbols = linear_symbols(&all, wanted);
+    solved(&all, symbols)
 }
 
-fn solved(all: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
-    let symbols = linear_symbols(all, wanted);
+fn solved(all: &[MultiPoly], symbols: Vec<Symbol>) -> Option<Solution> {
     if all.is_empty() || symbols.is_empty() || all.len() > MOST || symbols.len() > MOST {
         return None;
     }
@@ -180,8 +181,12 @@ fn solved(all: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solutio
 /// sides only, and whose names the facts leave open.
 pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool) -> bool {
     let (sl, sr) = (compare::symbols(left), compare::symbols(right));
-    let same_family =
-        |a: &Symbol, b: &Symbol| a.base() == b.base() && a.upper() == b.upper() && a.accent() == b.accent();
+    let same_family = |a: &Symbol, b: &Symbol| {
+        a.base() == b.base()
+            && a.upper() == b.upper()
+            && a.accent() == b.accent()
+            && a.indices().len() == b.indices().len()
+    };
     let only = |a: &[Symbol], b: &[Symbol]| -> BTreeSet<Symbol> {
         let family = |symbol: &Symbol| {
             let standard = families::is_family(symbol.base());
@@ -196,11 +201,9 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
     };
     [only(&sr, &sl), only(&sl, &sr)].into_iter().any(|new| {
         let equations = equations(left, right, is_argument).unwrap_or_default();
-        let solution = solved(&equations, &|symbol| new.contains(symbol));
-        !new.is_empty()
-            && solution.is_some_and(|solution| {
-                !solution.sampled && solution.values.iter().all(|(symbol, _)| new.contains(symbol))
-            })
+        let mut symbols = linear_symbols(&equations, &|symbol| new.contains(symbol));
+        symbols.retain(|symbol| new.contains(symbol));
+        !new.is_empty() && solved(&equations, symbols).is_some()
     })
 }
 

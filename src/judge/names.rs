@@ -187,7 +187,8 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
                         if !matches!(links[0].rel, Rel::Subset | Rel::In) {
                             collect(left, Position::Integer, &mut inner);
                         }
-                        links.iter().for_each(|link| collect(&link.expr, Position::Integer, &mut inner));
+                        let bounds = links.iter().filter(|link| link.rel != Rel::In);
+                        bounds.for_each(|link| collect(&link.expr, Position::Integer, &mut inner));
                     }
                     _ if upper.is_some() => collect(piece, Position::Integer, &mut inner),
                     _ => {}

@@ -5,10 +5,10 @@ use std::rc::Rc;
 use super::context::Body;
 use super::evaluator;
 use super::features::has_splines;
-use super::names::has_members;
+use super::names::{Head, has_members, is_index_letter};
 use super::object::{Object, Sort};
 use super::trial::Trial;
-use crate::formula::Expr;
+use crate::formula::{Expr, Kind};
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
@@ -46,15 +46,24 @@ impl Trial<'_> {
         let mut found: Vec<Rational> = Vec::new();
         for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
         {
-            let knots = evaluator::machine().with_locals(names.clone(), |machine| {
-                if object.sort == Sort::SplineCurve {
-                    return Ok(model.all_knots(machine, object, &Vec::new()));
-                }
-                let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
-                let degree = degree.and_then(|degree| usize::try_from(degree).ok());
-                Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
-            });
-            found.extend(knots.ok().flatten().unwrap_or_default());
+            let mut add = |own: &[(Symbol, Value)]| {
+                let names: Vec<(Symbol, Value)> = names.iter().chain(own).cloned().collect();
+                let knots = evaluator::machine().with_locals(names, |machine| {
+                    if object.sort == Sort::SplineCurve {
+                        return Ok(model.all_knots(machine, object, &Vec::new()));
+                    }
+                    let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
+                    let degree = degree.and_then(|degree| usize::try_from(degree).ok());
+                    Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
+                });
+                found.extend(knots.ok().flatten().unwrap_or_default());
+            };
+            // N_i with the knots i, …, i + 3
+            match object.names.iter().find_map(free_index).filter(|own| !bound.iter().any(|(b, _)| b == own))
+            {
+                Some(own) => add(&[(Symbol::new(&own), Value::int(0))]),
+                None => add(&[]),
+            }
         }
         found.sort();
         found.dedup();
@@ -113,4 +122,12 @@ impl Trial<'_> {
             _ => false,
         }
     }
+}
+
+/// The index of a family: i in N_i.
+fn free_index(name: &Expr) -> Option<String> {
+    Head::of(name)?.lower.iter().find_map(|index| match &index.kind {
+        Kind::Name(letter) if is_index_letter(letter) => Some(letter.clone()),
+        _ => None,
+    })
 }

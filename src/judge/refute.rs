@@ -88,8 +88,13 @@ pub fn decide(
     }
     // What the page says of a name in words that are not understood may be what the claim rests on.
     let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
+        // A formula for it says all.
+        let defined = checker.context.visible(&base, &statement.place).any(|(_, definition, near)| {
+            near && definition.head.arguments.is_some()
+                && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
+        });
         match &checker.context.object_called(&base, &statement.place)?.object.sort {
-            Sort::Other(words) => Some((base, words.clone())),
+            Sort::Other(words) if !defined => Some((base, words.clone())),
             _ => None,
         }
     });
@@ -107,6 +112,22 @@ pub fn decide(
         (asserted && tally.determined > 0 && tally.determined + tally.beyond == tally.fails.len(), inner)
     {
         return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
+    }
+    // d_1^2, where the page says what d_i^k is, but not how that leads to this one
+    let unresolved =
+        tally.fails.iter().flat_map(|failure| [&failure.left, &failure.right]).find_map(|value| {
+            compare::symbols(value).into_iter().find(|symbol| {
+                !symbol.upper().is_empty()
+                    && checker.context.visible(symbol.base(), &statement.place).any(
+                        |(_, definition, near)| {
+                            near && definition.head.arguments.is_none()
+                                && definition.head.upper.len() == symbol.upper().len()
+                        },
+                    )
+            })
+        });
+    if let Some(symbol) = unresolved {
+        return Decision::Open(format!("what {symbol} is does not follow from the definitions here"));
     }
     // a_0 = 1 and a_{n+1} = 2 a_n: the other members are known by this equation only.
     if let Some(own) = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty()) {
@@ -160,6 +181,12 @@ pub fn decide(
                 counterexample(&failure).map_or(String::new(), |text| format!(": {text}"))
             );
             return Decision::Redefinition(Some(warning));
+        }
+        // Let P(t) = t; for P(t) = t^2 …: given anew, by a formula in its argument.
+        let variables: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
+        let closed = !variables.is_empty() && own.is_subset(&variables);
+        if statement.role == Some(Role::Introduced) && !standard && closed {
+            return Decision::Redefinition(None);
         }
         let again = checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
             definition.head.flat().len() == head.flat().len()
@@ -238,6 +265,11 @@ pub fn decide(
     let unknown: BTreeSet<&String> = tally.record.unknown.iter().collect();
     let unpaired: Vec<&&String> =
         unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
+    // h(t_1, t_2) = …, where words say that h is the polar form of FG, for whatever F and G.
+    let introduced = matches!(statement.role, Some(Role::Introduced | Role::Assumed));
+    if spoken && first && !introduced && unknown.len() > 1 {
+        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+    }
     if unknown.len() > 1 {
         return Decision::Open(format!(
             "a condition on {}",
@@ -311,6 +343,11 @@ pub fn decide(
     if !extra.is_empty() && unknown.is_empty() && !standard {
         let names: Vec<String> = extra.iter().map(|symbol| symbol.to_string()).collect();
         return missing_or_redefinition(head, first, &format!("{} has no meaning here", names.join(", ")));
+    }
+    // c_2 - 2 c_1 + c_0 = …, where the page says no more of the c_i: a condition on them
+    let unsaid = sl.difference(&sr).find(|symbol| !symbol.is_plain() && !br.contains(symbol.base()));
+    if let (Some(symbol), None, true, false) = (unsaid, head, first, claimed) {
+        return Decision::Open(format!("a condition on {}", symbol.base()));
     }
     if extra.iter().any(|symbol| symbol.is_plain()) && !standard && unknown.is_empty() {
         return missing_or_redefinition(head, first, "a name without a meaning occurs on the right");

@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use super::compare::Outcome;
 use super::conditions::Conditions;
-use super::context::{Context, is_variable};
+use super::context::{Body, Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
 use super::model::{Choices, Curve, Model, Record, holds};
@@ -150,7 +150,7 @@ impl<'a> Trial<'a> {
         let used: BTreeSet<String> = self.sides.iter().flat_map(|side| super::names::bases(side)).collect();
         for base in &used {
             for (_, definition, near) in self.context.visible(base, self.place) {
-                if let (super::context::Body::Formula(body), true) = (&definition.body, near) {
+                if let (Body::Formula(body), true) = (&definition.body, near) {
                     let own: Vec<String> = definition
                         .head
                         .lower
@@ -193,7 +193,9 @@ impl<'a> Trial<'a> {
                 }
             });
         }
-        names.retain(|name| !arguments.contains(name) && name != "e");
+        // m = 3, said in this paragraph
+        let given = |name: &String| self.context.number_in(name, self.place).is_some();
+        names.retain(|name| !arguments.contains(name) && name != "e" && !given(name));
         names.into_iter().collect()
     }
 

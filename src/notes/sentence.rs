@@ -152,7 +152,10 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
     for (at, &formula) in formulas.iter().enumerate() {
         let words = words(formula);
         let claims_later = claimed[at + 1..].iter().any(|&claimed| claimed);
-        let mut role = speech::role(&words, claims_later);
+        // "and also" goes on, "also" alone claims.
+        let joined = words.left.chars().any(char::is_alphanumeric) && speech::goes_on(&words.left).is_some();
+        let left = if joined { String::new() } else { words.left.clone() };
+        let mut role = speech::role(&speech::Around { left, ..words.clone() }, claims_later);
         let mut alternative = false;
         if role.is_none()
             && let Some((Some(before), _)) = at.checked_sub(1).map(|before| roles[before])

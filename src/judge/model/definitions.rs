@@ -3,7 +3,7 @@
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind};
 use crate::judge::context::{Body, Definition};
-use crate::judge::names::{Head, integer_names, is_index_letter};
+use crate::judge::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::value::Value;
@@ -21,12 +21,7 @@ impl Model {
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         for (number, definition, near) in context.visible(&head.base, &self.place) {
             // n = 3 holds for its paragraph.
-            let own = &definition.head;
-            let fixed = own.arguments.is_none()
-                && own.lower.is_empty()
-                && own.upper.is_empty()
-                && is_index_letter(&own.base)
-                && matches!(&definition.body, Body::Formula(body) if matches!(body.kind, Kind::Number(_)));
+            let fixed = is_index_letter(&definition.head.base) && definition.number().is_some();
             if fixed && definition.place.group != self.place.group {
                 continue;
             }
@@ -115,6 +110,7 @@ impl Model {
             if matches!(name.as_str(), "n" | "d" | "m" | "N")
                 && !bound.iter().any(|(known, _)| *known == symbol)
                 && machine.lookup(&symbol).is_none()
+                && self.context.number_in(&name, &self.place).is_none()
             {
                 match self.degree {
                     Some(degree) => bound.push((symbol, Value::int(degree as i64))),
@@ -146,7 +142,7 @@ impl Model {
         if own.lower.len() != head.lower.len() {
             // Φ for a Φ_i whose formula does not depend on i
             let Body::Formula(body) = &definition.body else { return None };
-            let free = integer_names(body);
+            let free = bases(body);
             let idle =
                 own.lower.iter().all(|index| matches!(&index.kind, Kind::Name(name) if !free.contains(name)));
             if !head.lower.is_empty() || !idle {

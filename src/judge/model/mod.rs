@@ -288,7 +288,7 @@ impl Reading for Model {
 impl Model {
     /// The value of a name with its indices.
     fn name(&self, machine: &mut Machine, expr: &Expr) -> Option<Evaluated> {
-        let head = Head::of(expr)?;
+        let head = self.context.with_pairs_apart(Head::of(expr)?);
         // Parameters and integers of the instance come first.
         if head.lower.is_empty() && head.upper.is_empty() {
             if let Some(value) = machine.lookup(&Symbol::new(&head.base)) {

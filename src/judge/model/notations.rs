@@ -6,6 +6,7 @@ use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, implied_index, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
+use crate::language::lexicon::families::Family;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -160,15 +161,28 @@ impl Model {
                 _ => vec![piece.clone()],
             })
             .collect();
-        // All B-splines that are not 0 on one of the intervals that are tried.
-        let first = if self.is_local() { -FREE_TERMS } else { 1 };
+        let all = |machine: &mut Machine, name: &str| {
+            let (first, last) = match last_nonzero(body, name) {
+                Some(last) => (0, last),
+                // All B-splines that are not 0 on one of the intervals that are tried.
+                None if self.is_local() => (-LOCAL_TERMS, Expr::int(LOCAL_TERMS)),
+                None => (1, Expr::int(FREE_TERMS)),
+            };
+            Some(machine.eval(&range(name, Expr::int(first), last)))
+        };
         match (bound_names.as_slice(), upper) {
-            ([], None) => {
-                let name = implied_index(body)?;
-                Some(machine.eval(&range(&name, Expr::int(first), Expr::int(FREE_TERMS))))
-            }
+            ([], None) => all(machine, &implied_index(body)?),
             ([one], None) => match &one.kind {
-                Kind::Name(name) => Some(machine.eval(&range(name, Expr::int(first), Expr::int(FREE_TERMS)))),
+                Kind::Name(name) => all(machine, name),
+                // i ∈ ℤ
+                Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
+                    (Kind::Name(name), [Link { rel: Rel::In, expr: set, .. }])
+                        if Head::of(set).is_some_and(|set| set.base == "Z" && set.lower.is_empty()) =>
+                    {
+                        all(machine, name)
+                    }
+                    _ => None,
+                },
                 _ => None,
             },
             ([from], Some(to)) if !matches!(from.kind, Kind::Chain(..)) => {
@@ -224,4 +238,28 @@ impl Model {
         let names: Vec<(Symbol, Value)> = (0..=40).map(|i| (base.numbered(i), value.clone())).collect();
         Some(machine.with_locals(names, |machine| machine.eval(body)).map_err(|error| error.at(expr.span)))
     }
+}
+
+/// The B-splines with numbers from −4 to 4 are all up to degree 3 that are not 0 where they are tried.
+const LOCAL_TERMS: i64 = 4;
+
+/// The last index for which the terms of a sum over all integers do not vanish, by the binomial or Bernstein
+/// polynomial in them: n for C(n, k) and B_k^n.
+fn last_nonzero(body: &Expr, index: &str) -> Option<Expr> {
+    let is_index = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == index);
+    let mut last = None;
+    walk(body, &mut |part| match &part.kind {
+        Kind::Binomial(n, k, _) if is_index(k) => last = Some(n.as_ref().clone()),
+        Kind::Apply(callee, _) => {
+            if let Some(head) = Head::of(callee)
+                && head.is_a(Family::Bernstein)
+                && let ([i], [n]) = (head.lower.as_slice(), head.upper.as_slice())
+                && is_index(i)
+            {
+                last = Some(n.clone());
+            }
+        }
+        _ => {}
+    });
+    last
 }

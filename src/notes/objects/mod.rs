@@ -89,9 +89,11 @@ impl<'a> Reader<'a> {
                     at = phrase.to.max(at + 1);
                     self.take(phrase);
                 }
-                // A cubic: an adjective without a noun.
+                // A cubic, g is affine: an adjective without a noun.
                 Token::Word(Word::OfDegree(degree))
-                    if *degree > 1 && self.follows_article(at) && !self.leads_to_noun(at) =>
+                    if !self.leads_to_noun(at)
+                        && (*degree > 1 && self.follows_article(at)
+                            || at > 1 && self.is(at - 1, &Word::Be) && self.formula_at(at - 2).is_some()) =>
                 {
                     let phrase = self.phrase(at, Sort::Polynomial);
                     at = phrase.to.max(at + 1);

@@ -72,6 +72,10 @@ fn objects_in_four_languages() {
             "Let $\\ell_i$ be the polynomial of degree at most $n$ with $\\ell_i(x_j)=\\delta_{ij}$.",
             vec!["ell_i: Polynomial degree n"],
         ),
+        (
+            "Let $F$ be quadratic and let $g$ be affine.",
+            vec!["F: Polynomial degree 2", "g: Polynomial degree 1"],
+        ),
         ("Let $p$ be a prime.", vec!["p: Other(\"prime\")"]),
         ("Let $G$ be a finite group.", vec!["G: Other(\"finite group\")"]),
         ("Let $A$ and $B$ be invertible matrices.", vec!["A B: Matrix"]),

@@ -246,7 +246,8 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
 /// Whether the words only go on from the formula before: "and", "or", a comma. True for an alternative.
 pub fn goes_on(words: &str) -> Option<bool> {
     match normal(words).as_str() {
-        "" | "and" | "und" | "et" | "和" | "且" | "、" | "及" => Some(false),
+        "" | "and" | "and also" | "as well as" | "und" | "und auch" | "sowie" | "et" | "et aussi"
+        | "ainsi que" | "和" | "且" | "、" | "及" | "以及" | "并且" => Some(false),
         "or" | "oder" | "ou" | "或" => Some(true),
         _ => None,
     }
