@@ -142,7 +142,9 @@ impl Model {
         if own.lower.len() != head.lower.len() {
             // Φ for a Φ_i whose formula does not depend on i
             let Body::Formula(body) = &definition.body else { return None };
-            let free = bases(body);
+            // The i of a product without an index of its own is bound in it.
+            let bound = matches!(body.kind, Kind::Big { .. });
+            let free = if bound { integer_names(body) } else { bases(body) };
             let idle =
                 own.lower.iter().all(|index| matches!(&index.kind, Kind::Name(name) if !free.contains(name)));
             if !head.lower.is_empty() || !idle {

@@ -181,7 +181,7 @@ impl Model {
                     {
                         all(machine, name)
                     }
-                    _ => None,
+                    _ => self.increasing(machine, op, one, body, expr),
                 },
                 _ => None,
             },
@@ -207,6 +207,73 @@ impl Model {
                 Some(machine.eval(&Expr::new(big, expr.span)))
             }
             _ => None,
+        }
+    }
+
+    /// Σ over 1 ≤ i_1 < … < i_k ≤ n: over the sets of k of these numbers.
+    ///
+    /// Cost: C(n, k) evaluations.
+    fn increasing(
+        &self,
+        machine: &mut Machine,
+        op: BigOp,
+        range: &Expr,
+        body: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let Kind::Chain(least, links) = &range.kind else { return None };
+        let [low, rise, fall, high] = links.as_slice() else { return None };
+        let strict = |rel: Rel| rel == Rel::Lt;
+        if fall.expr.kind == Kind::Ellipsis
+            || rise.expr.kind != Kind::Ellipsis
+            || !strict(rise.rel)
+            || !strict(fall.rel)
+        {
+            return None;
+        }
+        let (first, last) = (Head::of(&low.expr)?, Head::of(&fall.expr)?);
+        let ([from], [to]) = (first.lower.as_slice(), last.lower.as_slice()) else { return None };
+        if first.base != last.base {
+            return None;
+        }
+        let int = |machine: &mut Machine, expr: &Expr| machine.eval_int(expr).ok();
+        let (from, to) = (int(machine, from)?, int(machine, to)?);
+        let least = int(machine, least)? + i64::from(strict(low.rel));
+        let most = int(machine, &high.expr)? - i64::from(strict(high.rel));
+        let count = usize::try_from(to - from + 1).ok()?;
+        let members = usize::try_from((most - least + 1).max(0)).ok()?;
+        let letter = Symbol::new(&first.base);
+        let mut result = Value::int(i64::from(op == BigOp::Product));
+        let mut chosen: Vec<usize> = (0..count).collect();
+        if count > members {
+            return Some(Ok(result));
+        }
+        loop {
+            crate::budget::steps(16);
+            let names: Vec<(Symbol, Value)> = (from..=to)
+                .zip(&chosen)
+                .map(|(at, &member)| (letter.numbered(at), Value::int(least + member as i64)))
+                .collect();
+            let term = match machine.with_locals(names, |machine| machine.eval(body)) {
+                Ok(term) => term,
+                Err(error) => return Some(Err(error)),
+            };
+            let joined = match op {
+                BigOp::Product => arithmetic::multiply(result, term),
+                _ => arithmetic::add(result, term),
+            };
+            result = match joined {
+                Ok(value) => value,
+                Err(error) => return Some(Err(error.at(expr.span))),
+            };
+            // The next set, in the order of the alphabet.
+            let Some(at) = (0..count).rev().find(|&at| chosen[at] < members - count + at) else {
+                return Some(Ok(result));
+            };
+            chosen[at] += 1;
+            for next in at + 1..count {
+                chosen[next] = chosen[next - 1] + 1;
+            }
         }
     }
 
