@@ -170,7 +170,11 @@ fn about(
 /// the degree. Nothing is restricted if the file itself says for which integers it holds.
 pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&'static str> {
     let enough = tally.holds_inner >= 2 || tally.holds >= 6;
-    if !enough || outcomes.integers.is_empty() || tally.fails.len() > tally.holds.max(12) {
+    if tally.fails.is_empty()
+        || !enough
+        || outcomes.integers.is_empty()
+        || tally.fails.len() > tally.holds.max(12)
+    {
         return None;
     }
     let ranges = chain.conditions.iter().any(|condition| {

@@ -310,6 +310,11 @@ impl Checker {
             if passing {
                 findings[0].verdict = Verdict::Definition;
                 findings[0].reason = Some(format!("a value of {} in passing", head.base));
+                let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr);
+                if !chain.sides[1].is_unread() {
+                    let value = Expr::relation(left.clone(), Rel::Eq, right.clone());
+                    self.condition(value, findings[0].span, true, place);
+                }
             } else {
                 self.definition(chain, head, place, &mut findings[0]);
             }
@@ -407,6 +412,7 @@ impl Checker {
                         ..*finding
                     };
                 }
+                Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
                         if refute::is_standard(Some(head)) {

@@ -6,7 +6,7 @@ pub use super::values::symbols;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::number::{Rational, integer};
-use crate::math::poly::{Fraction, MonomialOrder, Poly, Symbol};
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::{Signed, Zero};
 
@@ -21,8 +21,17 @@ pub enum Outcome {
     Unclear(String),
 }
 
+/// Where parameters are that nothing restricts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// Anywhere.
+    Reals,
+    /// Those of Bernstein polynomials: between 0 and 1, barycentric coordinates not negative.
+    Unit,
+}
+
 /// Compares two values.
-pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Outcome {
+pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], domain: Domain) -> Outcome {
     let (left, right) = (plain(left), plain(right));
     if let Some(why) = other_shapes(&left, &right) {
         return Outcome::Unclear(why);
@@ -53,7 +62,7 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> O
                 Err(error) => Outcome::Unclear(error.message),
             }
         }
-        Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => inequality(rel, &left, &right, conditions),
+        Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => inequality(rel, &left, &right, conditions, domain),
         Rel::Ne => match judge(Rel::Ne, &left, &right) {
             Ok(judgement) if judgement.verdict == Verdict::Proved => Outcome::Holds,
             _ => Outcome::Unclear("whether the sides differ depends on their symbols".to_owned()),
@@ -116,7 +125,7 @@ fn interval(symbol: &Symbol, conditions: &[Expr]) -> Option<(Rational, Rational)
     })
 }
 
-fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Outcome {
+fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], domain: Domain) -> Outcome {
     let (Value::Scalar(a), Value::Scalar(b)) = (left, right) else {
         return Outcome::Unclear("only numbers can be ordered".to_owned());
     };
@@ -144,21 +153,20 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
     };
     let variables = polynomial.variables().to_vec();
     if let [variable] = variables.as_slice() {
-        let (from, to) = match interval(variable, conditions) {
-            Some(found) => found,
-            // The parameter of a Bézier curve runs from 0 to 1.
-            None if matches!(variable.base(), "t" | "u" | "x" | "s") && variable.is_plain() => {
-                (integer(0), integer(1))
-            }
-            None => return Outcome::Unclear("the range of the variable is not given".to_owned()),
-        };
-        let given = interval(variable, conditions).is_some();
+        let given = interval(variable, conditions);
         let coefficients: Option<Vec<Rational>> =
             polynomial.coefficients_in(variable).iter().map(|c| c.as_constant()).collect();
         let Some(coefficients) = coefficients else {
             return Outcome::Unclear("the coefficients are not numbers".to_owned());
         };
+        let everywhere = beyond_all_roots(&coefficients);
         let f = Poly::from_coefficients(coefficients);
+        let (from, to) = match (&given, domain, everywhere) {
+            (Some(found), ..) => found.clone(),
+            (None, Domain::Unit, _) if variable.is_plain() => (integer(0), integer(1)),
+            (None, Domain::Reals, Some(bound)) => (-bound.clone(), bound),
+            _ => return Outcome::Unclear("the range of the variable is not given".to_owned()),
+        };
         if f.is_nonnegative_on(&from, &to) {
             let middle = (&from + &to) / integer(2);
             if !strict {
@@ -173,7 +181,7 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
                 Outcome::Unclear("equality occurs within the range".to_owned())
             };
         }
-        if !given {
+        if given.is_none() {
             return Outcome::Unclear("the range of the variable is not given".to_owned());
         }
         let steps = 64;
@@ -199,10 +207,19 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr]) -> Out
     let coordinates = variables.iter().all(|v| {
         v.is_plain() && matches!(v.base(), "u" | "v" | "w" | "r" | "s" | "t" | "alpha" | "beta" | "gamma")
     });
-    if nonnegative && coordinates && !strict {
+    if nonnegative && coordinates && domain == Domain::Unit && !strict {
         return Outcome::Holds;
     }
     Outcome::Unclear("an inequality in several variables is not decided".to_owned())
+}
+
+/// A number beyond all real roots, by Cauchy's bound, if the polynomial is positive there on both sides.
+fn beyond_all_roots(coefficients: &[Rational]) -> Option<Rational> {
+    let degree = coefficients.iter().rposition(|c| !c.is_zero())?;
+    let leading = &coefficients[degree];
+    let largest =
+        coefficients[..degree].iter().map(|c| (c / leading).abs()).max().unwrap_or_else(Rational::zero);
+    (degree % 2 == 0 && leading.is_positive()).then(|| largest + integer(1))
 }
 
 fn fails(rel: Rel, left: &Value, right: &Value, witness: Witness) -> Outcome {
@@ -256,10 +273,18 @@ pub fn solved(
 ) -> Option<(Symbol, Fraction)> {
     let (a, b) = (substituted(a, known)?, substituted(b, known)?);
     let (Value::Scalar(a), Value::Scalar(b)) = (plain(&a), plain(&b)) else { return None };
-    let difference = a.minus(&b);
-    let polynomial = difference.as_polynomial()?;
     let mut used = symbols(left);
     used.extend(symbols(right));
+    // t = c s/(1 - s + c s)
+    if let [symbol] = a.numerator().variables()
+        && used.contains(symbol)
+        && a == Fraction::from(MultiPoly::symbol(symbol.clone()))
+        && !symbols(&Value::Scalar(b.clone())).contains(symbol)
+    {
+        return Some((symbol.clone(), b));
+    }
+    let difference = a.minus(&b);
+    let polynomial = difference.as_polynomial()?;
     let symbol = polynomial
         .variables()
         .iter()

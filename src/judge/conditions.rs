@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use super::compare::{self, Outcome};
+use super::compare::{self, Domain, Outcome};
 use super::hypotheses::{self, Solution};
 use super::model::FREE_TERMS;
 use super::names::{Head, implied_index, own_names};
@@ -36,7 +36,9 @@ impl Conditions<'_> {
             Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => self.own.iter().chain(self.earlier).cloned().collect(),
             _ => Vec::new(),
         };
-        let plain = compare::relation(rel, left, right, &ranges);
+        // t in B_i^n(t) ≥ 0 runs from 0 to 1.
+        let domain = if tally.record.unit { Domain::Unit } else { Domain::Reals };
+        let plain = compare::relation(rel, left, right, &ranges, domain);
         if !matches!(plain, Outcome::Fails(_)) {
             return plain;
         }
@@ -64,7 +66,7 @@ impl Conditions<'_> {
             solved.push((symbol, value));
             let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
             if let (Some(l), Some(r)) = (l, r) {
-                let outcome = compare::relation(rel, &l, &r, &ranges);
+                let outcome = compare::relation(rel, &l, &r, &ranges, domain);
                 if matches!(outcome, Outcome::Holds) {
                     if at >= self.own.len() {
                         tally.condition = Some(at - self.own.len());
@@ -129,13 +131,23 @@ impl Conditions<'_> {
             tally.beyond += usize::from(beyond && matches!(plain, Outcome::Fails(_)));
             return plain;
         }
-        let outcome = compare::relation(rel, &l, &r, &ranges);
+        // c_0 in terms of b_2 and c_1, of which the claim speaks, too
+        let is_solved = |symbol: &Symbol| solution.iter().any(|(solved, _)| solved == symbol);
+        let members = |value: &Value| -> BTreeSet<Symbol> {
+            compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain()).collect()
+        };
+        let spoken_of: BTreeSet<Symbol> =
+            equations.iter().flat_map(|(a, b)| [members(a), members(b)]).flatten().collect();
+        let settled = members(left).iter().all(is_solved)
+            && members(&l).is_subset(&members(right))
+            && members(&r).is_subset(&spoken_of);
+        let outcome = compare::relation(rel, &l, &r, &ranges, domain);
         tally.condition.get_or_insert(0);
         tally.sampled |= sampled;
         match outcome {
             Outcome::Holds => outcome,
             // Everything that is claimed about is determined, and it is something else.
-            Outcome::Fails(_) if open(left) > 0 && open(&l) == 0 => {
+            Outcome::Fails(_) if open(left) > 0 && (open(&l) == 0 || settled) => {
                 tally.determined += 1;
                 outcome
             }

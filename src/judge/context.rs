@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::names::{Head, bases, walk};
+use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Place, Said, Statement};
 use crate::formula::{Expr, Kind};
@@ -172,10 +172,16 @@ impl Letters {
                         _ => {}
                     }
                 }
+                let letters = |index: &Expr| {
+                    matches!(&index.kind, Kind::Mul(factors)
+                    if factors.iter().all(|f| matches!(&f.kind, Kind::Name(name) if is_index_letter(name))))
+                };
+                let digits = |index: &Expr| {
+                    matches!(&index.kind, Kind::Name(word)
+                    if word.len() > 1 && word.starts_with('0'))
+                };
                 if let [index] = lower.as_slice()
-                    && let Kind::Name(word) = &index.kind
-                    && word.len() > 1
-                    && word.starts_with('0')
+                    && (letters(index) || digits(index))
                     && let Some(head) = Head::of(base)
                 {
                     self.pairs.insert(head.base);

@@ -75,8 +75,8 @@ fn equations(a: &Value, b: &Value, is_parameter: fn(&Symbol) -> bool) -> Option<
 /// The symbols in which all equations are linear together, those that are wanted most first.
 fn linear_symbols(equations: &[MultiPoly], wanted: &dyn Fn(&Symbol) -> bool) -> Vec<Symbol> {
     let rank = |symbol: &Symbol| match (is_coefficient(symbol), wanted(symbol)) {
-        (true, _) => 0,
-        (_, true) => 1,
+        (_, true) => 0,
+        (true, _) => 1,
         _ => 2,
     };
     let mut symbols: BTreeSet<Symbol> = equations

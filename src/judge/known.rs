@@ -4,7 +4,7 @@
 use super::check::Checker;
 use super::context::{Body, Condition, Definition, is_variable};
 use super::model::{Curve, capital_of};
-use super::names::{Head, bases, has_members, is_index_letter, walk};
+use super::names::{Head, bases, has_members, is_index_letter, is_range, walk};
 use super::refute::calls;
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
@@ -120,6 +120,16 @@ impl Checker {
             })
     }
 
+    /// Whether a name is where a recursion begins that the page gave before: b_i^0, after b_i^k.
+    fn begins(&self, recursion: &Definition, head: &Head, place: &Place) -> bool {
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let bare = |own: &Head| !own.lower.iter().chain(&own.upper).any(number);
+        recursion.is_recursive()
+            && bare(&recursion.head)
+            && !bare(head)
+            && self.context.visible(&head.base, place).all(|(_, d, _)| d.is_recursive() && bare(&d.head))
+    }
+
     /// Whether words say what a name is, and all that it is made of is known.
     pub(super) fn is_determined(&self, head: &Head, place: &Place) -> bool {
         let Some(object) = self.context.object(head, place).map(|declared| &declared.object) else {
@@ -151,7 +161,7 @@ impl Checker {
             || self
                 .context
                 .visible(&head.base, place)
-                .any(|(_, d, near)| covers(d, head) && (near || recursive))
+                .any(|(_, d, near)| covers(d, head) && (near || recursive) && !self.begins(d, head, place))
         {
             return true;
         }
@@ -270,7 +280,7 @@ impl Checker {
 
     /// Whether a condition introduced a name: a ≠ b, 0 < c < 1.
     pub(super) fn is_restricted(&self, base: &str, place: &Place) -> bool {
-        self.conditions_on(base, place).next().is_some()
+        self.conditions_on(base, place).any(is_range)
     }
 
     /// The conditions of the section that speak of a name.

@@ -76,6 +76,7 @@ impl Checker {
                 &Value::Scalar(claimed.clone()),
                 &Value::Scalar(expanded.clone()),
                 &[],
+                super::compare::Domain::Reals,
             );
             if let Outcome::Fails(judgement) = outcome {
                 let polynomial = write::text(&crate::language::value::polynomial_expr(polynomial));

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use super::check::Checker;
 use super::compare::{self, Outcome};
 use super::context::Body;
-use super::names::{Head, bases, walk};
+use super::names::{Head, bases, integer_names, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
@@ -30,6 +30,8 @@ pub enum Decision {
     },
     /// The name on the left is defined anew, perhaps with a warning.
     Redefinition(Option<String>),
+    /// It says how the members of a family follow from those that are known: F_{n+1} = F_n + F_{n-1}.
+    Recursion(Box<Head>),
     /// Not decided, and why.
     Open(String),
     /// Suspicious: an index that belongs to nothing.
@@ -71,6 +73,17 @@ pub fn decide(
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
         return Decision::Open(format!("{name} has no argument here"));
+    }
+    // "at the same point B_{300}^3 = 1/27"
+    let bare = |side: &Expr| {
+        Head::of(side).is_some_and(|head| {
+            let head = checker.context.with_pairs_apart(head);
+            head.arguments.is_none() && (head.is_a(Family::Bernstein) || head.is_a(Family::Triangular))
+        })
+    };
+    let number = |side: &Expr| bases(side).is_empty();
+    if bare(left) && number(right) || number(left) && bare(right) {
+        return Decision::Open("it has no argument here".to_owned());
     }
     if chain.relations[at].0 == Rel::Define {
         return Decision::Open("it defines its left side".to_owned());
@@ -139,7 +152,11 @@ pub fn decide(
             .peekable();
         let some = members.peek().is_some();
         if some && !given(&own) && members.all(|(_, definition, _)| given(&definition.head)) {
-            return Decision::Open(format!("it may say what the other {} are", own.base));
+            let steps = own.lower.iter().all(|index| integer_names(index).len() <= 1);
+            return match first && bases(right).contains(&own.base) && steps {
+                true => Decision::Recursion(Box::new(own.clone())),
+                false => Decision::Open(format!("it may say what the other {} are", own.base)),
+            };
         }
     }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
@@ -166,7 +183,13 @@ pub fn decide(
     let claimed = statement.role == Some(Role::Claimed);
     let standard = is_standard(head);
     // What words introduced is not introduced anew by what is claimed of it.
-    let spoken = head.is_some_and(|head| checker.is_determined(head, &statement.place));
+    let spoken = head.cloned().or_else(|| Head::of(left).filter(|_| first)).is_some_and(|head| {
+        let valued = || {
+            let object = checker.context.object(&head, &statement.place);
+            claimed && object.is_some_and(|declared| declared.object.has_values())
+        };
+        checker.is_determined(&head, &statement.place) || valued()
+    });
     let head = head.filter(|_| !spoken);
     if let Some(head) = head
         && first
@@ -267,7 +290,8 @@ pub fn decide(
         unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
     // h(t_1, t_2) = …, where words say that h is the polar form of FG, for whatever F and G.
     let introduced = matches!(statement.role, Some(Role::Introduced | Role::Assumed));
-    if spoken && first && !introduced && unknown.len() > 1 {
+    let generic = |value: &Value| compare::symbols(value).iter().any(|symbol| symbol.base().starts_with('['));
+    if spoken && first && !introduced && generic(&failure.left) && generic(&failure.right) {
         return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
     }
     if unknown.len() > 1 {

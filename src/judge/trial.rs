@@ -193,6 +193,18 @@ impl<'a> Trial<'a> {
                 }
             });
         }
+        // s(j) = d_{j-1} + …: an index is an integer wherever it stands
+        let mut indices: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                if let Kind::Subscript(_, lower) = &part.kind {
+                    indices.extend(
+                        lower.iter().flat_map(super::names::bases).filter(|name| is_index_letter(name)),
+                    );
+                }
+            });
+        }
+        arguments.retain(|name| !indices.contains(name));
         // m = 3, said in this paragraph
         let given = |name: &String| self.context.number_in(name, self.place).is_some();
         names.retain(|name| !arguments.contains(name) && name != "e" && !given(name));

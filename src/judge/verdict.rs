@@ -45,7 +45,8 @@ impl Checker {
             finding.witness = Some(values.join(", "));
             return Judged::Verdict(Box::new(finding));
         }
-        if tally.fails.is_empty() && tally.holds > 0 {
+        let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
+        if tally.fails.is_empty() && tally.holds > 0 && !(inequality && !tally.unclear.is_empty()) {
             finding.verdict = if ranged || tally.sampled { Verdict::Sampled } else { Verdict::Proved };
             if tally.sampled && !ranged {
                 finding.instances = Some("for numbers in the place of the nodes".to_owned());
@@ -140,6 +141,7 @@ impl Checker {
                 }
             }
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
+            refute::Decision::Recursion(head) => return Judged::Recursion(head),
             refute::Decision::Open(reason) => {
                 finding.reason = Some(reason);
             }
@@ -190,6 +192,8 @@ fn says_zero(chain: &Chain) -> bool {
 /// What comes of one relation.
 pub(super) enum Judged {
     Verdict(Box<Finding>),
+    /// It says how the members of a family follow from those that are known.
+    Recursion(Box<Head>),
     /// It defines its name anew.
     Redefinition(Option<String>),
 }

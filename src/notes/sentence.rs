@@ -249,10 +249,18 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         };
         if targets.is_empty() {
             for statement in &mut statements[at..end] {
-                // A restriction of names, such as a sum of weights, goes on; a value said in passing ("maximal at
-                // t = i/n") does not.
-                if matches!(statement.said, Said::Condition(_)) {
-                    statement.role = None;
+                // A restriction of names, such as a sum of weights, goes on, and so does what the words of the
+                // sentence rest on ("they agree if b_3 - b_2 = c_1 - c_0"), to the end of the paragraph; a value
+                // said in passing ("maximal at t = i/n") does not.
+                match &statement.said {
+                    Said::Condition(_) => statement.role = None,
+                    Said::Chain(chain)
+                        if statement.role == Some(Role::Case)
+                            && !matches!(chain.sides[0].expr.kind, Kind::Name(_)) =>
+                    {
+                        statement.role = Some(Role::Assumed);
+                    }
+                    _ => {}
                 }
             }
         }

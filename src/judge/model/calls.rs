@@ -428,6 +428,7 @@ impl Model {
         let Some(head) = Head::of(callee) else {
             return Err(unclear("what is applied here", expr));
         };
+        let head = self.context.with_pairs_apart(head);
         if let [group] = values
             && group.iter().any(|value| matches!(value, Value::Vector(_)))
             && let Some(result) = self.affine_by_definition(machine, &head, group)

@@ -1,7 +1,7 @@
 //! Definitions of the notes: which one fits a name or call, and what it gives.
 
 use super::{Bound, Evaluated, Model, holds};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Sign};
 use crate::judge::context::{Body, Definition};
 use crate::judge::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -173,6 +173,12 @@ impl Model {
                     }
                     exact += 1;
                 }
+                // F_{n+1} = F_n + F_{n-1}
+                _ if let Some((name, more)) = shifted(pattern)
+                    && let Some(value) = machine.eval(index).ok().and_then(|value| value.as_int()) =>
+                {
+                    bound.push((Symbol::new(name), Value::int(value - more)));
+                }
                 _ if pattern.same_as(index) => exact += 1,
                 _ => {
                     // p_{n-1} on the left of a definition: for the same value of the index
@@ -277,5 +283,18 @@ impl Model {
             bound.push((base.numbered(start + i as i64), value.clone()));
         }
         Some(0)
+    }
+}
+
+/// An index and a number: n + 1, n − 1.
+fn shifted(pattern: &Expr) -> Option<(&str, i64)> {
+    let Kind::Add(terms) = &pattern.kind else { return None };
+    let [name, number] = terms.as_slice() else { return None };
+    match (&name.expr.kind, name.sign, &number.expr.kind) {
+        (Kind::Name(letter), Sign::Plus, Kind::Number(q)) if is_index_letter(letter) => {
+            let number_value = Value::number(q.clone()).as_int()?;
+            Some((letter, if number.sign == Sign::Minus { -number_value } else { number_value }))
+        }
+        _ => None,
     }
 }

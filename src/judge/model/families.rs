@@ -75,9 +75,15 @@ impl Model {
         }
     }
 
+    /// B_i^n(x), whose parameter runs from 0 to 1.
+    pub(super) fn bernstein_value(&self, degree: i64, i: i64, x: &Fraction) -> Fraction {
+        self.record.borrow_mut().unit = true;
+        families::bernstein(degree, i, x)
+    }
+
     fn bernstein(&self, machine: &mut Machine, n: &Expr, i: &Expr, t: &Fraction) -> Evaluated {
         let (n, i) = (machine.eval_int(n)?, machine.eval_int(i)?);
-        Ok(Value::Scalar(families::bernstein(n, i, t)))
+        Ok(Value::Scalar(self.bernstein_value(n, i, t)))
     }
 
     fn triangular(&self, machine: &mut Machine, n: &Expr, indices: [&Expr; 3], at: &[Fraction]) -> Evaluated {
@@ -93,6 +99,7 @@ impl Model {
             return Err(Diagnostic::error(Code::Domain, "the indices do not add up to the degree"));
         }
         let parts: Vec<usize> = list.iter().map(|&i| i as usize).collect();
+        self.record.borrow_mut().unit = true;
         Ok(Value::Scalar(families::triangular(&parts, at)))
     }
 

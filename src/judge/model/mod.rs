@@ -82,6 +82,8 @@ pub struct Record {
     pub infinite: bool,
     /// Whether a polar form had dots without a count among its arguments.
     pub flexible: bool,
+    /// Whether Bernstein polynomials occurred: their parameters run from 0 to 1.
+    pub unit: bool,
 }
 
 impl Record {
@@ -97,6 +99,7 @@ impl Record {
         self.mixed |= other.mixed;
         self.infinite |= other.infinite;
         self.flexible |= other.flexible;
+        self.unit |= other.unit;
     }
 }
 

@@ -186,7 +186,7 @@ impl Model {
                 note("the Bézier curve");
                 let x = self.reparametrised(machine, &object, &x)?;
                 let mut weights: Vec<Fraction> =
-                    (0..=degree as i64).map(|i| families::bernstein(degree as i64, i, &x)).collect();
+                    (0..=degree as i64).map(|i| self.bernstein_value(degree as i64, i, &x)).collect();
                 if !object.weights.is_empty() {
                     let own = self.points(machine, &object.weights, &bound, degree)?;
                     for (weight, own) in weights.iter_mut().zip(&own) {
@@ -230,7 +230,7 @@ impl Model {
                     let degree = self.stated_degree(machine, &object, &bound)?;
                     let i = machine.eval(i).ok()?.as_int()?;
                     note("a Bernstein polynomial");
-                    return Some(Ok(Value::Scalar(families::bernstein(degree as i64, i, &x))));
+                    return Some(Ok(Value::Scalar(self.bernstein_value(degree as i64, i, &x))));
                 }
                 let ([a, b], [p, _]) = (indices.as_slice(), patterns.as_slice()) else { return None };
                 let first = object.degree.as_ref().map_or_else(
@@ -240,7 +240,7 @@ impl Model {
                 let (i, n) = if first && head.upper.is_empty() { (b, a) } else { (a, b) };
                 let (i, n) = (machine.eval(i).ok()?.as_int()?, machine.eval(n).ok()?.as_int()?);
                 note("a Bernstein polynomial");
-                Ok(Value::Scalar(families::bernstein(n, i, &x)))
+                Ok(Value::Scalar(self.bernstein_value(n, i, &x)))
             }
             _ => return None,
         };

@@ -100,7 +100,11 @@ impl<'a> Reader<'a> {
                     self.take(phrase);
                 }
                 Token::Formula(number) => {
-                    if let Some(first) = self.said(*number).first() {
+                    // "F and f(s, t) its polar form": its is that of F.
+                    let next = (at + 1..self.tokens.len())
+                        .find(|&next| !self.is(next, &Word::Be) && !self.is(next, &Word::Filler));
+                    let own = next.is_some_and(|next| self.is(next, &Word::Its));
+                    if let (Some(first), false) = (self.said(*number).first(), own) {
                         let beside = at > 1
                             && matches!(self.tokens[at - 1], Token::Comma | Token::Word(Word::And))
                             && matches!(self.tokens[at - 2], Token::Formula(_));

@@ -111,7 +111,7 @@ impl Reader<'_> {
     pub(super) fn phrase(&self, noun: usize, sort: Sort) -> Phrase {
         let mut object = Object::new(sort);
         let mut phrase_of = Vec::new();
-        let (mut piece, mut rational) = (false, false);
+        let (mut piece, mut rational, mut closed) = (false, false, false);
         let mut from = noun;
         if let Token::Word(Word::OfDegree(degree)) = self.tokens[noun] {
             object.degree = Some(Expr::int(degree));
@@ -119,7 +119,7 @@ impl Reader<'_> {
         // Adjectives, what owns it, its degree before it.
         while let Some(before) = from.checked_sub(1) {
             match &self.tokens[before] {
-                Token::Word(Word::Filler | Word::Article | Word::Der) => {}
+                Token::Word(Word::Filler | Word::Article | Word::Der) => closed = true,
                 Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
                 Token::Word(Word::Uniform) => object.uniform = true,
                 Token::Word(Word::Piece) => piece = true,
@@ -127,7 +127,10 @@ impl Reader<'_> {
                     piece = true;
                     from = before;
                 }
-                Token::Word(Word::Its) => phrase_of.extend(self.topic.iter().cloned()),
+                Token::Word(Word::Its) => {
+                    closed = true;
+                    phrase_of.extend(self.topic.iter().cloned());
+                }
                 // 3 次, F 的
                 Token::Word(mark @ (Word::DegreeAfter | Word::OrderAfter)) if before > 0 => {
                     let Some(degree) = self.number_at(before - 1) else { break };
@@ -154,6 +157,7 @@ impl Reader<'_> {
                 // An adjective that is not known here may change everything.
                 Token::Unknown(word)
                     if object.sort != Sort::Symbols
+                        && !closed
                         && !word.contains(' ')
                         && (self.is(before.wrapping_sub(1), &Word::Filler)
                             || self.is(before.wrapping_sub(1), &Word::Article)) =>

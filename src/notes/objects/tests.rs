@@ -76,6 +76,10 @@ fn objects_in_four_languages() {
             "Let $F$ be quadratic and let $g$ be affine.",
             vec!["F: Polynomial degree 2", "g: Polynomial degree 1"],
         ),
+        (
+            "Let $F$ be a quadratic polynomial and $f(s,t)$ its polar form.",
+            vec!["F: Polynomial degree 2", "f: PolarForm of F"],
+        ),
         ("Let $p$ be a prime.", vec!["p: Other(\"prime\")"]),
         ("Let $G$ be a finite group.", vec!["G: Other(\"finite group\")"]),
         ("Let $A$ and $B$ be invertible matrices.", vec!["A B: Matrix"]),

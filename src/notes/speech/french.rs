@@ -58,6 +58,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("sauf pour", Role::Except),
     Before("sauf si", Role::Except),
     After("sinon", Role::Elsewhere),
+    After("en dehors de", Role::Elsewhere),
+    After("hors de", Role::Elsewhere),
     Before("sinon", Role::Elsewhere),
     Before("dans tous les autres cas", Role::Elsewhere),
     Before("partout ailleurs", Role::Elsewhere),

@@ -62,6 +62,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("außer für", Role::Except),
     Before("es sei denn", Role::Except),
     After("sonst", Role::Elsewhere),
+    After("außerhalb", Role::Elsewhere),
+    After("außerhalb von", Role::Elsewhere),
     After("andernfalls", Role::Elsewhere),
     Before("sonst", Role::Elsewhere),
     Before("andernfalls", Role::Elsewhere),
