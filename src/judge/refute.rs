@@ -12,7 +12,7 @@ use super::names::{Head, bases, integer_names, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
-use super::words::{CONDITION_CUES, DEFINITION_CUES, curve_spoken_of, has_cue, last_words};
+use super::words::curve_spoken_of;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
@@ -68,7 +68,6 @@ pub fn decide(
     statement: &Statement,
     head: Option<&Head>,
 ) -> Decision {
-    let words = last_words(statement);
     let first = at == 0;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
@@ -223,11 +222,9 @@ pub fn decide(
         if value && !standard {
             return Decision::Redefinition(None);
         }
-        let cue =
-            has_cue(&words, DEFINITION_CUES) && !words.contains("given by") && !words.contains("given as");
         let of_capital = own.contains(&super::model::capital_of(&head.base))
             || curve_spoken_of(&statement.recent).is_some();
-        if cue && again && !of_capital && !standard && !own.contains(&head.base) {
+        if statement.role == Some(Role::Introduced) && again && !of_capital && !standard && !own.contains(&head.base) {
             return Decision::Redefinition(None);
         }
     }
@@ -274,7 +271,7 @@ pub fn decide(
         && !standard
         && !claimed
         && !spoken
-        && has_cue(&words, CONDITION_CUES)
+        && matches!(statement.role, Some(Role::Asked | Role::Assumed | Role::Case))
         && curve_spoken_of(&statement.recent).is_none()
     {
         return Decision::Open("a condition, by the words before it".to_owned());
