@@ -224,7 +224,12 @@ pub fn decide(
         }
         let of_capital = own.contains(&super::model::capital_of(&head.base))
             || curve_spoken_of(&statement.recent).is_some();
-        if statement.role == Some(Role::Introduced) && again && !of_capital && !standard && !own.contains(&head.base) {
+        if statement.role == Some(Role::Introduced)
+            && again
+            && !of_capital
+            && !standard
+            && !own.contains(&head.base)
+        {
             return Decision::Redefinition(None);
         }
     }

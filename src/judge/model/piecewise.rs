@@ -6,6 +6,7 @@
 use super::calls::unclear;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
+use crate::judge::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -176,17 +177,24 @@ impl Model {
     ) -> Option<Evaluated> {
         let Kind::Integral { body, variable, .. } = &expr.kind else { return None };
         let not = |what: &str| Some(Err(unclear(what, expr)));
-        let (Some(lower), Some(upper)) = (lower, upper) else {
-            return not("between which bounds this is integrated");
+        let knots: Vec<Rational> = self.breaks.iter().cloned().chain(KNOTS.map(|j| self.knot(j))).collect();
+        // ∫ over ℝ: the integrand has to vanish beyond all knots.
+        let whole = upper.is_none()
+            && lower.and_then(Head::of).is_some_and(|set| set.base == "R" && set.lower.is_empty());
+        let ends = match (lower, upper) {
+            (Some(_), None) if whole => {
+                let one = integer(1);
+                [knots.iter().min().map(|end| end - &one), knots.iter().max().map(|end| end + &one)]
+            }
+            (Some(lower), Some(upper)) => [lower, upper].map(|end| match machine.eval(end) {
+                Ok(Value::Scalar(x)) => x.as_rational(),
+                _ => None,
+            }),
+            _ => return not("between which bounds this is integrated"),
         };
-        let ends = [lower, upper].map(|end| match machine.eval(end) {
-            Ok(Value::Scalar(x)) => x.as_rational(),
-            _ => None,
-        });
         let [Some(from), Some(to)] = ends else { return not("where the pieces of this integrand end") };
         let (least, most) = if from <= to { (from.clone(), to.clone()) } else { (to.clone(), from.clone()) };
-        let mut breaks: Vec<Rational> =
-            self.breaks.iter().cloned().chain(KNOTS.map(|j| self.knot(j))).collect();
+        let mut breaks = knots;
         breaks.retain(|at| least < *at && *at < most);
         breaks.extend([least.clone(), most]);
         breaks.sort();
@@ -198,8 +206,12 @@ impl Model {
         let mut piece = |ends: &[Rational]| {
             // The integrand first, near the middle of the piece; then a polynomial is integrated.
             let middle = (&ends[0] + &ends[1]) / integer(2);
-            let integrand =
-                self.moved(Some(middle), || machine.with_locals(own.clone(), |machine| machine.eval(body)))?;
+            let integrand = self.moved(Some(middle.clone()), || {
+                machine.with_locals(own.clone(), |machine| machine.eval(body))
+            })?;
+            if whole && (middle < &from + integer(1) || middle > &to - integer(1)) && !vanishes(&integrand) {
+                return Err(unclear("what this integral over all numbers is", expr));
+            }
             let integral = Kind::Integral {
                 lower: Some(Box::new(Expr::number(&ends[0]))),
                 upper: Some(Box::new(Expr::number(&ends[1]))),
@@ -221,4 +233,8 @@ impl Model {
         };
         Some(if from <= to { Ok(sum) } else { arithmetic::negate(sum) })
     }
+}
+
+fn vanishes(value: &Value) -> bool {
+    value.as_rational().is_some_and(|q| q.is_zero())
 }

@@ -32,7 +32,8 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let mut topic: Vec<Expr> = Vec::new();
     for sentence in sentences {
         let tokens = tokens(sentence);
-        let mut reader = Reader { tokens, formulas: &formulas, topic, taken: 0, found: &mut found };
+        let mut reader =
+            Reader { tokens, formulas: &formulas, topic, listed: Vec::new(), taken: 0, found: &mut found };
         reader.read();
         topic = reader.topic;
     }
@@ -70,6 +71,8 @@ struct Reader<'a> {
     formulas: &'a BTreeMap<usize, Vec<Expr>>,
     /// What "its" refers to.
     topic: Vec<Expr>,
+    /// The families whose names were listed: x_0, …, x_n.
+    listed: Vec<Vec<Expr>>,
     /// The tokens before this one belong to noun phrases already.
     taken: usize,
     found: &'a mut BTreeMap<usize, Vec<Object>>,
@@ -100,6 +103,11 @@ impl<'a> Reader<'a> {
                     self.take(phrase);
                 }
                 Token::Formula(number) => {
+                    let items = self.said(*number);
+                    let member = |item: &Expr| matches!(item.kind, Kind::Subscript(..) | Kind::Ellipsis);
+                    if items.len() > 1 && items.iter().all(member) {
+                        self.listed.push(items.to_vec());
+                    }
                     // "F and f(s, t) its polar form": its is that of F.
                     let next = (at + 1..self.tokens.len())
                         .find(|&next| !self.is(next, &Word::Be) && !self.is(next, &Word::Filler));
@@ -166,6 +174,17 @@ impl<'a> Reader<'a> {
                 return;
             }
             of.extend(self.topic.iter().cloned());
+        }
+        // "the Lagrange polynomials", right after their nodes
+        let other = |items: &[Expr]| match (items.first(), names.first()) {
+            (Some(a), Some(b)) => Head::of(a).map(|a| a.base) != Head::of(b).map(|b| b.base),
+            _ => false,
+        };
+        if object.sort == Sort::Lagrange
+            && object.knots.is_empty()
+            && let Some(nodes) = self.listed.iter().rfind(|items| other(items))
+        {
+            object.knots = nodes.clone();
         }
         self.taken = to;
         let function = object.is_function() && object.sort != Sort::PolarForm;

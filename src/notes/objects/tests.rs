@@ -80,6 +80,10 @@ fn objects_in_four_languages() {
             "Let $F$ be a quadratic polynomial and $f(s,t)$ its polar form.",
             vec!["F: Polynomial degree 2", "f: PolarForm of F"],
         ),
+        (
+            "Seien $x_0,\\dots,x_n$ paarweise verschieden und $L_0,\\dots,L_n$ die zugehörigen Lagrange-Polynome vom Grad $n$.",
+            vec!["L_0 ... L_n: Lagrange degree n knots x0 ... x_n"],
+        ),
         ("Let $p$ be a prime.", vec!["p: Other(\"prime\")"]),
         ("Let $G$ be a finite group.", vec!["G: Other(\"finite group\")"]),
         ("Let $A$ and $B$ be invertible matrices.", vec!["A B: Matrix"]),
