@@ -6,7 +6,7 @@
 //! is undecided, because its author may have meant a part of them.
 
 use super::claim::judge_plainly;
-use super::trial::advance;
+use super::integers::advance;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::names::stands_for_itself;

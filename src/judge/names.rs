@@ -92,10 +92,27 @@ fn split(index: &Expr) -> Vec<Expr> {
     let letter = |factor: &Expr| matches!(&factor.kind, Kind::Name(name) if is_index_letter(name));
     match &index.kind {
         Kind::Mul(factors) if factors.iter().all(letter) => factors.clone(),
+        // b_{n00}
+        Kind::Mul(factors) if factors.iter().all(|factor| letter(factor) || zeros(factor).is_some()) => {
+            let apart = |factor: &Expr| match zeros(factor) {
+                Some(count) => vec![Expr::new(Expr::int(0).kind, factor.span); count],
+                None => vec![factor.clone()],
+            };
+            factors.iter().flat_map(apart).collect()
+        }
         Kind::Name(word) if word.len() > 1 && word.bytes().all(|b| b.is_ascii_digit()) => {
             word.bytes().map(|b| Expr::new(Expr::int(i64::from(b - b'0')).kind, index.span)).collect()
         }
         _ => vec![index.clone()],
+    }
+}
+
+/// How many zeros stand in a row: 2 for 00.
+fn zeros(factor: &Expr) -> Option<usize> {
+    match &factor.kind {
+        Kind::Number(q) if num_traits::Zero::is_zero(q) => Some(1),
+        Kind::Name(word) if word.bytes().all(|b| b == b'0') => Some(word.len()),
+        _ => None,
     }
 }
 

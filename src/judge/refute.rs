@@ -6,12 +6,13 @@
 use std::collections::BTreeSet;
 
 use super::check::Checker;
-use super::compare::{self, Outcome};
+use super::compare;
 use super::context::Body;
 use super::names::{Head, bases, integer_names, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
+use super::witness::{best_failure, counterexample, reasons};
 use super::words::curve_spoken_of;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
@@ -268,6 +269,15 @@ pub fn decide(
         }
     }
     let (sl, sr) = (visible(&failure.left), visible(&failure.right));
+    // b_{2,0} beside b_{2,0,0} is a misreading.
+    let others = |a: &Symbol| {
+        sr.iter().any(|b| {
+            a.base() == b.base() && !a.is_plain() && !b.is_plain() && a.indices().len() != b.indices().len()
+        })
+    };
+    if sl.iter().any(others) {
+        return Decision::Open("the members of a family have different numbers of indices".to_owned());
+    }
     // Numbers are not to be solved for.
     if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {
         return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
@@ -302,6 +312,22 @@ pub fn decide(
             unknown.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(" and ")
         ));
     }
+    // I(m, n) for integers m and n may be anything.
+    let of_integers = |side: &Expr| {
+        let mut found = false;
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, groups) = &part.kind
+                && Head::of(callee).is_some_and(|head| unknown.contains(&head.base))
+            {
+                let inside: BTreeSet<String> = groups.iter().flatten().flat_map(bases).collect();
+                found |= !inside.is_empty() && inside.iter().all(|name| outcomes.integers.contains(name));
+            }
+        });
+        found
+    };
+    if of_integers(left) || of_integers(right) {
+        return Decision::Open("it needs to be known what a function of integers is".to_owned());
+    }
     let sums = has_structure(left) || has_structure(right);
     if !unpaired.is_empty() {
         let name = unpaired[0].as_str();
@@ -319,14 +345,12 @@ pub fn decide(
         }
         return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
     } else if !unknown.is_empty() {
-        // F and its polar form: both sides must speak of them.
-        let names: Vec<String> =
-            unknown.iter().flat_map(|name| [(*name).clone(), name.to_lowercase()]).collect();
-        let speaks = |side: &Expr| names.iter().any(|name| calls(side, name));
-        if !(speaks(left) && speaks(right)) {
+        // F and its polar form: both sides must speak of them, perhaps by names for values.
+        if !(generic(&failure.left) && generic(&failure.right)) {
             return Decision::Open("a condition on the polar form, or a definition of its points".to_owned());
         }
-        if bare_values(left) && bare_values(right) {
+        let single = |side: &Expr| bare_values(side) || Head::of(side).is_some_and(|h| h.arguments.is_none());
+        if single(left) && single(right) {
             return Decision::Open("a condition on the polar form".to_owned());
         }
     }
@@ -544,110 +568,4 @@ fn degrees_agree(failure: &Failure) -> bool {
     let (Some(a), Some(b)) = (a.as_polynomial(), b.as_polynomial()) else { return true };
     a.variables().iter().chain(b.variables()).all(|symbol| a.degree_in(symbol) == b.degree_in(symbol))
         && a.total_degree().unwrap_or(0) > 1
-}
-
-/// The failure that shows the slip best: nothing extreme, small numbers. `None` if the failures are
-/// such that the relation may be meant for a part of the range.
-fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<Failure> {
-    let explicit = chain.conditions.iter().any(|condition| {
-        matches!(&condition.kind, Kind::Chain(_, links)
-            if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))
-                || matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt)))
-    });
-    if outcomes.integers.is_empty() {
-        // Degrees only: the highest tells most.
-        let last = tally.fails.iter().max_by_key(|failure| failure.degree.unwrap_or(0))?;
-        let mut smallest = tally.fails.iter().filter(|failure| failure.degree.unwrap_or(0) >= 1);
-        return Some(smallest.next().unwrap_or(last).clone());
-    }
-    // Cases speak of the ends of the range.
-    let cases = chain.sides.iter().any(|side| matches!(side.expr.kind, Kind::Cases(_)));
-    let inner: Vec<&Failure> = tally
-        .fails
-        .iter()
-        .filter(|failure| {
-            failure.inner
-                || cases
-                    && !failure.outside
-                    && failure
-                        .integers
-                        .iter()
-                        .all(|(name, value)| !matches!(name.as_str(), "n" | "d") || *value >= 2)
-        })
-        .collect();
-    let holds = tally.holds_inner;
-    let wrong = !inner.is_empty() && inner.len() * 2 >= holds;
-    let enough = wrong || (explicit && !inner.is_empty()) || (holds == 0 && tally.fails.len() > tally.holds);
-    if !enough {
-        return None;
-    }
-    let pool: Vec<&Failure> = if inner.is_empty() { tally.fails.iter().collect() } else { inner };
-    pool.into_iter()
-        .filter(|failure| matches!(failure.outcome, Outcome::Fails(_)))
-        .min_by_key(|failure| failure.integers.iter().map(|(_, value)| *value).sum::<i64>())
-        .cloned()
-}
-
-/// Why it is wrong, in words.
-fn reasons(failure: &Failure, tally: &Tally) -> String {
-    let Outcome::Fails(judgement) = &failure.outcome else { return "the sides differ".to_owned() };
-    let mut parts: Vec<String> = judgement.reasons.clone();
-    if let Some(difference) = &judgement.difference
-        && !compare::symbols(difference).iter().any(|symbol| symbol.base().starts_with('['))
-    {
-        let text = write::text(&difference.to_expr());
-        if text.chars().count() <= 140 {
-            let instance = instance(failure);
-            let place = if instance.is_empty() { String::new() } else { format!(" for {instance}") };
-            parts.push(format!("left minus right is {text}{place}"));
-        }
-    }
-    if tally.holds > 0 && parts.is_empty() {
-        parts.push("the sides differ".to_owned());
-    }
-    if parts.is_empty() { "the sides differ".to_owned() } else { parts.join("; ") }
-}
-
-fn instance(failure: &Failure) -> String {
-    let mut pairs: Vec<String> =
-        failure.integers.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    if let (Some(degree), true) = (failure.degree, failure.integers.is_empty()) {
-        pairs.push(format!("degree {degree}"));
-    }
-    if let Some(around) = &failure.around {
-        pairs.push(format!("near t = {around}"));
-    }
-    pairs.join(", ")
-}
-
-/// The counterexample in words: values of integers, functions and symbols, and of both sides.
-pub fn counterexample(failure: &Failure) -> Option<String> {
-    let Outcome::Fails(judgement) = &failure.outcome else { return None };
-    let mut parts = Vec::new();
-    let instance = instance(failure);
-    if !instance.is_empty() {
-        parts.push(instance);
-    }
-    let Some(witness) = &judgement.witness else {
-        return (!parts.is_empty()).then(|| parts.join(", "));
-    };
-    // Coefficients of unknown functions are shown as the function.
-    let mut functions: Vec<(String, Vec<String>)> = Vec::new();
-    for (symbol, value) in &witness.assignment {
-        match symbol.base().strip_prefix('[').and_then(|name| name.strip_suffix(']')) {
-            Some(name) => {
-                let text = value.to_string();
-                match functions.iter_mut().find(|(known, _)| known == name) {
-                    Some((_, list)) => list.push(text),
-                    None => functions.push((name.to_owned(), vec![text])),
-                }
-            }
-            None => parts.push(format!("{symbol} = {value}")),
-        }
-    }
-    for (name, list) in functions {
-        parts.push(format!("{name} with the coefficients {} of 1, t, ...", list.join(", ")));
-    }
-    let place = if parts.is_empty() { String::new() } else { format!("{}: ", parts.join(", ")) };
-    Some(format!("{place}left {}, right {}", witness.left, witness.right))
 }

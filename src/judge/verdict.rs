@@ -9,6 +9,7 @@ use super::prove::prove;
 use super::refute;
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::Tally;
+use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
 
@@ -130,7 +131,7 @@ impl Checker {
                 finding.verdict = Verdict::Refuted;
                 finding.determined = tally.determined > 0;
                 finding.reason = Some(reasons);
-                finding.witness = refute::counterexample(&failure);
+                finding.witness = witness::counterexample(&failure);
                 if ranged {
                     finding.instances = Some(format!(
                         "fails in {} of {} instances: {}",

@@ -1,0 +1,143 @@
+//! The integers of a chain: which names are some, and which values are tried.
+
+use std::collections::BTreeSet;
+
+use super::context::Body;
+use super::evaluator;
+use super::names::{Head, bases, integer_names, is_index_letter, walk};
+use super::trial::Trial;
+use crate::formula::{Expr, Kind, Rel};
+
+impl Trial<'_> {
+    /// The integers of the chain.
+    pub fn integers(&self) -> Vec<String> {
+        let mut names: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            names.extend(integer_names(side));
+        }
+        for condition in self.conditions {
+            // i = 0, …, n: its bound is an integer, too
+            let own = integer_names(condition);
+            let ranges = matches!(&condition.kind, Kind::Chain(_, links)
+                if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))));
+            if ranges {
+                names.extend(own);
+            }
+        }
+        // n = 2, also where n stands in what b_0 is only; n = 2 and n = 3 are two cases
+        let said: Vec<&String> = self.conditions.iter().filter_map(equated_index).collect();
+        let once = |name: &&&String| said.iter().filter(|other| *other == *name).count() == 1;
+        names.extend(
+            said.iter().filter(once).filter(|name| self.fixed(name).is_some()).map(|name| (*name).clone()),
+        );
+        // n in a formula about P, where P(t) = Σ_{i=0}^n …
+        let used: BTreeSet<String> = self.sides.iter().flat_map(|side| bases(side)).collect();
+        for base in &used {
+            for (_, definition, near) in self.context.visible(base, self.place) {
+                if let (Body::Formula(body), true) = (&definition.body, near) {
+                    let own: Vec<String> =
+                        definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).collect();
+                    names.extend(integer_names(body).into_iter().filter(|name| {
+                        matches!(name.as_str(), "n" | "d" | "m" | "N")
+                            && used.contains(name)
+                            && !own.contains(name)
+                    }));
+                }
+            }
+        }
+        // n in c_i = i/(n + 1) …, where hypotheses have sums up to n
+        let first = self.sides.first().and_then(|side| Head::of(side)).map(|head| head.base);
+        let about = |hypothesis: &&Expr| {
+            matches!(&hypothesis.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq)
+                && first.as_ref().is_some_and(|base| bases(hypothesis).contains(base))
+        };
+        for hypothesis in self.hypotheses().iter().filter(about) {
+            names.extend(integer_names(hypothesis).into_iter().filter(|name| used.contains(name)));
+        }
+        // A name that is a variable of a function on a side is no integer.
+        let mut arguments: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                if let Kind::Derivative { variables, .. } = &part.kind {
+                    arguments.extend(variables.iter().filter_map(|(v, _)| Head::of(v)).map(|head| head.base));
+                }
+                if let Kind::Apply(callee, groups) = &part.kind
+                    && Head::of(callee).is_some_and(|head| self.context.letters.is_function(&head.base))
+                {
+                    for argument in groups.iter().flatten() {
+                        if let Kind::Name(name) = &argument.kind {
+                            arguments.insert(name.clone());
+                        }
+                    }
+                }
+            });
+        }
+        // s(j) = d_{j-1} + …: an index is an integer wherever it stands
+        let mut indices: BTreeSet<String> = BTreeSet::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                if let Kind::Subscript(_, lower) = &part.kind {
+                    indices.extend(lower.iter().flat_map(bases).filter(|name| is_index_letter(name)));
+                }
+            });
+        }
+        arguments.retain(|name| !indices.contains(name));
+        // m = 3, said in this paragraph
+        let given = |name: &String| self.context.number_in(name, self.place).is_some();
+        names.retain(|name| !arguments.contains(name) && name != "e" && !given(name));
+        names.into_iter().collect()
+    }
+
+    /// The value that a condition of the chain gives an integer: n = 2.
+    pub(super) fn fixed(&self, name: &str) -> Option<i64> {
+        self.conditions.iter().find_map(|condition| match &condition.kind {
+            Kind::Chain(left, links) if matches!(&left.kind, Kind::Name(own) if own == name) => {
+                match links.as_slice() {
+                    [link] if link.rel == Rel::Eq => evaluator::machine().eval_int(&link.expr).ok(),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })
+    }
+}
+
+/// The index that a condition gives a value: n = 2.
+fn equated_index(condition: &Expr) -> Option<&String> {
+    match &condition.kind {
+        Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => match &left.kind {
+            Kind::Name(name) if is_index_letter(name) => Some(name),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether no index is at an end of its range, as far as names tell: sizes at least 2, indices
+/// between 1 and the least size minus 1.
+pub(super) fn is_inner(bound: &[(String, i64)]) -> bool {
+    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
+    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
+    bound.iter().all(|(name, value)| {
+        if size(name) { *value >= 2 } else { *value >= 1 && least.is_none_or(|least| *value < least.max(2)) }
+    })
+}
+
+/// Whether an index is greater than the least size.
+pub(super) fn is_outside(bound: &[(String, i64)]) -> bool {
+    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
+    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
+    least.is_some_and(|least| bound.iter().any(|(name, value)| !size(name) && *value > least))
+}
+
+/// The next combination of values, the last one fastest; false after the last combination.
+pub(super) fn advance(values: &mut [i64], largest: i64) -> bool {
+    for value in values.iter_mut().rev() {
+        if *value < largest {
+            *value += 1;
+            return true;
+        }
+        *value = 0;
+    }
+    false
+}
