@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use super::check::Checker;
 use super::compare;
 use super::context::Body;
-use super::names::{Head, bases, integer_names, walk};
+use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
@@ -141,6 +141,24 @@ pub fn decide(
         });
     if let Some(symbol) = unresolved {
         return Decision::Open(format!("what {symbol} is does not follow from the definitions here"));
+    }
+    // I(m, n) for indices m and n may be anything.
+    let of_integers = |side: &Expr| {
+        let mut found = false;
+        walk(side, &mut |part| {
+            if let Kind::Apply(callee, groups) = &part.kind
+                && Head::of(callee).is_some_and(|head| {
+                    tally.record.unknown.contains(&head.base) && !tally.record.paired.contains(&head.base)
+                })
+            {
+                let inside: BTreeSet<String> = groups.iter().flatten().flat_map(bases).collect();
+                found |= !inside.is_empty() && inside.iter().all(|name| is_index_letter(name));
+            }
+        });
+        found
+    };
+    if of_integers(left) || of_integers(right) {
+        return Decision::Open("it needs to be known what a function of integers is".to_owned());
     }
     // a_0 = 1 and a_{n+1} = 2 a_n: the other members are known by this equation only.
     if let Some(own) = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty()) {
@@ -311,22 +329,6 @@ pub fn decide(
             "a condition on {}",
             unknown.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(" and ")
         ));
-    }
-    // I(m, n) for integers m and n may be anything.
-    let of_integers = |side: &Expr| {
-        let mut found = false;
-        walk(side, &mut |part| {
-            if let Kind::Apply(callee, groups) = &part.kind
-                && Head::of(callee).is_some_and(|head| unknown.contains(&head.base))
-            {
-                let inside: BTreeSet<String> = groups.iter().flatten().flat_map(bases).collect();
-                found |= !inside.is_empty() && inside.iter().all(|name| outcomes.integers.contains(name));
-            }
-        });
-        found
-    };
-    if of_integers(left) || of_integers(right) {
-        return Decision::Open("it needs to be known what a function of integers is".to_owned());
     }
     let sums = has_structure(left) || has_structure(right);
     if !unpaired.is_empty() {

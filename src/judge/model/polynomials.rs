@@ -62,7 +62,7 @@ impl Model {
             [uv] if self.tensor && upper && uv.len() == 2 && head.lower.is_empty() => {
                 self.tensor(head, &[uv[0].clone(), uv[0].clone()], &[uv[1].clone(), uv[1].clone()], expr)
             }
-            [arguments] if head.lower.is_empty() => {
+            [arguments] if head.lower.is_empty() && !(upper && arguments.len() > 1) => {
                 let capital = capital_of(&head.base);
                 self.polar(machine, &capital, head, arguments, expr)
             }
