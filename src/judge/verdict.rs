@@ -47,7 +47,7 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
-        if tally.fails.is_empty() && tally.holds > 0 && !(inequality && !tally.unclear.is_empty()) {
+        if tally.fails.is_empty() && tally.holds > 0 && (!inequality || tally.unclear.is_empty()) {
             finding.verdict = if ranged || tally.sampled { Verdict::Sampled } else { Verdict::Proved };
             if tally.sampled && !ranged {
                 finding.instances = Some("for numbers in the place of the nodes".to_owned());
