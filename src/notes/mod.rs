@@ -4,6 +4,7 @@
 //! with their conditions. One after the other they are judged ([`crate::judge`], `page`). The
 //! outcome is a list of findings, printed by `report`.
 
+mod cases;
 mod objects;
 mod page;
 pub mod report;

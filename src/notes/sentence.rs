@@ -5,6 +5,7 @@
 //! those after it when the sentence begins with a case, else to the claim before it. A case without a
 //! claim in its sentence says nothing that later claims need.
 
+use super::cases::parity;
 use super::speech::{self, Around};
 use crate::document::{Document, Item};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -281,11 +282,7 @@ fn conditions(cases: &[Statement], is_alternative: &dyn Fn(&Statement) -> bool) 
     let mut found: Vec<Expr> = Vec::new();
     for case in cases {
         let expr = match (&case.said, case.role?) {
-            (Said::Bare(side, _), role @ (Role::Odd | Role::Even)) => {
-                let minus = || Expr::int(-1).grouped();
-                let power = Expr::from(Kind::Pow(Box::new(minus()), Box::new(side.expr.clone())));
-                Expr::relation(power, Rel::Eq, if role == Role::Odd { Expr::int(-1) } else { Expr::int(1) })
-            }
+            (Said::Bare(side, _), role @ (Role::Odd | Role::Even)) => parity(&side.expr, role == Role::Odd),
             (Said::Condition(side), Role::Case) => side.expr.clone(),
             (Said::Chain(chain), Role::Case) => chain.whole(),
             (Said::Condition(side), Role::Except) => negated(&side.expr)?,

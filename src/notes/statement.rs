@@ -4,6 +4,7 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
+use super::cases::read_conditions;
 use super::objects;
 use super::sentence;
 use super::speech::{self, Block};
@@ -201,6 +202,7 @@ impl Reader<'_> {
         for row in rows {
             let (mut said, mut reason) = (false, false);
             let mut expr = row.expr;
+            read_conditions(&mut expr);
             expr.map_spans(&|span| formula.in_file(span));
             let latex = |span: Span| -> String {
                 // Derived spans lead back into the text only where it stands in the file.

@@ -61,6 +61,8 @@ pub(super) const CUES: &[Cue] = &[
     After("是奇数", Role::Odd),
     After("为偶数", Role::Even),
     After("是偶数", Role::Even),
+    After("为偶", Role::Even),
+    After("为奇", Role::Odd),
     Before("求", Role::Asked),
     Before("求解", Role::Asked),
     Before("解方程", Role::Asked),
