@@ -267,6 +267,14 @@ impl Checker {
         if let Some(listed) = self.listed(chain, place) {
             return vec![listed];
         }
+        // x = x + 1 defines nothing.
+        let circular = head.is_some() && chain.relations[0].0 == Rel::Eq && {
+            let mut found = false;
+            let left = &chain.sides[0].expr;
+            super::names::walk(&chain.sides[1].expr, &mut |part| found |= part.same_as(left));
+            found
+        };
+        let first_known = first_known || circular;
         let defines = chain.relations[0].0 == Rel::Define && !first_known;
         let mut start = 0;
         if let Some(head) = &head

@@ -54,6 +54,13 @@ impl Trial<'_> {
         for hypothesis in self.hypotheses().iter().filter(about) {
             names.extend(integer_names(hypothesis).into_iter().filter(|name| used.contains(name)));
         }
+        // n in n f(t, …, t), where words say that F is of degree n
+        for object in self.spoken() {
+            if let Some(degree) = &object.degree {
+                let own = bases(degree).into_iter().filter(|name| is_index_letter(name));
+                names.extend(own.filter(|name| used.contains(name)));
+            }
+        }
         // A name that is a variable of a function on a side is no integer.
         let mut arguments: BTreeSet<String> = BTreeSet::new();
         for side in &self.sides {

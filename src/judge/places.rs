@@ -31,7 +31,7 @@ impl Trial<'_> {
     }
 
     /// What words introduced of the names in it.
-    fn spoken(&self) -> impl Iterator<Item = &Object> {
+    pub(super) fn spoken(&self) -> impl Iterator<Item = &Object> {
         self.facts
             .reached
             .iter()

@@ -19,6 +19,7 @@ use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::Symbol;
+use crate::math::ring::Ring;
 
 /// What a failing relation is taken for.
 pub enum Decision {
@@ -295,6 +296,14 @@ pub fn decide(
     };
     if sl.iter().any(others) {
         return Decision::Open("the members of a family have different numbers of indices".to_owned());
+    }
+    // x = x + 1 has no solution.
+    let apart = || match (&failure.left, &failure.right) {
+        (Value::Scalar(a), Value::Scalar(b)) => a.minus(b).as_rational().is_some(),
+        _ => false,
+    };
+    if !sl.is_empty() && sl == sr && matches!(chain.relations[at].0, Rel::Eq) && apart() {
+        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
     }
     // Numbers are not to be solved for.
     if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {

@@ -10,7 +10,7 @@ use super::sentence;
 use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::language::diagnostic::Diagnostic;
@@ -565,8 +565,9 @@ fn is_condition(expr: &Expr, follows: bool) -> bool {
         // i + j + k = n, α + β + γ = 1
         [Link { rel: Rel::Eq, expr, .. }] => {
             let names = matches!(&left.kind, Kind::Add(terms) if terms.iter().all(|term| bare(&term.expr)));
-            let weights =
-                matches!(&left.kind, Kind::Big { op: crate::formula::BigOp::Sum, body, .. } if bare(body));
+            let weights = matches!(&left.kind, Kind::Big { op: BigOp::Sum, lower, body, .. }
+                if matches!(body.kind, Kind::Subscript(..)) && bare(body)
+                    || lower.is_empty() && matches!(body.kind, Kind::Name(_)));
             let one = matches!(&expr.kind, Kind::Number(_));
             (names && (one || follows && bare(expr))) || (weights && one)
         }
