@@ -193,3 +193,88 @@ fn what_lecturers_write_is_no_false_alarm() {
     let last: Vec<Verdict> = verdicts(text).split_off(2);
     assert!(matches!(last[..], [Verdict::Proved, Verdict::Refuted | Verdict::Undecided]), "{last:?}");
 }
+
+/// What the last formula of a page is, by the words and formulas before it.
+#[test]
+fn pages_mean_what_they_say() {
+    let green = ["proved", "sampled"].as_slice();
+    let red = ["refuted"].as_slice();
+    let silent = ["undecided", "definition", "unread"].as_slice();
+    let mut wrong = Vec::new();
+    for (page, wanted) in [
+        // What is unknown means nothing.
+        ("$D(p,q,r)=D(q,p,r)$", silent),
+        ("$S(n,k)=S(k,n)$", silent),
+        ("$C(n,k)=C(n-1,k)+C(n-1,k-1)$", silent),
+        ("$I(m,n)=\\frac{n}{m+1}I(m+1,n-1)$", silent),
+        ("$$\\sum_{k=0}^\\infty x^k=\\frac{1-x^9}{1-x}$$", silent),
+        ("$x=x+1$", red),
+        ("$b_i=b_i+1$", red),
+        // Objects in words.
+        (
+            "Let $F$ be a polynomial of degree $n$ and $f$ its polar form. Then $F'(t)=n f(t,\\dots,t,\\hat 1)$.",
+            green,
+        ),
+        (
+            "Let $F$ be a polynomial of degree $n$ and $f$ its polar form. Then $F'(t)=(n-1) f(t,\\dots,t,\\hat 1)$.",
+            red,
+        ),
+        ("Let $F$ be a polynomial of degree $n$, $f$ its polar form. Then $F(t)=f(t^n)$.", green),
+        ("Let $f$ be the polar form of a cubic $F$. Then $F'''(t)=f(\\hat 1,\\hat 1,\\hat 1)$.", red),
+        (
+            "Let $F$ be quadratic and $g$ be affine. Let $h$ be the polar form of $Fg$ and $f$ the polar form of $F$. Then $h(a,b,c)=\\frac13(f(a,b)g(c)+f(a,c)g(b)+f(b,c)g(a))$.",
+            green,
+        ),
+        ("Let $N$ be the quadratic B-spline with the knots $0,1,2,3$. Then $N(\\frac32)=\\frac34$.", green),
+        ("Let $N$ be the quadratic B-spline with the knots $0,1,2,3$. Then $N(\\frac32)=\\frac23$.", red),
+        (
+            "Let $N_i$ be the quadratic B-spline with the knots $i,i+1,i+2,i+3$. Then $\\sum_i N_i(t)=1$.",
+            green,
+        ),
+        (
+            "Let $N_i^n$ be the B-spline of degree $n$ with the knots $t_i,\\dots,t_{i+n+1}$. Then $\\int_{\\mathbb R}N_i^n(t)\\,dt=\\frac{t_{i+n+1}-t_i}{n+1}$.",
+            green,
+        ),
+        (
+            "Let $L_0,\\dots,L_n$ be the Lagrange polynomials of $x_0,\\dots,x_n$. Then $\\sum_{i=0}^n L_i(x)=1$.",
+            green,
+        ),
+        (
+            "The polar form of $t^k$ as a polynomial of degree $n$ is $$f(t_1,\\dots,t_n)=\\binom nk^{-1}\\sum_{1\\le i_1<\\dots<i_k\\le n}t_{i_1}\\cdots t_{i_k}.$$",
+            green,
+        ),
+        // Facts determine names, if the page says of which kind they are.
+        (
+            "We need $c_0=b_3$ and $c_1-c_0=b_3-b_2$ and also $$c_2-2c_1+c_0=b_3-2b_2+b_1.$$ Hence $$c_2=b_1-4b_2+4b_3.$$",
+            green,
+        ),
+        (
+            "We need $c_0=b_3$ and $c_1-c_0=b_3-b_2$ and also $$c_2-2c_1+c_0=b_3-2b_2+b_1.$$ Hence $$c_2=b_1-4b_2+3b_3.$$",
+            red,
+        ),
+        ("Let $S$ be a spline with $S(x_i)=y_i$. Natural ends are $S''(x_0)=S''(x_n)$.", silent),
+        ("Let $F_0=0$, $F_1=1$ and $F_{n+1}=F_n+F_{n-1}$. Then $F_{n+1}F_{n-1}-F_n^2=(-1)^n$.", green),
+        ("Let $F_0=0$, $F_1=1$ and $F_{n+1}=F_n+F_{n-1}$. Then $F_{n+1}F_{n-1}-F_n^2=(-1)^{n+1}$.", red),
+        // Cases and ranges.
+        ("For $n=2$ we have $\\sum_{i=0}^n i=3$.", green),
+        ("$$\\sum_{k=0}^n(-1)^k=\\begin{cases}1,&n\\text{ even},\\\\0,&n\\text{ odd}\\end{cases}$$", green),
+        (
+            "$$\\sum_{k=0}^n(-1)^k=\\begin{cases}0,&\\text{falls $n$ gerade},\\\\1,&\\text{sonst}\\end{cases}$$",
+            red,
+        ),
+        ("For all $x$ we have $(1+x)^3\\ge 1+3x$.", silent),
+        ("For all $x$ we have $(1+x)^2\\ge 1+2x$.", green),
+        ("$B_i^n(t)\\ge 0$ for $0\\le t\\le 1$.", green),
+        ("Is it true that $(a+b)^2=a^2+b^2$?", silent),
+    ] {
+        let findings = check(page);
+        let claim = findings
+            .iter()
+            .rfind(|finding| finding.relation > 0 && finding.reason.as_deref() != Some("a condition"));
+        let word = claim.map_or("nothing", |finding| finding.verdict.word());
+        if !wanted.contains(&word) {
+            wrong.push(format!("{page}\n    {word}: {:?}", claim.map(|finding| &finding.reason)));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

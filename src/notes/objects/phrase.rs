@@ -223,6 +223,10 @@ impl Reader<'_> {
             phrase.to = end;
         }
         let object = &mut phrase.object;
+        // The Lagrange polynomials of x_0, …, x_n
+        if object.sort == Sort::Lagrange && object.knots.is_empty() {
+            object.knots = std::mem::take(&mut phrase.of);
+        }
         // The cubic with the Bézier points …
         if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
             object.sort = Sort::BezierCurve;
