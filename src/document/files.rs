@@ -24,7 +24,7 @@ const MAX_DEPTH: usize = 20;
 /// itself, then the others in the order of reading. They share their macros.
 ///
 /// # Errors
-/// As for [`read_file`]; an included file that cannot be read is a problem of the one that includes it.
+/// [`Code::File`] if the file cannot be read or is too long; an included one is a problem of the one that includes it.
 pub fn read_files(path: &Path) -> Result<Vec<Document>, Diagnostic> {
     let (file, problems) = load(path)?;
     let mut out = Collector::with(Default::default(), problems);
