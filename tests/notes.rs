@@ -255,6 +255,14 @@ fn pages_mean_what_they_say() {
         ("Let $S$ be a spline with $S(x_i)=y_i$. Natural ends are $S''(x_0)=S''(x_n)$.", silent),
         ("Let $F_0=0$, $F_1=1$ and $F_{n+1}=F_n+F_{n-1}$. Then $F_{n+1}F_{n-1}-F_n^2=(-1)^n$.", green),
         ("Let $F_0=0$, $F_1=1$ and $F_{n+1}=F_n+F_{n-1}$. Then $F_{n+1}F_{n-1}-F_n^2=(-1)^{n+1}$.", red),
+        (
+            "The cubic polynomial $p$ has $p(0)=1$, $p'(0)=2$, $p(1)=0$ and $p'(1)=-1$. We write $p(t)=1+2t+\\alpha t^2+\\beta t^3$.",
+            silent,
+        ),
+        (
+            "The cubic polynomial $p$ has $p(0)=1$, $p'(0)=2$, $p(1)=0$ and $p'(1)=-1$. Hence $p(t)=1+2t-6t^2+3t^3$.",
+            green,
+        ),
         // Cases and ranges.
         ("For $n=2$ we have $\\sum_{i=0}^n i=3$.", green),
         ("$$\\sum_{k=0}^n(-1)^k=\\begin{cases}1,&n\\text{ even},\\\\0,&n\\text{ odd}\\end{cases}$$", green),
