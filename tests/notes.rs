@@ -263,6 +263,7 @@ fn pages_mean_what_they_say() {
             "The cubic polynomial $p$ has $p(0)=1$, $p'(0)=2$, $p(1)=0$ and $p'(1)=-1$. Hence $p(t)=1+2t-6t^2+3t^3$.",
             green,
         ),
+        ("$f(t)=\\binom10(1-t)^2+\\binom01t^2$, so $f(t)=t$.", silent),
         // Cases and ranges.
         ("For $n=2$ we have $\\sum_{i=0}^n i=3$.", green),
         ("$$\\sum_{k=0}^n(-1)^k=\\begin{cases}1,&n\\text{ even},\\\\0,&n\\text{ odd}\\end{cases}$$", green),

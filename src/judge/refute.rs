@@ -75,6 +75,11 @@ pub fn decide(
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
         return Decision::Open(format!("{name} has no argument here"));
     }
+    let used = tally.record.definitions.iter().map(|(number, _)| &checker.context.definitions[*number].body);
+    let columns = used.into_iter().any(|body| matches!(body, Body::Formula(body) if has_column(body)));
+    if columns || has_column(left) || has_column(right) {
+        return Decision::Open("what looks like a binomial coefficient may be a column".to_owned());
+    }
     // "at the same point B_{300}^3 = 1/27"
     let bare = |side: &Expr| {
         Head::of(side).is_some_and(|head| {
@@ -447,6 +452,19 @@ pub fn decide(
         }
     }
     refuted(failure)
+}
+
+/// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.
+fn has_column(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| {
+        if let Kind::Binomial(n, k, _) = &part.kind
+            && let (Kind::Number(n), Kind::Number(k)) = (&n.kind, &k.kind)
+        {
+            found |= k > n;
+        }
+    });
+    found
 }
 
 /// Whether what a condition restricts is seen from its form.

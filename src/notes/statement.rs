@@ -453,6 +453,18 @@ fn attach(statements: &mut [Statement]) {
                 }
             }
         }
+        // Whatever is claimed right before a condition that cannot be read may hold under it only.
+        if unread {
+            let near = |other: &Statement| {
+                other.place.group == group
+                    && (formula.saturating_sub(2)..=formula).contains(&other.place.formula)
+            };
+            for other in statements.iter_mut().filter(|other| near(other)) {
+                if let Said::Chain(chain) = &mut other.said {
+                    chain.blocked = true;
+                }
+            }
+        }
         // The range of one formula is not that of the next.
         if attached && range && !unread {
             statements[at].role = Some(Role::Case);
