@@ -80,15 +80,6 @@ impl Conditions<'_> {
                 }
             }
         }
-        let equations: Vec<(Value, Value)> = self
-            .own
-            .iter()
-            .chain(trial.hypotheses().iter().take(NEAREST))
-            .flat_map(|condition| {
-                let instances = trial.condition_instances(condition, bound, degree);
-                instances.into_iter().filter_map(|own| trial.condition_values(condition, &own, degree))
-            })
-            .collect();
         // Data determine a function only within a class that the page names: for all that is known, S may be a spline.
         let supposed = tally.record.unknown.iter().any(|base| {
             let object = trial.context.object_called(base, trial.place);
@@ -98,6 +89,15 @@ impl Conditions<'_> {
         if supposed {
             return plain;
         }
+        let equations: Vec<(Value, Value)> = self
+            .own
+            .iter()
+            .chain(trial.hypotheses().iter().take(NEAREST))
+            .flat_map(|condition| {
+                let instances = trial.condition_instances(condition, bound, degree);
+                instances.into_iter().filter_map(|own| trial.condition_values(condition, &own, degree))
+            })
+            .collect();
         let family = |value: &Value| -> BTreeSet<String> {
             let members = compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain());
             members.map(|symbol| symbol.base().to_owned()).collect()
@@ -116,9 +116,8 @@ impl Conditions<'_> {
         let open = |value: &Value| {
             compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(s.base())).count()
         };
-        let touched = |value: &Value| {
-            compare::symbols(value).iter().any(|symbol| solution.iter().any(|(solved, _)| solved == symbol))
-        };
+        let is_solved = |symbol: &Symbol| solution.iter().any(|(solved, _)| solved == symbol);
+        let touched = |value: &Value| compare::symbols(value).iter().any(is_solved);
         if !touched(left) && !touched(right) {
             // c_5, where the hypotheses say what c_0, …, c_3 are.
             let members = |symbol: &Symbol| {
@@ -133,7 +132,6 @@ impl Conditions<'_> {
             return plain;
         }
         // c_0 in terms of b_2 and c_1, of which the claim speaks, too
-        let is_solved = |symbol: &Symbol| solution.iter().any(|(solved, _)| solved == symbol);
         let members = |value: &Value| -> BTreeSet<Symbol> {
             compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain()).collect()
         };

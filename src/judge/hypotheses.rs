@@ -48,7 +48,7 @@ fn is_argument(symbol: &Symbol) -> bool {
 }
 
 /// The coefficients of an unknown function.
-fn is_coefficient(symbol: &Symbol) -> bool {
+pub fn is_coefficient(symbol: &Symbol) -> bool {
     symbol.base().starts_with('[')
 }
 

@@ -178,7 +178,7 @@ pub fn unknowns(
             && list.iter().all(|symbol| {
                 !symbol.indices().is_empty()
                     && symbol.base() == list[0].base()
-                    && !symbol.base().starts_with('[')
+                    && !super::hypotheses::is_coefficient(symbol)
                     && context.visible(symbol.base(), place).all(|(_, _, near)| !near)
             })
     });

@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use super::check::Checker;
 use super::compare;
 use super::context::Body;
+use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
@@ -72,6 +73,10 @@ pub fn decide(
 ) -> Decision {
     let first = at == 0;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    let refuted = |failure: Failure| {
+        let reasons = reasons(&failure, tally);
+        Decision::Refuted { failure: Box::new(failure), reasons }
+    };
     if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
         return Decision::Open(format!("{name} has no argument here"));
     }
@@ -130,7 +135,7 @@ pub fn decide(
     if let (true, Some(failure)) =
         (asserted && tally.determined > 0 && tally.determined + tally.beyond == tally.fails.len(), inner)
     {
-        return Decision::Refuted { reasons: reasons(failure, tally), failure: Box::new(failure.clone()) };
+        return refuted(failure.clone());
     }
     // d_1^2, where the page says what d_i^k is, but not how that leads to this one
     let unresolved =
@@ -308,20 +313,11 @@ pub fn decide(
         _ => false,
     };
     if !sl.is_empty() && sl == sr && matches!(chain.relations[at].0, Rel::Eq) && apart() {
-        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+        return refuted(failure);
     }
     // Numbers are not to be solved for.
     if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {
-        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
-    }
-    if first
-        && !standard
-        && !claimed
-        && !spoken
-        && matches!(statement.role, Some(Role::Asked | Role::Assumed | Role::Case))
-        && curve_spoken_of(&statement.recent).is_none()
-    {
-        return Decision::Open("a condition, by the words before it".to_owned());
+        return refuted(failure);
     }
     // Δ as a name, not as an operator, has no meaning.
     let named = |value: &Value| compare::symbols(value).iter().any(|symbol| symbol.base() == "Delta");
@@ -333,10 +329,9 @@ pub fn decide(
     let unpaired: Vec<&&String> =
         unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
     // h(t_1, t_2) = …, where words say that h is the polar form of FG, for whatever F and G.
-    let introduced = matches!(statement.role, Some(Role::Introduced | Role::Assumed));
-    let generic = |value: &Value| compare::symbols(value).iter().any(|symbol| symbol.base().starts_with('['));
-    if spoken && first && !introduced && generic(&failure.left) && generic(&failure.right) {
-        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+    let generic = |value: &Value| compare::symbols(value).iter().any(is_coefficient);
+    if spoken && first && asserted && generic(&failure.left) && generic(&failure.right) {
+        return refuted(failure);
     }
     if unknown.len() > 1 {
         return Decision::Open(format!(
@@ -359,7 +354,7 @@ pub fn decide(
         if !(identity || differences && sl == sr && !sl.is_empty()) {
             return Decision::Open(format!("a condition on {name}, or it needs to be known what {name} is"));
         }
-        return Decision::Refuted { reasons: reasons(&failure, tally), failure: Box::new(failure) };
+        return refuted(failure);
     } else if !unknown.is_empty() {
         // F and its polar form: both sides must speak of them, perhaps by names for values.
         if !(generic(&failure.left) && generic(&failure.right)) {
@@ -370,10 +365,6 @@ pub fn decide(
             return Decision::Open("a condition on the polar form".to_owned());
         }
     }
-    let refuted = |failure: Failure| {
-        let reasons = reasons(&failure, tally);
-        Decision::Refuted { failure: Box::new(failure), reasons }
-    };
     if inequality {
         return refuted(failure);
     }
@@ -587,7 +578,7 @@ fn has_structure(side: &Expr) -> bool {
 
 /// The symbols of a value that are no coefficients of an unknown function.
 fn visible(value: &Value) -> BTreeSet<Symbol> {
-    compare::symbols(value).into_iter().filter(|symbol| !symbol.base().starts_with('[')).collect()
+    compare::symbols(value).into_iter().filter(|symbol| !is_coefficient(symbol)).collect()
 }
 
 /// Whether both sides have the same degree in every symbol, as the two sides of a wrong expansion

@@ -109,7 +109,7 @@ fn constant_apart(checker: &Checker, setting: &Setting, at: usize, choices: Choi
     }
     // The value of the left side, if it is a formula of bearable length.
     let failure = outcomes.tallies[0].fails.last()?;
-    let invented = super::compare::symbols(&failure.left).iter().any(|symbol| symbol.base().starts_with('['));
+    let invented = super::compare::symbols(&failure.left).iter().any(super::hypotheses::is_coefficient);
     let crate::language::value::Value::Scalar(value) = &failure.left else { return None };
     let size = value.numerator().len() + value.denominator().len();
     if invented || size > 24 {

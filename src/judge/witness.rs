@@ -1,6 +1,7 @@
 //! Failures in words: which one shows the slip best, why it is one, and where.
 
 use super::compare::{self, Outcome};
+use super::hypotheses::is_coefficient;
 use super::statement::Chain;
 use super::tally::{Failure, Outcomes, Tally};
 use crate::formula::{Kind, Rel};
@@ -53,7 +54,7 @@ pub(super) fn reasons(failure: &Failure, tally: &Tally) -> String {
     let Outcome::Fails(judgement) = &failure.outcome else { return "the sides differ".to_owned() };
     let mut parts: Vec<String> = judgement.reasons.clone();
     if let Some(difference) = &judgement.difference
-        && !compare::symbols(difference).iter().any(|symbol| symbol.base().starts_with('['))
+        && !compare::symbols(difference).iter().any(is_coefficient)
     {
         let text = write::text(&difference.to_expr());
         if text.chars().count() <= 140 {

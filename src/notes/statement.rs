@@ -11,7 +11,7 @@ use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
-use crate::judge::names::{Head, bases};
+use crate::judge::names::{Head, bases, is_range};
 use crate::judge::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::{latex, syntax};
@@ -424,8 +424,7 @@ fn attach(statements: &mut [Statement]) {
             Said::Condition(side) if !statements[at].is_case() || unread => side.expr.clone(),
             _ => continue,
         };
-        let range =
-            !matches!(&condition.kind, Kind::Chain(_, links) if links.iter().any(|l| l.rel == Rel::Eq));
+        let range = is_range(&condition);
         let (formula, group) = (statements[at].place.formula, statements[at].place.group);
         let words = announces_condition(&statements[at].gap);
         let gap_is_short = statements[at].gap.trim().chars().count() <= 3;

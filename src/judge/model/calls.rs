@@ -58,7 +58,9 @@ impl Model {
         }
         let mut values = Vec::with_capacity(groups.len());
         self.flexible.set(false);
-        let polar = Head::of(callee).and_then(|head| self.stated_arity(machine, &head));
+        let head = Head::of(callee);
+        let polar = head.as_ref().and_then(|head| self.stated_arity(machine, head));
+        let arity = head.and_then(|head| self.arity(&head, polar, groups.len()));
         for group in groups {
             // f(t^n)
             let repeated = match polar {
@@ -67,10 +69,7 @@ impl Model {
             };
             let group = repeated.and_then(|repeated| match repeated {
                 Some(values) => Ok(values),
-                None => {
-                    let arity = self.arity(machine, callee, groups.len());
-                    self.arguments(machine, group, arity, expr)
-                }
+                None => self.arguments(machine, group, arity, expr),
             });
             match group {
                 Ok(group) => values.push(group),
@@ -140,14 +139,12 @@ impl Model {
     }
 
     /// How many arguments a group is to have, where dots leave that open.
-    fn arity(&self, machine: &mut Machine, callee: &Expr, groups: usize) -> Option<usize> {
-        let head = Head::of(callee)?;
+    fn arity(&self, head: &Head, stated: Option<usize>, groups: usize) -> Option<usize> {
         if groups == 2 {
             return Some(2);
         }
         let lifted = head.parenthesized
             && matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Add(terms) if terms.len() == 1));
-        let stated = self.stated_arity(machine, &head);
         stated.or(self.degree).map(|degree| degree + usize::from(lifted))
     }
 
