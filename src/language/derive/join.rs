@@ -64,7 +64,7 @@ fn minus([g, f]: [Expr; 2], form: Form, difference: Vec<Fraction>) -> Expr {
 
 /// The control point of the second curve, if it is a symbol that does not occur in the condition.
 fn lone_symbol(condition: &JoiningCondition<Fraction>) -> Option<Expr> {
-    let [found] = condition.found.as_slice() else { return None };
+    let [found] = &condition.found[..] else { return None };
     let [symbol] = <[Symbol; 1]>::try_from(found.variables()).ok()?;
     let bare = *found == Fraction::from(MultiPoly::symbol(symbol.clone()));
     let free = !condition.required.iter().any(|x| x.variables().contains(&symbol));

@@ -5,7 +5,6 @@ use super::schemes::{difference, point_expr};
 use super::words::{AtEnds, Reason, Title};
 use crate::formula::{Delimiter, Expr, Kind, Sign, Term};
 use crate::language::value::{Derivation, Form, Line, polynomial_expr};
-use crate::math::curve::Point;
 use crate::math::interpolate::{CubicSpline, End, Ends, SplineSystem, Unknowns, value_of};
 use crate::math::number::integer;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -16,13 +15,13 @@ use num_traits::Zero;
 /// the pieces of S with them.
 ///
 /// Cost: that of writing out n pieces and (n + 1)² entries.
-pub fn moments(spline: &CubicSpline<Fraction, Point<Fraction>>, form: Form) -> Derivation {
+pub fn moments(spline: &CubicSpline<Fraction, Vec<Fraction>>, form: Form) -> Derivation {
     let moments = Moments { spline, form };
     Derivation { title: Title::Moments.words(), lines: moments.lines(), language: None }
 }
 
 struct Moments<'a> {
-    spline: &'a CubicSpline<Fraction, Point<Fraction>>,
+    spline: &'a CubicSpline<Fraction, Vec<Fraction>>,
     form: Form,
 }
 
@@ -43,7 +42,7 @@ fn name(letter: &str, i: usize) -> Expr {
 }
 
 impl Moments<'_> {
-    fn expr(&self, point: &Point<Fraction>) -> Expr {
+    fn expr(&self, point: &[Fraction]) -> Expr {
         point_expr(self.form, point)
     }
 
@@ -87,7 +86,7 @@ impl Moments<'_> {
     /// μ_i, λ_i and d_i between the intervals i − 1 and `next`, row `row` of the system.
     fn equation(
         &self,
-        system: &SplineSystem<Fraction, Point<Fraction>>,
+        system: &SplineSystem<Fraction, Vec<Fraction>>,
         i: usize,
         next: usize,
         row: usize,
@@ -116,7 +115,7 @@ impl Moments<'_> {
 
     /// The right sides of the equations for ends where S' is given: 2 M_0 + M_1 = d_0 and
     /// M_{n−1} + 2 M_n = d_n.
-    fn end_slopes(&self, system: &SplineSystem<Fraction, Point<Fraction>>) -> Vec<Line> {
+    fn end_slopes(&self, system: &SplineSystem<Fraction, Vec<Fraction>>) -> Vec<Line> {
         let n = self.spline.pieces();
         let Ends::Each { first, last } = self.spline.ends() else { return Vec::new() };
         let difference = |k: usize| minus(name("y", k + 1), name("y", k)).over(name("h", k));
@@ -136,7 +135,7 @@ impl Moments<'_> {
     }
 
     /// The system: as a matrix for numbers, equation by equation for points.
-    fn system(&self, system: &SplineSystem<Fraction, Point<Fraction>>) -> Line {
+    fn system(&self, system: &SplineSystem<Fraction, Vec<Fraction>>) -> Line {
         let size = system.right.len();
         let ends = match self.spline.ends() {
             Ends::Periodic => AtEnds::Periodic,
@@ -206,7 +205,7 @@ mod tests {
     #[test]
     fn a_parabola_bends_evenly() {
         let z = |list: &[i64]| list.iter().map(|&k| Fraction::from(integer(k))).collect::<Vec<_>>();
-        let points: Vec<Point<Fraction>> = z(&[0, 1, 4]).into_iter().map(|x| vec![x]).collect();
+        let points: Vec<Vec<Fraction>> = z(&[0, 1, 4]).into_iter().map(|x| vec![x]).collect();
         let spline = CubicSpline::by_moments(&z(&[0, 1, 2]), &points, Ends::not_a_knot()).unwrap();
         assert!(spline.moments().iter().all(|m| m[0] == Fraction::from(rational(2, 1))));
         let derivation = moments(&spline, Form { scalar: true, rational: false });

@@ -7,7 +7,6 @@ use super::schemes::{difference, point_expr};
 use super::words::{Reason, Title};
 use crate::formula::{Expr, Kind, Sign, Term};
 use crate::language::value::{Derivation, Form, Line, polynomial_expr};
-use crate::math::curve::Point;
 use crate::math::interpolate::{Datum, DividedDifferences, value_of};
 use crate::math::number::{Rational, factorial};
 use crate::math::poly::{Fraction, Symbol};
@@ -17,13 +16,13 @@ use crate::math::ring::Ring;
 /// form and by powers. At a node that repeats, the data are values and derivatives.
 ///
 /// Cost: that of the table, which is computed already, and of writing it out.
-pub fn newton(table: &DividedDifferences<Fraction, Point<Fraction>>, form: Form) -> Derivation {
+pub fn newton(table: &DividedDifferences<Fraction, Vec<Fraction>>, form: Form) -> Derivation {
     let newton = Newton { table, form };
     Derivation { title: Title::Newton.words(), lines: newton.lines(), language: None }
 }
 
 struct Newton<'a> {
-    table: &'a DividedDifferences<Fraction, Point<Fraction>>,
+    table: &'a DividedDifferences<Fraction, Vec<Fraction>>,
     form: Form,
 }
 
@@ -52,17 +51,17 @@ impl Newton<'_> {
         Expr::product(vec![Expr::name("f"), nodes])
     }
 
-    fn value(&self, i: usize, k: usize) -> &Point<Fraction> {
+    fn value(&self, i: usize, k: usize) -> &Vec<Fraction> {
         &self.table.column(k)[i]
     }
 
-    fn expr(&self, point: &Point<Fraction>) -> Expr {
+    fn expr(&self, point: &[Fraction]) -> Expr {
         point_expr(self.form, point)
     }
 
     /// p − q with the numbers put in.
-    fn numbers(&self, p: &Point<Fraction>, q: &Point<Fraction>) -> Expr {
-        if let ([x], [y], true) = (p.as_slice(), q.as_slice(), self.form.scalar) {
+    fn numbers(&self, p: &[Fraction], q: &[Fraction]) -> Expr {
+        if let ([x], [y], true) = (p, q, self.form.scalar) {
             return difference(x, y);
         }
         minus(self.expr(p), self.expr(q))
@@ -123,9 +122,7 @@ impl Newton<'_> {
             let factors = powers((0..k).map(|i| factor(polynomial_expr(&t.minus(&nodes[i])))));
             match (self.value(0, k).as_slice(), self.form.scalar) {
                 ([c], true) => term(c, factors),
-                (point, _) => {
-                    plus(product(std::iter::once(self.expr(&point.to_vec())).chain(factors).collect()))
-                }
+                (point, _) => plus(product(std::iter::once(self.expr(point)).chain(factors).collect())),
             }
         });
         let by_power = self.table.newton_form().to_power();

@@ -7,7 +7,7 @@ use super::words::{Reason, Title};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
 use crate::language::value::{Derivation, Form, Geometry, Line, polynomial_expr, symbol_expr};
-use crate::math::curve::{BezierCurve, CurveError, Point, Tableau};
+use crate::math::curve::{BezierCurve, CurveError, Tableau};
 use crate::math::piecewise::compare;
 use crate::math::poly::Fraction;
 use crate::math::ring::{Field, Ring};
@@ -27,8 +27,8 @@ pub fn mean_of_two(s: &Fraction, p: Expr, q: Expr) -> Expr {
     combination([(Fraction::one().minus(s), p), (s.clone(), q)])
 }
 
-pub(super) fn point_expr(form: Form, point: &Point<Fraction>) -> Expr {
-    form.plain(point.clone()).to_expr()
+pub(super) fn point_expr(form: Form, point: &[Fraction]) -> Expr {
+    form.plain(point).to_expr()
 }
 
 /// F(t) = Σ b_i B_i^n(t)

@@ -201,7 +201,7 @@ impl Machine {
                 .at(callee.span)
                 .reason("not defined")
                 .hint(format!("define it, for example {name}(t) := t^2 or {name} := polar(t^2)"))
-                .hint(match name == "C" {
+                .hint(match name == families::BINOMIAL_COEFFICIENT {
                     true => "the binomial coefficient is binomial(n, k)".to_owned(),
                     false => format!("or write {name} * (...) for the product"),
                 }));

@@ -132,7 +132,7 @@ fn plane_point(geometry: &Geometry, values: &[(Value, Span)], span: Span) -> Res
         return Ok(patch.triangle().point(&weights));
     }
     let [(x, _), (y, _)] = scalars(geometry, values, span)?;
-    Ok(vec![x, y])
+    Ok([x, y].into())
 }
 
 /// As many scalars as the call needs.

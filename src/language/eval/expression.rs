@@ -9,6 +9,7 @@ use super::names::name_of;
 use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Sign};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::lexicon::families::BINOMIAL_COEFFICIENT;
 use crate::language::ops::errors::{linalg_error, unsupported, wrong_kind};
 use crate::language::ops::formula::symbol_of;
 use crate::language::ops::{arithmetic, lists};
@@ -61,7 +62,7 @@ impl Machine {
             }
             Kind::Matrix(rows, delimiter) => self.eval_matrix(rows, *delimiter, span),
             Kind::Binomial(n, k, BinomialStyle::Subscripted) if self.is_power_of_c(n, span)? => {
-                let letter = Expr::new(Kind::Name("C".to_owned()), span);
+                let letter = Expr::new(Kind::Name(BINOMIAL_COEFFICIENT.to_owned()), span);
                 let base = Expr::new(Kind::Subscript(Box::new(letter), vec![n.as_ref().clone()]), span);
                 self.eval_power(&base, k, span)
             }
@@ -150,9 +151,9 @@ impl Machine {
 
     /// Whether `C_n^k` is a power: C, or C_n, has a value. Otherwise it is a binomial coefficient.
     fn is_power_of_c(&mut self, index: &Expr, span: Span) -> Result<bool, Diagnostic> {
-        let letter = Expr::new(Kind::Name("C".to_owned()), span);
+        let letter = Expr::new(Kind::Name(BINOMIAL_COEFFICIENT.to_owned()), span);
         let base = Expr::new(Kind::Subscript(Box::new(letter), vec![index.clone()]), span);
-        let known = self.lookup(&Symbol::new("C")).is_some()
+        let known = self.lookup(&Symbol::new(BINOMIAL_COEFFICIENT)).is_some()
             || name_of(&base, self).is_some_and(|name| self.lookup(&name).is_some());
         if !known {
             self.note(

@@ -13,7 +13,7 @@ use crate::formula::{Expr, Rel};
 use crate::language::derive::{mean_of_two, polar_label, shown_as_means};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
-use crate::math::curve::{self, BezierCurve, Interval, Tableau, affine};
+use crate::math::curve::{self, BezierCurve, Interval, Point, Tableau, affine};
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -136,7 +136,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let geometry = args.geometry(0)?;
             let points = geometry.control_points();
             let rational = geometry.form().rational;
-            let weight = |point: &Vec<Fraction>| {
+            let weight = |point: &Point<Fraction>| {
                 if rational { point[point.len() - 1].clone() } else { Fraction::one() }
             };
             Ok(scalar_list(points.iter().map(weight)))
@@ -259,7 +259,9 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "edges(bezier([1, 2, 4]))",
         call: |_, args| {
             let (curve, form) = args.bezier(0)?;
-            Ok(Value::List(curve.edges().into_iter().map(|point| form.plain(point)).collect()))
+            let (start, edges) = curve.edges();
+            let edges = edges.into_iter().map(|edge| form.plain(edge));
+            Ok(Value::List(std::iter::once(form.plain(start.clone())).chain(edges).collect()))
         },
         ..NEW
     },
@@ -273,9 +275,11 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the Bézier curve with these edge vectors, the first being its start",
         example: "from_edges([1, 1, 2])",
         call: |_, args| {
-            let (edges, form) = args.control_points(0)?;
-            let curve =
-                BezierCurve::from_edges(&edges, interval(args, 1)?).map_err(curve_error).at(args.span(0))?;
+            let (mut edges, form) = args.control_points(0)?;
+            let start = edges.remove(0);
+            let edges: Vec<_> = edges.iter().map(Point::position).collect();
+            let curve = BezierCurve::from_edges(start, &edges, interval(args, 1)?);
+            let curve = curve.map_err(curve_error).at(args.span(0))?;
             Ok(bezier(curve, form))
         },
         ..NEW
@@ -336,7 +340,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     points_of(value).ok_or_else(|| wrong_kind("a list of points", value).at(args.span(0)))?.0
                 }
             };
-            let numbers: Option<Vec<Vec<Rational>>> =
+            let numbers: Option<Vec<Point<Rational>>> =
                 points.iter().map(|point| point.iter().map(Fraction::as_rational).collect()).collect();
             let numbers = numbers.ok_or_else(|| {
                 Diagnostic::error(Code::Undecided, "the hull of points with symbols depends on their values")
@@ -344,7 +348,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     .hint("give the symbols values first")
             })?;
             let hull = curve::convex_hull(&numbers).map_err(curve_error).at(args.span(0))?;
-            let corner = |point: Vec<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
+            let corner = |point: Point<Rational>| scalar_list(point.iter().map(Fraction::from_rational));
             Ok(Value::List(hull.into_iter().map(corner).collect()))
         },
         ..NEW
@@ -397,7 +401,9 @@ pub(super) const TABLE: &[Builtin] = &[
                 .at(args.span(1))
                 .hint("only sums 1 (a point) and 0 (a vector) do not depend on the origin"));
             }
-            affine::affine_combination(&points, &weights).map(|p| form.plain(p)).map_err(curve_error)
+            affine::affine_combination(&points, &weights)
+                .map(|p| form.plain(p.coordinates()))
+                .map_err(curve_error)
         },
         ..NEW
     },

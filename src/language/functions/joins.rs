@@ -15,7 +15,7 @@ use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::basis::{Basis, change_of_basis};
-use crate::math::curve::{self, BezierCurve, GeometricFailure, Interval};
+use crate::math::curve::{self, BezierCurve, GeometricFailure, Interval, Point};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 
@@ -113,8 +113,8 @@ pub(super) const TABLE: &[Builtin] = &[
                 row.extend([
                     Cell::Value(Value::int(order as i64)),
                     Cell::Formula(label),
-                    Cell::Value(form.plain(p)),
-                    Cell::Value(form.plain(q)),
+                    Cell::Value(form.plain(p.coordinates())),
+                    Cell::Value(form.plain(q.coordinates())),
                 ]);
             } else {
                 table.header.truncate(1);
@@ -196,10 +196,11 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 /// A point that is a combination of symbolic points, written as one; any other as it is.
-fn collected_cell(form: Form, point: Vec<Fraction>, of: &[Vec<Fraction>]) -> Cell {
+fn collected_cell(form: Form, point: impl Into<Vec<Fraction>>, of: &[Point<Fraction>]) -> Cell {
+    let point = point.into();
     let symbols: Option<Vec<Symbol>> = of
         .iter()
-        .map(|point| match point.as_slice() {
+        .map(|point| match &point[..] {
             [x] => formula::symbol_of(&Value::Scalar(x.clone())),
             _ => None,
         })
@@ -245,10 +246,11 @@ pub(super) fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Resu
 
 /// The curve over the numbers, if it has no symbols.
 fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
-    let points = curve.points().iter().map(|point| point.iter().map(Fraction::as_rational).collect());
+    let point = |point: &Point<Fraction>| point.iter().map(Fraction::as_rational).collect();
+    let points: Option<Vec<Point<Rational>>> = curve.points().iter().map(point).collect();
     let (a, b) = curve.interval().ends();
     let interval = Interval::new(a.as_rational()?, b.as_rational()?).ok()?;
-    BezierCurve::new(points.collect::<Option<_>>()?, interval).ok()
+    BezierCurve::new(points?, interval).ok()
 }
 
 /// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
@@ -264,11 +266,12 @@ fn geometric_equations(
         return Err(curve_error(error).at(args.span(1)));
     }
     let beta = |i: i64| Fraction::from(crate::math::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
-    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| [0, 1, 2].map(|k| curve.derivative(k).value(t));
+    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| {
+        [0, 1, 2].map(|k| curve.derivative(k).value(t).position())
+    };
     let (left, right) = (jet(f, f.interval().end()), jet(g, g.interval().start()));
-    let first = curve::scaled(&left[1], &beta(1));
-    let square = curve::scaled(&left[2], &(beta(1) * beta(1)));
-    let required = [left[0].clone(), first, curve::sum(&square, &curve::scaled(&left[1], &beta(2)))];
+    let second = &left[2] * &(beta(1) * beta(1)) + &left[1] * &beta(2);
+    let required = [left[0].clone(), &left[1] * &beta(1), second];
     let mut table = Table::with_header(["order", "required", "found"]);
     for (order, (required, found)) in required.into_iter().zip(right).enumerate() {
         table.rows.push(vec![

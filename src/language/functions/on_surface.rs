@@ -12,10 +12,9 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
-use crate::math::curve::{Direction, Scheme, TensorPatch, TrianglePatch, indices};
+use crate::math::curve::{Direction, Point, Scheme, TensorPatch, TrianglePatch, Vector, indices};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
-use num_traits::Zero;
 
 /// u, v, or both at once.
 const DIRECTIONS: Takes = Takes::Word(&["u", "v", "bilinear"]);
@@ -199,7 +198,8 @@ fn derivative(args: &Arguments) -> Evaluated {
     if let Geometry::Triangle(patch, _) = &*geometry
         && matches!(args.value(1)?, Value::List(_))
     {
-        let directions = (1..args.len()).map(|i| args.point(i)).collect::<Result<Vec<_>, _>>()?;
+        let directions =
+            (1..args.len()).map(|i| Ok(args.point(i)?.position())).collect::<Result<Vec<_>, _>>()?;
         return patch
             .derivative(&directions)
             .map(|p| triangular(p, form))
@@ -233,11 +233,9 @@ fn integrate(args: &Arguments) -> Evaluated {
         Geometry::Triangle(patch, _) => Ok(form.plain(patch.integral())),
         Geometry::Patch(patch, _) => Ok(form.plain(over_patch(patch))),
         Geometry::Surface(s, _) => {
-            let zero = vec![Fraction::zero(); s.dimension()];
+            let zero = Vector::zero(s.dimension());
             let patches = s.patches().concat();
-            let total =
-                patches.iter().fold(zero, |sum, patch| crate::math::curve::sum(&sum, &over_patch(patch)));
-            Ok(form.plain(total))
+            Ok(form.plain(patches.iter().fold(zero, |total, patch| total + over_patch(patch))))
         }
         other => Err(not_for(other, args)),
     }
@@ -263,8 +261,8 @@ pub(super) fn direction(args: &Arguments, name: &str) -> Result<Option<Direction
     }
 }
 
-pub(super) fn net_value(net: &[Vec<Vec<Fraction>>], form: Form) -> Value {
-    let row = |row: &Vec<Vec<Fraction>>| Value::List(row.iter().map(|p| form.plain(p.clone())).collect());
+pub(super) fn net_value(net: &[Vec<Point<Fraction>>], form: Form) -> Value {
+    let row = |row: &Vec<Point<Fraction>>| Value::List(row.iter().map(|p| form.plain(p.clone())).collect());
     Value::List(net.iter().map(row).collect())
 }
 
@@ -303,9 +301,9 @@ fn casteljau(args: &Arguments) -> Evaluated {
 }
 
 /// A point of the plane: its two coordinates, or both in a list.
-fn plane_point(args: &Arguments) -> Result<Vec<Fraction>, Diagnostic> {
+fn plane_point(args: &Arguments) -> Result<Point<Fraction>, Diagnostic> {
     match args.given(2) {
-        Some(_) => Ok(vec![args.scalar(1)?, args.scalar(2)?]),
+        Some(_) => Ok([args.scalar(1)?, args.scalar(2)?].into()),
         None => args.point(1),
     }
 }
@@ -365,7 +363,7 @@ pub(super) fn pieces(args: &Arguments) -> Evaluated {
 
 /// Row r, entry s: the derivative r times by u and s times by v, for r + s up to k.
 /// Entry (r, s) is the derivative of order r in u and s in v.
-type Jet = Vec<Vec<Vec<Fraction>>>;
+type Jet = Vec<Vec<Vector<Fraction>>>;
 
 /// All partial derivatives of order at most k of a patch at (u, v), and how they are shown.
 pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
@@ -393,7 +391,8 @@ pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Fo
 
 fn derivatives_at(args: &Arguments) -> Evaluated {
     let (grid, form) = partial_derivatives(args, args.size(3)?)?;
-    let row = |row: Vec<Vec<Fraction>>| Value::List(row.into_iter().map(|point| form.plain(point)).collect());
+    let row =
+        |row: Vec<Vector<Fraction>>| Value::List(row.into_iter().map(|point| form.plain(point)).collect());
     Ok(Value::List(grid.into_iter().map(row).collect()))
 }
 
@@ -433,7 +432,7 @@ fn insert_knots(args: &Arguments) -> Evaluated {
 fn control_points(args: &Arguments) -> Evaluated {
     let geometry = args.geometry(0)?;
     let form = geometry.form();
-    let split = |points: &[Vec<Fraction>]| {
+    let split = |points: &[Point<Fraction>]| {
         form.split(points)
             .map(|(values, _)| Value::List(values))
             .ok_or_else(|| curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0)))
@@ -481,7 +480,7 @@ fn labels(args: &Arguments) -> Evaluated {
         Geometry::Patch(patch, _) => {
             let (m, n) = patch.degrees();
             for (i, row) in patch.net().iter().enumerate() {
-                let cell = |(j, point): (usize, &Vec<Fraction>)| {
+                let cell = |(j, point): (usize, &Point<Fraction>)| {
                     let label = groups_label([ends(patch.u(), m, i), ends(patch.v(), n, j)]);
                     Cell::Labelled(label, form.plain(point.clone()))
                 };
@@ -492,7 +491,7 @@ fn labels(args: &Arguments) -> Evaluated {
             let (u, v) = s.knots();
             let list = |label: &[Fraction]| label.iter().map(polynomial_expr).collect();
             for (i, row) in s.net().iter().enumerate() {
-                let cell = |(j, point): (usize, &Vec<Fraction>)| {
+                let cell = |(j, point): (usize, &Point<Fraction>)| {
                     Cell::Labelled(
                         groups_label([list(u.label(i)), list(v.label(j))]),
                         form.plain(point.clone()),

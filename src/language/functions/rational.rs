@@ -10,7 +10,7 @@ use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
 use crate::language::value::{Form, Value};
-use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, RationalCurve};
+use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, Point, RationalCurve};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -292,10 +292,10 @@ fn rational_curve(args: &Arguments, i: usize) -> Result<RationalCurve<Fraction>>
     RationalCurve::from_homogeneous(as_rational_form(&curve, form)).map_err(curve_error).at(args.span(i))
 }
 
-fn three_points(args: &Arguments, i: usize) -> Result<[Vec<Fraction>; 3]> {
+fn three_points(args: &Arguments, i: usize) -> Result<[Point<Fraction>; 3]> {
     let (points, _) = args.control_points(i)?;
     let given = points.len();
-    <[Vec<Fraction>; 3]>::try_from(points).map_err(|_| {
+    <[Point<Fraction>; 3]>::try_from(points).map_err(|_| {
         Diagnostic::error(Code::ControlPoints, format!("a conic has 3 control points, not {given}"))
             .at(args.span(i))
     })

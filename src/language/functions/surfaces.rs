@@ -9,7 +9,9 @@ use super::parameter::{HOMOGENEOUS, SURFACE, Takes, named, optional, required, s
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, Value};
-use crate::math::curve::{BezierCurve, Corner, Interval, RationalPatch, Side, TensorPatch, TrianglePatch};
+use crate::math::curve::{
+    BezierCurve, Corner, Interval, Point, RationalPatch, Side, TensorPatch, TrianglePatch,
+};
 use crate::math::poly::Fraction;
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
 use num_traits::One;
@@ -151,12 +153,12 @@ pub(super) const TABLE: &[Builtin] = &[
                     let patch = RationalPatch::from_homogeneous(patch.clone());
                     patch.and_then(|patch| patch.normal_at(&u, &v))
                 }
-                Geometry::Patch(patch, _) => patch.normal().map(|n| n.value(&u, &v)),
+                Geometry::Patch(patch, _) => patch.normal().map(|n| n.value(&u, &v).position()),
                 Geometry::Triangle(patch, form) if form.rational => {
                     let patch = crate::math::curve::RationalTriangle::from_homogeneous(patch.clone());
                     patch.and_then(|patch| patch.normal_at(&[u, v]))
                 }
-                Geometry::Triangle(patch, _) => patch.normal().and_then(|n| n.value(&[u, v])),
+                Geometry::Triangle(patch, _) => patch.normal().and_then(|n| Ok(n.value(&[u, v])?.position())),
                 _ => return Err(wrong_kind("a patch", args.value(0)?).at(args.span(0))),
             };
             Ok(Form::default().plain(point.map_err(curve_error).at(args.span(0))?))
@@ -225,10 +227,10 @@ fn edges(s: &SplineSurface<Fraction>, form: Form) -> Result<Vec<Value>, Diagnost
             .hint("repeat the end knots degree + 1 times, or take the patches: pieces(s)"));
     }
     let (rows, columns) = (s.net(), s.transposed());
-    let curve = |knots: &KnotVector<Fraction>, points: &[Vec<Fraction>]| {
+    let curve = |knots: &KnotVector<Fraction>, points: &[Point<Fraction>]| {
         BSpline::new(knots.clone(), points.to_vec()).map(|s| spline(s, form)).map_err(spline_error)
     };
-    let last = |net: &[Vec<Vec<Fraction>>]| net[net.len() - 1].clone();
+    let last = |net: &[Vec<Point<Fraction>>]| net[net.len() - 1].clone();
     Ok(vec![
         curve(v, &rows[0])?,
         curve(v, &last(rows))?,

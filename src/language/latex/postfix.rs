@@ -12,7 +12,7 @@ use crate::budget;
 use crate::formula::source::Span;
 use crate::formula::{BinomialStyle, Expr, Kind, Sign};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::lexicon::families::BINOMIAL_COEFFICIENT;
+use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::syntax::special_call;
 use crate::math::number::parse_decimal;
@@ -326,7 +326,7 @@ impl Reader<'_> {
         let square = matches!(self.tokens[first].kind, Tok::Open(Fence::Square) | Tok::Left(Fence::Square));
         let (lower, upper) = match (lower, upper) {
             (Some(mut lower), Some(Raise::Power(above))) if primes == 0 => {
-                if is_binomial_letter(&base) && lower.len() == 1 && is_index(&lower[0]) && is_index(&above) {
+                if is_binomial_coefficient(&base, &lower, &above) {
                     let below = Box::new(lower.swap_remove(0));
                     let kind = Kind::Binomial(below, Box::new(above), BinomialStyle::Subscripted);
                     return self.node(kind, start);
@@ -572,15 +572,6 @@ fn has_index(expr: &Expr) -> bool {
         Kind::Accent(_, base) | Kind::Prime(base, _) | Kind::Upper(base, _) => has_index(base),
         _ => false,
     }
-}
-
-fn is_binomial_letter(expr: &Expr) -> bool {
-    matches!(&expr.kind, Kind::Name(name) if name == BINOMIAL_COEFFICIENT)
-}
-
-/// What may stand in a binomial coefficient `C_n^i`.
-fn is_index(expr: &Expr) -> bool {
-    matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Subscript(..))
 }
 
 /// A matrix or row of numbers has no power T.

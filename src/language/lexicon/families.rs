@@ -1,5 +1,6 @@
 //! Families of functions that are known by their notation: B_i^n, N_i^k, σ_{i,n}.
 
+use crate::formula::{Expr, Kind};
 use crate::math::basis;
 use crate::math::blossom::{PolarError, PolarForm};
 use crate::math::number::{Rational, binomial, multinomial};
@@ -14,8 +15,22 @@ pub(crate) const FORWARD_DIFFERENCE: &str = "Delta";
 /// The backward difference.
 pub(crate) const BACKWARD_DIFFERENCE: &str = "nabla";
 
-/// The binomial coefficient: C_n^i is n over i.
+/// The letter of binomial coefficients: C_n^i is n over i.
 pub(crate) const BINOMIAL_COEFFICIENT: &str = "C";
+
+/// Whether a letter with these indices is a binomial coefficient: `C_n^i`, each index a number, a
+/// name, or a sum or product of such. Whether C has a value after all the evaluator decides.
+pub(crate) fn is_binomial_coefficient(letter: &Expr, lower: &[Expr], upper: &Expr) -> bool {
+    let is_index = |expr: &Expr| {
+        matches!(
+            expr.kind,
+            Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Subscript(..)
+        )
+    };
+    matches!(&letter.kind, Kind::Name(name) if name == BINOMIAL_COEFFICIENT)
+        && matches!(lower, [below] if is_index(below))
+        && is_index(upper)
+}
 
 /// What a family consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -18,7 +18,7 @@ pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
     match value {
         Value::List(items) if !items.is_empty() => {
             let scalars: Option<Vec<Point<Fraction>>> =
-                items.iter().map(|item| item.as_scalar().map(|x| vec![x.clone()])).collect();
+                items.iter().map(|item| item.as_scalar().map(|x| [x.clone()].into())).collect();
             if let Some(points) = scalars {
                 return Some((points, true));
             }
@@ -41,7 +41,7 @@ pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
 /// One point: coordinates, or a single number.
 pub(crate) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
     match value {
-        Value::Scalar(x) => Some((vec![x.clone()], true)),
+        Value::Scalar(x) => Some(([x.clone()].into(), true)),
         Value::List(items) => {
             items.iter().map(|x| x.as_scalar().cloned()).collect::<Option<_>>().map(|p| (p, false))
         }
@@ -209,7 +209,7 @@ pub(crate) fn translate(c: &Geometry, by: &Value) -> Result<Value> {
 
 /// The sum of two polynomial splines over the same knots.
 fn add_splines(a: &BSpline<Fraction>, b: &BSpline<Fraction>, form: Form) -> Result<Value> {
-    let points = a.points().iter().zip(b.points()).map(|(p, q)| crate::math::curve::sum(p, q)).collect();
+    let points = a.points().iter().zip(b.points()).map(|(p, q)| p + &q.position()).collect();
     BSpline::new(a.knots().clone(), points).map(|s| spline(s, form)).map_err(spline_error)
 }
 
@@ -237,7 +237,7 @@ pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
     }
     let n = f.degree().max(g.degree());
     let (f, g) = (f.elevate(n - f.degree()), g.elevate(n - g.degree()));
-    let points = f.points().iter().zip(g.points()).map(|(p, q)| crate::math::curve::sum(p, q)).collect();
+    let points = f.points().iter().zip(g.points()).map(|(p, q)| p + &q.position()).collect();
     let curve = BezierCurve::new(points, f.interval().clone()).map_err(curve_error)?;
     Ok(bezier(curve, Form { scalar: left.scalar && right.scalar, rational: false }))
 }

@@ -36,11 +36,12 @@ pub enum Geometry {
 }
 
 impl Form {
-    /// A point of homogeneous or ordinary coordinates as a value.
+    /// A point, or a vector, of homogeneous or ordinary coordinates as a value.
     ///
     /// # Errors
     /// [`CurveError::ZeroDenominator`] if its weight is 0.
-    pub fn value(self, mut point: Point<Fraction>) -> Result<Value, CurveError> {
+    pub fn value(self, point: impl Into<Vec<Fraction>>) -> Result<Value, CurveError> {
+        let mut point = point.into();
         if self.rational {
             let weight = point.pop().and_then(|w| w.inverse()).ok_or(CurveError::ZeroDenominator)?;
             point.iter_mut().for_each(|x| *x *= weight.clone());
@@ -49,7 +50,8 @@ impl Form {
     }
 
     /// A point as it is, its weight too.
-    pub fn plain(self, mut point: Point<Fraction>) -> Value {
+    pub fn plain(self, point: impl Into<Vec<Fraction>>) -> Value {
+        let mut point = point.into();
         match (self.scalar, point.len()) {
             (true, 1) => Value::Scalar(point.swap_remove(0)),
             _ => Value::List(point.into_iter().map(Value::Scalar).collect()),

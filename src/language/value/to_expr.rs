@@ -7,7 +7,7 @@ use super::factors::quotient;
 use super::{Notation, Polar, PolarKind, Value};
 use crate::budget;
 use crate::formula::{Accent, Delimiter, Expr, Kind, Rel, Sign, Term};
-use crate::language::lexicon::families::FORWARD_DIFFERENCE;
+use crate::language::lexicon::families::{BINOMIAL_COEFFICIENT, FORWARD_DIFFERENCE};
 use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm};
 use crate::math::number::{Combinations, Int, Rational, binomial, multinomial};
 use crate::math::poly::{Fraction, Index, MonomialOrder, MultiPoly, Symbol};
@@ -51,7 +51,7 @@ fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
     match exponent {
         1 => base,
         // C_5^2 is a binomial coefficient.
-        _ if symbol.base() == "C" && symbol.indices().len() == 1 => {
+        _ if symbol.base() == BINOMIAL_COEFFICIENT && symbol.indices().len() == 1 => {
             base.grouped().power(Expr::int(i64::from(exponent)))
         }
         _ => base.power(Expr::int(i64::from(exponent))),

@@ -74,9 +74,9 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
 
 fn geometry_json(geometry: &Geometry) -> Json {
     let form = geometry.form();
-    let row = |point: &Vec<Fraction>| point.iter().map(scalar).collect::<Vec<_>>();
+    let row = |point: &[Fraction]| point.iter().map(scalar).collect::<Vec<_>>();
     // With weight 0 there is no point: then the homogeneous coordinates have to do.
-    let homogeneous: Vec<_> = geometry.control_points().iter().map(row).collect();
+    let homogeneous: Vec<_> = geometry.control_points().iter().map(|point| row(point)).collect();
     let split = form.rational.then(|| form.split(&geometry.control_points())).flatten();
     let coordinates = |value: &Value| match value {
         Value::List(items) => items.iter().filter_map(Value::as_scalar).map(scalar).collect(),
@@ -98,7 +98,7 @@ fn geometry_json(geometry: &Geometry) -> Json {
             json!({"kind": "patch", "degrees": [m, n], "intervals": [interval(patch.u()), interval(patch.v())]})
         }
         Geometry::Triangle(patch, _) => json!({"kind": "triangle", "degree": patch.degree(),
-            "corners": patch.triangle().corners().iter().map(row).collect::<Vec<_>>()}),
+            "corners": patch.triangle().corners().iter().map(|corner| row(corner)).collect::<Vec<_>>()}),
         Geometry::Surface(surface, _) => {
             let (u, v) = surface.knots();
             let list = |knots: &[Fraction]| knots.iter().map(scalar).collect::<Vec<_>>();

@@ -40,16 +40,17 @@ pub struct PolarForm<C> {
     coefficients: Vec<C>,
 }
 
-/// An argument of a polar form: a point of the line, or a vector (a difference of points).
+/// An argument of a polar form: a point, or a vector (a difference of points); of the line, unless
+/// said otherwise.
 ///
 /// A vector argument v̂ = p − q means f(…, v̂, …) = f(…, p, …) − f(…, q, …); the unit
 /// vector 1̂ = 1 − 0 gives derivatives.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Argument<C> {
-    /// A parameter value.
-    Point(C),
-    /// A difference of parameter values, written with a hat.
-    Vector(C),
+pub enum Argument<P, V = P> {
+    /// A point: on the line a parameter value.
+    Point(P),
+    /// A difference of points, written with a hat.
+    Vector(V),
 }
 
 impl<C> From<C> for Argument<C> {

@@ -6,7 +6,7 @@
 //! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); G. Farin, *Curves and
 //! Surfaces for CAGD*, 5th ed. (2002), chapters 4–6.
 
-use super::{CurveError, Interval, Point, Vector, combination, difference, dimension, lerp, scaled, sum};
+use super::{CurveError, Interval, Point, PolarValue, Vector, combination, dimension, lerp};
 use crate::budget;
 use crate::math::basis::raising;
 use crate::math::blossom::{Argument, PolarForm};
@@ -56,7 +56,8 @@ impl<C: Field> BezierCurve<C> {
     /// assert_eq!(c.value(&q(1, 2)), [z(1), z(1)]);
     /// # Ok::<(), polarform::curve::CurveError>(())
     /// ```
-    pub fn new(points: Vec<Point<C>>, interval: Interval<C>) -> Result<Self, CurveError> {
+    pub fn new(points: Vec<impl Into<Point<C>>>, interval: Interval<C>) -> Result<Self, CurveError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         dimension(&points)?;
         Ok(BezierCurve { points, interval })
     }
@@ -71,8 +72,9 @@ impl<C: Field> BezierCurve<C> {
         let degree = degree.ok_or(CurveError::TooFewPoints { needed: 1, given: 0 })?;
         let columns: Vec<Vec<C>> =
             forms.iter().map(|form| form.elevate(degree - form.degree()).bezier_points(a, b)).collect();
-        let points = (0..=degree).map(|i| columns.iter().map(|column| column[i].clone()).collect());
-        BezierCurve::new(points.collect(), interval)
+        let point = |i: usize| columns.iter().map(|column| column[i].clone()).collect();
+        let points: Vec<Point<C>> = (0..=degree).map(point).collect();
+        BezierCurve::new(points, interval)
     }
 
     /// The curve whose coordinates have these power coefficients, lowest first.
@@ -129,11 +131,11 @@ impl<C: Field> BezierCurve<C> {
         level.remove(0)
     }
 
-    /// f(u_1, …, u_n); a vector argument gives the difference of two values.
+    /// f(u_1, …, u_n): a point, or a vector if one of the arguments is one.
     ///
     /// # Errors
     /// [`CurveError::Arguments`] unless there are n of them.
-    pub fn blossom(&self, arguments: &[Argument<C>]) -> Result<Point<C>, CurveError> {
+    pub fn blossom(&self, arguments: &[Argument<C>]) -> Result<PolarValue<C>, CurveError> {
         let n = self.degree();
         if arguments.len() != n {
             return Err(CurveError::Arguments { expected: n, given: arguments.len() });
@@ -143,9 +145,10 @@ impl<C: Field> BezierCurve<C> {
             budget::step();
             level = self.step(&level, argument);
         }
-        Ok(level.remove(0))
+        Ok(PolarValue::of(level.remove(0), arguments))
     }
 
+    /// One level of de Casteljau's algorithm; for a vector the points lie at its images.
     fn step(&self, level: &[Point<C>], argument: &Argument<C>) -> Vec<Point<C>> {
         match argument {
             Argument::Point(u) => {
@@ -154,7 +157,7 @@ impl<C: Field> BezierCurve<C> {
             }
             Argument::Vector(v) => {
                 let s = v.times(self.interval.inverse_width());
-                level.windows(2).map(|pair| scaled(&difference(&pair[1], &pair[0]), &s)).collect()
+                level.windows(2).map(|pair| ((&pair[1] - &pair[0]) * &s).from_origin()).collect()
             }
         }
     }
@@ -256,7 +259,7 @@ impl<C: Field> BezierCurve<C> {
         let n = self.degree();
         let matrix = raising(n, n + by).expect("the degree does not fall");
         let points = (0..=n + by).map(|i| {
-            let mut point = vec![C::zero(); self.dimension()];
+            let mut point = Point::from(vec![C::zero(); self.dimension()]);
             for j in i.saturating_sub(by)..=i.min(n) {
                 for (x, y) in point.iter_mut().zip(&self.points[j]) {
                     *x += y.scaled(&matrix[(i, j)]);
@@ -269,11 +272,7 @@ impl<C: Field> BezierCurve<C> {
 
     /// The degree of the polynomial: the largest k with Δ^k b_0 ≠ 0 (0 for a constant).
     pub fn exact_degree(&self) -> usize {
-        (1..=self.degree()).rev().find(|&k| !self.leading_difference(k).iter().all(C::is_zero)).unwrap_or(0)
-    }
-
-    fn leading_difference(&self, k: usize) -> Point<C> {
-        self.differences(k).swap_remove(0)
+        (1..=self.degree()).rev().find(|&k| !self.differences(k)[0].is_zero()).unwrap_or(0)
     }
 
     /// The same curve with `by` fewer control points, where that is exact.
@@ -296,46 +295,49 @@ impl<C: Field> BezierCurve<C> {
 
     /// Δ^k b_0, …, Δ^k b_{n−k}, with Δ b_i = b_{i+1} − b_i; none if k > n.
     pub fn differences(&self, k: usize) -> Vec<Vector<C>> {
-        let mut level = self.points.clone();
+        let mut level: Vec<Vector<C>> = self.points.iter().map(Point::position).collect();
         for _ in 0..k {
             budget::step();
-            level = level.windows(2).map(|pair| difference(&pair[1], &pair[0])).collect();
+            level = level.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
         }
         level
     }
 
-    /// F^{(k)}, of degree n − k: control points n!/(n−k)! Δ^k b_i / (b−a)^k; zero if k > n.
+    /// F^{(k)}, of degree n − k: n!/(n−k)! Δ^k b_i / (b−a)^k; zero if k > n. Its control points are
+    /// these vectors drawn from the origin (the hodograph).
     pub fn derivative(&self, k: usize) -> Self {
         let n = self.degree();
         let interval = self.interval.clone();
         if k > n {
-            return BezierCurve { points: vec![vec![C::zero(); self.dimension()]], interval };
+            return BezierCurve { points: vec![Vector::zero(self.dimension()).from_origin()], interval };
         }
         let falling: Int = (n - k + 1..=n).fold(Int::ONE, |product, i| product * Int::from(i));
         let factor = num_traits::pow(self.interval.inverse_width().clone(), k)
             .scaled(&Rational::from_integer(falling));
-        let points = self.differences(k).iter().map(|d| scaled(d, &factor)).collect();
+        let points = self.differences(k).iter().map(|d| (d * &factor).from_origin()).collect();
         BezierCurve { points, interval }
     }
 
-    /// The antiderivative with value `start` at a, of degree n + 1.
+    /// The curve of degree n + 1 that starts at `start` and has the position vectors of this one as
+    /// derivatives.
     ///
     /// # Errors
     /// [`CurveError::DimensionsOf`] if start has another dimension.
-    pub fn antiderivative(&self, start: Point<C>) -> Result<Self, CurveError> {
+    pub fn antiderivative(&self, start: impl Into<Point<C>>) -> Result<Self, CurveError> {
+        let start = start.into();
         if start.len() != self.dimension() {
             return Err(CurveError::DimensionsOf { left: self.dimension(), right: start.len() });
         }
         let share = self.width().scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
         let mut points = vec![start];
         for point in &self.points {
-            points.push(sum(&points[points.len() - 1], &scaled(point, &share)));
+            points.push(&points[points.len() - 1] + &(point.position() * &share));
         }
         BezierCurve::new(points, self.interval.clone())
     }
 
-    /// ∫_a^b F(t) dt = (b − a)/(n + 1) Σ b_i
-    pub fn integral(&self) -> Point<C> {
+    /// ∫_a^b F(t) dt = (b − a)/(n + 1) Σ b_i, of position vectors.
+    pub fn integral(&self) -> Vector<C> {
         let share = self.width().scaled(&Rational::new(Int::ONE, Int::from(self.points.len())));
         combination(self.dimension(), self.points.iter().map(|point| (&share, point)))
     }
@@ -362,24 +364,28 @@ impl<C: Field> BezierCurve<C> {
         self.polar_forms().iter().map(|form| form.coefficients().to_vec()).collect()
     }
 
-    /// b_0, then the edge vectors b_1 − b_0, …, b_n − b_{n−1}: the coefficients in Bézier's
+    /// b_0 and the edge vectors b_1 − b_0, …, b_n − b_{n−1}: the coefficients in Bézier's
     /// original basis f_i^n = Σ_{j≥i} B_j^n.
-    pub fn edges(&self) -> Vec<Point<C>> {
-        std::iter::once(self.points[0].clone()).chain(self.differences(1)).collect()
+    pub fn edges(&self) -> (&Point<C>, Vec<Vector<C>>) {
+        (&self.points[0], self.differences(1))
     }
 
     /// The curve with these coefficients in Bézier's original basis.
     ///
     /// # Errors
     /// As [`BezierCurve::new`].
-    pub fn from_edges(edges: &[Point<C>], interval: Interval<C>) -> Result<Self, CurveError> {
-        dimension(edges)?;
-        let mut points: Vec<Point<C>> = Vec::with_capacity(edges.len());
-        for edge in edges {
-            points.push(match points.last() {
-                Some(last) => sum(last, edge),
-                None => edge.clone(),
-            });
+    pub fn from_edges(
+        start: Point<C>,
+        edges: &[Vector<C>],
+        interval: Interval<C>,
+    ) -> Result<Self, CurveError> {
+        let mut points = vec![start];
+        for (i, edge) in edges.iter().enumerate() {
+            if edge.len() != points[0].len() {
+                let (found, expected) = (edge.len(), points[0].len());
+                return Err(CurveError::Dimensions { index: i + 1, found, expected });
+            }
+            points.push(&points[i] + edge);
         }
         BezierCurve::new(points, interval)
     }
@@ -396,12 +402,12 @@ impl<C: Field> BezierCurve<C> {
             return Err(CurveError::NoCommonEnd);
         }
         let (left, right) = (self.dimension(), other.dimension());
-        type Multiply<C> = fn(&[C], &[C]) -> Point<C>;
+        type Multiply<C> = fn(&[C], &[C]) -> Vector<C>;
         let multiply: Multiply<C> = match (left, right) {
-            (1, _) => |p, q| scaled(q, &p[0]),
-            (_, 1) => |p, q| scaled(p, &q[0]),
+            (1, _) => |p, q| q.iter().map(|y| p[0].times(y)).collect(),
+            (_, 1) => |p, q| p.iter().map(|x| q[0].times(x)).collect(),
             _ if left == right => {
-                |p, q| vec![p.iter().zip(q).fold(C::zero(), |total, (x, y)| total.plus(&x.times(y)))]
+                |p, q| [p.iter().zip(q).fold(C::zero(), |total, (x, y)| total.plus(&x.times(y)))].into()
             }
             _ => return Err(CurveError::DimensionsOf { left, right }),
         };
@@ -409,17 +415,18 @@ impl<C: Field> BezierCurve<C> {
         let (rows, columns, whole) = (binomial_row(m), binomial_row(n), binomial_row(m + n));
         let mut points: Vec<Point<C>> = Vec::with_capacity(m + n + 1);
         for k in 0..=m + n {
-            let mut point = Vec::new();
+            let mut total: Option<Vector<C>> = None;
             for i in k.saturating_sub(n)..=k.min(m) {
                 budget::step();
                 let weight = Rational::new(&rows[i] * &columns[k - i], whole[k].clone());
-                let term: Point<C> = multiply(&self.points[i], &other.points[k - i])
-                    .iter()
-                    .map(|x| x.scaled(&weight))
-                    .collect();
-                point = if point.is_empty() { term } else { sum(&point, &term) };
+                let product = multiply(&self.points[i], &other.points[k - i]);
+                let term: Vector<C> = product.iter().map(|x| x.scaled(&weight)).collect();
+                total = Some(match total {
+                    Some(total) => total + term,
+                    None => term,
+                });
             }
-            points.push(point);
+            points.extend(total.map(Vector::from_origin));
         }
         BezierCurve::new(points, self.interval.clone())
     }

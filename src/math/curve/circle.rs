@@ -16,8 +16,8 @@
 
 use super::domain::determinant;
 use super::rational::RationalCurve;
-use super::{BezierCurve, CurveError, Interval, Point, difference, dimension};
-use crate::math::number::{Rational, integer, rational};
+use super::{BezierCurve, CurveError, Interval, Point, dimension};
+use crate::math::number::{integer, rational};
 use crate::math::ring::{Field, Ring};
 
 /// A complex number: its real and imaginary part.
@@ -51,7 +51,7 @@ fn turned<C: Field>(
     let vector = |(z, weight): (Complex<C>, C)| -> Point<C> {
         let moved = product(arm, &z);
         let place = |k: usize| centre[k].times(&weight).plus(&moved[k]);
-        vec![place(0), place(1), weight]
+        [place(0), place(1), weight].into()
     };
     let [a, b] = [start, start + 1].map(|x| C::from_rational(&integer(x)));
     let interval = Interval::new(a, b).expect("an interval of length 1");
@@ -79,14 +79,14 @@ fn check_plane<C: Field>(points: &[Point<C>]) -> Result<(), CurveError> {
 /// ```
 /// use polarform::curve::{CircleArc, CurveError};
 /// use polarform::number::{integer as z, rational as q};
-/// let [m, p, r] = [[0, 0], [1, 0], [0, 1]].map(|p| p.map(z).to_vec());
+/// let [m, p, r] = [[0, 0], [1, 0], [0, 1]].map(|p| p.map(z));
 /// let quarter = CircleArc::new(m.clone(), p.clone(), r)?;
 /// assert_eq!(quarter.rational().weights(), [1, 1, 2].map(z));
 /// // equal end weights would need w = √(1/2)
 /// assert_eq!(quarter.squared_weight(), q(1, 2));
 /// assert!(matches!(quarter.standard(), Err(CurveError::Irrational { .. })));
 /// // over an angle with rational cosine of its half they do not
-/// let arc = CircleArc::new(m, p, vec![q(7, 25), q(24, 25)])?;
+/// let arc = CircleArc::new(m, p, [q(7, 25), q(24, 25)])?;
 /// assert_eq!(arc.standard()?.weights(), [z(1), q(4, 5), z(1)]);
 /// # Ok::<(), CurveError>(())
 /// ```
@@ -109,11 +109,15 @@ impl<C: Field> CircleArc<C> {
     /// [`CurveError::Dimensions`], [`CurveError::DimensionsOf`] unless in the plane,
     /// [`CurveError::Degenerate`] if the ends are equal or the radius is 0,
     /// [`CurveError::Impossible`] if the ends have different distances from the centre.
-    pub fn new(centre: Point<C>, from: Point<C>, to: Point<C>) -> Result<Self, CurveError> {
-        let points = [centre, from, to];
+    pub fn new(
+        centre: impl Into<Point<C>>,
+        from: impl Into<Point<C>>,
+        to: impl Into<Point<C>>,
+    ) -> Result<Self, CurveError> {
+        let points = [centre.into(), from.into(), to.into()];
         check_plane(&points)?;
         let [centre, from, to] = points;
-        let [a, b] = [&from, &to].map(|end| as_complex(&difference(end, &centre)));
+        let [a, b] = [&from, &to].map(|end| as_complex(&(end - &centre)));
         let squared = inner(&a, &a);
         if from == to {
             return Err(CurveError::Degenerate);
@@ -167,7 +171,13 @@ impl<C: Field> CircleArc<C> {
     }
 }
 
-impl CircleArc<Rational> {}
+/// The vector from the centre to a point of the circle.
+fn arm<C: Field>(centre: &[C], start: &[C]) -> Result<Complex<C>, CurveError> {
+    let [centre, start] = [centre, start].map(Point::from);
+    check_plane(&[centre.clone(), start.clone()])?;
+    let arm = as_complex(&(&start - &centre));
+    if inner(&arm, &arm).is_zero() { Err(CurveError::Degenerate) } else { Ok(arm) }
+}
 
 /// The circle through `start` in pieces, the k-th over [k, k + 1], counter-clockwise; each by its
 /// η, with a given first factor for the arm.
@@ -176,11 +186,7 @@ fn pieces<C: Field>(
     start: &[C],
     steps: &[(Complex<C>, Complex<C>)],
 ) -> Result<Vec<RationalCurve<C>>, CurveError> {
-    check_plane(&[centre.to_vec(), start.to_vec()])?;
-    let arm = as_complex(&difference(start, centre));
-    if inner(&arm, &arm).is_zero() {
-        return Err(CurveError::Degenerate);
-    }
+    let arm = arm(centre, start)?;
     let piece = |((turn, eta), k): (&(Complex<C>, Complex<C>), i64)| {
         turned(centre, &product(&arm, turn), arc_controls(eta), k)
     };
@@ -222,11 +228,7 @@ pub fn circle_thirds<C: Field>(centre: &[C], start: &[C]) -> Result<Vec<Rational
 /// # Errors
 /// As for [`circle_quarters`].
 pub fn full_circle<C: Field>(centre: &[C], start: &[C]) -> Result<RationalCurve<C>, CurveError> {
-    check_plane(&[centre.to_vec(), start.to_vec()])?;
-    let arm = as_complex(&difference(start, centre));
-    if inner(&arm, &arm).is_zero() {
-        return Err(CurveError::Degenerate);
-    }
+    let arm = arm(centre, start)?;
     let third = C::from_rational(&rational(1, 3));
     let weights = [C::one(), C::zero(), third, C::zero(), C::one()];
     let powers = [complex(1, 0), complex(0, 1), complex(-1, 0), complex(0, -1), complex(1, 0)];
@@ -243,8 +245,8 @@ pub fn full_circle<C: Field>(centre: &[C], start: &[C]) -> Result<RationalCurve<
 /// use polarform::curve::circle_quintic;
 /// use polarform::number::{integer as z, rational as q};
 /// let circle = circle_quintic(&[z(0), z(0)], &[z(1), z(0)])?;
-/// assert_eq!(circle.points()[1], Some(vec![z(1), z(4)]));
-/// assert_eq!(circle.points()[2], Some(vec![z(-3), z(2)]));
+/// assert_eq!(circle.points()[1], Some([z(1), z(4)].into()));
+/// assert_eq!(circle.points()[2], Some([z(-3), z(2)].into()));
 /// assert_eq!(circle.value(&q(1, 2))?, [z(-1), z(0)]);
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
@@ -256,8 +258,8 @@ pub fn circle_quintic<C: Field>(centre: &[C], start: &[C]) -> Result<RationalCur
 mod tests {
     use super::*;
     use crate::math::curve::conic::{ConicKind, ImplicitConic, conic_kind};
-    use crate::math::curve::{polygon, sum};
-    use crate::math::number::{integer as z, rational as q};
+    use crate::math::curve::polygon;
+    use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
     use num_traits::Signed;
     use proptest::prelude::*;
@@ -286,9 +288,9 @@ mod tests {
     proptest! {
         #[test]
         fn arcs(m in (-5i64..6, -5i64..6), arm in (-5i64..6, 1i64..6), t in (-9i64..10, 1i64..5), s in (1i64..8, 8i64..9)) {
-            let centre = vec![z(m.0), z(m.1)];
+            let centre = Point::from([z(m.0), z(m.1)]);
             let a = [z(arm.0), z(arm.1)];
-            let end = |zeta: &Complex<Rational>| sum(&centre, &product(&a, zeta));
+            let end = |zeta: &Complex<Rational>| &centre + &product(&a, zeta).into();
             let zeta = unit(&q(t.0, t.1));
             let (from, to) = (end(&complex(1, 0)), end(&zeta));
             let made = CircleArc::new(centre.clone(), from.clone(), to.clone());
@@ -322,19 +324,19 @@ mod tests {
             // between the ends the shorter arc lies on the side of the point where its tangents meet
             let at = q(s.0, s.1);
             let point = short.rational().value(&at).unwrap();
-            let chord = difference(&to, &from);
-            let side = |p: &[Rational]| determinant(&chord, &difference(p, &from)).signum();
+            let chord = &to - &from;
+            let side = |p: &Point<Rational>| determinant(&chord, &(p - &from)).signum();
             if let Some(apex) = short.rational().points().swap_remove(1) {
                 prop_assert_eq!(side(&point), side(&apex));
             }
             let around = if short.turn[1].is_negative() { short.complement() } else { short };
             let tangent = around.rational().derivatives(&at, 1).unwrap();
-            prop_assert!(determinant(&difference(&tangent[0], &centre), &tangent[1]).is_positive());
+            prop_assert!(determinant(&(tangent[0].clone() - &centre.position()), &tangent[1]).is_positive());
         }
 
         #[test]
         fn full_circles(m in (-5i64..6, -5i64..6), arm in (-5i64..6, 1i64..6), s in 0i64..9) {
-            let centre = vec![z(m.0), z(m.1)];
+            let centre = Point::from([z(m.0), z(m.1)]);
             let start = vec![z(m.0 + arm.0), z(m.1 + arm.1)];
             let squared = z(arm.0 * arm.0 + arm.1 * arm.1);
             let quintic = circle_quintic(&centre, &start).unwrap();
@@ -353,7 +355,7 @@ mod tests {
             prop_assert_eq!(thirds[2].standard_form().unwrap().weights(), [z(1), q(7, 25), z(1)]);
             // the quintic at s is in the quarter that holds the angle, here checked by its tangent
             let jet = quintic.derivatives(&q(s, 8), 1).unwrap();
-            prop_assert!(determinant(&difference(&jet[0], &centre), &jet[1]).is_positive());
+            prop_assert!(determinant(&(jet[0].clone() - &centre.position()), &jet[1]).is_positive());
             prop_assert_eq!(quintic.value(&q(1, 2)).unwrap(), quarters[1].value(&z(2)).unwrap());
         }
     }
@@ -383,7 +385,7 @@ mod tests {
 
     #[test]
     fn a_half_circle_and_bad_input() {
-        let p = |x, y| vec![z(x), z(y)];
+        let p = |x, y| Point::from([z(x), z(y)]);
         let half = CircleArc::new(p(0, 0), p(1, 0), p(-1, 0)).unwrap();
         assert_eq!(half.rational().points()[1], None);
         assert_eq!(half.rational().value(&q(1, 2)), Ok(p(0, 1)));
@@ -393,7 +395,7 @@ mod tests {
         assert!(matches!(new(p(0, 0), p(1, 0), p(2, 0)), CurveError::Impossible { .. }));
         assert_eq!(new(p(0, 0), p(0, 0), p(0, 0)), CurveError::Degenerate);
         assert_eq!(
-            new(p(0, 0), p(1, 0), vec![z(1)]),
+            new(p(0, 0), p(1, 0), [z(1)].into()),
             CurveError::Dimensions { index: 2, found: 1, expected: 2 }
         );
         assert_eq!(circle_quintic(&p(1, 1), &p(1, 1)), Err(CurveError::Degenerate));
@@ -405,13 +407,13 @@ mod tests {
         let name = |s: &str| Fraction::from(MultiPoly::symbol(Symbol::new(s)));
         let zero = Fraction::from(z(0));
         let r = name("r");
-        let centre = vec![name("x"), name("y")];
+        let centre = Point::from([name("x"), name("y")]);
         let from = vec![name("x") + r.clone(), name("y")];
         let to = vec![name("x"), name("y") + r.clone()];
         let arc = CircleArc::new(centre.clone(), from, to).unwrap();
         assert_eq!(arc.squared_weight(), Fraction::from(q(1, 2)));
         let point = arc.rational().value(&name("t")).unwrap();
-        let v = difference(&point, &centre);
+        let v = &point - &centre;
         assert_eq!(v[0].clone() * v[0].clone() + v[1].clone() * v[1].clone() - r.clone() * r, zero);
     }
 }

@@ -50,8 +50,11 @@ pub enum ConicKind {
 /// assert_eq!(conic_kind(&arc)?, Some(ConicKind::Ellipse));
 /// # Ok::<(), polarform::curve::CurveError>(())
 /// ```
-pub fn conic_arc<C: Field>(points: [Point<C>; 3], weight: C) -> Result<RationalCurve<C>, CurveError> {
-    RationalCurve::new(points.to_vec(), vec![C::one(), weight, C::one()], Interval::unit())
+pub fn conic_arc<C: Field>(
+    points: [impl Into<Point<C>>; 3],
+    weight: C,
+) -> Result<RationalCurve<C>, CurveError> {
+    RationalCurve::new(points.into(), vec![C::one(), weight, C::one()], Interval::unit())
 }
 
 /// The conic over [0, 1] from p_0 to p_2 with tangents towards p_1 that passes through q at 1/2.
@@ -62,7 +65,10 @@ pub fn conic_arc<C: Field>(points: [Point<C>; 3], weight: C) -> Result<RationalC
 /// # Errors
 /// [`CurveError::Degenerate`] for three points on a line, [`CurveError::ZeroWeight`] for q on a side
 /// of their triangle, [`CurveError::DimensionsOf`] unless in the plane.
-pub fn conic_through<C: Field>(points: [Point<C>; 3], q: &[C]) -> Result<RationalCurve<C>, CurveError> {
+pub fn conic_through<C: Field>(
+    points: [impl Into<Point<C>>; 3],
+    q: &[C],
+) -> Result<RationalCurve<C>, CurveError> {
     let triangle = Triangle::new(points)?;
     let [first, middle, last] = triangle.barycentric(q)?;
     let weights = vec![first.plus(&first), middle, last.plus(&last)];
@@ -163,7 +169,7 @@ impl<C: Field> ImplicitConic<C> {
         let inverse = determinant(&rows[0], &rows[1]).inverse()?;
         let x = determinant(&[right[0].clone(), rows[0][1].clone()], &[right[1].clone(), rows[1][1].clone()]);
         let y = determinant(&[rows[0][0].clone(), right[0].clone()], &[rows[1][0].clone(), right[1].clone()]);
-        Some(vec![x.times(&inverse), y.times(&inverse)])
+        Some([x.times(&inverse), y.times(&inverse)].into())
     }
 }
 
@@ -222,10 +228,10 @@ mod tests {
             let points = [c[0..2].to_vec(), c[2..4].to_vec(), c[4..6].to_vec()];
             match conic_through(points.clone(), &c[6..]) {
                 Ok(curve) => {
-                    prop_assert_eq!(curve.value(&q(1, 2)), Ok(c[6..].to_vec()));
+                    prop_assert_eq!(curve.value(&q(1, 2)), Ok(c[6..].into()));
                     prop_assert_eq!(&curve.value(&z(0)).unwrap(), &points[0]);
                     let tangent = curve.derivatives(&z(1), 1).unwrap()[1].clone();
-                    let edge = crate::math::curve::difference(&points[2], &points[1]);
+                    let edge: Vec<_> = (0..2).map(|k| &points[2][k] - &points[1][k]).collect();
                     prop_assert_eq!(determinant(&tangent, &edge), z(0));
                 }
                 Err(error) => {

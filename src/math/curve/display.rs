@@ -23,7 +23,7 @@ pub(crate) fn list<T>(
 
 /// A number for a point of the line, else its coordinates in parentheses.
 pub(crate) fn points<C: Display>(f: &mut Formatter<'_>, points: &[Point<C>]) -> Result {
-    list(f, points, |f, point| match point.as_slice() {
+    list(f, points, |f, point| match &point[..] {
         [x] => Display::fmt(x, f),
         coordinates => {
             let shown: Vec<String> = coordinates.iter().map(C::to_string).collect();
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn as_the_language_writes_them() {
-        let plane = |p: &[[i64; 2]]| p.iter().map(|p| p.map(z).to_vec()).collect::<Vec<Point<Rational>>>();
+        let plane = |p: &[[i64; 2]]| p.iter().map(|p| p.map(z).into()).collect::<Vec<Point<Rational>>>();
         let curve = BezierCurve::new(plane(&[[0, 0], [1, 2]]), Interval::unit()).unwrap();
         assert_eq!(curve.to_string(), "bezier([(0, 0), (1, 2)])");
         let line =

@@ -9,8 +9,8 @@
 //!
 //! Reference: G. Farin, *Curves and Surfaces for CAGD*, 5th ed. (2002), sections 3.2 and 17.1.
 
-use super::{CurveError, Point, difference, dimension};
-use crate::math::blossom::Argument;
+use super::{CurveError, Point, dimension};
+use crate::math::blossom::{Argument, PointArgument};
 use crate::math::number::Rational;
 use crate::math::piecewise::compare;
 use crate::math::ring::{Field, Ring};
@@ -147,10 +147,11 @@ impl<C: Field> Triangle<C> {
     /// # Errors
     /// [`CurveError::Degenerate`] if they lie on a line, [`CurveError::Dimensions`], and
     /// [`CurveError::DimensionsOf`] unless the dimension is 2.
-    pub fn new(corners: [Point<C>; 3]) -> Result<Self, CurveError> {
+    pub fn new(corners: [impl Into<Point<C>>; 3]) -> Result<Self, CurveError> {
+        let corners = corners.map(Into::into);
         plane(dimension(&corners)?)?;
         let [a, b, c] = &corners;
-        let determinant = determinant(&difference(b, a), &difference(c, a));
+        let determinant = determinant(&(b - a), &(c - a));
         let inverse = determinant.inverse().ok_or(CurveError::Degenerate)?;
         Ok(Triangle { corners, determinant, inverse })
     }
@@ -159,7 +160,7 @@ impl<C: Field> Triangle<C> {
     pub fn unit() -> Self {
         let (zero, one) = (C::zero, C::one);
         Triangle {
-            corners: [vec![zero(), zero()], vec![one(), zero()], vec![zero(), one()]],
+            corners: [[zero(), zero()], [one(), zero()], [zero(), one()]].map(Point::from),
             determinant: one(),
             inverse: one(),
         }
@@ -182,15 +183,15 @@ impl<C: Field> Triangle<C> {
     /// [`CurveError::DimensionsOf`] unless p has 2 coordinates.
     pub fn barycentric(&self, p: &[C]) -> Result<[C; 3], CurveError> {
         plane(p.len())?;
-        let [zeroth, first, second] = self.directed(&difference(p, &self.corners[0]));
+        let [zeroth, first, second] = self.directed(&(Point::from(p) - &self.corners[0]));
         Ok([C::one() + zeroth, first, second])
     }
 
     /// The coordinates of a vector, with sum 0.
     fn directed(&self, v: &[C]) -> [C; 3] {
         let [a, b, c] = &self.corners;
-        let first = determinant(v, &difference(c, a)).times(&self.inverse);
-        let second = determinant(&difference(b, a), v).times(&self.inverse);
+        let first = determinant(v, &(c - a)).times(&self.inverse);
+        let second = determinant(&(b - a), v).times(&self.inverse);
         [-first.plus(&second), first, second]
     }
 
@@ -198,7 +199,7 @@ impl<C: Field> Triangle<C> {
     ///
     /// # Errors
     /// [`CurveError::DimensionsOf`] unless it has 2 coordinates.
-    pub fn coordinates(&self, argument: &Argument<Point<C>>) -> Result<[C; 3], CurveError> {
+    pub fn coordinates(&self, argument: &PointArgument<C>) -> Result<[C; 3], CurveError> {
         match argument {
             Argument::Point(p) => self.barycentric(p),
             Argument::Vector(v) => {
@@ -219,7 +220,7 @@ impl<C: Field> Triangle<C> {
 
     /// λ_0 a + λ_1 b + λ_2 c
     pub fn point(&self, barycentric: &[C; 3]) -> Point<C> {
-        super::combination(2, barycentric.iter().zip(&self.corners))
+        super::combination(2, barycentric.iter().zip(&self.corners)).from_origin()
     }
 }
 
@@ -242,7 +243,7 @@ mod tests {
     proptest! {
         #[test]
         fn agrees_with_the_general_solver(c in prop::collection::vec((-6i64..7).prop_map(z), 8)) {
-            let corners = [c[0..2].to_vec(), c[2..4].to_vec(), c[4..6].to_vec()];
+            let corners = [&c[0..2], &c[2..4], &c[4..6]].map(Point::from);
             let p = c[6..8].to_vec();
             match Triangle::new(corners.clone()) {
                 Ok(triangle) => {

@@ -130,7 +130,7 @@ impl<C: Field> TrianglePatch<C> {
         same_degree(self.degree(), next.degree())?;
         let (_, order) = common_edge(self.triangle(), next.triangle()).ok_or(CurveError::NoCommonEdge)?;
         let second = next.permuted(order).ok_or(CurveError::NoCommonEdge)?;
-        let frame = second.triangle().corners().clone().map(Argument::Point);
+        let frame = second.triangle().corners().clone().map(|corner| Argument::Point(corner.into()));
         let required = self.polar_values(&frame)?;
         let sides = required.into_iter().zip(second.points());
         let mut equations: Vec<EdgeEquation<C>> = indices(self.degree())
@@ -153,7 +153,7 @@ impl<C: Field> TrianglePatch<C> {
 mod tests {
     use super::*;
     use crate::math::curve::domain::Interval;
-    use crate::math::curve::{patch, triangle};
+    use crate::math::curve::{Vector, patch, triangle};
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
     use proptest::prelude::*;
@@ -225,7 +225,7 @@ mod tests {
             let expected = if moved <= patch.degree() { moved.checked_sub(1) } else { Some(3) };
             prop_assert_eq!(found, expected);
             // by derivatives across the edge, at points of it
-            let across = vec![z(1), z(2)];
+            let across = Vector::from([z(1), z(2)]);
             for r in 0..expected.map_or(0, |order| order + 1) {
                 let directions = vec![across.clone(); r];
                 let at = crate::math::curve::lerp(&corners[1], &corners[2], &q(1, 3));
@@ -248,7 +248,8 @@ mod tests {
             TensorPatch::new(net("q"), Interval::new(b.clone(), e.clone()).unwrap(), unit()).unwrap();
         let equations = first.join_conditions(&second, Direction::U, 1).unwrap();
         assert_eq!(equations.len(), 6);
-        assert_eq!((&equations[1].required, &equations[1].found), (&vec![name("p21")], &vec![name("q01")]));
+        assert_eq!(equations[1].required, [name("p21")]);
+        assert_eq!(equations[1].found, [name("q01")]);
         // q_11 = p_21 + (e − b)/(b − a) (p_21 − p_11)
         let ratio = (e - b.clone()) / (b - a);
         let expected = name("p21") + ratio * (name("p21") - name("p11"));

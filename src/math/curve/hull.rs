@@ -24,19 +24,19 @@ fn turn(p: &[Rational], q: &[Rational], r: &[Rational]) -> Rational {
 /// [`CurveError::DimensionsOf`] unless they have two coordinates.
 ///
 /// ```
-/// use polarform::curve::convex_hull;
+/// use polarform::curve::{Point, convex_hull};
 /// use polarform::number::integer as z;
-/// let points = [(0, 0), (1, 1), (2, 0), (1, 3)].map(|(x, y)| vec![z(x), z(y)]);
-/// assert_eq!(convex_hull(&points)?, [(0, 0), (2, 0), (1, 3)].map(|(x, y)| vec![z(x), z(y)]));
-/// # Ok::<(), polarform::curve::CurveError>(())
+/// let points = [[0, 0], [1, 1], [2, 0], [1, 3]].map(|p| Point::from(p.map(z)));
+/// assert_eq!(convex_hull(&points)?, [[0, 0], [2, 0], [1, 3]].map(|p| p.map(z)));
 /// ```
+/// # Ok::<(), polarform::curve::CurveError>(())
 pub fn convex_hull(points: &[Point<Rational>]) -> Result<Vec<Point<Rational>>, CurveError> {
     let size = dimension(points)?;
     if size != 2 {
         return Err(CurveError::DimensionsOf { left: size, right: 2 });
     }
     let mut sorted = points.to_vec();
-    sorted.sort();
+    sorted.sort_by(|p, q| p.cmp(q));
     sorted.dedup();
     if sorted.len() < 3 {
         return Ok(sorted);
@@ -89,7 +89,7 @@ mod tests {
         fn the_hull_holds_the_points_and_the_curve(
             raw in prop::collection::vec((-5i64..6, -5i64..6), 1..9), k in 0i64..=16
         ) {
-            let points: Vec<Point<Rational>> = raw.iter().map(|&(x, y)| vec![z(x), z(y)]).collect();
+            let points: Vec<Point<Rational>> = raw.iter().map(|&(x, y)| [z(x), z(y)].into()).collect();
             let hull = convex_hull(&points).unwrap();
             prop_assert!(points.iter().all(|p| in_convex_polygon(&hull, p)));
             prop_assert!(hull.iter().all(|p| points.contains(p)));
@@ -102,10 +102,10 @@ mod tests {
 
     #[test]
     fn degenerate_hulls() {
-        let p = vec![z(1), z(2)];
+        let p = Point::from([z(1), z(2)]);
         assert_eq!(convex_hull(&[p.clone(), p.clone()]), Ok(vec![p]));
-        let line: Vec<Point<Rational>> = (0..5).map(|k| vec![z(k), z(2 * k)]).collect();
-        assert_eq!(convex_hull(&line), Ok(vec![vec![z(0), z(0)], vec![z(4), z(8)]]));
-        assert!(convex_hull(&[vec![z(1)]]).is_err());
+        let line: Vec<Point<Rational>> = (0..5).map(|k| [z(k), z(2 * k)].into()).collect();
+        assert_eq!(convex_hull(&line), Ok(vec![line[0].clone(), line[4].clone()]));
+        assert!(convex_hull(&[[z(1)].into()]).is_err());
     }
 }

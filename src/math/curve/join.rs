@@ -13,7 +13,7 @@
 
 use num_traits::Signed;
 
-use super::{BezierCurve, CurveError, Point, difference, scaled};
+use super::{BezierCurve, CurveError, Point, PolarValue, Vector};
 use crate::math::blossom::Argument;
 use crate::math::number::Rational;
 use crate::math::ring::Field;
@@ -81,7 +81,7 @@ pub fn joining_conditions<C: Field>(
             let label: Vec<C> =
                 std::iter::repeat_n(at, n - j).chain(std::iter::repeat_n(end, j)).cloned().collect();
             let arguments: Vec<Argument<C>> = label.iter().cloned().map(Argument::Point).collect();
-            let required = left.blossom(&arguments)?;
+            let required = left.blossom(&arguments)?.into_point();
             Ok(JoiningCondition { order: j, label, required, found: right.points()[j].clone() })
         })
         .collect()
@@ -96,7 +96,7 @@ pub struct Continuity<C> {
     /// Whether the two are the same polynomial, hence C^∞.
     pub same: bool,
     /// The first condition that fails: the order, and f(t^{n−j}, 1̂^j) for both.
-    pub failure: Option<(usize, Point<C>, Point<C>)>,
+    pub failure: Option<(usize, PolarValue<C>, PolarValue<C>)>,
 }
 
 /// Up to which order two polynomial curves agree at t, by hats: f(t^{n−j}, 1̂^j) for j = 0, 1, ….
@@ -157,10 +157,10 @@ pub enum GeometricFailure {
 }
 
 /// The s with q = s p, if there is one (p ≠ 0).
-fn ratio(p: &[Rational], q: &[Rational]) -> Option<Rational> {
+fn ratio(p: &Vector<Rational>, q: &Vector<Rational>) -> Option<Rational> {
     let k = p.iter().position(|x| !num_traits::Zero::is_zero(x))?;
     let s = &q[k] / &p[k];
-    (scaled(p, &s) == q).then_some(s)
+    (p * &s == *q).then_some(s)
 }
 
 /// How smoothly two curves meet geometrically, up to G^2, where the first interval ends.
@@ -175,15 +175,16 @@ pub fn geometric_continuity(
         return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
     }
     let (s, t) = (left.interval().end(), right.interval().start());
-    let jet = |curve: &BezierCurve<Rational>, at: &Rational| [0, 1, 2].map(|k| curve.derivative(k).value(at));
+    let jet = |curve: &BezierCurve<Rational>, at: &Rational| {
+        [0, 1, 2].map(|k| curve.derivative(k).value(at).position())
+    };
     let (f, g) = (jet(left, s), jet(right, t));
     let report =
         |order, beta1, failure| GeometricContinuity { order, beta1, beta2: None, failure: Some(failure) };
     if f[0] != g[0] {
         return Ok(report(None, None, GeometricFailure::PointsDiffer));
     }
-    let zero = |v: &Point<Rational>| v.iter().all(num_traits::Zero::is_zero);
-    if zero(&f[1]) || zero(&g[1]) {
+    if f[1].is_zero() || g[1].is_zero() {
         return Ok(report(Some(0), None, GeometricFailure::NotRegular));
     }
     let Some(beta1) = ratio(&f[1], &g[1]) else {
@@ -192,7 +193,7 @@ pub fn geometric_continuity(
     if beta1.is_negative() {
         return Ok(report(Some(0), None, GeometricFailure::Opposite));
     }
-    let rest = difference(&g[2], &scaled(&f[2], &(&beta1 * &beta1)));
+    let rest = &g[2] - &(&f[2] * &(&beta1 * &beta1));
     Ok(match ratio(&f[1], &rest) {
         Some(beta2) => {
             GeometricContinuity { order: Some(2), beta1: Some(beta1), beta2: Some(beta2), failure: None }

@@ -20,6 +20,7 @@ mod hull;
 mod join;
 mod patch;
 mod patch_conversion;
+mod point;
 mod polygon;
 mod projective;
 mod rational;
@@ -30,8 +31,6 @@ mod traits;
 mod triangle;
 
 use std::fmt;
-
-use crate::math::ring::Ring;
 
 pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
 pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
@@ -45,19 +44,13 @@ pub use join::{
 };
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
+pub use point::{Point, PolarValue, Vector, combination, lerp};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
-
-/// A point: its coordinates.
-pub type Point<C> = Vec<C>;
-
-/// A vector, the difference of two points: its coordinates. It is no type of its own, because the
-/// derivative of a curve is a curve again, whose points are vectors.
-pub type Vector<C> = Vec<C>;
 
 /// Why a curve or surface cannot be made or changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -217,38 +210,4 @@ pub fn dimension<C>(points: &[Point<C>]) -> Result<usize, CurveError> {
         }
         None => Ok(first.len()),
     }
-}
-
-/// (1 − s) p + s q
-pub fn lerp<C: Ring>(p: &[C], q: &[C], s: &C) -> Point<C> {
-    p.iter().zip(q).map(|(x, y)| x.plus(&s.times(&y.minus(x)))).collect()
-}
-
-/// p − q
-pub fn difference<C: Ring>(p: &[C], q: &[C]) -> Vector<C> {
-    p.iter().zip(q).map(|(x, y)| x.minus(y)).collect()
-}
-
-/// p + q
-pub fn sum<C: Ring>(p: &[C], q: &[C]) -> Point<C> {
-    p.iter().zip(q).map(|(x, y)| x.plus(y)).collect()
-}
-
-/// s p
-pub fn scaled<C: Ring>(p: &[C], s: &C) -> Point<C> {
-    p.iter().map(|x| s.times(x)).collect()
-}
-
-/// Σ w_i p_i; the empty sum has `dimension` zeros.
-pub fn combination<'a, C: Ring>(
-    dimension: usize,
-    terms: impl IntoIterator<Item = (&'a C, &'a Point<C>)>,
-) -> Point<C> {
-    let mut total = vec![C::zero(); dimension];
-    for (weight, point) in terms {
-        for (x, y) in total.iter_mut().zip(point) {
-            *x += weight.times(y);
-        }
-    }
-    total
 }

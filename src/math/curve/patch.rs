@@ -15,7 +15,7 @@
 
 use super::domain::Interval;
 use super::polygon::{self, falling};
-use super::{BezierCurve, CurveError, Point, Vector, scaled};
+use super::{BezierCurve, CurveError, Point, PolarValue, Vector};
 use crate::budget;
 use crate::math::blossom::{Argument, TensorPolarForm};
 use crate::math::number::{Rational, binomial_row};
@@ -97,7 +97,13 @@ impl<C: Field> TensorPatch<C> {
     /// # Errors
     /// [`CurveError::TooFewPoints`], [`CurveError::RaggedNet`], [`CurveError::Dimensions`] with
     /// the place counted along the rows.
-    pub fn new(net: Net<C>, u: Interval<C>, v: Interval<C>) -> Result<Self, CurveError> {
+    pub fn new(
+        net: Vec<Vec<impl Into<Point<C>>>>,
+        u: Interval<C>,
+        v: Interval<C>,
+    ) -> Result<Self, CurveError> {
+        let row = |row: Vec<_>| row.into_iter().map(Into::into).collect();
+        let net: Net<C> = net.into_iter().map(row).collect();
         let expected = net.first().map_or(0, Vec::len);
         if expected == 0 {
             return Err(CurveError::TooFewPoints { needed: 1, given: 0 });
@@ -149,7 +155,7 @@ impl<C: Field> TensorPatch<C> {
     ///
     /// # Errors
     /// [`CurveError::Arguments`] for a wrong number in either group.
-    pub fn blossom(&self, u: &[Argument<C>], v: &[Argument<C>]) -> Result<Point<C>, CurveError> {
+    pub fn blossom(&self, u: &[Argument<C>], v: &[Argument<C>]) -> Result<PolarValue<C>, CurveError> {
         let (m, n) = self.degrees();
         for (expected, given) in [(m, u.len()), (n, v.len())] {
             if expected != given {
@@ -159,7 +165,7 @@ impl<C: Field> TensorPatch<C> {
         let along_v: Vec<[C; 2]> = v.iter().map(|argument| self.v.coordinates(argument)).collect();
         let along_u: Vec<[C; 2]> = u.iter().map(|argument| self.u.coordinates(argument)).collect();
         let column: Vec<Point<C>> = self.net.iter().map(|row| polygon::blossom(row, &along_v)).collect();
-        Ok(polygon::blossom(&column, &along_u))
+        Ok(PolarValue::of(polygon::blossom(&column, &along_u), &[u, v].concat()))
     }
 
     /// The surface point at (u, v), inside of the rectangle or outside.
@@ -271,7 +277,7 @@ impl<C: Field> TensorPatch<C> {
     pub fn derivative_at(&self, r: usize, s: usize, u: &C, v: &C) -> Vector<C> {
         let (m, n) = self.degrees();
         if r > m || s > n {
-            return vec![C::zero(); self.dimension()];
+            return Vector::zero(self.dimension());
         }
         let arguments = |interval: &Interval<C>, t: &C, degree: usize, order: usize| -> Vec<[C; 2]> {
             let mut list = vec![interval.point_coordinates(t); degree - order];
@@ -281,7 +287,7 @@ impl<C: Field> TensorPatch<C> {
         let (along_u, along_v) = (arguments(&self.u, u, m, r), arguments(&self.v, v, n, s));
         let column: Vec<Point<C>> = self.net.iter().map(|row| polygon::blossom(row, &along_v)).collect();
         let factor = C::from_rational(&(falling(m, r) * falling(n, s)));
-        scaled(&polygon::blossom(&column, &along_u), &factor)
+        polygon::blossom(&column, &along_u).position() * &factor
     }
 
     /// The control points of a boundary curve, in the direction of its parameter.
@@ -354,7 +360,7 @@ impl<C: Field> TensorPatch<C> {
         let weigh = |(row, a): (&Vec<Point<C>>, &crate::math::number::Int)| {
             row.iter()
                 .zip(&columns)
-                .map(|(point, b)| scaled(point, &C::from_rational(&Rational::from_integer(a * b))))
+                .map(|(point, b)| point.iter().map(|x| x.scaled(&Rational::from_integer(a * b))).collect())
                 .collect()
         };
         net.iter().zip(&rows).map(weigh).collect()
@@ -364,7 +370,11 @@ impl<C: Field> TensorPatch<C> {
     ///
     /// # Errors
     /// As for [`TensorPatch::new`].
-    pub fn from_power_coefficients(grid: Net<C>, u: Interval<C>, v: Interval<C>) -> Result<Self, CurveError> {
+    pub fn from_power_coefficients(
+        grid: Vec<Vec<impl Into<Point<C>>>>,
+        u: Interval<C>,
+        v: Interval<C>,
+    ) -> Result<Self, CurveError> {
         let patch = TensorPatch::new(grid, u, v)?;
         let nets: Vec<Vec<Vec<C>>> = (0..patch.dimension())
             .map(|k| bezier_net(&power_form(patch.coordinate(k)), &patch.u, &patch.v))
@@ -391,7 +401,7 @@ fn bezier_net<C: Field>(form: &TensorPolarForm<C>, u: &Interval<C>, v: &Interval
 fn bilinear<C: Ring>(net: &[Vec<Point<C>>], alpha: &[C; 2], beta: &[C; 2]) -> Net<C> {
     let square = |pair: &[Vec<Point<C>>], j: usize| {
         budget::step();
-        let mut total = vec![C::zero(); pair[0][j].len()];
+        let mut total = Point::from(vec![C::zero(); pair[0][j].len()]);
         for (k, a) in alpha.iter().enumerate() {
             for (l, b) in beta.iter().enumerate() {
                 let weight = a.times(b);
@@ -412,7 +422,7 @@ fn joined<C: Ring>(coordinates: &[Vec<Vec<C>>]) -> Net<C> {
 
 /// f − g for nets of equal size.
 pub(super) fn minus<C: Ring>(f: &[Vec<C>], g: &[Vec<C>]) -> Vec<Vec<C>> {
-    f.iter().zip(g).map(|(x, y)| super::difference(x, y)).collect()
+    polygon::zipped(f, g, C::minus)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@
 use super::domain::{Interval, Triangle};
 use super::patch::{Net, TensorPatch};
 use super::triangle::{TrianglePatch, place};
-use super::{CurveError, Point, polygon};
+use super::{CurveError, Point, Vector, polygon};
 use crate::math::blossom::TotalDegreePolarForm;
 use crate::math::ring::Field;
 
@@ -33,7 +33,7 @@ impl<C: Field> TensorPatch<C> {
     /// let patch = TensorPatch::new(net, Interval::unit(), Interval::unit())?;
     /// let triangle = patch.to_triangle(Triangle::unit())?;
     /// assert_eq!(triangle.degree(), 2);
-    /// assert_eq!(triangle.point([0, 1, 1]), Some(&vec![q(1, 2)]));
+    /// assert_eq!(triangle.point([0, 1, 1]).unwrap(), &[q(1, 2)]);
     /// # Ok::<(), CurveError>(())
     /// ```
     pub fn to_triangle(&self, triangle: Triangle<C>) -> Result<TrianglePatch<C>, CurveError> {
@@ -57,7 +57,8 @@ impl<C: Field> TrianglePatch<C> {
     /// Often [`TensorPatch::exact_degrees`] are lower and [`TensorPatch::reduce`] gets there.
     pub fn to_tensor(&self, u: Interval<C>, v: Interval<C>) -> TensorPatch<C> {
         let n = self.degree();
-        let mut grid: Net<C> = vec![vec![vec![C::zero(); self.dimension()]; n + 1]; n + 1];
+        let zero = Vector::zero(self.dimension()).from_origin();
+        let mut grid: Net<C> = vec![vec![zero; n + 1]; n + 1];
         for ([r, s], point) in self.power_coefficients() {
             grid[r][s] = point;
         }
@@ -84,14 +85,15 @@ impl<C: Field> TrianglePatch<C> {
 mod tests {
     use super::*;
     use crate::math::blossom::Argument;
-    use crate::math::curve::{patch, scaled, triangle};
+    use crate::math::curve::{PolarValue, combination, patch, triangle};
     use crate::math::number::{Combinations, Rational, integer as z, rational as q};
     use proptest::prelude::*;
 
-    fn mean(values: Vec<Point<Rational>>) -> Point<Rational> {
-        let count = z(values.len() as i64);
-        let total = values.iter().skip(1).fold(values[0].clone(), |sum, p| super::super::sum(&sum, p));
-        scaled(&total, &(z(1) / count))
+    fn mean(values: Vec<PolarValue<Rational>>) -> PolarValue<Rational> {
+        let share = q(1, values.len() as i64);
+        let points: Vec<_> = values.into_iter().map(PolarValue::into_point).collect();
+        let total = combination(points[0].len(), points.iter().map(|point| (&share, point)));
+        PolarValue::Point(total.from_origin())
     }
 
     fn permutations(n: usize) -> Vec<Vec<usize>> {
@@ -116,7 +118,7 @@ mod tests {
             let triangle = patch.to_triangle(over.clone()).unwrap();
             prop_assert_eq!(triangle.value(&p[..2]).unwrap(), patch.value(&p[0], &p[1]));
             // polar values as means over subsets
-            let points: Vec<Point<Rational>> = p.chunks(2).take(m + n).map(<[_]>::to_vec).collect();
+            let points: Vec<Vec<Rational>> = p.chunks(2).take(m + n).map(<[_]>::to_vec).collect();
             let at = |k: usize, list: &[usize]| -> Vec<Argument<Rational>> {
                 list.iter().map(|&i| Argument::Point(points[i][k].clone())).collect()
             };

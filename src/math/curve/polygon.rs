@@ -6,7 +6,7 @@
 //!
 //! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989), sections 5 and 6.
 
-use super::{CurveError, Point, difference};
+use super::{CurveError, Point};
 use crate::budget;
 use crate::math::number::{Int, Rational, binomial_row};
 use crate::math::ring::Ring;
@@ -91,7 +91,7 @@ pub(super) fn split<C: Ring>(points: &[Point<C>], u: &[C; 2]) -> (Vec<Point<C>>,
 pub(super) fn derivative<C: Ring>(points: &[Point<C>], k: usize, inverse_width: &C) -> Vec<Point<C>> {
     let n = points.len() - 1;
     if k > n {
-        return vec![vec![C::zero(); points[0].len()]];
+        return vec![vec![C::zero(); points[0].len()].into()];
     }
     let unit = [-inverse_width.clone(), inverse_width.clone()];
     let mut level = points.to_vec();
@@ -137,7 +137,7 @@ pub(super) fn exact_degree<C: Ring>(points: &[Point<C>]) -> usize {
     let mut exact = 0;
     for k in 1..points.len() {
         budget::steps(level.len() as u32);
-        level = level.windows(2).map(|pair| difference(&pair[1], &pair[0])).collect();
+        level = level.windows(2).map(|pair| (&pair[1] - &pair[0]).from_origin()).collect();
         if level[0].iter().any(|x| !x.is_zero()) {
             exact = k;
         }
@@ -197,6 +197,12 @@ pub(super) fn product<C: Ring>(f: &[Vec<C>], g: &[Vec<C>]) -> Vec<Vec<C>> {
     weighed(&h, Weigh::Without)
 }
 
+/// Coefficient by coefficient, for nets of equal size.
+pub(super) fn zipped<C>(f: &[Vec<C>], g: &[Vec<C>], rule: impl Fn(&C, &C) -> C) -> Vec<Vec<C>> {
+    let row = |(x, y): (&Vec<C>, &Vec<C>)| x.iter().zip(y).map(|(x, y)| rule(x, y)).collect();
+    f.iter().zip(g).map(row).collect()
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Weigh {
     With,
@@ -233,7 +239,8 @@ mod tests {
     }
 
     fn line() -> impl Strategy<Value = Vec<Point<Rational>>> {
-        prop::collection::vec(prop::collection::vec((-9i64..10).prop_map(z), 2), 1..6)
+        let point = prop::collection::vec((-9i64..10).prop_map(z), 2).prop_map(Point::from);
+        prop::collection::vec(point, 1..6)
     }
 
     proptest! {
@@ -241,7 +248,7 @@ mod tests {
         fn ways_agree(points in line(), s in (-5i64..6, 1i64..4), by in 0usize..3) {
             let s = q(s.0, s.1);
             let direct: Point<Rational> = super::super::combination(
-                2, bernstein_all(points.len() - 1, &s).iter().zip(&points));
+                2, bernstein_all(points.len() - 1, &s).iter().zip(&points)).from_origin();
             prop_assert_eq!(value(&points, &at(s.clone())), direct.clone());
             let higher = elevated(&points, by);
             prop_assert_eq!(value(&higher, &at(s.clone())), direct);
@@ -267,7 +274,7 @@ mod tests {
 
     #[test]
     fn differences() {
-        let points = [vec![z(0)], vec![z(0)], vec![z(1)]]; // s²
+        let points = [[z(0)], [z(0)], [z(1)]].map(Point::from); // s²
         assert_eq!(derivative(&points, 1, &z(1)), [[z(0)], [z(2)]]);
         assert_eq!(derivative(&points, 2, &q(1, 2)), [[q(1, 2)]]); // over an interval of width 2
         assert_eq!(derivative(&points, 3, &z(1)), [[z(0)]]);

@@ -4,7 +4,7 @@
 //! infinity, a direction. A rational curve is the image of a polynomial one under the projection
 //! (x, w) ↦ x / w.
 
-use super::{CurveError, Point, difference, scaled};
+use super::{CurveError, Point, Vector};
 use crate::math::number::{Rational, binomial};
 use crate::math::ring::Field;
 
@@ -37,7 +37,8 @@ pub(super) fn parted<C>(vector: &[C]) -> (&[C], &C) {
 /// [`CurveError::ZeroDenominator`] if w = 0.
 pub(super) fn projected<C: Field>(vector: &[C]) -> Result<Point<C>, CurveError> {
     let (x, weight) = parted(vector);
-    Ok(scaled(x, &weight.inverse().ok_or(CurveError::ZeroDenominator)?))
+    let inverse = weight.inverse().ok_or(CurveError::ZeroDenominator)?;
+    Ok(x.iter().map(|x| inverse.times(x)).collect())
 }
 
 /// Whether a homogeneous object has the weight that it needs.
@@ -45,7 +46,7 @@ pub(super) fn check_weight(dimension: usize) -> Result<(), CurveError> {
     if dimension > 0 { Ok(()) } else { Err(CurveError::DimensionsOf { left: 0, right: 1 }) }
 }
 
-/// The derivatives of x/w from those of (x, w): entry (r, s) belongs to ∂^{r+s}/∂u^r ∂v^s, and
+/// The derivatives of x/w from those of (x, w), the position vector first: entry (r, s) belongs to ∂^{r+s}/∂u^r ∂v^s, and
 /// each row is at least as long as the next. From Leibniz' rule for x = w p,
 /// w p^{(r,s)} = x^{(r,s)} − Σ_{(i,j) ≠ 0} C(r,i) C(s,j) w^{(i,j)} p^{(r−i,s−j)}.
 ///
@@ -54,14 +55,14 @@ pub(super) fn check_weight(dimension: usize) -> Result<(), CurveError> {
 /// # Errors
 /// [`CurveError::ZeroDenominator`].
 pub(super) fn quotient_derivatives<C: Field>(
-    homogeneous: &[Vec<Point<C>>],
-) -> Result<Vec<Vec<Point<C>>>, CurveError> {
+    homogeneous: &[Vec<Vector<C>>],
+) -> Result<Vec<Vec<Vector<C>>>, CurveError> {
     let inverse = parted(&homogeneous[0][0]).1.inverse().ok_or(CurveError::ZeroDenominator)?;
-    let mut result: Vec<Vec<Point<C>>> = Vec::with_capacity(homogeneous.len());
+    let mut result: Vec<Vec<Vector<C>>> = Vec::with_capacity(homogeneous.len());
     for (r, row) in homogeneous.iter().enumerate() {
         result.push(Vec::with_capacity(row.len()));
         for (s, vector) in row.iter().enumerate() {
-            let mut total = parted(vector).0.to_vec();
+            let mut total = Vector::from(parted(vector).0);
             for i in 0..=r {
                 for j in 0..=s {
                     if (i, j) == (0, 0) {
@@ -70,10 +71,10 @@ pub(super) fn quotient_derivatives<C: Field>(
                     crate::budget::step();
                     let count = Rational::from_integer(binomial(r, i) * binomial(s, j));
                     let weight = parted(&homogeneous[i][j]).1.scaled(&count);
-                    total = difference(&total, &scaled(&result[r - i][s - j], &weight));
+                    total = total - &result[r - i][s - j] * &weight;
                 }
             }
-            result[r].push(scaled(&total, &inverse));
+            result[r].push(total * &inverse);
         }
     }
     Ok(result)

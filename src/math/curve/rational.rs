@@ -11,7 +11,7 @@
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), chapter 4.
 
 use super::projective::{check_weight, lifted, parted, projected, quotient_derivatives};
-use super::{BezierCurve, CurveError, Interval, Point, dimension, polygon, scaled, sum};
+use super::{BezierCurve, CurveError, Interval, Point, Vector, dimension, polygon};
 use crate::math::blossom::Argument;
 use crate::math::number::exact_root;
 use crate::math::ring::Field;
@@ -37,7 +37,12 @@ impl<C: Field> RationalCurve<C> {
     ///
     /// # Errors
     /// [`CurveError::WeightCount`], [`CurveError::ZeroWeight`], and those of [`BezierCurve::new`].
-    pub fn new(points: Vec<Point<C>>, weights: Vec<C>, interval: Interval<C>) -> Result<Self, CurveError> {
+    pub fn new(
+        points: Vec<impl Into<Point<C>>>,
+        weights: Vec<C>,
+        interval: Interval<C>,
+    ) -> Result<Self, CurveError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         dimension(&points)?;
         Ok(RationalCurve { homogeneous: BezierCurve::new(lifted(&points, &weights)?, interval)? })
     }
@@ -95,17 +100,17 @@ impl<C: Field> RationalCurve<C> {
     /// # Errors
     /// [`CurveError::Arguments`], [`CurveError::ZeroDenominator`].
     pub fn blossom(&self, arguments: &[Argument<C>]) -> Result<Point<C>, CurveError> {
-        projected(&self.homogeneous.blossom(arguments)?)
+        projected(self.homogeneous.blossom(arguments)?.coordinates())
     }
 
-    /// The value and the derivatives up to order k at t. Cost: k polar values, O(k²) products.
+    /// The position vector of the curve point and the derivatives up to order k at t. Cost: k polar values, O(k²) products.
     ///
     /// # Errors
     /// [`CurveError::ZeroDenominator`].
-    pub fn derivatives(&self, t: &C, k: usize) -> Result<Vec<Point<C>>, CurveError> {
+    pub fn derivatives(&self, t: &C, k: usize) -> Result<Vec<Vector<C>>, CurveError> {
         crate::budget::charge_terms(k as u64);
-        let homogeneous: Vec<Vec<Point<C>>> =
-            (0..=k).map(|r| vec![self.homogeneous.derivative(r).value(t)]).collect();
+        let homogeneous: Vec<Vec<Vector<C>>> =
+            (0..=k).map(|r| vec![self.homogeneous.derivative(r).value(t).position()]).collect();
         Ok(quotient_derivatives(&homogeneous)?.into_iter().flatten().collect())
     }
 
@@ -120,16 +125,15 @@ impl<C: Field> RationalCurve<C> {
         let numerator: Vec<Vec<C>> = (0..size)
             .map(|k| {
                 let (left, right) = (polygon::product(&x[size], &v[k]), polygon::product(&v[size], &x[k]));
-                super::difference(&left[0], &right[0])
+                left[0].iter().zip(&right[0]).map(|(x, y)| x.minus(y)).collect()
             })
             .collect();
         let weight = polygon::product(&x[size], &x[size]).swap_remove(0);
         let count = numerator.first().map_or(1, Vec::len);
         let low: Vec<Point<C>> =
             (0..count).map(|i| numerator.iter().map(|column| column[i].clone()).collect()).collect();
-        let mut points = polygon::elevated(&low, weight.len() - count);
-        points.iter_mut().zip(weight).for_each(|(point, w)| point.push(w));
-        self.with_points(points)
+        let points = polygon::elevated(&low, weight.len() - count).into_iter().zip(weight);
+        self.with_points(points.map(|(point, w)| point.into_iter().chain([w]).collect()).collect())
     }
 
     fn with_points(&self, points: Vec<Point<C>>) -> Self {
@@ -192,7 +196,7 @@ impl<C: Field> RationalCurve<C> {
         let mut power = C::one();
         let mut points = Vec::with_capacity(self.degree() + 1);
         for vector in self.homogeneous.points() {
-            points.push(scaled(vector, &power));
+            points.push((vector.position() * &power).from_origin());
             power = power.times(lambda);
         }
         Ok(self.with_points(points))
@@ -217,7 +221,8 @@ impl<C: Field> RationalCurve<C> {
             let what = "the parameter that makes the first and the last weight equal";
             C::from_rational(&root.ok_or(CurveError::Irrational { what })?)
         };
-        let unit = self.with_points(self.homogeneous.points().iter().map(|v| scaled(v, &first)).collect());
+        let divided = |v: &Point<C>| (v.position() * &first).from_origin();
+        let unit = self.with_points(self.homogeneous.points().iter().map(divided).collect());
         unit.reparameterized(&lambda)
     }
 
@@ -242,7 +247,8 @@ impl<C: Field> RationalCurve<C> {
     /// # Errors
     /// [`CurveError::ZeroDenominator`] if two neighbouring weights sum to 0.
     pub fn farin_points(&self) -> Result<Vec<Point<C>>, CurveError> {
-        self.homogeneous.points().windows(2).map(|pair| projected(&sum(&pair[0], &pair[1]))).collect()
+        let sum = |pair: &[Point<C>]| &pair[0] + &pair[1].position();
+        self.homogeneous.points().windows(2).map(|pair| projected(&sum(pair))).collect()
     }
 
     /// The curve with these control points and Farin points, one on each edge; w_0 = 1.
@@ -253,10 +259,11 @@ impl<C: Field> RationalCurve<C> {
     /// [`CurveError::Impossible`] for a Farin point off its edge or at one of its ends; and those
     /// of [`BezierCurve::new`].
     pub fn from_farin_points(
-        points: Vec<Point<C>>,
+        points: Vec<impl Into<Point<C>>>,
         farin: &[Point<C>],
         interval: Interval<C>,
     ) -> Result<Self, CurveError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         let size = dimension(&points)?;
         if farin.len() + 1 != points.len() {
             return Err(CurveError::WeightCount { weights: farin.len() + 1, points: points.len() });
@@ -267,7 +274,7 @@ impl<C: Field> RationalCurve<C> {
             if point.len() != size {
                 return Err(CurveError::DimensionsOf { left: size, right: point.len() });
             }
-            let edge = super::difference(&pair[1], &pair[0]);
+            let edge = &pair[1] - &pair[0];
             let k = edge.iter().position(|x| !x.is_zero()).ok_or(CurveError::Degenerate)?;
             // point = (1 − s) p_i + s p_{i+1} with s : (1 − s) = w_{i+1} : w_i
             let quotient = edge[k].inverse().ok_or(CurveError::Degenerate)?;
@@ -322,7 +329,7 @@ pub(super) mod tests {
                 prop_assert_eq!(value, Err(CurveError::ZeroDenominator));
                 return Ok(());
             }
-            let expected = scaled(&combination(2, terms.iter().zip(&points)), &(z(1) / denominator));
+            let expected = (combination(2, terms.iter().zip(&points)) * &(z(1) / denominator)).from_origin();
             prop_assert_eq!(value.as_ref(), Ok(&expected));
             prop_assert_eq!(&curve.elevate(by).value(&t), &value);
             prop_assert_eq!(&curve.elevate(by).reduce(by).unwrap(), &curve);
@@ -341,7 +348,7 @@ pub(super) mod tests {
             let mut derivative = curve.clone();
             for (k, expected) in list.iter().enumerate().take(3) {
                 prop_assert_eq!(derivative.degree(), curve.degree() << k);
-                prop_assert_eq!(&derivative.value(&t).unwrap(), expected);
+                prop_assert_eq!(&derivative.value(&t).unwrap().position(), expected);
                 derivative = derivative.derivative();
             }
             // and Leibniz' rule backwards: x''' = Σ C(3, i) w^(i) p^(3−i)
@@ -410,7 +417,7 @@ pub(super) mod tests {
         };
         assert_eq!(new(&[1]), CurveError::WeightCount { weights: 1, points: 2 });
         assert_eq!(new(&[1, 0]), CurveError::ZeroWeight { index: 1 });
-        let none = RationalCurve::<Rational>::new(vec![], vec![], Interval::unit());
+        let none = RationalCurve::<Rational>::new(Vec::<Point<_>>::new(), vec![], Interval::unit());
         assert_eq!(none, Err(CurveError::TooFewPoints { needed: 1, given: 0 }));
         let bare = BezierCurve::new(vec![vec![]], Interval::unit()).unwrap();
         assert!(RationalCurve::<Rational>::from_homogeneous(bare).is_err());
@@ -419,7 +426,7 @@ pub(super) mod tests {
         assert_eq!(line.farin_points(), Err(CurveError::ZeroDenominator));
         assert!(line.reparameterized(&z(0)).is_err());
         let farin =
-            |x: i64| RationalCurve::from_farin_points(points.clone(), &[vec![z(x)]], Interval::unit());
+            |x: i64| RationalCurve::from_farin_points(points.clone(), &[[z(x)].into()], Interval::unit());
         assert!(matches!(farin(1), Err(CurveError::Impossible { .. })));
         assert!(matches!(farin(0), Err(CurveError::Impossible { .. })));
     }

@@ -43,7 +43,7 @@ impl<C: Field> RationalPatch<C> {
     /// [`CurveError::ZeroWeight`] with the place counted along the rows, and those of
     /// [`TensorPatch::new`].
     pub fn new(
-        points: Net<C>,
+        points: Vec<Vec<impl Into<Point<C>>>>,
         weights: Vec<Vec<C>>,
         u: Interval<C>,
         v: Interval<C>,
@@ -111,12 +111,12 @@ impl<C: Field> RationalPatch<C> {
         projected(&self.homogeneous.value(u, v))
     }
 
-    /// All partial derivatives of order at most k at (u, v): entry (r, s), r + s ≤ k, belongs to
+    /// The position vector and all partial derivatives of order at most k at (u, v): entry (r, s), r + s ≤ k, belongs to
     /// ∂^{r+s}/∂u^r ∂v^s.
     ///
     /// # Errors
     /// [`CurveError::ZeroDenominator`].
-    pub fn derivatives(&self, u: &C, v: &C, k: usize) -> Result<Vec<Vec<Point<C>>>, CurveError> {
+    pub fn derivatives(&self, u: &C, v: &C, k: usize) -> Result<Vec<Vec<Vector<C>>>, CurveError> {
         quotient_derivatives(&triangular(k, |r, s| self.homogeneous.derivative_at(r, s, u, v)))
     }
 
@@ -127,7 +127,7 @@ impl<C: Field> RationalPatch<C> {
     pub fn normal_at(&self, u: &C, v: &C) -> Result<Vector<C>, CurveError> {
         three(self.dimension())?;
         let jet = self.derivatives(u, v, 1)?;
-        Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).to_vec())
+        Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).into())
     }
 
     /// The tangent planes as a polynomial: a patch of degree (3m − 1, 3n − 1) in dimension 4 whose
@@ -211,7 +211,12 @@ impl<C: Field> RationalTriangle<C> {
     ///
     /// # Errors
     /// [`CurveError::WeightCount`], [`CurveError::ZeroWeight`], and those of [`TrianglePatch::new`].
-    pub fn new(points: Vec<Point<C>>, weights: Vec<C>, triangle: Triangle<C>) -> Result<Self, CurveError> {
+    pub fn new(
+        points: Vec<impl Into<Point<C>>>,
+        weights: Vec<C>,
+        triangle: Triangle<C>,
+    ) -> Result<Self, CurveError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         super::dimension(&points)?;
         Ok(RationalTriangle { homogeneous: TrianglePatch::new(lifted(&points, &weights)?, triangle)? })
     }
@@ -259,16 +264,16 @@ impl<C: Field> RationalTriangle<C> {
         projected(&self.homogeneous.value(p)?)
     }
 
-    /// All partial derivatives of order at most k at p, with x, y the coordinates of the parameter
+    /// The position vector and all partial derivatives of order at most k at p, with x, y the coordinates of the parameter
     /// plane: entry (r, s), r + s ≤ k, belongs to ∂^{r+s}/∂x^r ∂y^s.
     ///
     /// # Errors
     /// As for [`RationalTriangle::value`].
-    pub fn derivatives(&self, p: &[C], k: usize) -> Result<Vec<Vec<Point<C>>>, CurveError> {
+    pub fn derivatives(&self, p: &[C], k: usize) -> Result<Vec<Vec<Vector<C>>>, CurveError> {
         self.homogeneous.value(p)?;
-        let derivative = |r, s| self.homogeneous.partial_derivative(r, s).value(p);
+        let derivative = |r, s| Ok(self.homogeneous.partial_derivative(r, s).value(p)?.position());
         let grid = triangular(k, derivative).into_iter().map(|row| row.into_iter().collect());
-        quotient_derivatives(&grid.collect::<Result<Net<C>, CurveError>>()?)
+        quotient_derivatives(&grid.collect::<Result<Vec<Vec<_>>, CurveError>>()?)
     }
 
     /// The normal ∂f/∂x × ∂f/∂y at p.
@@ -279,7 +284,7 @@ impl<C: Field> RationalTriangle<C> {
     pub fn normal_at(&self, p: &[C]) -> Result<Vector<C>, CurveError> {
         three(self.dimension())?;
         let jet = self.derivatives(p, 1)?;
-        Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).to_vec())
+        Ok(polygon::cross(&jet[1][0], &jet[0][1], C::times, |x, y| x.minus(&y)).into())
     }
 
     /// The three patches over (p, b, c), (a, p, c) and (a, b, p).
@@ -320,13 +325,13 @@ fn triangular<T>(k: usize, entry: impl Fn(usize, usize) -> T) -> Vec<Vec<T>> {
 }
 
 fn added<C: Ring>(f: &[Vec<C>], g: &[Vec<C>]) -> Vec<Vec<C>> {
-    f.iter().zip(g).map(|(x, y)| super::sum(x, y)).collect()
+    polygon::zipped(f, g, C::plus)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::curve::{difference, indices, patch, scaled, triangle};
+    use crate::math::curve::{indices, patch, triangle};
     use crate::math::number::{Rational, integer as z, rational as q};
     use crate::math::poly::{MultiPoly, Symbol};
     use proptest::prelude::*;
@@ -362,7 +367,7 @@ mod tests {
                 prop_assert_eq!(patch.value(&u, &v), Err(CurveError::ZeroDenominator));
                 return Ok(());
             };
-            prop_assert_eq!(&grid[0][0], &patch.value(&u, &v).unwrap());
+            prop_assert_eq!(&grid[0][0], &patch.value(&u, &v).unwrap().position());
             // the first coordinate as a quotient of polynomials in x and y
             let symbols = ["x", "y"].map(Symbol::new);
             let polynomial = |k: usize| {
@@ -397,7 +402,7 @@ mod tests {
             prop_assert_eq!(dot(&plane, &vector), z(0));
             if let Ok(normal) = patch.normal_at(&u, &v) {
                 let weight = num_traits::pow(vector[3].clone(), 3);
-                prop_assert_eq!(&plane[..3], scaled(&normal, &weight));
+                prop_assert_eq!(&*(normal * &weight), &plane[..3]);
             }
             let (m, n) = patch.degrees();
             if m > 0 && n > 0 {
@@ -444,7 +449,7 @@ mod tests {
     #[test]
     fn weights_and_points_return() {
         let points: Vec<Point<Rational>> =
-            indices(2).iter().map(|i| vec![z(i[0] as i64), z(i[1] as i64)]).collect();
+            indices(2).iter().map(|i| [z(i[0] as i64), z(i[1] as i64)].into()).collect();
         let weights: Vec<Rational> = (1..7).map(z).collect();
         let patch = RationalTriangle::new(points.clone(), weights.clone(), Triangle::unit()).unwrap();
         assert_eq!(patch.weights(), weights);
@@ -468,6 +473,6 @@ mod tests {
         let short = RationalPatch::new(net, vec![rows[0].clone(), vec![]], unit(), unit());
         assert_eq!(short, Err(CurveError::WeightCount { weights: 0, points: 3 }));
         assert!(patch.normal_at(&z(0), &z(0)).is_err() && patch.tangent_planes().is_err());
-        assert_eq!(difference(&patch.value(&z(0), &z(0)).unwrap(), &points[0]), [z(0), z(0)]);
+        assert!((patch.value(&z(0), &z(0)).unwrap() - &points[0]).is_zero());
     }
 }

@@ -118,7 +118,7 @@ mod tests {
         let patch = revolve(&profile).unwrap().swap_remove(0);
         let (x, y) = (name("u"), name("v"));
         let p = patch.value(&x, &y).unwrap();
-        let r = profile.value(&y).unwrap().swap_remove(0);
+        let r = profile.value(&y).unwrap()[0].clone();
         assert_eq!(p[0].clone() * p[0].clone() + p[1].clone() * p[1].clone(), r.clone() * r);
         let space = RationalCurve::new(vec![vec![one(); 3]], vec![one()], Interval::unit()).unwrap();
         assert_eq!(revolve(&space), Err(CurveError::DimensionsOf { left: 3, right: 2 }));

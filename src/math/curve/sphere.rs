@@ -15,7 +15,7 @@ use super::rational::RationalCurve;
 use super::rational_surface::{RationalPatch, RationalTriangle};
 use super::revolve::revolve_along;
 use super::triangle::{TrianglePatch, product};
-use super::{CurveError, Interval, Point, difference, sum};
+use super::{CurveError, Interval, Point};
 use crate::math::number::rational;
 use crate::math::ring::Field;
 
@@ -23,7 +23,7 @@ use crate::math::ring::Field;
 fn placed<C: Field>(vector: &[C], centre: &[C], radius: &C) -> Point<C> {
     let weight = &vector[3];
     let place = |k: usize| centre[k].times(weight).plus(&radius.times(&vector[k]));
-    vec![place(0), place(1), place(2), weight.clone()]
+    [place(0), place(1), place(2), weight.clone()].into()
 }
 
 fn check_sphere<C: Field>(centre: &[C], radius: &C) -> Result<(), CurveError> {
@@ -88,10 +88,17 @@ pub fn sphere_octant_triangle<C: Field>(
     let y = halves([0, 0, 2, 0, 2, 4]);
     let w = halves([2, 2, 3, 2, 2, 4]);
     let times = |f: &[C], g: &[C]| product((f, 2), (g, 2));
-    let twice = |f: Vec<C>| sum(&f, &f);
-    let (flat, square) = (sum(&times(&x, &x), &times(&y, &y)), times(&w, &w));
-    let coordinates =
-        [twice(times(&x, &w)), twice(times(&y, &w)), difference(&square, &flat), sum(&square, &flat)];
+    let with = |f: &[C], g: &[C], rule: fn(&C, &C) -> C| -> Vec<C> {
+        f.iter().zip(g).map(|(x, y)| rule(x, y)).collect()
+    };
+    let twice = |f: Vec<C>| with(&f, &f, C::plus);
+    let (flat, square) = (with(&times(&x, &x), &times(&y, &y), C::plus), times(&w, &w));
+    let coordinates = [
+        twice(times(&x, &w)),
+        twice(times(&y, &w)),
+        with(&square, &flat, C::minus),
+        with(&square, &flat, C::plus),
+    ];
     let vector = |at: usize| -> Point<C> {
         let vector: Point<C> = coordinates.iter().map(|coordinate| coordinate[at].clone()).collect();
         placed(&vector, centre, radius)

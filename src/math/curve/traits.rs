@@ -1,8 +1,8 @@
 //! What all curves share, and what all patches share.
 
 use super::{
-    BezierCurve, CurveError, Direction, Interval, Point, RationalCurve, RationalPatch, RationalTriangle,
-    TensorPatch, Triangle, TrianglePatch, Vector,
+    BezierCurve, CurveError, Direction, Interval, Point, PolarValue, RationalCurve, RationalPatch,
+    RationalTriangle, TensorPatch, Triangle, TrianglePatch, Vector,
 };
 use crate::math::blossom::Argument;
 use crate::math::ring::Field;
@@ -21,7 +21,7 @@ use crate::math::ring::Field;
 ///     let t = a.plus(b).scaled(&q(1, 2));
 ///     let (left, right) = curve.subdivide(&t)?;
 ///     assert_eq!(left.value(&t)?, right.value(&t)?);
-///     Ok(left.value(&t)?.swap_remove(0))
+///     Ok(left.value(&t)?[0].clone())
 /// }
 /// let points = || [0, 1, 4].map(|x| vec![z(x)]).to_vec();
 /// assert_eq!(middle(&BezierCurve::new(points(), Interval::unit()).unwrap()), Ok(q(3, 2)));
@@ -51,7 +51,7 @@ pub trait Curve<C: Field>: Sized {
     ///
     /// # Errors
     /// If their number is not n, or there is no such piece.
-    fn blossom(&self, t: &C, arguments: &[Argument<C>]) -> Result<Point<C>, Self::Error>;
+    fn blossom(&self, t: &C, arguments: &[Argument<C>]) -> Result<PolarValue<C>, Self::Error>;
 
     /// The curve of the derivatives.
     ///
@@ -92,7 +92,7 @@ impl<C: Field> Curve<C> for BezierCurve<C> {
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         Ok(self.value(t))
     }
-    fn blossom(&self, _: &C, arguments: &[Argument<C>]) -> Result<Point<C>, CurveError> {
+    fn blossom(&self, _: &C, arguments: &[Argument<C>]) -> Result<PolarValue<C>, CurveError> {
         self.blossom(arguments)
     }
     fn derivative(&self) -> Result<Self, CurveError> {
@@ -123,8 +123,8 @@ impl<C: Field> Curve<C> for RationalCurve<C> {
     fn value(&self, t: &C) -> Result<Point<C>, CurveError> {
         self.value(t)
     }
-    fn blossom(&self, _: &C, arguments: &[Argument<C>]) -> Result<Point<C>, CurveError> {
-        self.blossom(arguments)
+    fn blossom(&self, _: &C, arguments: &[Argument<C>]) -> Result<PolarValue<C>, CurveError> {
+        self.blossom(arguments).map(Argument::Point)
     }
     fn derivative(&self) -> Result<Self, CurveError> {
         Ok(self.derivative())
@@ -154,7 +154,8 @@ pub trait Surface<C: Field>: Sized {
     /// If there is none.
     fn value(&self, p: &[C; 2]) -> Result<Point<C>, CurveError>;
 
-    /// The value of the r-th derivative in the first parameter and the s-th in the second.
+    /// The r-th derivative in the first parameter and the s-th in the second; the position vector of
+    /// the surface point if both are 0.
     ///
     /// # Errors
     /// If there is none.
@@ -231,7 +232,7 @@ impl<C: Field> Surface<C> for TrianglePatch<C> {
         self.value(p)
     }
     fn derivative(&self, r: usize, s: usize, p: &[C; 2]) -> Result<Vector<C>, CurveError> {
-        self.partial_derivative(r, s).value(p)
+        Ok(self.partial_derivative(r, s).value(p)?.position())
     }
     fn elevate(&self, by: usize) -> Self {
         self.elevate(by)
@@ -275,7 +276,7 @@ mod tests {
     fn check<S: Surface<Rational>>(surface: &S, p: &[Rational; 2]) {
         let value = surface.value(p).unwrap();
         assert_eq!(value.len(), surface.dimension());
-        assert_eq!(surface.derivative(0, 0, p).unwrap(), value);
+        assert_eq!(surface.derivative(0, 0, p).unwrap(), value.position());
         let raised = surface.elevate(2);
         assert_eq!(raised.derivative(1, 1, p).unwrap(), surface.derivative(1, 1, p).unwrap());
         for part in surface.subdivide(p).unwrap() {

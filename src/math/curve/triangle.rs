@@ -14,7 +14,7 @@
 
 use super::domain::{Corner, Triangle};
 use super::polygon::{self, falling};
-use super::{CurveError, Point, combination, dimension, scaled};
+use super::{CurveError, Point, PolarValue, Vector, combination, dimension};
 use crate::budget;
 use crate::math::blossom::{Argument, PointArgument, TotalDegreePolarForm};
 use crate::math::number::{Int, Rational, multinomial};
@@ -41,7 +41,7 @@ fn put<C: Ring>(points: &[Point<C>], degree: usize, argument: &[C; 3]) -> Vec<Po
     budget::steps(points.len() as u32);
     let mix = |[_, j, k]: [usize; 3]| {
         let around = [place(j, k), place(j + 1, k), place(j, k + 1)].map(|at| &points[at]);
-        combination(points[0].len(), argument.iter().zip(around))
+        combination(points[0].len(), argument.iter().zip(around)).from_origin()
     };
     indices(degree - 1).into_iter().map(mix).collect()
 }
@@ -90,7 +90,8 @@ impl<C: Field> TrianglePatch<C> {
     ///
     /// # Errors
     /// [`CurveError::TooFewPoints`], [`CurveError::NotTriangular`], [`CurveError::Dimensions`].
-    pub fn new(points: Vec<Point<C>>, triangle: Triangle<C>) -> Result<Self, CurveError> {
+    pub fn new(points: Vec<impl Into<Point<C>>>, triangle: Triangle<C>) -> Result<Self, CurveError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         dimension(&points)?;
         let count = points.len();
         let size = |n: usize| (n + 1) * (n + 2) / 2;
@@ -155,8 +156,9 @@ impl<C: Field> TrianglePatch<C> {
     ///
     /// # Errors
     /// [`CurveError::Arguments`], [`CurveError::DimensionsOf`] for an argument outside of the plane.
-    pub fn blossom(&self, arguments: &[PointArgument<C>]) -> Result<Point<C>, CurveError> {
-        self.blossom_barycentric(&self.coordinates(arguments)?)
+    pub fn blossom(&self, arguments: &[PointArgument<C>]) -> Result<PolarValue<C>, CurveError> {
+        let value = self.blossom_barycentric(&self.coordinates(arguments)?)?;
+        Ok(PolarValue::of(value, arguments))
     }
 
     /// The surface point at p, inside of the triangle or outside.
@@ -191,7 +193,7 @@ impl<C: Field> TrianglePatch<C> {
         let levels = self.tableau(p)?;
         let piece = |corner: usize| -> Result<Self, CurveError> {
             let mut corners = self.triangle.corners().clone();
-            corners[corner] = p.to_vec();
+            corners[corner] = p.into();
             let point = |index: [usize; 3]| {
                 let [_, mut j, mut k] = index;
                 // p stands in for that corner, which is then not among the others
@@ -246,7 +248,7 @@ impl<C: Field> TrianglePatch<C> {
                     (k > 0).then(|| (share(k), place(j, k.wrapping_sub(1)))),
                 ];
                 let terms = below.iter().flatten().map(|(weight, at)| (weight, &points[*at]));
-                combination(self.dimension(), terms)
+                combination(self.dimension(), terms).from_origin()
             };
             points = indices(degree).into_iter().map(mix).collect();
         }
@@ -261,7 +263,7 @@ impl<C: Field> TrianglePatch<C> {
         for (at, [i, j, k]) in indices(n).into_iter().enumerate() {
             budget::step();
             // rest = n b_{ijk} − j c_{i,j−1,k} − k c_{i,j,k−1} is i c_{i−1,j,k}, so 0 for i = 0
-            let mut rest = scaled(&self.points[at], &small(n));
+            let mut rest = self.points[at].position() * &small(n);
             let mut take = |count: usize, from: usize| {
                 let factor = small::<C>(count);
                 rest.iter_mut().zip(&lower[from]).for_each(|(x, y)| *x -= factor.times(y));
@@ -273,8 +275,9 @@ impl<C: Field> TrianglePatch<C> {
                 take(k, place(j, k - 1));
             }
             if i > 0 {
-                lower.push(scaled(&rest, &C::from_rational(&Rational::new(Int::ONE, i.into()))));
-            } else if rest.iter().any(|x| !x.is_zero()) {
+                let share = C::from_rational(&Rational::new(Int::ONE, i.into()));
+                lower.push((rest * &share).from_origin());
+            } else if !rest.is_zero() {
                 return None;
             }
         }
@@ -303,11 +306,11 @@ impl<C: Field> TrianglePatch<C> {
     ///
     /// # Errors
     /// [`CurveError::DimensionsOf`] for a direction outside of the plane.
-    pub fn derivative(&self, directions: &[Point<C>]) -> Result<Self, CurveError> {
-        let vectors: Vec<_> = directions.iter().cloned().map(Argument::Vector).collect();
+    pub fn derivative(&self, directions: &[Vector<C>]) -> Result<Self, CurveError> {
+        let vectors: Vec<_> = directions.iter().map(|v| Argument::Vector(v.to_vec())).collect();
         let vectors = self.coordinates(&vectors)?;
         if vectors.len() > self.degree {
-            return Ok(self.with_points(vec![vec![C::zero(); self.dimension()]], 0));
+            return Ok(self.with_points(vec![Vector::zero(self.dimension()).from_origin()], 0));
         }
         let mut points = self.points.clone();
         let mut degree = self.degree;
@@ -316,15 +319,16 @@ impl<C: Field> TrianglePatch<C> {
             degree -= 1;
         }
         let factor = C::from_rational(&falling(self.degree, vectors.len()));
-        Ok(self.with_points(points.iter().map(|p| scaled(p, &factor)).collect(), degree))
+        let points = points.iter().map(|p| (p.position() * &factor).from_origin()).collect();
+        Ok(self.with_points(points, degree))
     }
 
     /// ∂^{r+s}/∂x^r ∂y^s with x, y the coordinates of the parameter plane.
     pub fn partial_derivative(&self, r: usize, s: usize) -> Self {
         // one more than the degree gives zero already
         let most = self.degree + 1;
-        let mut directions = vec![vec![C::one(), C::zero()]; r.min(most)];
-        directions.extend(vec![vec![C::zero(), C::one()]; s.min(most)]);
+        let mut directions = vec![Vector::from([C::one(), C::zero()]); r.min(most)];
+        directions.extend(vec![Vector::from([C::zero(), C::one()]); s.min(most)]);
         self.derivative(&directions).expect("the unit vectors lie in the plane")
     }
 
@@ -351,8 +355,8 @@ impl<C: Field> TrianglePatch<C> {
         let degree = along_x.degree;
         let parts = |patch: &Self| (0..3).map(|k| patch.coordinate(k)).collect::<Vec<_>>();
         let times = |f: &Vec<C>, g: &Vec<C>| product((f, degree), (g, degree));
-        let normal =
-            polygon::cross(&parts(&along_x), &parts(&along_y), times, |f, g| super::difference(&f, &g));
+        let minus = |f: Vec<C>, g: Vec<C>| f.iter().zip(&g).map(|(x, y)| x.minus(y)).collect();
+        let normal = polygon::cross(&parts(&along_x), &parts(&along_y), times, minus);
         let point = |at: usize| normal.iter().map(|coordinate| coordinate[at].clone()).collect();
         Ok(self.with_points((0..normal[0].len()).map(point).collect(), 2 * degree))
     }
@@ -365,17 +369,13 @@ impl<C: Field> TrianglePatch<C> {
     /// The mean of the surface points over the triangle: the mean of the control points.
     pub fn mean(&self) -> Point<C> {
         let share = C::from_rational(&Rational::new(Int::ONE, self.points.len().into()));
-        let mut total = vec![C::zero(); self.dimension()];
-        for point in &self.points {
-            total.iter_mut().zip(point).for_each(|(x, y)| *x += y.clone());
-        }
-        scaled(&total, &share)
+        combination(self.dimension(), self.points.iter().map(|point| (&share, point))).from_origin()
     }
 
-    /// ∬ f dx dy over the triangle: its area times the mean of the control points. The area has
+    /// ∬ f dx dy over the triangle: its area times the mean of the control points, of position vectors. The area has
     /// a sign, positive for corners in counter-clockwise order.
-    pub fn integral(&self) -> Point<C> {
-        scaled(&self.mean(), &self.triangle.area())
+    pub fn integral(&self) -> Vector<C> {
+        self.mean().position() * &self.triangle.area()
     }
 
     /// The same surface with the corners in another order: the new first corner is the
@@ -407,8 +407,8 @@ impl<C: Field> TrianglePatch<C> {
         ];
         let values = self.polar_values(&frame).expect("the frame lies in the plane");
         let weigh = |([i, j, k], point): ([usize; 3], Point<C>)| {
-            let count = C::from_rational(&Rational::from_integer(multinomial(&[i, j, k])));
-            ([i, j], scaled(&point, &count))
+            let count = Rational::from_integer(multinomial(&[i, j, k]));
+            ([i, j], point.iter().map(|x| x.scaled(&count)).collect())
         };
         indices(self.degree).into_iter().zip(values).map(weigh).collect()
     }
@@ -442,7 +442,7 @@ impl<C: Field> TrianglePatch<C> {
                 return Err(CurveError::Degrees { left: degree, right: form.degree() });
             }
             let values = form
-                .bezier_points(triangle.corners())
+                .bezier_points(&triangle.corners().clone().map(Vec::from))
                 .map_err(|_| CurveError::DimensionsOf { left: 2, right: form.dimension() })?;
             coordinates.push(values);
         }

@@ -3,7 +3,7 @@
 use super::{KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
-use crate::math::curve::{BezierCurve, Interval, Point, Tableau, difference, dimension, lerp, scaled};
+use crate::math::curve::{BezierCurve, Interval, Point, PolarValue, Tableau, dimension, lerp};
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::ring::Field;
 
@@ -41,7 +41,8 @@ impl<C: Field> BSpline<C> {
     /// assert_eq!(s.value(&z(1))?, [z(2), z(2)]);
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
-    pub fn new(knots: KnotVector<C>, points: Vec<Point<C>>) -> Result<Self, SplineError> {
+    pub fn new(knots: KnotVector<C>, points: Vec<impl Into<Point<C>>>) -> Result<Self, SplineError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         dimension(&points)?;
         if points.len() != knots.count() {
             return Err(SplineError::PointCount {
@@ -104,7 +105,7 @@ impl<C: Field> BSpline<C> {
                 |form: &crate::math::blossom::PolarForm<C>| form.value(knots.label(i)).expect("n arguments");
             raised.iter().map(at).collect()
         };
-        let points = (0..knots.count()).map(point).collect();
+        let points: Vec<Point<C>> = (0..knots.count()).map(point).collect();
         BSpline::new(knots, points)
     }
 
@@ -140,7 +141,7 @@ impl<C: Field> BSpline<C> {
     /// # Errors
     /// [`SplineError::NoDomain`] unless j is one of [`KnotVector::spans`];
     /// [`crate::math::curve::CurveError::Arguments`] unless there are n arguments.
-    pub fn blossom(&self, span: usize, arguments: &[Argument<C>]) -> Result<Point<C>, SplineError> {
+    pub fn blossom(&self, span: usize, arguments: &[Argument<C>]) -> Result<PolarValue<C>, SplineError> {
         self.check(span, arguments.len())?;
         let n = self.degree();
         let mut level = self.points[span - n..=span].to_vec();
@@ -148,7 +149,7 @@ impl<C: Field> BSpline<C> {
             budget::step();
             level = self.step(span, r, &level, argument);
         }
-        Ok(level.swap_remove(0))
+        Ok(PolarValue::of(level.swap_remove(0), arguments))
     }
 
     fn check(&self, span: usize, arguments: usize) -> Result<(), SplineError> {
@@ -178,7 +179,7 @@ impl<C: Field> BSpline<C> {
                 let (unit, start) = self.interval(span, r, i);
                 match argument {
                     Argument::Point(u) => lerp(&pair[0], &pair[1], &u.minus(start).times(&unit)),
-                    Argument::Vector(v) => scaled(&difference(&pair[1], &pair[0]), &v.times(&unit)),
+                    Argument::Vector(v) => ((&pair[1] - &pair[0]) * &v.times(&unit)).from_origin(),
                 }
             })
             .collect()
@@ -198,7 +199,7 @@ impl<C: Field> BSpline<C> {
     /// # Errors
     /// As [`BSpline::blossom`].
     pub fn value_on(&self, span: usize, t: &C) -> Result<Point<C>, SplineError> {
-        self.blossom(span, &vec![Argument::Point(t.clone()); self.degree()])
+        Ok(self.blossom(span, &vec![Argument::Point(t.clone()); self.degree()])?.into_point())
     }
 
     /// De Boor's tableau for f_j(u_1, …, u_n) with labels and ratios.

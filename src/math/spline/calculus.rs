@@ -1,7 +1,7 @@
 //! Derivatives, integrals and smoothness of splines.
 
 use super::{BSpline, KnotVector, SplineError};
-use crate::math::curve::{BezierCurve, Point, difference, scaled, sum};
+use crate::math::curve::{BezierCurve, Point, Vector};
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
 
@@ -29,14 +29,14 @@ impl<C: Field> BSpline<C> {
             return Err(SplineError::NotSmooth { knot: place });
         }
         if n == 0 {
-            let points = vec![vec![C::zero(); self.dimension()]; self.points().len()];
+            let points = vec![Vector::zero(self.dimension()).from_origin(); self.points().len()];
             return BSpline::new(self.knots().clone(), points);
         }
         let degree = Rational::from_integer(Int::from(n));
         let points = tight.points().windows(2).enumerate().map(|(i, pair)| {
             let unit = knots[i + n + 1].minus(&knots[i + 1]).inverse();
             let unit = unit.expect("inner knots have multiplicity n at most");
-            scaled(&difference(&pair[1], &pair[0]), &unit.scaled(&degree))
+            ((&pair[1] - &pair[0]) * &unit.scaled(&degree)).from_origin()
         });
         let points: Vec<Point<C>> = points.collect();
         let inner = KnotVector::new(n - 1, knots[1..knots.len() - 1].to_vec())?;
@@ -74,24 +74,24 @@ impl<C: Field> BSpline<C> {
         let n = self.degree();
         let knots = self.knots().knots();
         let share = Rational::new(Int::ONE, Int::from(n + 1));
-        let mut points = vec![vec![C::zero(); self.dimension()]];
+        let mut points = vec![Vector::zero(self.dimension()).from_origin()];
         for (i, point) in self.points().iter().enumerate() {
             let weight = knots[i + n + 1].minus(&knots[i]).scaled(&share);
-            points.push(sum(&points[points.len() - 1], &scaled(point, &weight)));
+            points.push(&points[i] + &(point.position() * &weight));
         }
         let mut longer = vec![knots[0].clone()];
         longer.extend_from_slice(knots);
         longer.push(knots[knots.len() - 1].clone());
         let primitive = BSpline::new(KnotVector::new(n + 1, longer)?, points)?;
         let start = primitive.value(primitive.domain().0)?;
-        let points = primitive.points().iter().map(|point| difference(point, &start)).collect();
+        let points = primitive.points().iter().map(|point| (point - &start).from_origin()).collect();
         BSpline::new(primitive.knots().clone(), points)
     }
 
-    /// The integral over the domain.
-    pub fn integral(&self) -> Point<C> {
-        let zero = vec![C::zero(); self.dimension()];
-        self.bezier_pieces().iter().fold(zero, |total, piece| sum(&total, &piece.integral()))
+    /// The integral over the domain, of position vectors.
+    pub fn integral(&self) -> Vector<C> {
+        let zero = Vector::zero(self.dimension());
+        self.bezier_pieces().iter().fold(zero, |total, piece| total + piece.integral())
     }
 
     /// For each knot inside of the domain: its multiplicity s, the smoothness n − s that the

@@ -14,7 +14,8 @@ impl<C: Field> KnotVector<C> {
     fn unit_spline(&self) -> Result<BSpline<C>, SplineError> {
         let m = self.count();
         budget::charge_terms((m as u64).saturating_mul(m as u64));
-        let unit = |i: usize| (0..m).map(|k| if k == i { C::one() } else { C::zero() }).collect();
+        let unit =
+            |i: usize| -> Point<C> { (0..m).map(|k| if k == i { C::one() } else { C::zero() }).collect() };
         BSpline::new(self.clone(), (0..m).map(unit).collect())
     }
 

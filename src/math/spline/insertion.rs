@@ -11,7 +11,7 @@
 use super::{BSpline, KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
-use crate::math::curve::{Point, difference, lerp, scaled, sum};
+use crate::math::curve::{Point, Vector, lerp};
 use crate::math::ring::Field;
 
 /// Why a knot cannot be removed: the derivative that jumps there.
@@ -20,7 +20,7 @@ pub struct Defect<C> {
     /// The order of the derivative that has to be continuous.
     pub order: usize,
     /// Its value after the knot minus that before.
-    pub jump: Point<C>,
+    pub jump: Vector<C>,
 }
 
 /// (t − t_i)/(t_{i+n} − t_i), for an interval that is not empty.
@@ -137,7 +137,7 @@ impl<C: Field> BSpline<C> {
         }
         self.relabelled(&finer, |span, label| {
             let arguments: Vec<Argument<C>> = label.iter().cloned().map(Argument::Point).collect();
-            self.blossom(span, &arguments)
+            Ok(self.blossom(span, &arguments)?.into_point())
         })
     }
 
@@ -222,8 +222,8 @@ impl<C: Field> BSpline<C> {
         for (i, point) in old.iter().enumerate().take(j - left + 1).skip(j + 1 - n) {
             let ratio = ratio(&knots, n, i, t);
             let inverse = ratio.inverse().expect("t_i is smaller than t");
-            let rest = scaled(&points[points.len() - 1], &ratio.minus(&C::one()));
-            points.push(scaled(&sum(point, &rest), &inverse));
+            // d_i = (1 − ratio) d'_{i−1} + ratio d'_i, solved for d'_i
+            points.push(lerp(&points[points.len() - 1], point, &inverse));
         }
         let expected = &old[j - left + 1];
         // With multiplicity n + 1 nothing ties the two sides together.
@@ -243,7 +243,7 @@ impl<C: Field> BSpline<C> {
         let pieces = self.bezier_pieces();
         let after = pieces.iter().position(|piece| piece.interval().start() == t).expect("an inner knot");
         let value = |k: usize| pieces[k].derivative(order).value(t);
-        Defect { order, jump: difference(&value(after), &value(after - 1)) }
+        Defect { order, jump: value(after) - value(after - 1) }
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt::{Display, Formatter, Result as Shown};
 
 use super::{BSpline, KnotVector, SplineError};
 use crate::math::blossom::Argument;
-use crate::math::curve::{Curve, CurveError, Point, display};
+use crate::math::curve::{Curve, CurveError, Point, PolarValue, display};
 use crate::math::ring::Field;
 
 impl<C: Field> BSpline<C> {
@@ -64,7 +64,7 @@ impl<C: Field> Curve<C> for BSpline<C> {
     fn value(&self, t: &C) -> Result<Point<C>, SplineError> {
         self.value(t)
     }
-    fn blossom(&self, t: &C, arguments: &[Argument<C>]) -> Result<Point<C>, SplineError> {
+    fn blossom(&self, t: &C, arguments: &[Argument<C>]) -> Result<PolarValue<C>, SplineError> {
         self.blossom(self.knots().span_of(t)?, arguments)
     }
     fn derivative(&self) -> Result<Self, SplineError> {
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(part.value(&z(2)).unwrap(), s.value(&z(2)).unwrap());
         let t = q(5, 2);
         let same = vec![Argument::Point(t.clone()); 3];
-        assert_eq!(Curve::blossom(&s, &t, &same).unwrap(), s.value(&t).unwrap());
+        assert_eq!(Curve::blossom(&s, &t, &same).unwrap(), Argument::Point(s.value(&t).unwrap()));
         assert_eq!(s.subdivide(&z(0)), Err(CurveError::EmptyInterval.into()));
         assert!(s.subdivide(&z(9)).is_err());
     }

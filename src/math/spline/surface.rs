@@ -8,7 +8,7 @@
 use super::{BSpline, KnotVector, SplineError};
 use crate::math::blossom::Argument;
 use crate::math::curve::transposed;
-use crate::math::curve::{CurveError, Direction, Interval, Net, Point, TensorPatch};
+use crate::math::curve::{CurveError, Direction, Interval, Net, Point, PolarValue, TensorPatch};
 use crate::math::ring::Field;
 
 /// A spline surface by its knots and control net.
@@ -21,11 +21,11 @@ pub struct SplineSurface<C> {
 
 /// The points of a row one after the other.
 fn flat<C: Clone>(row: &[Point<C>]) -> Point<C> {
-    row.iter().flatten().cloned().collect()
+    row.iter().flat_map(|point| point.iter().cloned()).collect()
 }
 
 fn unflat<C: Clone>(row: &[C], dimension: usize) -> Vec<Point<C>> {
-    row.chunks(dimension.max(1)).map(<[C]>::to_vec).collect()
+    row.chunks(dimension.max(1)).map(Point::from).collect()
 }
 
 impl<C: Field> SplineSurface<C> {
@@ -46,7 +46,13 @@ impl<C: Field> SplineSurface<C> {
     /// assert_eq!(s.value(&q(1, 2), &q(1, 2))?, [z(1)]);
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
-    pub fn new(u: KnotVector<C>, v: KnotVector<C>, net: Net<C>) -> Result<Self, SplineError> {
+    pub fn new(
+        u: KnotVector<C>,
+        v: KnotVector<C>,
+        net: Vec<Vec<impl Into<Point<C>>>>,
+    ) -> Result<Self, SplineError> {
+        let row = |row: Vec<_>| row.into_iter().map(Into::into).collect();
+        let net: Net<C> = net.into_iter().map(row).collect();
         let columns = net.first().map_or(0, Vec::len);
         if let Some(row) = net.iter().position(|row| row.len() != columns) {
             return Err(CurveError::RaggedNet { row, found: net[row].len(), expected: columns }.into());
@@ -123,10 +129,11 @@ impl<C: Field> SplineSurface<C> {
         spans: (usize, usize),
         u: &[Argument<C>],
         v: &[Argument<C>],
-    ) -> Result<Point<C>, SplineError> {
+    ) -> Result<PolarValue<C>, SplineError> {
         let rows = self.net.iter().map(|row| flat(row)).collect();
         let row = BSpline::new(self.u.clone(), rows)?.blossom(spans.0, u)?;
-        BSpline::new(self.v.clone(), unflat(&row, self.dimension()))?.blossom(spans.1, v)
+        let column = BSpline::new(self.v.clone(), unflat(row.coordinates(), self.dimension()))?;
+        Ok(PolarValue::of(column.blossom(spans.1, v)?.into_point(), &[u, v].concat()))
     }
 
     /// The same surface with knots added in one direction.
@@ -206,7 +213,7 @@ mod tests {
         heights.prop_map(|points| {
             let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(3)).unwrap();
             let v = KnotVector::uniform(3, 4, &z(-3), &z(1)).unwrap();
-            let point = |k: usize| points[k].iter().map(|&x| z(x)).collect();
+            let point = |k: usize| -> Point<Rational> { points[k].iter().map(|&x| z(x)).collect() };
             let net = (0..5).map(|i| (0..4).map(|j| point(4 * i + j)).collect()).collect();
             SplineSurface::new(u, v, net).unwrap()
         })
@@ -232,7 +239,7 @@ mod tests {
             let patch = &patches[row][column];
             prop_assert_eq!(&patch.value(&u, &v), &value);
             let (us, vs) = (vec![Argument::Point(u.clone()); 2], vec![Argument::Point(v.clone()); 3]);
-            prop_assert_eq!(s.blossom((a, b), &us, &vs).unwrap(), value);
+            prop_assert_eq!(s.blossom((a, b), &us, &vs).unwrap(), Argument::Point(value));
             let mixed = s.derivative(1, 1).unwrap();
             prop_assert_eq!(mixed.value(&u, &v).unwrap(), patch.derivative(1, 1).value(&u, &v));
         }
@@ -246,6 +253,6 @@ mod tests {
         assert!(matches!(ragged, Err(SplineError::Curve(CurveError::RaggedNet { row: 1, .. }))));
         let short = SplineSurface::new(knots(), knots(), vec![row()]);
         assert!(matches!(short, Err(SplineError::PointCount { points: 1, .. })));
-        assert!(SplineSurface::<Rational>::new(knots(), knots(), vec![]).is_err());
+        assert!(SplineSurface::<Rational>::new(knots(), knots(), Vec::<Vec<Point<_>>>::new()).is_err());
     }
 }

@@ -3,7 +3,7 @@
 use super::Curve;
 use super::curve::{add_points, add_polygon};
 use crate::formula::{Expr, Rel};
-use crate::math::curve::convex_hull;
+use crate::math::curve::{Point, convex_hull};
 use crate::math::number::Rational;
 use crate::scene::{
     Dash, Direction, Entry, Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, Text, exact_text,
@@ -47,9 +47,9 @@ impl BezierPicture {
         let mut scene = Scene::new(if several { "Bézier curves" } else { "Bézier curve" });
         if self.hull {
             for (number, curve) in self.curves.iter().enumerate() {
-                let places: Vec<_> = curve.places().into_iter().map(|(_, place)| place.to_vec()).collect();
-                let hull = convex_hull(&places).unwrap_or_default();
-                let corner = |p: &Vec<Rational>| Spot::exact(&[p[0].clone(), p[1].clone()]);
+                let places = curve.places().into_iter().map(|(_, place)| Point::from(&place[..]));
+                let hull = convex_hull(&places.collect::<Vec<_>>()).unwrap_or_default();
+                let corner = |p: &Point<Rational>| Spot::exact(&[p[0].clone(), p[1].clone()]);
                 let corners: Vec<Spot> = hull.iter().map(corner).collect::<Result<_, _>>()?;
                 if let Some(hull) = Path::lines(corners, Style::fill(Ink::Series(number), 0.12)) {
                     scene.add(hull.close());

@@ -7,7 +7,7 @@ use crate::language::eval::Arguments;
 use crate::language::ops::errors::curve_error;
 use crate::language::ops::geometry::points_of;
 use crate::language::value::{Form, Geometry, Value};
-use crate::math::curve::{BezierCurve, Interval};
+use crate::math::curve::{BezierCurve, Interval, Point};
 use crate::math::number::{Rational, rational};
 use crate::math::poly::{Fraction, Symbol};
 use crate::scene::pictures::{Plane, as_graph, projected};
@@ -70,7 +70,7 @@ pub(super) type Homogeneous = [Rational; 3];
 /// Control points as they are drawn. `abscissae` are those of the control points of F(t) = t,
 /// which graphs need.
 pub(super) fn placed(
-    points: &[Vec<Fraction>],
+    points: &[Point<Fraction>],
     abscissae: &dyn Fn() -> Result<Vec<Rational>>,
     form: Form,
     span: Span,

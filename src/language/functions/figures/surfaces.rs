@@ -9,7 +9,7 @@ use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::geometry::points_of;
 use crate::language::value::{Form, Geometry, Value, polynomial_expr};
-use crate::math::curve::indices;
+use crate::math::curve::{Net, Point, indices};
 use crate::math::number::{Rational, rational};
 use crate::math::poly::Fraction;
 use crate::scene::pictures::{PatchPicture, TriangleDomain, TrianglePicture, triangle_labels};
@@ -25,7 +25,7 @@ const LARGEST_DOMAIN: usize = 40;
 const LONGEST_NAMED: usize = 6;
 
 /// The side of the square or triangle over which heights stand: so that they do not tower over it.
-fn side<'a>(points: impl Iterator<Item = &'a Vec<Fraction>>) -> Rational {
+fn side<'a>(points: impl Iterator<Item = &'a Point<Fraction>>) -> Rational {
     let heights: Vec<Rational> = points.filter_map(|point| point.first()?.as_rational()).collect();
     match (heights.iter().min(), heights.iter().max()) {
         (Some(low), Some(high)) if low < high => (high - low) * rational(3, 2),
@@ -83,7 +83,7 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
             .at(span)
             .hint("for example figure_patch([[0, 1], [1, 0]])")
     };
-    let rows: Vec<Vec<Vec<Fraction>>> = match value {
+    let rows: Net<Fraction> = match value {
         Value::List(rows) if !rows.is_empty() => {
             let row = |row: &Value| points_of(row).map(|(points, _)| points).ok_or_else(|| wrong(row));
             rows.iter().map(row).collect::<Result<_>>()?
@@ -99,13 +99,13 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
             _ => return Err(wrong(value)),
         },
         Value::Matrix(matrix) => {
-            matrix.row_iter().map(|row| row.iter().map(|x| vec![x.clone()]).collect()).collect()
+            matrix.row_iter().map(|row| row.iter().map(|x| [x.clone()].into()).collect()).collect()
         }
         other => return Err(wrong(other)),
     };
     let m = rows.len() - 1;
     let side = side(rows.iter().flatten());
-    let point = |i: usize, (j, point): (usize, &Vec<Fraction>)| {
+    let point = |i: usize, (j, point): (usize, &Point<Fraction>)| {
         let n = rows[i].len() - 1;
         space(point, [part(i, m), part(j, n)], &side, span)
     };

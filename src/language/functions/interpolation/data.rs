@@ -107,7 +107,7 @@ impl Samples {
 pub(crate) fn data(value: &Value) -> Option<(Vec<Datum>, bool)> {
     match value {
         Value::List(items) if items.is_empty() => Some((Vec::new(), true)),
-        _ => points_of(value),
+        _ => points_of(value).map(|(points, scalar)| (points.into_iter().map(Datum::from).collect(), scalar)),
     }
 }
 
@@ -138,7 +138,7 @@ pub(crate) fn polynomial(power: &[Datum], form: Form, variable: &Symbol) -> Valu
         let coefficients: Vec<Fraction> = power.iter().map(|c| c[k].clone()).collect();
         Coefficients::new(coefficients).value(&t)
     };
-    form.plain((0..dimension).map(coordinate).collect())
+    form.plain((0..dimension).map(coordinate).collect::<Datum>())
 }
 
 /// One polynomial with numbers or formulas as power coefficients.
@@ -149,7 +149,7 @@ pub(crate) fn scalar_polynomial(power: &[Fraction], variable: &Symbol) -> Value 
 /// A datum given under a name.
 pub(crate) fn datum(value: &Value, form: Form, span: Span) -> Result<Datum> {
     match point_of(value) {
-        Some((point, scalar)) if scalar == form.scalar => Ok(point),
+        Some((point, scalar)) if scalar == form.scalar => Ok(point.into()),
         _ if form.scalar => Err(wrong_kind("a number or formula", value).at(span)),
         _ => Err(wrong_kind("a point", value).at(span).hint("such as [1, 0]: the values are points")),
     }

@@ -6,6 +6,7 @@ use super::call::{accent_of, is_special};
 use super::{MAX_DEPTH, Node, Parsed, Parser};
 use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind};
+use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters;
 use crate::math::number::{Rational, parse_decimal};
 
@@ -522,22 +523,12 @@ impl Parser<'_> {
 /// A power, or the binomial coefficient `C_n^k`.
 pub(super) fn power(base: Expr, exponent: Expr) -> Kind {
     match base.kind {
-        Kind::Subscript(letter, mut indices)
-            if indices.len() == 1
-                && matches!(&letter.kind, Kind::Name(name) if name == "C")
-                && is_size(&indices[0])
-                && is_size(&exponent) =>
-        {
+        Kind::Subscript(letter, mut indices) if is_binomial_coefficient(&letter, &indices, &exponent) => {
             let below = Box::new(indices.remove(0));
             Kind::Binomial(below, Box::new(exponent), BinomialStyle::Subscripted)
         }
         kind => Kind::Pow(Box::new(Expr::new(kind, base.span)), Box::new(exponent)),
     }
-}
-
-/// What may stand in a binomial coefficient `C_n^k`.
-fn is_size(expr: &Expr) -> bool {
-    matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Subscript(..))
 }
 
 /// Whether a parenthesis directly after `base^exponent` makes a call of the power.

@@ -3,7 +3,6 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::math::curve::difference;
 use crate::math::number::{integer as z, rational as q};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
@@ -29,7 +28,7 @@ pub(in crate::math::curve) fn any_patch(size: usize) -> impl Strategy<Value = Tr
     })
 }
 
-fn plane_point() -> impl Strategy<Value = Point<Rational>> {
+fn plane_point() -> impl Strategy<Value = Vec<Rational>> {
     prop::collection::vec((-7i64..8, 1i64..4).prop_map(|(p, r)| q(p, r)), 2)
 }
 
@@ -43,7 +42,7 @@ fn by_bernstein(patch: &TrianglePatch<Rational>, p: &[Rational]) -> Point<Ration
             powers.fold(Rational::from_integer(multinomial(index)), |product, x| product * x)
         })
         .collect();
-    combination(patch.dimension(), weights.iter().zip(&patch.points))
+    combination(patch.dimension(), weights.iter().zip(&patch.points)).from_origin()
 }
 
 proptest! {
@@ -68,9 +67,10 @@ proptest! {
         let arguments: Vec<_> = list[..patch.degree].iter().map(|(p, kind)| {
             if *kind == 0 { Argument::Vector(p.clone()) } else { Argument::Point(p.clone()) }
         }).collect();
-        let expected: Point<Rational> =
+        let expected: Vec<Rational> =
             patch.polar_forms().iter().map(|f| f.value(&arguments).unwrap()).collect();
-        prop_assert_eq!(patch.blossom(&arguments).unwrap(), expected);
+        let value = patch.blossom(&arguments).unwrap();
+        prop_assert_eq!(value.coordinates(), expected);
     }
 
     #[test]
@@ -111,7 +111,8 @@ proptest! {
     #[test]
     fn derivatives_agree(patch in any_patch(2), p in plane_point(),
                          directions in prop::collection::vec(plane_point(), 0..5)) {
-        let derivative = patch.derivative(&directions).unwrap();
+        let vectors: Vec<Vector<Rational>> = directions.iter().cloned().map(Vector::from).collect();
+        let derivative = patch.derivative(&vectors).unwrap();
         for (k, form) in patch.polar_forms().iter().enumerate() {
             let expected = form.derivative(&directions).unwrap().diagonal_at(&p);
             prop_assert_eq!(&derivative.value(&p).unwrap()[k], &expected);
@@ -147,21 +148,21 @@ proptest! {
 
 #[test]
 fn edges_and_corners() {
-    let points: Vec<Point<Rational>> = (0..6).map(|i| vec![z(i)]).collect();
+    let points: Vec<Point<Rational>> = (0..6).map(|i| [z(i)].into()).collect();
     let patch = TrianglePatch::new(points, Triangle::unit()).unwrap();
     let edge =
         |corner| patch.boundary(corner).iter().map(|p| p[0].to_integer().to_string()).collect::<String>();
     assert_eq!(edge(Corner::A), "345");
     assert_eq!(edge(Corner::B), "025");
     assert_eq!(edge(Corner::C), "013");
-    assert_eq!(patch.point([0, 1, 1]), Some(&vec![z(4)]));
+    assert_eq!(patch.point([0, 1, 1]), Some(&[z(4)].into()));
     assert_eq!(patch.point([1, 1, 1]), None);
     assert!(patch.permuted([0, 0, 1]).is_none());
 }
 
 #[test]
 fn bad_patches_are_refused() {
-    let new = |points: Vec<Point<Rational>>| TrianglePatch::new(points, Triangle::unit()).unwrap_err();
+    let new = |points: Vec<Vec<Rational>>| TrianglePatch::new(points, Triangle::unit()).unwrap_err();
     assert_eq!(new(vec![]), CurveError::TooFewPoints { needed: 1, given: 0 });
     assert_eq!(new(vec![vec![z(0)]; 4]), CurveError::NotTriangular { count: 4 });
     assert_eq!(
@@ -180,13 +181,13 @@ fn a_quadratic_patch_of_symbols() {
     let name = |s: &str| Fraction::from(MultiPoly::symbol(Symbol::new(s)));
     let b = |[i, j, k]: [usize; 3]| name(&format!("b{i}{j}{k}"));
     let points = indices(2).into_iter().map(|index| vec![b(index)]).collect();
-    let corner = |s: &str| vec![name(&format!("{s}x")), name(&format!("{s}y"))];
+    let corner = |s: &str| Point::from([name(&format!("{s}x")), name(&format!("{s}y"))]);
     let corners = [corner("a"), corner("b"), corner("c")];
     let patch = TrianglePatch::new(points, Triangle::new(corners.clone()).unwrap()).unwrap();
-    let [a, _, c] = corners.clone().map(Argument::Point);
-    assert_eq!(patch.blossom(&[a, c]), Ok(vec![b([1, 0, 1])]));
+    let [a, _, c] = corners.clone().map(|corner| Argument::Point(corner.into()));
+    assert_eq!(patch.blossom(&[a, c]), Ok(Argument::Point([b([1, 0, 1])].into())));
     // the derivative along the edge from a to b, at a: 2 (b_110 − b_200)
-    let along = patch.derivative(&[difference(&corners[1], &corners[0])]).unwrap();
+    let along = patch.derivative(&[&corners[1] - &corners[0]]).unwrap();
     let expected = (b([1, 1, 0]) - b([2, 0, 0])) * Fraction::from(z(2));
     assert_eq!(along.points()[0], [expected]);
 }
