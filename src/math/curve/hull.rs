@@ -28,8 +28,8 @@ fn turn(p: &[Rational], q: &[Rational], r: &[Rational]) -> Rational {
 /// use polarform::number::integer as z;
 /// let points = [[0, 0], [1, 1], [2, 0], [1, 3]].map(|p| Point::from(p.map(z)));
 /// assert_eq!(convex_hull(&points)?, [[0, 0], [2, 0], [1, 3]].map(|p| p.map(z)));
-/// ```
 /// # Ok::<(), polarform::curve::CurveError>(())
+/// ```
 pub fn convex_hull(points: &[Point<Rational>]) -> Result<Vec<Point<Rational>>, CurveError> {
     let size = dimension(points)?;
     if size != 2 {
