@@ -67,5 +67,22 @@ fn fractions(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, products, fractions);
+/// gcd(A C, B C) and A C / C for random factors, as `docs/benchmarks.md` has them.
+fn common_factors(c: &mut Criterion) {
+    let mut group = c.benchmark_group("multivariate gcd");
+    for (variables, terms, degree) in
+        [(2, 6, 4), (2, 20, 10), (3, 6, 4), (3, 20, 10), (4, 12, 6), (4, 20, 10)]
+    {
+        let [a, b, common] = inputs::in_gcd(variables, terms, degree);
+        let (x, y) = (a.times(&common), b.times(&common));
+        assert!(x.gcd(&y).div_exact(&common.primitive_part()).is_some());
+        let name = format!("gcd, {variables} variables, {terms} terms, degree < {degree}");
+        group.bench_function(name, |bench| bench.iter(|| black_box(&x).gcd(black_box(&y))));
+        let name = format!("exact division, {variables} variables, {terms} terms, degree < {degree}");
+        group.bench_function(name, |bench| bench.iter(|| black_box(&x).div_exact(black_box(&common))));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, products, fractions, common_factors);
 criterion_main!(benches);

@@ -21,12 +21,14 @@
 //! | W8 fateman k | f (f + 1) for f = (1 + x + y + z + w)^k | k alone |
 //! | W9 basis n | all B-spline basis functions of degree n on 50 knots | [`in_w9_knots`] |
 //! | W9 insert | 1000 knots inserted into a cubic of 1000 control points | [`in_w9_insertion`] |
+//! | gcd | gcd of products with a common factor, exact division by it | [`in_gcd`] |
 
 // Every benchmark includes this file and uses a part of it.
 #![allow(dead_code)]
 
 use num_bigint::BigInt;
 use polarform::number::{Int, Rational};
+use polarform::poly::{MultiPoly, Symbol};
 
 /// x ← 6364136223846793005 x + 1442695040888963407 mod 2^64; draws the upper 32 bits (Knuth's MMIX).
 pub struct Lcg(u64);
@@ -159,6 +161,19 @@ pub fn in_w9_insertion() -> (Vec<Rational>, Vec<Vec<Rational>>, Vec<Rational>) {
 
 /// The prime 2^61 − 1.
 pub const P: u64 = (1 << 61) - 1;
+
+/// Three random polynomials: seed 1000 + 100 v + n; each n times an exponent below `degree` for each
+/// of the v variables x, y, z, w, and a coefficient of size at most 100; equal monomials add up.
+pub fn in_gcd(variables: usize, terms: usize, degree: u32) -> [MultiPoly; 3] {
+    let mut lcg = Lcg::new(1000 + 100 * variables as u64 + terms as u64);
+    [0; 3].map(|_| {
+        MultiPoly::from_terms((0..terms).map(|_| {
+            let names = ["x", "y", "z", "w"].into_iter().take(variables).map(Symbol::new);
+            let powers = names.map(|name| (name, lcg.below(degree) as u32)).collect();
+            (powers, Rational::from(Int::from(lcg.num(100))))
+        }))
+    })
+}
 
 /// a·b mod p
 pub fn times(a: u64, b: u64) -> u64 {

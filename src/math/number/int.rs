@@ -20,6 +20,8 @@ use num_bigint::{BigInt, ParseBigIntError, Sign, ToBigInt};
 use num_integer::Integer;
 use num_traits::{FromPrimitive, Num, One, Signed, ToPrimitive, Zero};
 
+use super::lehmer;
+
 /// An integer of any size; values that fit in an `i64` need no allocation.
 ///
 /// ```
@@ -421,7 +423,9 @@ impl Integer for Int {
                 let b = b.unsigned_abs();
                 Int::from(gcd_word(b, self.mod_word(b)))
             }
-            _ => Int::from(self.to_big().gcd(&other.to_big())),
+            (Big(a), Big(b)) => Int::from(BigInt::from(lehmer::gcd(a.magnitude(), b.magnitude()))),
+            (Big(_), Small(_)) => self.abs(),
+            (Small(_), Big(_)) => other.abs(),
         }
     }
     fn lcm(&self, other: &Self) -> Self {
@@ -451,7 +455,10 @@ impl Integer for Int {
         {
             return (Int(Small(a / b)), Int(Small(a % b)));
         }
-        let (q, r) = self.to_big().div_rem(&other.to_big());
+        let (q, r) = match (&self.0, &other.0) {
+            (Big(a), Big(b)) => a.div_rem(b),
+            _ => self.to_big().div_rem(&other.to_big()),
+        };
         (Int::from(q), Int::from(r))
     }
 }

@@ -6,6 +6,7 @@
 
 mod combinatorics;
 mod int;
+mod lehmer;
 mod literal;
 mod root;
 

@@ -139,8 +139,14 @@ pub(super) fn gcd(field: &Modulus, mut a: Vec<u64>, mut b: Vec<u64>) -> Vec<u64>
     a
 }
 
-/// Replaces a by a mod b; b is not empty.
+/// Below this length of the divisor an inverse costs more than to scale the dividend.
+const SHORT: usize = 32;
+
+/// Replaces a by a mod b, times a constant; b is not empty.
 fn remainder(field: &Modulus, a: &mut Vec<u64>, b: &[u64]) {
+    if b.len() < SHORT {
+        return scaled_remainder(field, a, b);
+    }
     let inverse = field.invert(b[b.len() - 1]);
     while a.len() >= b.len() {
         budget::steps(1 + (b.len() / 256) as u32);
@@ -148,6 +154,28 @@ fn remainder(field: &Modulus, a: &mut Vec<u64>, b: &[u64]) {
         let offset = a.len() - b.len();
         for (x, &y) in a[offset..].iter_mut().zip(b) {
             *x = field.sub(*x, field.canonical(field.mul(y, factor)));
+        }
+        while a.last() == Some(&0) {
+            a.pop();
+        }
+    }
+}
+
+/// [`remainder`] without an inverse.
+fn scaled_remainder(field: &Modulus, a: &mut Vec<u64>, b: &[u64]) {
+    let Some((&lead, rest)) = b.split_last() else { return };
+    while a.len() >= b.len() {
+        budget::step();
+        let Some(top) = a.pop() else { return };
+        let minus_top = field.sub(0, top);
+        let offset = a.len() - rest.len();
+        for x in &mut a[..offset] {
+            *x = field.canonical(field.mul(*x, lead));
+        }
+        for (x, &y) in a[offset..].iter_mut().zip(rest) {
+            // Below 2p², so one reduction is enough.
+            let sum = u128::from(*x) * u128::from(lead) + u128::from(y) * u128::from(minus_top);
+            *x = field.canonical(field.reduce(sum));
         }
         while a.last() == Some(&0) {
             a.pop();

@@ -17,13 +17,13 @@ use crate::math::number::Int;
 
 /// The three largest primes below 2^62 that are 1 modulo 2^44, and generators of
 /// their multiplicative groups.
-const FIELDS: [Modulus; 3] = [
+pub(super) const FIELDS: [Modulus; 3] = [
     Modulus::new(0x3fff_c000_0000_0001),
     Modulus::new(0x3ffd_f000_0000_0001),
     Modulus::new(0x3ffd_9000_0000_0001),
 ];
-const GENERATORS: [u64; 3] = [11, 3, 3];
-const ROOT_ORDER_LOG: u32 = 44;
+pub(super) const GENERATORS: [u64; 3] = [11, 3, 3];
+pub(super) const ROOT_ORDER_LOG: u32 = 44;
 
 /// The product of the primes exceeds 2^185, so every integer of size below 2^184 is determined.
 const RESULT_BITS: u64 = 184;

@@ -5,8 +5,13 @@ mod dense;
 mod dense_compose;
 mod dense_modular;
 mod dense_ntt;
+mod divide;
 mod fraction;
 mod gcd;
+mod gcd_modular;
+mod gcd_roots;
+#[cfg(test)]
+mod gcd_tests;
 mod multiply;
 mod multivariate;
 mod one_variable;

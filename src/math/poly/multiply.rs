@@ -93,15 +93,21 @@ fn general(left: &[(Exponents, Int)], right: &[(Exponents, Int)]) -> Terms {
     sums.into_iter().rev().collect()
 }
 
-struct Packing {
+/// Exponents packed into a word by mixed radix.
+pub(super) struct Packing {
     /// Place value of each variable, the first one largest.
     strides: Vec<u64>,
     /// Size of the box of all exponents.
-    cells: u64,
+    pub(super) cells: u64,
 }
 
 impl Packing {
-    fn new(left: &[(Exponents, Int)], right: &[(Exponents, Int)], variables: usize) -> Option<Self> {
+    /// Room for the exponents of a product; `None` if a word has too few bits.
+    pub(super) fn new(
+        left: &[(Exponents, Int)],
+        right: &[(Exponents, Int)],
+        variables: usize,
+    ) -> Option<Self> {
         let degree = |terms: &[(Exponents, Int)], k: usize| terms.iter().map(|(e, _)| e[k]).max();
         let mut strides = vec![1; variables];
         let mut cells = 1u64;
@@ -113,11 +119,11 @@ impl Packing {
         Some(Packing { strides, cells })
     }
 
-    fn pack(&self, e: &Exponents) -> u64 {
+    pub(super) fn pack(&self, e: &Exponents) -> u64 {
         e.iter().zip(&self.strides).map(|(x, stride)| u64::from(*x) * stride).sum()
     }
 
-    fn unpack(&self, mut key: u64) -> Exponents {
+    pub(super) fn unpack(&self, mut key: u64) -> Exponents {
         self.strides
             .iter()
             .map(|stride| {

@@ -189,7 +189,7 @@ fn trimmed(mut v: Vec<u64>) -> Vec<u64> {
 
 /// Changes `found`, known modulo `modulus`, to agree with `image` modulo p as well, keeping
 /// entries least in size. Returns whether nothing changed.
-fn combine(found: &mut [Int], modulus: &Int, image: &[u64], field: &Modulus) -> bool {
+pub(super) fn combine(found: &mut [Int], modulus: &Int, image: &[u64], field: &Modulus) -> bool {
     let p = field.p;
     let inverse = field.invert(field.enter(modulus.mod_word(p)));
     let mut stable = true;
