@@ -74,6 +74,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::Include,
         Code::Encoding,
         Code::BrokenNotebook,
+        Code::UnseenFormula,
+        Code::FileKind,
         Code::UnclosedQuery,
         Code::BlockOption,
         Code::OutOfDate,

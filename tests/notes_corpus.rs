@@ -77,7 +77,7 @@ fn every_relation_gets_its_verdict() {
     let mut tally = Tally::default();
     for page in pages() {
         let name = page.file_name().unwrap().to_string_lossy().into_owned();
-        let documents = read_files(&page).unwrap();
+        let documents = read_files(&page, None).unwrap();
         let document = &documents[0];
         let report = check_document(document, &Options::default());
         let mut relations: Vec<&Finding> = report.findings.iter().filter(|f| f.relation > 0).collect();

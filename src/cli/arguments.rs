@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::figure_arguments::FigureArguments;
 use crate::budget::Limits;
+use crate::document::Container;
 use crate::language::value::{Language, Notation};
 use crate::language::write::Format;
 use crate::math::blossom::Method;
@@ -462,7 +463,7 @@ pub(super) enum Interpolation {
 /// What to do with lecture notes.
 #[derive(Debug, Subcommand)]
 pub(super) enum Notes {
-    /// A verdict for every formula: Markdown, LaTeX or Jupyter notebooks
+    /// A verdict for every formula: Markdown, reStructuredText, LaTeX or Jupyter notebooks
     #[command(after_help = "Examples:\n  \
         polarform notes check lecture.md\n  \
         polarform notes check lectures/*.tex --context definitions.txt\n  \
@@ -474,6 +475,9 @@ pub(super) enum Notes {
         /// Files of notes
         #[arg(required = true, value_name = "FILE")]
         files: Vec<PathBuf>,
+        /// How the files are written (if not given: by the endings of their names)
+        #[arg(long = "as", value_enum, value_name = "KIND")]
+        kind: Option<PageKind>,
         /// Files read at the same time (as many as there are processors if not given)
         #[arg(long, short = 'j', value_name = "N")]
         jobs: Option<NonZeroUsize>,
@@ -486,6 +490,9 @@ pub(super) struct NotesCheck {
     /// Files of notes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// How the files are written (if not given: by the endings of their names)
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub kind: Option<PageKind>,
     /// Declarations for all files: definitions, degrees, ranges, in the query language
     #[arg(long, value_name = "FILE")]
     pub context: Option<PathBuf>,
@@ -504,6 +511,30 @@ pub(super) struct NotesCheck {
     /// Files checked at the same time (as many as there are processors if not given)
     #[arg(long, short = 'j', value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
+}
+
+/// How pages are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum PageKind {
+    /// Markdown in its dialects, plain text
+    Markdown,
+    /// reStructuredText
+    Rst,
+    /// LaTeX
+    Latex,
+    /// A Jupyter notebook
+    Notebook,
+}
+
+impl From<PageKind> for Container {
+    fn from(kind: PageKind) -> Container {
+        match kind {
+            PageKind::Markdown => Container::Markdown,
+            PageKind::Rst => Container::Rst,
+            PageKind::Latex => Container::Latex,
+            PageKind::Notebook => Container::Notebook,
+        }
+    }
 }
 
 /// How to report on lecture notes.

@@ -18,8 +18,7 @@ use super::arguments::{Global, Notes, NotesCheck, ReportKind};
 use super::commands::{Ran, Stop};
 use super::output::Output;
 use super::watch::Watch;
-use crate::document::Document;
-use crate::document::read_files;
+use crate::document::{Container, Document, read_files};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -39,7 +38,7 @@ const STACK: usize = 16 << 20;
 
 pub(super) fn run(notes: &Notes, global: &Global, output: &Output) -> Ran {
     match notes {
-        Notes::List { files, jobs } => list(files, *jobs, global, output),
+        Notes::List { files, kind, jobs } => list(files, kind.map(Container::from), *jobs, global, output),
         Notes::Check(arguments) => {
             let check = Check { arguments, kind: kind(arguments, global.format())?, global, output };
             check.refuse_overwriting()?;
@@ -57,12 +56,18 @@ struct Input {
     read: bool,
 }
 
-fn list(files: &[PathBuf], jobs: Option<NonZeroUsize>, global: &Global, output: &Output) -> Ran {
+fn list(
+    files: &[PathBuf],
+    kind: Option<Container>,
+    jobs: Option<NonZeroUsize>,
+    global: &Global,
+    output: &Output,
+) -> Ran {
     if matches!(global.format(), Format::Sympy) {
         return Err(usage("a list of formulas is printed as text or JSON", "choose another --format"));
     }
     let pool = pool(jobs, files.len())?;
-    let inputs = read_all(&pool, files, |document| FileReport {
+    let inputs = read_all(&pool, files, kind, |document| FileReport {
         file: document.file.clone(),
         findings: listing(document),
         problems: document.problems.clone(),
@@ -137,7 +142,9 @@ impl Check<'_> {
     }
 
     fn checked(&self, pool: &ThreadPool, files: &[PathBuf], options: &Options) -> Vec<Input> {
-        read_all(pool, files, |document| check_document(document, options))
+        read_all(pool, files, self.arguments.kind.map(Container::from), |document| {
+            check_document(document, options)
+        })
     }
 
     /// Writes the report and says how the check ended.
@@ -270,6 +277,7 @@ fn pool(jobs: Option<NonZeroUsize>, files: usize) -> Result<ThreadPool, Stop> {
 fn read_all(
     pool: &ThreadPool,
     files: &[PathBuf],
+    kind: Option<Container>,
     report: impl Fn(&Document) -> FileReport + Sync,
 ) -> Vec<Input> {
     let bar = progress(files.len());
@@ -277,7 +285,7 @@ fn read_all(
         files
             .par_iter()
             .map(|path| {
-                let input = read_one(path, &report);
+                let input = read_one(path, kind, &report);
                 bar.inc(1);
                 input
             })
@@ -300,13 +308,13 @@ fn progress(files: usize) -> ProgressBar {
     bar
 }
 
-fn read_one(path: &Path, report: impl Fn(&Document) -> FileReport) -> Input {
+fn read_one(path: &Path, kind: Option<Container>, report: impl Fn(&Document) -> FileReport) -> Input {
     let name = path.display().to_string();
     let documents = if path.is_dir() {
         Err(Diagnostic::error(Code::File, format!("{name} is a directory"))
             .hint(format!("name the files in it, for example {}", path.join("*.md").display())))
     } else {
-        guarded(|| read_files(path)).and_then(|result| result)
+        guarded(|| read_files(path, kind)).and_then(|result| result)
     };
     let unread =
         |file: SourceFile, problem| FileReport { file, findings: Vec::new(), problems: vec![problem] };
@@ -400,6 +408,7 @@ mod tests {
         let kind = |report, output: Option<&str>, format| {
             let arguments = NotesCheck {
                 files: Vec::new(),
+                kind: None,
                 context: None,
                 verbose: false,
                 report,
@@ -420,7 +429,7 @@ mod tests {
 
     #[test]
     fn a_defect_or_a_directory_spoils_one_file_only() {
-        let folder = read_one(&std::env::temp_dir(), |_| unreachable!("there is no document"));
+        let folder = read_one(&std::env::temp_dir(), None, |_| unreachable!("there is no document"));
         assert!(!folder.read);
         assert!(folder.reports[0].problems[0].message.ends_with("is a directory"));
         assert_eq!(

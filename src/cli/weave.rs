@@ -78,7 +78,11 @@ impl Weaver<'_> {
 
     fn file(&self, path: &Path) -> Ran {
         let input = read_input(path).map_err(failed)?;
-        match (Container::of(path), &self.arguments.output) {
+        match (Container::of(path).map_err(failed)?, &self.arguments.output) {
+            (Container::Rst, _) => Err(usage(
+                "results are not written into reStructuredText",
+                "weave Markdown, LaTeX or a notebook; `polarform notes check` reads reStructuredText",
+            )),
             (Container::Latex, Some(_)) => Err(usage(
                 "a LaTeX document is not copied",
                 "its results go to a file beside it; leave out -o",

@@ -10,8 +10,10 @@ use std::borrow::Cow;
 
 use super::collect::Collector;
 use super::cursor::Cursor;
+use super::directives::{Content, content, without_options};
 use super::inline;
 use super::parts::{Part, PartKind, options_in};
+use super::rst;
 use super::signs::{braced_name, display_end, inline_end, is_math_environment, line_at};
 use crate::document::{Enclosure, Item, Places, Style};
 use crate::formula::source::Span;
@@ -19,8 +21,16 @@ use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes the Markdown text apart.
 pub(super) fn scan(text: &str, out: &mut Collector) {
-    let mut blocks =
-        Blocks { text, out, open: Vec::new(), code: None, lines: Vec::new(), no_comment: usize::MAX };
+    out.double_backquotes |= inline::double_backquotes(text);
+    let mut blocks = Blocks {
+        text,
+        out,
+        open: Vec::new(),
+        code: None,
+        options: None,
+        lines: Vec::new(),
+        no_comment: usize::MAX,
+    };
     let mut at = front_matter(text);
     while at < text.len() {
         at = blocks.line(at);
@@ -56,6 +66,14 @@ enum Open {
     Item(usize),
     /// A fenced division of Pandoc.
     Division,
+    /// `!!! note` of Documenter and MkDocs: its lines are indented by this many columns.
+    Admonition(usize),
+    /// A fence of MyST within which Markdown goes on.
+    Directive {
+        mark: u8,
+        len: usize,
+        start: Span,
+    },
 }
 
 impl Open {
@@ -63,7 +81,7 @@ impl Open {
         match self {
             Open::Quotation => Enclosure::Quotation,
             Open::Item(_) => Enclosure::Item,
-            Open::Division => Enclosure::Environment,
+            Open::Division | Open::Admonition(_) | Open::Directive { .. } => Enclosure::Environment,
         }
     }
 }
@@ -75,8 +93,8 @@ struct Fence {
     start: Span,
     /// What is said of it.
     info: Span,
-    /// Whether it is a block of GitHub's ```math.
-    math: bool,
+    /// What its lines are.
+    content: Content,
     /// Its lines, if they are of interest.
     lines: Option<Vec<Span>>,
     /// The columns by which the opening fence is indented, and so may its lines.
@@ -88,6 +106,8 @@ struct Blocks<'a> {
     out: &'a mut Collector,
     open: Vec<Open>,
     code: Option<Fence>,
+    /// Whether the options of a directive may stand here, and if so, whether as a block of YAML.
+    options: Option<bool>,
     /// The lines of the paragraph, without the marks of what encloses it.
     lines: Vec<Span>,
     /// From where on no comment ends.
@@ -105,8 +125,10 @@ impl Blocks<'_> {
         for open in &self.open {
             let goes_on = match open {
                 Open::Quotation => cursor.quotation_mark(),
-                Open::Item(columns) => cursor.is_blank() || cursor.skip_columns(*columns),
-                Open::Division => true,
+                Open::Item(columns) | Open::Admonition(columns) => {
+                    cursor.is_blank() || cursor.skip_columns(*columns)
+                }
+                Open::Division | Open::Directive { .. } => true,
             };
             if !goes_on {
                 break;
@@ -120,6 +142,9 @@ impl Blocks<'_> {
                 return next;
             }
             self.end_code(start, false);
+        }
+        if self.is_option(cursor.rest()) {
+            return next;
         }
         if cursor.is_blank() {
             self.end_paragraph();
@@ -147,14 +172,9 @@ impl Blocks<'_> {
             } else if let Some((mark, len)) = cursor.fence() {
                 self.end_paragraph();
                 self.close_unless(fresh, matched);
-                let rest = &cursor.rest()[len..];
-                let begin = cursor.end() - rest.trim_start().len();
-                let info = Span::new(begin, begin + rest.trim().len());
-                let math = matches!(rest.trim(), "math" | "{math}");
-                let queries = options_in(rest).is_some();
-                let lines = (math || queries || self.out.layout.is_some()).then(Vec::new);
-                let start = Span::new(cursor.at(), cursor.at() + len);
-                self.code = Some(Fence { mark, len, start, info, math, lines, indent });
+                if !self.closes_directive(mark, len, &cursor) {
+                    self.fence(mark, len, indent, &cursor);
+                }
                 return next;
             } else if let Some((level, span)) = cursor.heading() {
                 self.end_paragraph();
@@ -167,9 +187,24 @@ impl Blocks<'_> {
                 return next;
             } else if nests && let Some(columns) = cursor.list_mark(indent, in_paragraph && all && !fresh) {
                 self.begin(Open::Item(columns), fresh, matched);
+            } else if nests && let Some(title) = cursor.admonition() {
+                self.begin(Open::Admonition(indent + 4), fresh, matched);
+                self.set_margin();
+                inline::heading(&self.text[title.range()], title.start, self.out);
+                self.out.end_paragraph();
+                return next;
             } else if nests && let Some(closing) = cursor.division() {
                 self.end_paragraph();
-                self.division(closing, fresh, matched);
+                let colons = cursor.rest().bytes().take_while(|&byte| byte == b':').count();
+                if cursor.rest()[colons..].trim_start().starts_with("{math}") {
+                    self.close_unless(fresh, matched);
+                    self.fence(b':', colons, indent, &cursor);
+                } else {
+                    let name = cursor.rest()[colons..].trim_start().strip_prefix('{');
+                    let named = name.is_some_and(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+                    self.division(closing, fresh, matched);
+                    self.options = named.then_some(false);
+                }
                 return next;
             } else {
                 break;
@@ -211,8 +246,65 @@ impl Blocks<'_> {
         while self.open.len() > keep {
             if let Some(open) = self.open.pop() {
                 self.out.leave(open.enclosure());
+                if let Open::Directive { start, .. } = open {
+                    self.out.problem(never_closed(start, "it ends with what it stands in"));
+                }
             }
         }
+    }
+
+    /// Begins a fenced block, or a directive of MyST in which Markdown goes on.
+    fn fence(&mut self, mark: u8, len: usize, indent: usize, cursor: &Cursor) {
+        let rest = &cursor.rest()[len..];
+        let begin = cursor.end() - rest.trim_start().len();
+        let info = Span::new(begin, begin + rest.trim().len());
+        let start = Span::new(cursor.at(), cursor.at() + len);
+        let content = content(rest.trim());
+        if content == Content::Prose && self.open.len() < MAX_NESTING {
+            self.begin(Open::Directive { mark, len, start }, true, 0);
+            self.options = Some(false);
+            let title = begin + rest.trim().find('}').map_or(0, |at| at + 1);
+            inline::heading(&self.text[title..info.end], title, self.out);
+            return self.out.end_paragraph();
+        }
+        let wanted = content != Content::Code || options_in(rest).is_some() || self.out.layout.is_some();
+        let lines = wanted.then(Vec::new);
+        self.code = Some(Fence { mark, len, start, info, content, lines, indent });
+    }
+
+    /// Whether the fence closes the innermost directive that it can.
+    fn closes_directive(&mut self, mark: u8, len: usize, cursor: &Cursor) -> bool {
+        if !cursor.rest()[len..].trim().is_empty() {
+            return false;
+        }
+        let closes =
+            |open: &Open| matches!(open, Open::Directive { mark: m, len: l, .. } if *m == mark && *l <= len);
+        let Some(at) = self.open.iter().rposition(closes) else { return false };
+        self.close(at + 1);
+        if let Some(open) = self.open.pop() {
+            self.out.leave(open.enclosure());
+        }
+        true
+    }
+
+    /// Whether the line is an option of the directive above it.
+    fn is_option(&mut self, line: &str) -> bool {
+        let Some(yaml) = self.options else { return false };
+        let line = line.trim();
+        if yaml && line.is_empty() {
+            self.options = None;
+            return false;
+        }
+        let fence = line == "---";
+        if yaml || fence {
+            self.options = if yaml && fence { None } else { Some(true) };
+            return true;
+        }
+        let option = super::directives::is_option(line);
+        if !option {
+            self.options = None;
+        }
+        option
     }
 
     fn division(&mut self, closing: bool, fresh: bool, matched: usize) {
@@ -270,22 +362,30 @@ impl Blocks<'_> {
         if let Some(lines) = &fence.lines {
             let span = Span::new(fence.start.start, at);
             self.note_code(&fence, lines, span, closed);
-            if fence.math {
-                let masked = masked(self.text, lines);
-                self.out.formula(Style::Display, &masked, lines.first().map_or(at, |line| line.start));
+            if fence.content == Content::Formula {
+                // What stands behind the name on the first line belongs to the formula.
+                let name = self.text[fence.info.range()].find('}').map_or(fence.info.len(), |at| at + 1);
+                let first = Span::new(fence.info.start + name, fence.info.end);
+                let mut all = vec![first];
+                all.extend_from_slice(without_options(self.text, lines));
+                let all = if first.is_empty() { &all[1..] } else { &all[..] };
+                let masked = masked(self.text, all);
+                self.out.formula(Style::Display, &masked, all.first().map_or(at, |line| line.start));
                 self.out.end_paragraph();
+            } else if fence.content == Content::Rst {
+                let range =
+                    lines.first().map_or(at, |line| line.start)..lines.last().map_or(at, |line| line.end);
+                rst::scan(self.text, range, self.out);
+            } else if fence.content == Content::Unknown {
+                let lines: Vec<&str> = lines.iter().map(|line| &self.text[line.range()]).collect();
+                super::directives::count_unseen(&lines, fence.info, self.out);
             } else if closed && options_in(&self.text[fence.info.range()]).is_some() {
                 let code = masked(self.text, lines);
                 self.out.queries(&code, lines.first().map_or(at, |line| line.start));
             }
         }
         if !closed {
-            self.out.problem(
-                Diagnostic::warning(Code::UnclosedBlock, "the code block is never closed")
-                    .at(fence.start)
-                    .reason("it begins here")
-                    .hint("close it with a line of the same marks; nothing in it was checked"),
-            );
+            self.out.problem(never_closed(fence.start, "nothing in it was checked"));
         }
     }
 
@@ -293,7 +393,7 @@ impl Blocks<'_> {
     fn note_code(&mut self, fence: &Fence, lines: &[Span], span: Span, closed: bool) {
         self.set_margin();
         let Some(layout) = &mut self.out.layout else { return };
-        if fence.math && closed {
+        if fence.content == Content::Formula && closed {
             let ends = [fence.start.to(fence.info), Span::new(span.end - fence.len, span.end)];
             let all = [&ends[..1], lines, &ends[1..]].concat();
             let masked = masked(self.text, &all);
@@ -324,8 +424,10 @@ impl Blocks<'_> {
         for open in &self.open {
             match open {
                 Open::Quotation => layout.margin.push_str("> "),
-                Open::Item(columns) => layout.margin.extend(std::iter::repeat_n(' ', *columns)),
-                Open::Division => {}
+                Open::Item(columns) | Open::Admonition(columns) => {
+                    layout.margin.extend(std::iter::repeat_n(' ', *columns));
+                }
+                Open::Division | Open::Directive { .. } => {}
             }
         }
     }
@@ -347,10 +449,10 @@ impl Blocks<'_> {
                                 Open::Quotation => {
                                     cursor.quotation_mark();
                                 }
-                                Open::Item(columns) => {
+                                Open::Item(columns) | Open::Admonition(columns) => {
                                     cursor.skip_columns(*columns);
                                 }
-                                Open::Division => {}
+                                Open::Division | Open::Directive { .. } => {}
                             }
                         }
                         (start, end) = (cursor.at(), end + 1 + line.len());
@@ -448,6 +550,14 @@ impl Blocks<'_> {
             }
         }
     }
+}
+
+/// The block of code or directive that begins at the place has no end.
+fn never_closed(start: Span, what: &str) -> Diagnostic {
+    Diagnostic::warning(Code::UnclosedBlock, "the fenced block is never closed")
+        .at(start)
+        .reason("it begins here")
+        .hint(format!("close it with a line of the same marks; {what}"))
 }
 
 fn is_delimiter_row(line: &str) -> bool {

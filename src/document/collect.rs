@@ -1,5 +1,6 @@
 //! Where the readers of containers put what they find.
 
+use super::arguments::command_name;
 use super::clean::cleaned;
 use super::macros::Macros;
 use super::parts::Layout;
@@ -7,9 +8,13 @@ use super::plain;
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::latex;
 
 /// So many problems are told of a file; the rest are of the same kind.
 const MAX_PROBLEMS: usize = 1000;
+
+/// So many commands of LaTeX are looked at in a line of words.
+const MAX_COMMANDS: usize = 100;
 
 /// The pieces found so far.
 #[derive(Default)]
@@ -19,6 +24,10 @@ pub(super) struct Collector {
     pub(super) macros: Macros,
     /// Where everything stands, if that is asked for.
     pub(super) layout: Option<Layout>,
+    /// Whether formulas stand in double backquotes on this page, as in the manuals of Julia.
+    pub(super) double_backquotes: bool,
+    /// Whether what stands in backquotes without a role is a formula (reStructuredText).
+    pub(super) default_role: bool,
     /// Whether something was said since the last paragraph or enclosure.
     said: bool,
 }
@@ -96,12 +105,21 @@ impl Collector {
         for (i, (line, at)) in lines(text, start).enumerate() {
             let mut said = 0;
             for found in plain::find(line, continues && i == 0) {
-                self.line(&line[said..found.range.start], at + said);
+                self.words_of(&line[said..found.range.start], at + said);
                 said = found.range.end;
                 self.formula(Style::Plain, &found.text, at + found.range.start);
             }
-            self.line(&line[said..], at + said);
+            self.words_of(&line[said..], at + said);
         }
+    }
+
+    /// Words outside of formulas; a command of LaTeX among them belongs to a formula without signs.
+    fn words_of(&mut self, line: &str, at: usize) {
+        if let Some(found) = command(line) {
+            let span = Span::new(at + found.start, at + found.end);
+            self.unseen(span, "this looks like a formula and was not read");
+        }
+        self.line(line, at);
     }
 
     fn line(&mut self, line: &str, at: usize) {
@@ -137,6 +155,12 @@ impl Collector {
         }
     }
 
+    /// Something that a person would take for a formula and that is not read.
+    pub(super) fn unseen(&mut self, span: Span, what: &str) {
+        let problem = Diagnostic::warning(Code::UnseenFormula, what).at(span);
+        self.problem(problem.hint("write it between $ and $, or as the format of the page wants it"));
+    }
+
     /// A sign that opens a formula which is never closed.
     pub(super) fn unclosed(&mut self, sign: &str, at: usize, closing: &str) {
         let problem = Diagnostic::warning(Code::UnclosedFormula, format!("{sign} is never closed"))
@@ -148,6 +172,21 @@ impl Collector {
             problem.hint(format!("write {closing} after the formula"))
         });
     }
+}
+
+/// The first command of LaTeX in a line that only formulas have.
+fn command(line: &str) -> Option<std::ops::Range<usize>> {
+    const GROUPS: [&str; 4] =
+        ["fractions and roots", "sums, limits and integrals", "letters and symbols", "relations"];
+    let mathematical = |name: &str| {
+        name.len() > 1
+            && latex::commands().iter().any(|known| known.name() == name && GROUPS.contains(&known.group()))
+    };
+    line.match_indices('\\').take(MAX_COMMANDS).find_map(|(at, _)| {
+        let name = command_name(line, at);
+        let escaped = line[..at].ends_with('\\');
+        (!escaped && mathematical(name)).then(|| at..at + 1 + name.len())
+    })
 }
 
 /// The lines of a text with the bytes where they start.

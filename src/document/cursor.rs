@@ -132,6 +132,9 @@ impl<'a> Cursor<'a> {
         let digits = rest.bytes().take(10).take_while(u8::is_ascii_digit).count();
         let len = match rest.as_bytes().get(digits)? {
             b'-' | b'*' | b'+' if digits == 0 => 1,
+            // What a term means, in lists of definitions.
+            b':' if digits == 0 && !rest[1..].trim().is_empty() => 1,
+            b'[' if digits == 0 && rest.starts_with("[^") => return self.footnote(indent),
             b'.' | b')' if (1..=9).contains(&digits) => digits + 1,
             _ => return None,
         };
@@ -146,6 +149,27 @@ impl<'a> Cursor<'a> {
         let spaces = if blank || spaces > 4 { 1 } else { spaces };
         self.skip_columns(spaces);
         Some(indent + len + spaces)
+    }
+
+    /// Passes the mark of a footnote, `[^name]:`; its further lines are indented by four columns.
+    fn footnote(&mut self, indent: usize) -> Option<usize> {
+        let close = self.rest().bytes().take(60).position(|byte| byte == b']')?;
+        self.rest()[close + 1..].starts_with(':').then(|| {
+            self.skip_marks(close + 2);
+            self.skip_spaces();
+            indent + 4
+        })
+    }
+
+    /// The title of a note whose lines are indented: `!!! note "Title"` of Documenter and MkDocs,
+    /// `??? note`, `=== "Tab"`.
+    pub(super) fn admonition(&self) -> Option<crate::formula::source::Span> {
+        let rest = self.rest().trim_end();
+        let title = ["!!! ", "??? ", "???+ ", "=== \""].iter().find_map(|mark| rest.strip_prefix(mark))?;
+        let start = self.at + rest.len() - title.len();
+        title
+            .starts_with(|c: char| c.is_alphanumeric())
+            .then(|| crate::formula::source::Span::new(start, start + title.len()))
     }
 
     /// A fence of a division, `::: name` or `:::`: whether it closes one.

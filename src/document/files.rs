@@ -23,31 +23,106 @@ const MAX_DEPTH: usize = 20;
 /// Reads a file of notes and all that it includes by `\input` and its kin, in this order: the file
 /// itself, then the others in the order of reading. They share their macros.
 ///
+/// The ending of the name tells how it is written, unless `kind` says so.
+///
 /// # Errors
-/// [`Code::File`] if the file cannot be read or is too long; an included one is a problem of the one that includes it.
-pub fn read_files(path: &Path) -> Result<Vec<Document>, Diagnostic> {
-    let (file, problems) = load(path)?;
-    let mut out = Collector::with(Default::default(), problems);
-    let kind = Container::of(path);
-    if kind != Container::Latex {
-        scan(file.text(), kind, &mut out);
-        return Ok(vec![out.into_document(file)]);
+/// [`Code::File`] if the file cannot be read or is too long, [`Code::FileKind`] if its ending is unknown; an
+/// included one is a problem of the one that includes it.
+pub fn read_files(path: &Path, kind: Option<Container>) -> Result<Vec<Document>, Diagnostic> {
+    let known = kind.map_or_else(|| Container::of(path), Ok);
+    if let Err(problem) = &known
+        && path.is_file()
+    {
+        return Err(problem.clone());
     }
+    let (file, problems) = load(path)?;
+    let kind = known?;
+    if kind != Container::Latex {
+        return Ok(vec![one(file, kind, problems)]);
+    }
+    let out = Collector::with(Default::default(), problems);
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     let mut loader = Loader { folder, documents: Vec::new(), open: Vec::new(), read: HashSet::new() };
     loader.latex(path, file, true, out);
     Ok(loader.documents.into_iter().flatten().collect())
 }
 
+/// Takes apart what was read from somewhere else than a file, such as standard input; it is called `name`.
+///
+/// # Errors
+/// If the bytes are too many or no text.
+pub fn read_text(name: &str, bytes: Vec<u8>, kind: Container) -> Result<Document, Diagnostic> {
+    let (file, problems) = decoded(name, bytes)?;
+    Ok(one(file, kind, problems))
+}
+
+fn one(file: SourceFile, kind: Container, problems: Vec<Diagnostic>) -> Document {
+    let mut out = Collector::with(Default::default(), problems);
+    scan(file.text(), kind, &mut out);
+    out.into_document(file)
+}
+
+/// Endings of files by how they are written; a name without ending is Markdown.
+const ENDINGS: &[(Container, &[&str])] = &[
+    (
+        Container::Markdown,
+        &[
+            "md", "markdown", "mdown", "mkd", "mkdn", "mdwn", "mdx", "qmd", "rmd", "jmd", "myst", "txt",
+            "text",
+        ],
+    ),
+    (Container::Rst, &["rst", "rest"]),
+    (Container::Latex, &["tex", "ltx", "latex", "sty", "cls"]),
+    (Container::Notebook, &["ipynb"]),
+];
+
+/// Endings of files that pandoc turns into Markdown, with the names of their formats.
+const CONVERTIBLE: &[(&str, &str)] = &[
+    ("typ", "Typst"),
+    ("org", "Org"),
+    ("html", "HTML"),
+    ("htm", "HTML"),
+    ("xhtml", "HTML"),
+    ("docx", "Word"),
+    ("odt", "OpenDocument"),
+    ("epub", "EPUB"),
+    ("textile", "Textile"),
+    ("wiki", "MediaWiki"),
+    ("mediawiki", "MediaWiki"),
+    ("typst", "Typst"),
+];
+
 impl Container {
     /// The kind of a file by the ending of its name.
-    pub fn of(path: &Path) -> Container {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-        match ending.as_deref() {
-            Some("tex" | "ltx" | "latex" | "sty" | "cls") => Container::Latex,
-            Some("ipynb") => Container::Notebook,
-            _ => Container::Markdown,
+    ///
+    /// # Errors
+    /// [`Code::FileKind`] if files with this ending are not read.
+    pub fn of(path: &Path) -> Result<Container, Diagnostic> {
+        let Some(ending) = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase())
+        else {
+            return Ok(Container::Markdown);
+        };
+        let known = ENDINGS.iter().find(|(_, endings)| endings.contains(&ending.as_str()));
+        if let Some((kind, _)) = known {
+            return Ok(*kind);
         }
+        let name = path.display();
+        Err(match CONVERTIBLE.iter().find(|(known, _)| *known == ending) {
+            Some((_, format)) => {
+                let stem = path.with_extension("md");
+                Diagnostic::error(Code::FileKind, format!("{name}: {format} is not read")).hint(format!(
+                    "turn it into Markdown and check that: pandoc {name} -t markdown -o {}",
+                    stem.display()
+                ))
+            }
+            None => Diagnostic::error(
+                Code::FileKind,
+                format!("{name}: files that end with .{ending} are not known"),
+            )
+            .hint(
+                "if it is text with formulas, say how it is written: --as markdown, rst, latex or notebook",
+            ),
+        })
     }
 }
 
@@ -134,9 +209,13 @@ fn load(path: &Path) -> Result<(SourceFile, Vec<Diagnostic>), Diagnostic> {
     }
     let mut bytes = Vec::new();
     File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)).map_err(failed)?;
+    decoded(&name, bytes)
+}
+
+fn decoded(name: &str, bytes: Vec<u8>) -> Result<(SourceFile, Vec<Diagnostic>), Diagnostic> {
     if bytes.len() as u64 > MAX_BYTES {
         let what = format!("the file has more than {} MiB, which is the limit", MAX_BYTES >> 20);
-        return Err(problem(&name, &what, "split it"));
+        return Err(problem(name, &what, "split it"));
     }
     let (text, problems) = decode(bytes).map_err(|problem| {
         let message = format!("{name}: {}", problem.message);

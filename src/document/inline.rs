@@ -32,13 +32,68 @@ fn run_of(text: &str, at: usize, mark: u8) -> usize {
 /// Code spans and addresses are this long at most; it keeps looking for their ends linear.
 const NEARBY: usize = 1000;
 
-/// The rest of the line, but not more of it than is worth looking at.
-pub(super) fn nearby(text: &str) -> &str {
+/// Whether somewhere in the text formulas of LaTeX stand in double backquotes.
+///
+/// Cost: linear.
+pub(super) fn double_backquotes(text: &str) -> bool {
+    let signs = ["](@ref", "](@id", "```@", "```jldoctest"];
+    if !text.contains("``") {
+        return false;
+    }
+    if signs.iter().any(|sign| text.contains(sign)) {
+        return true;
+    }
+    let mut at = 0;
+    while let Some(found) = text[at..].find('`') {
+        let run = run_of(text, at + found, b'`');
+        let from = at + found + run;
+        let Some(end) = closing_run(text, from, run) else {
+            at = from;
+            continue;
+        };
+        let content = &text[from..end - run];
+        let mut signs = content.match_indices('\\').map(|(sign, _)| &content[sign + 1..]);
+        let command = signs.any(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+        let latex = command || content.contains("_{") || content.contains("^{");
+        if run == 2 && latex && !content.contains('`') {
+            return true;
+        }
+        at = end;
+    }
+    false
+}
+
+/// Roles of MyST and reStructuredText before backquotes that hold a formula.
+const ROLES: [&str; 2] = ["{math}", ":math:"];
+
+/// The bytes of the attributes or the label after a display: `{#eq-a}`, `(eq:a)`.
+fn attributes(rest: &str) -> usize {
+    let line = nearby(rest);
+    let text = line.trim_start_matches([' ', '\t']);
+    let braces = ["{#", "{.", "{:"].iter().any(|open| text.starts_with(open));
+    let closing = if braces { '}' } else { ')' };
+    let Some(close) = text.find(closing) else { return 0 };
+    let label = |text: &str| {
+        text.chars().all(|c| c.is_alphanumeric() || matches!(c, ':' | '-' | '_' | '.'))
+            && text.contains([':', '-', '_'])
+    };
+    let fits =
+        braces || (text.starts_with('(') && label(&text[1..close]) && text[close + 1..].trim().is_empty());
+    if fits { line.len() - text.len() + close + 1 } else { 0 }
+}
+
+/// Not more of the text than is worth looking at.
+fn near(text: &str) -> &str {
     let mut end = text.len().min(NEARBY);
     while !text.is_char_boundary(end) {
         end -= 1;
     }
-    let text = &text[..end];
+    &text[..end]
+}
+
+/// The rest of the line, but not more of it than is worth looking at.
+pub(super) fn nearby(text: &str) -> &str {
+    let text = near(text);
     text.split('\n').next().unwrap_or(text)
 }
 
@@ -193,7 +248,17 @@ impl<'a> Inline<'a> {
             return at + run;
         }
         match closing_run(self.text, at + run, run) {
-            Some(end) => self.skip(at, end),
+            Some(end) => {
+                let inner = Span::new(at + run, end - run);
+                let before = &self.text[self.said..at];
+                match ROLES.iter().find(|role| before.ends_with(**role)) {
+                    Some(role) => self.formula(Style::Inline, inner, at - role.len(), end),
+                    None if run == 2 && self.out.double_backquotes => {
+                        self.formula(Style::Inline, inner, at, end)
+                    }
+                    None => self.skip(at, end),
+                }
+            }
             None => {
                 self.no_code.insert(run, at);
                 at + run
@@ -218,6 +283,10 @@ impl<'a> Inline<'a> {
         }
         match tag(rest) {
             Some((len, raw)) => {
+                if raw == Some("math") {
+                    let span = Span::new(at, at + len).shifted(self.start);
+                    self.out.unseen(span, "a formula in MathML was not read");
+                }
                 let hidden = raw.map_or(0, |name| self.hidden(at + len, name));
                 self.skip(at, at + len + hidden)
             }
@@ -293,7 +362,7 @@ impl<'a> Inline<'a> {
             return self.dollars(at);
         }
         if let Some(code) = self.text[at..].strip_prefix("$`")
-            && let Some(len) = nearby(code).find("`$")
+            && let Some(len) = near(code).find("`$")
         {
             let text = Span::new(at + 2, at + 2 + len);
             return self.formula(Style::Inline, text, at, text.end + 2);
@@ -324,7 +393,9 @@ impl<'a> Inline<'a> {
     fn dollars(&mut self, at: usize) -> usize {
         match display_end(self.text, at + 2, "$$", false) {
             Some(end) if !self.text[at + 2..end].trim().is_empty() => {
-                self.formula(Style::Display, Span::new(at + 2, end), at, end + 2)
+                self.formula(Style::Display, Span::new(at + 2, end), at, end + 2);
+                self.said = end + 2 + attributes(&self.text[end + 2..]);
+                self.said
             }
             Some(end) => self.skip(at, end + 2),
             None => {
@@ -358,7 +429,15 @@ impl<'a> Inline<'a> {
         for (i, byte) in rest.bytes().enumerate().skip(label + 1) {
             match byte {
                 b'(' => depth += 1,
-                b')' if depth == 1 => return self.skip(at, at + i + 1),
+                b')' if depth == 1 => {
+                    let address = &rest[label + 2..i];
+                    let escapes = ["%5C", "%5c", "\\"].iter().any(|sign| address.contains(sign));
+                    if escapes && address.starts_with("http") {
+                        let span = Span::new(at, at + i + 1).shifted(self.start);
+                        self.out.unseen(span, "a picture of a formula was not read");
+                    }
+                    return self.skip(at, at + i + 1);
+                }
                 b')' => depth -= 1,
                 _ => {}
             }
@@ -432,6 +511,7 @@ const TAGS: &[&str] = &[
     "link",
     "main",
     "mark",
+    "math",
     "meta",
     "nav",
     "noscript",
@@ -495,7 +575,7 @@ fn tag(rest: &str) -> Option<(usize, Option<&str>)> {
     let plausible = attributes.is_empty()
         || (attributes.contains('=') && attributes.starts_with(|c: char| c.is_ascii_alphabetic()))
         || name.len() > 2;
-    let raw = ["code", "pre", "script", "style", "svg", "kbd", "samp", "tt", "textarea"];
+    let raw = ["code", "pre", "script", "style", "svg", "math", "kbd", "samp", "tt", "textarea"];
     let hidden = !content.starts_with('/') && !content.ends_with('/') && raw.contains(&name);
     plausible.then_some((len, hidden.then_some(name)))
 }

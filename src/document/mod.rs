@@ -9,7 +9,8 @@
 //! never closed) is a problem of the document; the rest of the file is still taken apart. Any text
 //! whatever is taken apart, in time linear in its length.
 //!
-//! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc.
+//! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc, GitHub, GitLab,
+//! kramdown, Documenter (Julia) and MyST; the reStructuredText markup specification of Docutils.
 
 mod arguments;
 mod blocks;
@@ -17,6 +18,7 @@ mod clean;
 mod collect;
 mod cursor;
 mod decode;
+mod directives;
 mod files;
 mod inline;
 mod item;
@@ -24,13 +26,15 @@ mod macros;
 mod notebook;
 mod parts;
 mod plain;
+mod rst;
+mod rst_inline;
 mod signs;
 mod tex;
 mod tex_parts;
 mod text;
 mod vocabulary;
 
-pub use files::{MAX_BYTES, read_files};
+pub use files::{MAX_BYTES, read_files, read_text};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};
 pub use notebook::{Cell, markdown_cells};
 pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};
@@ -41,8 +45,10 @@ use collect::Collector;
 /// How the formulas stand in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Container {
-    /// Markdown, also plain text.
+    /// Markdown in its dialects, also plain text.
     Markdown,
+    /// reStructuredText.
+    Rst,
     /// LaTeX.
     Latex,
     /// The Markdown cells of a Jupyter notebook.
@@ -71,6 +77,7 @@ pub fn document(file: SourceFile, kind: Container) -> Document {
 fn scan(text: &str, kind: Container, out: &mut Collector) {
     match kind {
         Container::Markdown => blocks::scan(text, out),
+        Container::Rst => rst::scan(text, 0..text.len(), out),
         Container::Latex => tex::scan(text, true, out, &mut |_, _, _, _| {}),
         Container::Notebook => notebook::scan(text, out),
     }

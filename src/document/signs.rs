@@ -267,7 +267,8 @@ fn is_between_formulas(content: &str) -> bool {
         .filter(|word| word.len() > 1 && word.chars().all(|c| c.is_ascii_alphabetic()));
     let words = words.count();
     let signs = content.contains(['\\', '^', '_', '=', '{', '+', '<', '>']);
-    words >= 4 && !in_text
+    // Between two signs that touch it, a formula may hold many words: `$f(r,s,t) = rst + rs + st + rt$`.
+    words >= 4 && !in_text && (open || close || reads_as_prose(content))
         || (words >= 1 && !signs && (open || content.starts_with(|c: char| c.is_ascii_digit())))
         || (open != close && words >= 2)
 }

@@ -261,8 +261,10 @@ impl<'a> Latex<'a, '_> {
                 Some(past) => {
                     if name == "polarform" {
                         self.say(at);
-                        let code = self.brackets(end);
-                        self.out.queries(&self.text[code..past - closing.len()], code);
+                        let last = past - closing.len();
+                        // Options without a closing bracket end nowhere: all of it is code.
+                        let code = Some(self.brackets(end)).filter(|&code| code <= last).unwrap_or(end);
+                        self.out.queries(&self.text[code..last], code);
                     }
                     self.skip(at, past)
                 }

@@ -7,7 +7,7 @@ use super::*;
 
 /// The file itself, without those that it includes.
 fn read_file(path: &std::path::Path) -> Result<Document, crate::language::diagnostic::Diagnostic> {
-    Ok(read_files(path)?.swap_remove(0))
+    Ok(read_files(path, None)?.swap_remove(0))
 }
 
 /// A folder of its own, removed at the end.
@@ -54,7 +54,7 @@ fn included_files() {
             ("parts/three.tex", b"\\documentclass{subfiles} $no$\n\\begin{document}\n$three$\n\\end{document}"),
         ],
     );
-    let all = read_files(&folder.0.join("main.tex")).unwrap();
+    let all = read_files(&folder.0.join("main.tex"), None).unwrap();
     let wanted: [(&str, Vec<&str>); 5] = [
         ("main.tex", vec!["a", "Y"]),
         ("macros.tex", vec![]),
@@ -79,7 +79,7 @@ fn inclusions_that_fail() {
             ("bin.tex", b"\0"),
         ],
     );
-    let all = read_files(&folder.0.join("a.tex")).unwrap();
+    let all = read_files(&folder.0.join("a.tex"), None).unwrap();
     assert_eq!(found(&all).into_iter().map(|notes| notes.1).collect::<Vec<_>>(), [vec!["a", "c"], vec!["b"]]);
     let place = |notes: &Document| {
         let problem = &notes.problems[0];
@@ -103,6 +103,29 @@ fn files_that_cannot_be_read() {
         assert_eq!(problem.code, code);
         assert!(problem.message.contains(words) && !problem.hints.is_empty(), "{problem:?}");
     }
+}
+
+#[test]
+fn kinds_that_are_not_read() {
+    let folder =
+        Folder::new("foreign", &[("a.typ", b"$ a = b $"), ("b.xyz", b"$b$"), ("c.rst", b":math:`c`")]);
+    let typst = read_file(&folder.0.join("a.typ")).unwrap_err();
+    assert_eq!(typst.code, Code::FileKind);
+    assert!(typst.message.contains("Typst is not read") && typst.hints[0].contains("pandoc"), "{typst:?}");
+    let unknown = read_file(&folder.0.join("b.xyz")).unwrap_err();
+    assert!(unknown.message.contains(".xyz") && unknown.hints[0].contains("--as"), "{unknown:?}");
+    let named = read_files(&folder.0.join("b.xyz"), Some(Container::Markdown)).unwrap();
+    assert_eq!(found(&named)[0].1, ["b"]);
+    assert_eq!(found(&[read_file(&folder.0.join("c.rst")).unwrap()])[0].1, ["c"]);
+    let missing = read_file(&folder.0.join("none.typ")).unwrap_err();
+    assert_eq!(missing.code, Code::File);
+}
+
+#[test]
+fn text_from_elsewhere() {
+    let notes = read_text("standard input", b"$a$".to_vec(), Container::Markdown).unwrap();
+    assert_eq!((notes.file.name(), formulas(&notes).len()), ("standard input", 1));
+    assert_eq!(read_text("x", b"\0".to_vec(), Container::Markdown).unwrap_err().code, Code::Encoding);
 }
 
 #[test]

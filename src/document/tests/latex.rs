@@ -20,6 +20,14 @@ fn texts(text: &str) -> Vec<String> {
 }
 
 #[test]
+fn options_of_queries_without_their_bracket() {
+    let text = "\\begin{document}\n\\begin{polarform}[\n\\end{polarform}\n$a]$ $b$\n\\end{document}\n";
+    let notes = document(SourceFile::new("a.tex", text), Container::Latex);
+    let all: Vec<&str> = formulas(&notes).iter().map(|formula| formula.text.as_str()).collect();
+    assert_eq!(all, ["a]", "b"]);
+}
+
+#[test]
 fn a_whole_file() {
     assert_latex(
         "\\documentclass{article}\n% polarform: n := 3\n\\newcommand{\\R}{\\mathbb{R}}\n$no$\n\\begin{document}\n\\section*{On $F$}\nLet $t\\in\\R$, % a remark $no$\nthen\n\\[ a = b \\]\n\nNext.\n\\end{document}\n$no$\n",

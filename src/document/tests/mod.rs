@@ -1,8 +1,10 @@
+mod dialects;
 mod files;
 mod latex;
 mod notebook;
 mod oracle;
 mod properties;
+mod rst;
 
 use super::*;
 use crate::document::{Enclosure, Formula, Item};

@@ -77,6 +77,23 @@ fn piece() -> impl Strategy<Value = &'static str> {
         "\t",
         "```",
         "```math\n",
+        "```{math}\n",
+        "```{note}\n",
+        ":::{math}\n",
+        ":label: x\n",
+        "---\n",
+        "!!! note\n",
+        "{math}`",
+        ":math:`",
+        "``",
+        ".. math::\n",
+        ".. note:: ",
+        ".. [1] ",
+        "::\n",
+        "====\n",
+        "| ",
+        "[^1]: ",
+        "\\frac",
         "`",
         "# ",
         "---\n",
@@ -154,7 +171,7 @@ fn piece() -> impl Strategy<Value = &'static str> {
 
 /// Every kind of file: spans lie in the text, in order, on the boundaries of characters.
 fn check(text: &str) -> Result<(), TestCaseError> {
-    for kind in [Container::Markdown, Container::Latex, Container::Notebook] {
+    for kind in [Container::Markdown, Container::Rst, Container::Latex, Container::Notebook] {
         let notes = document(SourceFile::new("x", text), kind);
         let inside = |span: Span| {
             let span_ok = span.start <= span.end && span.end <= text.len();

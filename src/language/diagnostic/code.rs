@@ -220,6 +220,14 @@ codes! {
     ///
     /// Example: half of a file. Open and save it with Jupyter.
     BrokenNotebook = "E607": "broken notebook",
+    /// Something in a file of notes looks like a formula and was not read.
+    ///
+    /// Example: `\\frac12` among words, without signs around it. Put it between `$` and `$`.
+    UnseenFormula = "E608": "a formula that was not read",
+    /// A file of a kind that is not read.
+    ///
+    /// Example: `notes.typ`. Turn it into Markdown, or say with `--as markdown` how to read it.
+    FileKind = "E609": "unknown kind of file",
 
     /// A query, a block of code or a woven result of a file begins and never ends.
     ///
