@@ -12,7 +12,7 @@ use crate::formula::{Expr, Kind, Quotient, Sign, Term};
 use crate::judge::evaluator;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals, Outcome};
-use crate::language::value::symbol_expr;
+use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax};
 use crate::math::poly::Symbol;
 
@@ -37,6 +37,15 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// What the value is called where it is shown: polar forms always have a name, other values if they
+    /// are defined here.
+    pub fn name(&self) -> Option<Expr> {
+        match &self.outcome.value {
+            Value::Polar(_) => Some(self.function_name()),
+            _ => self.outcome.defined.as_ref().map(symbol_expr),
+        }
+    }
+
     /// What a function is called where it is shown: as it is defined here, or by the name that was asked
     /// for; f if it has none.
     pub fn function_name(&self) -> Expr {
@@ -149,7 +158,7 @@ impl Session {
         let outcome = guarded(&limits, || evaluator::evaluate(statement, &mut env, equals))
             .map_err(|problem| complete(problem, statement.span))?;
         if outcome.defined.is_none() {
-            env.set(Symbol::new("ans"), outcome.value.clone());
+            env.set(Symbol::new("ans"), outcome.value.clone().plain());
         }
         self.env = env;
         Ok(outcome)
@@ -170,15 +179,23 @@ impl Session {
             }
         };
         for span in spans {
-            let results = match self.run_part(file, Some(span), Equals::DefinesUnbound) {
-                Ok(answers) => answers.into_iter().map(Ok).collect(),
-                Err(failure) => vec![Err(failure)],
-            };
-            for result in results {
-                if !each(self, result) {
-                    return;
-                }
+            if !self.run_span(file, span, &mut each) {
+                return;
             }
+        }
+    }
+
+    /// Runs the statement at `span`, calling `each` after it, or after each of the definitions that it
+    /// is; false as soon as `each` says not to go on.
+    pub fn run_span(
+        &mut self,
+        file: &SourceFile,
+        span: Span,
+        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
+    ) -> bool {
+        match self.run_part(file, Some(span), Equals::DefinesUnbound) {
+            Ok(answers) => answers.into_iter().all(|answer| each(self, Ok(answer))),
+            Err(failure) => each(self, Err(failure)),
         }
     }
 }

@@ -95,7 +95,7 @@ fn results_on_one_stream_and_messages_on_the_other() {
     assert!(bad.err.contains("error[E103]"), "{}", bad.err);
     // A verdict is a result, not a message.
     let refuted = run(&["check", "1 = 2"]);
-    assert!(refuted.out.starts_with("false\n") && refuted.err.is_empty());
+    assert!(refuted.out.starts_with("refuted\n") && refuted.err.is_empty());
     let mixed = run(&["eval", "1 + 1; 1/0"]);
     assert_eq!(mixed.out, "2\n");
     assert!(mixed.err.contains("error[E303]"), "{}", mixed.err);
@@ -118,7 +118,7 @@ fn messages_as_data() {
 #[test]
 fn definitions_are_given_in_order() {
     let ran = run(&["check", "f(0, 1) = 1/2", "--given", "F(t) := t^2 + t", "--given", "f := polar(F)"]);
-    assert_eq!((ran.status, ran.out.as_str()), (Some(0), "true\n"));
+    assert_eq!((ran.status, ran.out.as_str()), (Some(0), "proved\n"));
     // Several in one option.
     let ran = run(&["check", "f(0, 1) = 1/2", "--given", "F(t) := t^2 + t; f := polar(F)"]);
     assert_eq!(ran.status, Some(0), "{}", ran.err);
@@ -151,7 +151,7 @@ fn values_at_arguments() {
 }
 
 const SCRIPT: &str = "# a parabola\nF(t) := t^2 + 2t\nf := polar(F); f(0, 1)\n\nf(t, t) = F(t)\n";
-const SCRIPT_RESULT: &str = "F(t) := t^2 + 2 t\nf(t1, t2) = t1 t2 + (t1 + t2)\n1\ntrue\n";
+const SCRIPT_RESULT: &str = "F(t) := t^2 + 2 t\nf(t1, t2) = t1 t2 + (t1 + t2)\n1\nproved\n";
 
 #[test]
 fn a_piped_script_runs() {
@@ -330,7 +330,7 @@ fn latex_in_any_argument() {
             &["interpolate", "--nodes", r"0, \frac12", "--values", r"0, \frac14", "--at", r"\frac12"],
             "p(1/2) = 1/4\n",
         ),
-        (&["check", r"\frac12 = 0.5"], "true\n"),
+        (&["check", r"\frac12 = 0.5"], "proved\n"),
     ] {
         let ran = run(arguments);
         assert_eq!((ran.out.as_str(), ran.status), (result, Some(0)), "{arguments:?}: {}", ran.err);
@@ -420,7 +420,7 @@ fn names_of_arguments_are_those_of_the_user() {
     assert_eq!(run(&["polar", "t^2", "--at", "a, F"]).out, "f(a, F) = F a\n");
     assert_eq!(
         run(&["interpolate", "--nodes", "0,1", "--values", "0,1", "--at", "u + p"]).out,
-        "p(u + p) = p + u\n"
+        "p(u + p) = u + p\n"
     );
 }
 

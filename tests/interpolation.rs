@@ -303,6 +303,6 @@ fn the_command_asks_the_same_queries() {
     assert_eq!(out(&spline), "S(2) = 10/3\n");
     let points = ["--nodes", "0,1", "--values", "[0, 1], [2, 3]", "--variable", "s"];
     assert_eq!(out(&points), "p(s) = [2 s, 2 s + 1]\n");
-    assert_eq!(out(&["--nodes", "[0, 1]", "--values", "[a, b]"]), "p(t) = -a t + b t + a\n");
+    assert_eq!(out(&["--nodes", "[0, 1]", "--values", "[a, b]"]), "p(t) = (b - a) t + a\n");
     assert_eq!(out(&["--nodes", "0..2", "--values", "0,1,4", "--at", "-1"]), "p(-1) = 1\n");
 }

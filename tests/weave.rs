@@ -79,7 +79,7 @@ fn refuted_claims() {
         assert!(ran.err.starts_with("error[E704]: this claim is false"), "{}", ran.err);
         assert!(ran.err.contains("left 2, right 3"), "{}", ran.err);
     }
-    assert!(folder.read("notes.md").contains("false: left "));
+    assert!(folder.read("notes.md").contains("refuted: left "));
     let json = run(&["weave", &notes, "--format", "json"]);
     let summary: serde_json::Value = serde_json::from_str(&json.out).expect("it is JSON");
     assert_eq!((&summary["refuted"], &summary["failed"]), (&1.into(), &false.into()));

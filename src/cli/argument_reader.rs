@@ -6,6 +6,7 @@
 //! of places, and the spans of each begin where the argument stands in that row.
 
 use super::output::Output;
+use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
@@ -119,7 +120,11 @@ impl<'o> ArgumentReader<'o> {
 
     /// The value of a query that is made of arguments.
     pub fn evaluate(&self, session: &mut Session, mut query: Expr) -> Failed<Value> {
-        match session.evaluate(&mut query, Equals::Claims) {
+        let texts: Vec<&str> = self.files.iter().map(|(_, file)| file.text()).collect();
+        let waiting = Waiting::of(&texts.join(", "));
+        let evaluated = session.evaluate(&mut query, Equals::Claims);
+        drop(waiting);
+        match evaluated {
             Ok(outcome) => {
                 for note in outcome.notes {
                     let Failure { problem, file } = *self.failure(note);

@@ -43,6 +43,12 @@ pub(super) struct Global {
     /// How to write polar forms
     #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
     pub notation: NotationArgument,
+    /// With the verdict of a claim, tell also which notations were read with their standard meaning
+    #[arg(long, short = 'v', global = true)]
+    pub verbose: bool,
+    /// Break LaTeX that is wider, in points (an article: 345)
+    #[arg(long, global = true, value_name = "POINTS")]
+    pub width: Option<u16>,
     /// The language of derivations
     #[arg(long, global = true, default_value = "en", value_name = "LANG",
           value_parser = parse_language, help = "The language of derivations: en or zh")]
@@ -342,7 +348,8 @@ pub(super) struct BezierArguments {
     #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with = "at")]
     pub scheme: Option<String>,
     /// The parts between these parameters
-    #[arg(long, value_name = "T,...", allow_hyphen_values = true, conflicts_with_all = ["at", "scheme"])]
+    #[arg(long, visible_alias = "split", value_name = "T,...", allow_hyphen_values = true,
+          conflicts_with_all = ["at", "scheme"])]
     pub subdivide: Option<String>,
 }
 
@@ -363,6 +370,9 @@ pub(super) struct Change {
 /// What to ask about a B-spline.
 #[derive(Debug, Args)]
 pub(super) struct BsplineArguments {
+    /// Control points, also as --points
+    #[arg(value_name = "POINTS", allow_hyphen_values = true, group = "control")]
+    pub listed: Option<String>,
     /// The degree
     #[arg(long, short = 'n', value_name = "N")]
     pub degree: usize,
@@ -370,13 +380,14 @@ pub(super) struct BsplineArguments {
     #[arg(long, value_name = "T,...", allow_hyphen_values = true)]
     pub knots: String,
     /// Control points: one less than the knots minus the degree
-    #[arg(long, value_name = "D,...", allow_hyphen_values = true, required_unless_present = "basis")]
+    #[arg(long, value_name = "D,...", allow_hyphen_values = true, group = "control",
+          required_unless_present_any = ["basis", "listed"])]
     pub points: Option<String>,
     /// Weights, for a rational curve
-    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "points")]
+    #[arg(long, value_name = "W,...", allow_hyphen_values = true, requires = "control")]
     pub weights: Option<String>,
     /// The basis function with this number, as a piecewise polynomial
-    #[arg(long, value_name = "I", conflicts_with = "points")]
+    #[arg(long, value_name = "I", conflicts_with = "control")]
     pub basis: Option<usize>,
     /// Insert knots
     #[arg(long, value_name = "T,...", allow_hyphen_values = true)]

@@ -10,13 +10,14 @@ use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
 use super::given::give;
 use super::output::{Output, Trouble};
+use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::eval::Equals;
 use crate::language::functions::{BUILTINS, builtin};
 use crate::language::syntax;
-use crate::language::value::{PolarKind, Value, Verdict, symbol_expr};
+use crate::language::value::{PolarKind, Value, Verdict};
 use crate::session::{Answer, Failure, Session, read};
 
 /// Why a command ends before its end.
@@ -57,7 +58,10 @@ pub(super) fn run(arguments: &Arguments) -> Status {
     }
     let result = match &arguments.command {
         None if io::stdin().is_terminal() => return super::repl::run(&mut session, &mut output),
-        None => script(&mut session, &output, Path::new("-"), false),
+        None => match script_file(Path::new("-")) {
+            Ok(file) => super::repl::piped(&mut session, &mut output, &file),
+            Err(failure) => Err(failure.into()),
+        },
         Some(command) => dispatch(command, &arguments.global, &mut session, &output),
     };
     match result {
@@ -300,43 +304,95 @@ fn combine(session: &mut Session, output: &Output, two: &Two, name: &str) -> Ran
 }
 
 /// Runs all statements of a text and prints their results.
-fn run_all(session: &mut Session, output: &Output, file: &SourceFile, stop: bool) -> Ran {
-    let mut status = Status::Fine;
-    let mut ended: Option<Stop> = None;
-    session.run_file(file, |_, result| {
+pub(super) fn run_all(session: &mut Session, output: &Output, file: &SourceFile, stop: bool) -> Ran {
+    let mut printer = Printer::new(output, file, stop);
+    match syntax::statements(file.text()) {
+        Ok(spans) => {
+            for span in spans {
+                if !printer.run(session, span) {
+                    break;
+                }
+            }
+        }
+        // Says what is wrong with the whole.
+        Err(_) => session.run_file(file, |_, result| printer.answer(result)),
+    }
+    printer.ended()
+}
+
+/// Runs one statement of a text and prints its results.
+pub(super) fn run_statement(session: &mut Session, output: &Output, file: &SourceFile, span: Span) -> Ran {
+    let mut printer = Printer::new(output, file, true);
+    printer.run(session, span);
+    printer.ended()
+}
+
+/// Prints the answers of a text one after the other.
+struct Printer<'a> {
+    output: &'a Output,
+    file: &'a SourceFile,
+    /// Whether a failure ends it.
+    stop: bool,
+    status: Status,
+    trouble: Option<Trouble>,
+}
+
+impl<'a> Printer<'a> {
+    fn new(output: &'a Output, file: &'a SourceFile, stop: bool) -> Self {
+        Printer { output, file, stop, status: Status::Fine, trouble: None }
+    }
+
+    /// Runs the statement at `span` and prints its answers; whether to go on.
+    fn run(&mut self, session: &mut Session, span: Span) -> bool {
+        let mut waiting = Some(Waiting::of(self.file.slice(span)));
+        session.run_span(self.file, span, |_, result| {
+            waiting = None;
+            self.answer(result)
+        })
+    }
+
+    /// Prints one answer; whether to go on.
+    fn answer(&mut self, result: Result<Answer, Box<Failure>>) -> bool {
         match result {
-            Ok(answer) => match show(output, &answer) {
-                Ok(shown) => status = status.max(shown),
+            Ok(answer) => match show(self.output, &answer) {
+                Ok(shown) => self.status = self.status.max(shown),
                 Err(trouble @ Trouble::Output(_)) => {
-                    ended = Some(Stop::Trouble(trouble));
+                    self.trouble = Some(trouble);
                     return false;
                 }
-                Err(trouble) => status = status.max(report(output, &trouble, file)),
+                Err(trouble) => self.status = self.status.max(report(self.output, &trouble, self.file)),
             },
             Err(failure) => {
-                output.failure(&failure);
-                status = Status::Failed;
-                return !stop;
+                self.output.failure(&failure);
+                self.status = Status::Failed;
+                return !self.stop;
             }
         }
         true
-    });
-    match ended {
-        Some(stop) => Err(stop),
-        None => Ok(status),
+    }
+
+    fn ended(self) -> Ran {
+        match self.trouble {
+            Some(trouble) => Err(Stop::Trouble(trouble)),
+            None => Ok(self.status),
+        }
     }
 }
 
 /// Prints what a statement did.
 pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> {
-    for note in &answer.outcome.notes {
+    let claim = matches!(answer.outcome.value, Value::Claim(_));
+    let notes = || answer.outcome.notes.iter().filter(|note| output.verbose || !claim || !is_usual(note));
+    // A verdict goes before what is to be said of it.
+    if claim {
+        output.value(&answer.outcome.value, answer.name())?;
+    }
+    for note in notes() {
         output.problem(note, &answer.file);
     }
-    let name = match &answer.outcome.value {
-        Value::Polar(_) => Some(answer.function_name()),
-        _ => answer.outcome.defined.as_ref().map(symbol_expr),
-    };
-    output.value(&answer.outcome.value, name)?;
+    if !claim {
+        output.value(&answer.outcome.value, answer.name())?;
+    }
     Ok(match &answer.outcome.value {
         Value::Claim(claim) => match claim.verdict() {
             Verdict::Proved | Verdict::Sampled => Status::Fine,
@@ -347,17 +403,27 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
     })
 }
 
+/// Whether a note tells of a reading that every textbook has.
+fn is_usual(note: &Diagnostic) -> bool {
+    note.code == Code::StandardMeaning && note.hints.is_empty()
+}
+
 /// Larger scripts are refused rather than read.
 const LONGEST_INPUT: u64 = 64 << 20;
 
 fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ran {
+    run_all(session, output, &script_file(path)?, stop)
+}
+
+/// The text of a script; `-` is standard input.
+fn script_file(path: &Path) -> Result<SourceFile, Box<Failure>> {
     let standard = path == Path::new("-");
     let name = if standard { "<stdin>".to_owned() } else { path.display().to_string() };
     let failed = |message: String| {
-        Stop::Failed(Box::new(Failure {
+        Box::new(Failure {
             problem: Diagnostic::error(Code::File, message),
             file: SourceFile::new(name.clone(), ""),
-        }))
+        })
     };
     let mut bytes = Vec::new();
     let result = if standard {
@@ -373,8 +439,7 @@ fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ra
         let at = error.utf8_error().valid_up_to();
         failed(format!("{name} is not UTF-8 text (byte {at})"))
     })?;
-    let file = SourceFile::new(name.clone(), text);
-    run_all(session, output, &file, stop)
+    Ok(SourceFile::new(name.clone(), text))
 }
 
 fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {

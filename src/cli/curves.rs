@@ -82,7 +82,7 @@ pub(super) fn bspline(reader: &mut ArgumentReader, arguments: &BsplineArguments)
     let degree = reader.number("degree", arguments.degree);
     let knots = reader.list("knots", &arguments.knots)?;
     let span = knots.span;
-    let Some(points) = &arguments.points else {
+    let Some(points) = arguments.points.as_ref().or(arguments.listed.as_ref()) else {
         return basis_function(reader, arguments, vec![degree, knots]);
     };
     let mut curve = vec![degree, knots, reader.points("points", points)?];

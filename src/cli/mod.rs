@@ -12,6 +12,7 @@ mod notes;
 mod output;
 mod repl;
 mod repl_helper;
+mod waiting;
 mod watch;
 mod weave;
 
@@ -19,6 +20,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
+use clap::error::{ContextKind, ContextValue};
 
 use arguments::Arguments;
 
@@ -58,11 +60,27 @@ fn formula_or_option(argument: OsString) -> OsString {
     }
 }
 
+/// A formula or a function in the place of a command is for `eval`.
+fn advise(error: &mut clap::Error) {
+    let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return };
+    let word = given.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_');
+    let advice = match (word, crate::language::functions::builtin(given)) {
+        (false, _) => "a formula is evaluated by 'polarform eval FORMULA', in quotation marks".to_owned(),
+        (true, Some(function)) => {
+            format!("a function of the language: polarform eval \"{}\"", function.example)
+        }
+        (true, None) => return,
+    };
+    error.remove(ContextKind::SuggestedSubcommand);
+    error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![advice.into()]));
+}
+
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse_from(std::env::args_os().map(formula_or_option)) {
         Ok(arguments) => arguments,
-        Err(error) => {
+        Err(mut error) => {
+            advise(&mut error);
             let failed = error.use_stderr();
             // Nothing better can be done when even the message cannot be printed.
             let _ = error.print();

@@ -1,19 +1,15 @@
 //! Printing results and problems.
 
 use std::io::{self, IsTerminal, Write};
-use std::sync::Arc;
 
 use super::arguments::Global;
 use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
+use crate::formula::Expr;
 use crate::formula::source::SourceFile;
-use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, render, render_json};
-use crate::language::value::{
-    Claim, Derivation, Language, Notation, Polar, PolarKind, Value, Verdict, curve_expr, symbol_expr,
-};
+use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
-    Format, claim_json, expanded_terms, text, write_derivation, write_expanded, write_expr, write_grouped,
-    write_table,
+    Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
 };
 use crate::math::blossom::PolarForm;
 use crate::math::number::Rational;
@@ -31,6 +27,10 @@ pub(super) struct Output {
     pub format: Format,
     pub notation: Notation,
     pub language: Language,
+    /// How wide LaTeX may be, in points.
+    width: f64,
+    /// Whether usual readings are told, too.
+    pub verbose: bool,
     color: bool,
     limits: crate::budget::Limits,
 }
@@ -39,7 +39,16 @@ impl Output {
     pub fn new(global: &Global) -> Self {
         let color = global.color.wanted(io::stderr().is_terminal());
         let (notation, language) = (global.notation(), global.lang);
-        Output { format: global.format(), notation, language, color, limits: global.limits() }
+        let width = global.width.filter(|points| *points > 0).map_or(f64::INFINITY, f64::from);
+        Output {
+            format: global.format(),
+            notation,
+            language,
+            width,
+            verbose: global.verbose,
+            color,
+            limits: global.limits(),
+        }
     }
 
     /// One line of results.
@@ -74,23 +83,31 @@ impl Output {
     /// A value. Writing can fail, and a value can be too large to write out.
     pub fn value(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {
         match value {
-            Value::Polar(polar) => self.polar(polar, name),
-            Value::Claim(claim) => self.claim(claim),
-            Value::Derivation(derivation) => self.derivation(derivation),
-            Value::Text(words) if self.format != Format::Json => Ok(self.line(words)?),
-            Value::List(items)
-                if !items.is_empty()
-                    && self.format != Format::Json
-                    && items.iter().all(|item| matches!(item, Value::Text(_))) =>
-            {
-                for item in items {
-                    self.value(item, None)?;
+            Value::Figure(scene) => return self.figure(scene, name),
+            // What is short enough is printed as any formula; the result is the same.
+            Value::Polar(polar) if matches!(self.notation, Notation::Expanded | Notation::Grouped) => {
+                if self.format != Format::Json
+                    && let PolarKind::Univariate(form) = &polar.kind
+                    && form.degree() > STREAM_ABOVE
+                    && let Some(form) = rational(form)
+                {
+                    return self.stream(polar, &form, name);
                 }
-                Ok(())
             }
-            Value::Figure(scene) => self.figure(scene, name),
-            _ => self.plain(value, name),
+            _ => {}
         }
+        let manner = Manner {
+            format: self.format,
+            notation: self.notation,
+            language: self.language,
+            width: self.width,
+        };
+        let line = self.limited(|| match (self.format, value) {
+            // Also of lists of figures.
+            (Format::Json, Value::List(_)) => Ok(value_json(value, self.notation).to_string()),
+            _ => write_answer(value, name, &manner),
+        })?;
+        Ok(self.line(&line.map_err(|error| Trouble::problem(error.to_string()))?)?)
     }
 
     /// A drawing: a preview, TikZ, or data.
@@ -105,73 +122,6 @@ impl Output {
             self.line(&(self.written(&name)? + " ="))?;
         }
         Ok(self.text(&drawn)?)
-    }
-
-    fn plain(&self, value: &Value, name: Option<Expr>) -> Result<(), Trouble> {
-        let line = self.limited(|| -> Result<String, Trouble> {
-            if self.format == Format::Json {
-                return Ok(value_json(value, self.notation).to_string());
-            }
-            if let Value::List(items) = value
-                && self.format != Format::Sympy
-            {
-                let own = name.clone().unwrap_or_else(|| Expr::name("f"));
-                if let Some(curve) = curve_expr(items, own, self.notation) {
-                    return self.written(&curve);
-                }
-            }
-            if let Value::Table(table) = value {
-                let body =
-                    write_table(table, self.format).map_err(|error| Trouble::problem(error.to_string()))?;
-                return match &name {
-                    Some(name) if self.format != Format::Sympy => Ok(self.written(name)? + " =\n" + &body),
-                    _ => Ok(body),
-                };
-            }
-            let expr = match self.format {
-                Format::Latex => value.display_expr(self.notation),
-                _ => value.to_expr_in(self.notation),
-            };
-            // The cases of a function stand on lines of their own, as they are typed.
-            if let (Value::Function(_), Kind::Sequence(cases), Format::Text | Format::Unicode) =
-                (value, &expr.kind, self.format)
-            {
-                let lines: Result<Vec<String>, Trouble> =
-                    cases.iter().map(|case| self.written(case)).collect();
-                return Ok(lines?.join("\n"));
-            }
-            let body = self.written(&expr)?;
-            // Functions print as their own definition, and SymPy wants the bare expression.
-            match name {
-                Some(name) if !matches!(value, Value::Function(_)) && self.format != Format::Sympy => {
-                    let separator = if body.contains('\n') { " =\n" } else { " = " };
-                    Ok(self.written(&name)? + separator + &body)
-                }
-                _ => Ok(body),
-            }
-        })??;
-        Ok(self.line(&line)?)
-    }
-
-    fn polar(&self, polar: &Arc<Polar>, name: Option<Expr>) -> Result<(), Trouble> {
-        // What is short enough is printed as any formula; the result is the same.
-        if matches!(self.notation, Notation::Expanded | Notation::Grouped)
-            && self.format != Format::Json
-            && let PolarKind::Univariate(form) = &polar.kind
-            && form.degree() > STREAM_ABOVE
-            && let Some(form) = rational(form)
-        {
-            return self.stream(polar, &form, name);
-        }
-        let line = self.limited(|| match self.format {
-            Format::Json => Ok(value_json(&Value::Polar(polar.clone()), self.notation).to_string()),
-            Format::Sympy => self.written(&polar.body(self.notation)),
-            _ => {
-                let name = name.unwrap_or_else(|| Expr::name("f"));
-                self.written(&polar.equation(name, self.notation))
-            }
-        })??;
-        Ok(self.line(&line)?)
     }
 
     /// A form written out without being built.
@@ -201,79 +151,9 @@ impl Output {
             .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))
     }
 
-    /// A derivation, line by line.
-    fn derivation(&self, derivation: &Derivation) -> Result<(), Trouble> {
-        let text = self.limited(|| write_derivation(derivation, self.format, self.language))?;
-        Ok(self.line(&text.map_err(|error| Trouble::problem(error.to_string()))?)?)
-    }
-
     /// A formula in the chosen format.
     pub fn written(&self, expr: &Expr) -> Result<String, Trouble> {
         write_expr(expr, self.format).map_err(|error| Trouble::problem(error.to_string()))
-    }
-
-    /// The verdicts of a chain of relations.
-    pub fn claim(&self, claim: &Claim) -> Result<(), Trouble> {
-        if self.format == Format::Json {
-            return Ok(self.line(&claim_json(claim).to_string())?);
-        }
-        if self.format == Format::Sympy {
-            let word = match claim.verdict() {
-                Verdict::Proved | Verdict::Sampled => "True",
-                Verdict::Refuted => "False",
-                Verdict::Undecided => "None",
-            };
-            return Ok(self.line(word)?);
-        }
-        let several = claim.judgements.len() > 1;
-        for (i, judgement) in claim.judgements.iter().enumerate() {
-            let start = if several { format!("relation {}: ", i + 1) } else { String::new() };
-            let word = match judgement.verdict {
-                Verdict::Proved => "true",
-                Verdict::Sampled => "true as far as tried",
-                Verdict::Refuted => "false",
-                Verdict::Undecided => "undecided",
-            };
-            self.line(&format!("{start}{word}"))?;
-            if judgement.verdict == Verdict::Proved {
-                continue;
-            }
-            for reason in &judgement.reasons {
-                self.line(&format!("  {reason}"))?;
-            }
-            if judgement.verdict == Verdict::Refuted {
-                self.side("left side", &judgement.left)?;
-                self.side("right side", &judgement.right)?;
-                if let Some(difference) = &judgement.difference {
-                    self.side("left - right", difference)?;
-                }
-            }
-            if let Some(witness) = &judgement.witness
-                && !witness.assignment.is_empty()
-            {
-                let at: Vec<String> = witness
-                    .assignment
-                    .iter()
-                    .map(|(symbol, value)| format!("{} = {value}", text(&symbol_expr(symbol))))
-                    .collect();
-                self.line(&format!(
-                    "  for {}: left {}, right {}",
-                    at.join(", "),
-                    witness.left,
-                    witness.right
-                ))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn side(&self, label: &str, value: &Value) -> Result<(), Trouble> {
-        /// Longer formulas are not repeated in a report.
-        const LONGEST: usize = 2000;
-        let body = self.limited(|| self.written(&value.to_expr()))??;
-        let shown = if body.len() > LONGEST { format!("({} characters)", body.len()) } else { body };
-        let separator = if shown.contains('\n') { "\n" } else { " " };
-        Ok(self.line(&format!("  {label}:{separator}{shown}"))?)
     }
 }
 

@@ -15,11 +15,13 @@ use super::argument_reader::{ArgumentReader, call, named};
 use super::commands;
 use super::output::{Output, Trouble};
 use super::repl_helper::Helper;
+use super::waiting::Waiting;
 use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::functions::BUILTINS;
+use crate::language::syntax;
 use crate::language::value::{Notation, Value, symbol_expr};
 use crate::language::write::{Format, text};
 use crate::math::blossom::Method;
@@ -137,6 +139,11 @@ pub(super) fn run(session: &mut Session, output: &mut Output) -> Status {
             }
             Err(ReadlineError::Interrupted) => {}
             Err(ReadlineError::Eof) => return Status::Fine,
+            Err(ReadlineError::Io(error)) if error.kind() == io::ErrorKind::InvalidData => {
+                let problem = Diagnostic::error(Code::File, "this line is not UTF-8 text")
+                    .hint("type it again; nothing is lost");
+                repl.output.problem(&problem, &SourceFile::new("<terminal>", ""));
+            }
             Err(error) => {
                 let problem = Diagnostic::error(Code::File, format!("cannot read the line: {error}"));
                 repl.output.problem(&problem, &SourceFile::new("<terminal>", ""));
@@ -165,20 +172,49 @@ fn history_file() -> Option<PathBuf> {
     Some(state.join("polarform/history"))
 }
 
+/// Runs what comes on standard input: statements and commands, one after the other.
+pub(super) fn piped(session: &mut Session, output: &mut Output, file: &SourceFile) -> commands::Ran {
+    let Ok(spans) = syntax::statements(file.text()) else {
+        return commands::run_all(session, output, file, false);
+    };
+    let mut status = Status::Fine;
+    for span in spans {
+        let mut repl = Repl { session, output, log: Vec::new(), timing: false, count: 0 };
+        let Some(command) = repl.command_in(file.slice(span)) else {
+            status = status.max(commands::run_statement(session, output, file, span)?);
+            continue;
+        };
+        match repl.command(&command) {
+            Ok(true) => {}
+            Ok(false) => break,
+            Err(Trouble::Problem(problem)) => {
+                output.problem(&problem.at(span), file);
+                status = Status::Failed;
+            }
+            Err(trouble) => return Err(trouble.into()),
+        }
+    }
+    Ok(status)
+}
+
 impl Repl<'_> {
     /// Carries out one input; false means leave.
     fn line(&mut self, line: &str) -> Result<bool, Trouble> {
-        let line = line.trim_end();
-        match line.trim().strip_prefix(':') {
-            Some(command) if !command.starts_with('=') => self.command(command),
-            _ => {
-                let env = &self.session.env;
-                if let Some(command) = spoken(line.trim(), |name| env.get(&Symbol::new(name)).is_some()) {
-                    return self.command(&command);
-                }
-                self.statements(line)?;
+        match self.command_in(line) {
+            Some(command) => self.command(&command),
+            None => {
+                self.statements(line.trim_end())?;
                 Ok(true)
             }
+        }
+    }
+
+    /// The command that an input is, with or without its colon.
+    fn command_in(&self, line: &str) -> Option<String> {
+        let line = line.trim();
+        match line.strip_prefix(':') {
+            Some(command) if !command.starts_with('=') => Some(command.to_owned()),
+            _ => spoken(line, |name| self.session.env.get(&Symbol::new(name)).is_some()),
         }
     }
 
@@ -189,8 +225,10 @@ impl Repl<'_> {
         self.session.limits.interrupt.store(false, Ordering::Relaxed);
         let mut trouble = None;
         let (output, log) = (&*self.output, &mut self.log);
+        let mut waiting = Some(Waiting::of(text));
         self.session.run_file(&file, |_, result| match result {
             Ok(answer) => {
+                waiting = None;
                 log.push(answer.file.slice(answer.statement.span).to_owned());
                 match commands::show(output, &answer) {
                     Ok(_) => true,
@@ -201,6 +239,7 @@ impl Repl<'_> {
                 }
             }
             Err(failure) => {
+                waiting = None;
                 output.failure(&failure);
                 false
             }

@@ -230,7 +230,7 @@ impl Weaver<'_> {
         let place = |span: Span| (self.place)(block.places.span(span));
         let pieces = self.runner.block(&block.code, self.file, &place, &block.options);
         let Some(pieces) = pieces else { return };
-        let lines = Markup::Markdown.block(&pieces, block.options.style);
+        let lines = Markup::Markdown.block(&pieces, &block.options);
         let query = block.info;
         let margin = site.margin.as_str();
         let after = Span::new(block.span.end, block.region.map_or(block.span.end, |region| region.end));
@@ -310,9 +310,10 @@ impl Weaver<'_> {
 
 /// A text that stands for the options: what is woven with others is out of date.
 pub(super) fn signature(options: &Options) -> String {
-    let BlockOptions { steps, notation, style, hide, show, equation, lang, picture } = &options.blocks;
+    let BlockOptions { steps, notation, style, hide, show, equation, lang, width, picture } = &options.blocks;
+    let width = width.map(|points| format!(" {points}")).unwrap_or_default();
     format!(
-        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}",
+        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}{width}",
         options.mode, options.pictures
     )
 }

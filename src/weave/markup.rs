@@ -1,7 +1,9 @@
 //! Pieces as Markdown and as LaTeX.
 
-use super::options::Style;
+use super::options::{BlockOptions, Style};
 use super::render::{Picture, Piece, Shown, StepLine, escaped, words_as_text, words_in_formula};
+use crate::language::value::Verdict;
+use crate::language::write::{broken, lines_of, measured};
 
 /// What a document is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,13 +27,17 @@ impl Markup {
     }
 
     /// The lines that show the results of a block.
-    pub(super) fn block(self, pieces: &[Piece], style: Style) -> Vec<String> {
-        match (style, self) {
+    pub(super) fn block(self, pieces: &[Piece], options: &BlockOptions) -> Vec<String> {
+        match (options.style, self) {
             _ if pieces.is_empty() => Vec::new(),
             (Style::Display, _) => {
                 // A blank line stands between two results of Markdown; TeX would begin a paragraph there.
                 let between: &[String] = if self == Markup::Markdown { &[String::new()] } else { &[] };
-                pieces.iter().map(|piece| self.display(piece)).collect::<Vec<_>>().join(between)
+                pieces
+                    .iter()
+                    .map(|piece| self.display(piece, options.room()))
+                    .collect::<Vec<_>>()
+                    .join(between)
             }
             (Style::Inline, _) => {
                 let parts: Vec<String> = pieces.iter().map(|piece| self.inline(piece, false)).collect();
@@ -50,11 +56,21 @@ impl Markup {
         }
     }
 
-    fn display(self, piece: &Piece) -> Vec<String> {
+    /// A display of its own; a formula that is wider than `room` is broken, and what cannot be broken is
+    /// made smaller where that is possible.
+    fn display(self, piece: &Piece, room: f64) -> Vec<String> {
         let lines = match piece {
             Piece::Words(words) => return vec![self.words(words)],
-            Piece::Formula(shown) => vec![with_remark(shown)],
-            Piece::Steps(lines) if self == Markup::Latex && is_wide(lines) => return over_pages(lines),
+            Piece::Formula(shown) => {
+                let whole = with_remark(shown);
+                let formula = broken(&whole, room);
+                let unbroken = formula == whole && !whole.starts_with(r"\begin{aligned}");
+                if self == Markup::Latex && unbroken && measured(&formula) > room {
+                    return reduced(&formula);
+                }
+                formula.lines().map(str::to_owned).collect()
+            }
+            Piece::Steps(lines) if self == Markup::Latex && is_wide(lines) => return over_pages(lines, room),
             Piece::Steps(lines) => aligned(lines),
             Piece::Picture(picture) => return self.picture(picture),
         };
@@ -131,11 +147,11 @@ impl Markup {
         let mut rows: Vec<(String, String)> = Vec::new();
         for piece in pieces {
             match piece {
-                Piece::Formula(Shown { columns: (left, right), remark, .. }) => {
+                Piece::Formula(Shown { columns: (left, right), remark, verdict, .. }) => {
                     let right = match (right, remark) {
                         (Some(right), _) => format!("${right}$"),
                         (None, Some(remark)) => self.reason(remark),
-                        (None, None) => "true".to_owned(),
+                        (None, None) => verdict.map_or("", Verdict::word).to_owned(),
                     };
                     rows.push((format!("${left}$"), right));
                 }
@@ -237,17 +253,51 @@ fn is_wide(lines: &[StepLine]) -> bool {
 }
 
 /// A derivation that may break over pages, each reason below its line.
-fn over_pages(lines: &[StepLine]) -> Vec<String> {
+fn over_pages(lines: &[StepLine], room: f64) -> Vec<String> {
     let last = lines.len().saturating_sub(1);
+    let margin = lines.iter().map(|line| measured(&line.latex.0)).fold(0.0, f64::max);
     let rows = lines.iter().enumerate().map(|(i, line)| {
         let (left, right) = &line.latex;
         let repeated = i > 0 && lines[i - 1].latex.0 == *left;
         let left = if repeated { "" } else { left };
         let end = if i < last { r"\\[0.5ex]" } else { "" };
-        format!(r"{left} &{right} \\*[-0.3ex] &\qquad {}{end}", words_in_formula(&line.reason))
+        let right = lines_of(right, room - margin).join(r" \\* &");
+        let reasons = in_lines(&line.reason, room - margin - 20.0);
+        let reasons: Vec<String> = reasons.iter().map(|reason| words_in_formula(reason)).collect();
+        format!(r"{left} &{right} \\*[-0.3ex] &\qquad {}{end}", reasons.join(r" \\*[-0.3ex] &\qquad "))
     });
     let display = enclosed("align*", "", rows);
     [vec![r"{\allowdisplaybreaks".to_owned()], display, vec!["}".to_owned()]].concat()
+}
+
+/// Words with formulas between backticks in lines of about this width; no formula is broken.
+fn in_lines(words: &str, width: f64) -> Vec<String> {
+    /// A letter of text with its share of the blanks, in points.
+    const LETTER: f64 = 4.9;
+    let mut lines: Vec<String> = vec![String::new()];
+    let mut inside = false;
+    for word in words.split(' ') {
+        let line = lines
+            .last_mut()
+            .filter(|line| inside || line.is_empty() || LETTER * ((line.len() + word.len()) as f64) < width);
+        match line {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            None => lines.push(word.to_owned()),
+        }
+        inside ^= word.matches('`').count() % 2 == 1;
+    }
+    lines
+}
+
+/// A formula that cannot be broken, as wide as the text; tikz brings graphicx.
+fn reduced(formula: &str) -> Vec<String> {
+    let fit = r"\resizebox{\ifdim\width>\linewidth\linewidth\else\width\fi}{!}{$\displaystyle".to_owned();
+    let lines = std::iter::once(fit).chain(formula.lines().map(str::to_owned));
+    enclosed("center", "", lines.chain(["$}".to_owned()]))
 }
 
 fn line_in_words(line: &StepLine) -> String {
@@ -290,29 +340,34 @@ mod tests {
     #[test]
     fn styles_of_markdown() {
         let pieces = pieces(&["f := polar(t^2)", "f(0, 1) = 1", "[1, 2; 3, 4]", "degree(0)"]);
-        let shown = |style| Markup::Markdown.block(&pieces, style).join("\n");
+        let shown = |style| {
+            let options = BlockOptions { style, ..BlockOptions::default() };
+            Markup::Markdown.block(&pieces, &options).join("\n")
+        };
         let display = shown(Style::Display);
         assert!(display.starts_with("$$\nf(t_1, t_2) = t_1 t_2\n$$\n\n$$\nf(0, 1) = 1 \\quad"), "{display}");
         assert!(shown(Style::List).starts_with("- $f(t_1, t_2) = t_1 t_2$\n- $f(0, 1) = 1 \\quad"));
         let table = shown(Style::Table);
         assert!(
-            table.contains("| $f(t_1, t_2)$ | $t_1 t_2$ |\n| $f(0, 1) = 1$ | false: left $0$, right $1$ |")
+            table.contains("| $f(t_1, t_2)$ | $t_1 t_2$ |\n| $f(0, 1) = 1$ | refuted: left $0$, right $1$ |")
         );
         assert!(table.lines().all(|line| line.matches('|').count() == 3), "{table}");
         let code = shown(Style::Code);
-        assert!(code.starts_with("```text\nf(t1, t2) = t1 t2\nf(0, 1) = 1    [false: left 0, right 1]\n"));
+        assert!(code.starts_with("```text\nf(t1, t2) = t1 t2\nf(0, 1) = 1    [refuted: left 0, right 1]\n"));
         assert_eq!(shown(Style::Inline).lines().count(), 1);
-        assert!(Markup::Markdown.block(&[], Style::Table).is_empty());
+        assert!(Markup::Markdown.block(&[], &BlockOptions::default()).is_empty());
     }
 
     #[test]
     fn steps_are_aligned() {
         let pieces = pieces(&["polar(t^2 + 2t)"]);
-        let lines = Markup::Markdown.block(&pieces, Style::Display);
+        let lines = Markup::Markdown.block(&pieces, &BlockOptions::default());
         assert_eq!(lines[1], r"\begin{aligned}");
         assert_eq!(lines[2], r"F(t) &= t^2 + 2 t && \text{a polynomial of degree at most 2} \\");
         assert!(lines.iter().all(|line| line == "$$" || !line.contains('$')), "{lines:?}");
-        let latex = Markup::Latex.block(&pieces, Style::List).join("\n");
+        let latex = Markup::Latex
+            .block(&pieces, &BlockOptions { style: Style::List, ..BlockOptions::default() })
+            .join("\n");
         assert!(
             latex.contains(r"\item {}$\sigma_{2,2}(t_1, t_2) = t_1 t_2$: replaces $t^2$: the only product"),
             "{latex}"

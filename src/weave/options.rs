@@ -7,6 +7,7 @@
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::{Language, Notation};
+use crate::language::write::ARTICLE;
 use crate::math::blossom::Method;
 
 /// How several results are arranged.
@@ -54,11 +55,15 @@ pub struct BlockOptions {
     pub equation: bool,
     /// The language of derivations.
     pub lang: Language,
+    /// The width of display formulas in points: longer ones are broken. As wide as an article if not
+    /// given; 0 breaks nothing.
+    pub width: Option<u16>,
     /// The file for a figure, without its extension, relative to the document.
     pub picture: Option<String>,
 }
 
-const NAMES: [&str; 8] = ["steps", "notation", "style", "hide", "show", "equation", "lang", "picture"];
+const NAMES: [&str; 9] =
+    ["steps", "notation", "style", "hide", "show", "equation", "lang", "width", "picture"];
 
 const STYLES: [(&str, Style); 5] = [
     ("display", Style::Display),
@@ -82,6 +87,15 @@ const LANGUAGES: [(&str, Language); 2] = [("en", Language::English), ("zh", Lang
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
 impl BlockOptions {
+    /// How wide a display formula may be, in points.
+    pub(super) fn room(&self) -> f64 {
+        match self.width {
+            None => ARTICLE,
+            Some(0) => f64::INFINITY,
+            Some(points) => f64::from(points),
+        }
+    }
+
     /// These options changed as a text says; it stands at byte `start` of its file.
     ///
     /// # Errors
@@ -130,6 +144,11 @@ impl BlockOptions {
             "show" => self.show = chosen(name, value, &SHOWS)?,
             "equation" => self.equation = chosen(name, value, &SWITCH)?,
             "lang" => self.lang = chosen(name, value, &LANGUAGES)?,
+            "width" => {
+                let points = value.strip_suffix("pt").unwrap_or(value).parse();
+                self.width =
+                    Some(points.map_err(|_| wrong_value(name, value, ["points such as 345"].into_iter()))?);
+            }
             "picture" => self.picture = Some(file_name(value)?),
             _ => {
                 let problem = Diagnostic::error(Code::BlockOption, format!("there is no option '{name}'"));

@@ -5,14 +5,11 @@ use crate::figure::{SvgOptions, TikzOptions, svg, tikz};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::syntax::parse;
-use crate::language::value::{
-    Claim, Judgement, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr,
+use crate::language::value::{Claim, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr};
+use crate::language::write::{
+    latex, latex_table_within, split_at_relation, text, verdict_in_words, write_words,
 };
-use crate::language::write::{latex, latex_table, split_at_relation, text, write_words};
 use crate::session::Answer;
-
-/// Longer sides of a refuted claim are not repeated beside it.
-const LONGEST_SIDE: usize = 60;
 
 /// A result as the formats of documents need it.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +49,8 @@ pub struct Shown {
     pub columns: (String, Option<String>),
     /// What is to be said of a claim that is not true.
     pub remark: Option<String>,
+    /// What came of a claim.
+    pub verdict: Option<Verdict>,
 }
 
 /// A line of a derivation.
@@ -116,13 +115,16 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             Some(curve) => Piece::Formula(equation(&curve)),
             None => Piece::Formula(named(value, name, &answer.statement, options)),
         },
-        Value::Table(table) => Piece::Formula(tabulated(table, name)),
+        Value::Table(table) => Piece::Formula(tabulated(table, name, options.room())),
         Value::Derivation(derivation) => {
             steps(&derivation.lines, derivation.language.unwrap_or(options.lang))
         }
-        Value::Scalar(_) | Value::Vector(_) | Value::Matrix(_) | Value::Geometry(_) | Value::Piecewise(_) => {
-            Piece::Formula(named(value, name, &answer.statement, options))
-        }
+        Value::Scalar(_)
+        | Value::Vector(_)
+        | Value::Matrix(_)
+        | Value::Geometry(_)
+        | Value::Piecewise(_)
+        | Value::Written(_) => Piece::Formula(named(value, name, &answer.statement, options)),
     };
     Ok(piece)
 }
@@ -140,12 +142,12 @@ fn named(value: &Value, name: Option<Expr>, statement: &Expr, options: &BlockOpt
     } else {
         (body_latex.clone(), body_text)
     };
-    Shown { latex, text, columns: (left_latex, Some(body_latex)), remark: None }
+    Shown { latex, text, columns: (left_latex, Some(body_latex)), remark: None, verdict: None }
 }
 
 /// A scheme or report, as an array.
-fn tabulated(table: &Table, name: Option<Expr>) -> Shown {
-    let array = latex_table(table);
+fn tabulated(table: &Table, name: Option<Expr>, room: f64) -> Shown {
+    let array = latex_table_within(table, room);
     let left = name.map(|name| (latex(&name), text(&name)));
     let rows = text(&table.to_expr());
     let (whole, text) = match &left {
@@ -153,7 +155,7 @@ fn tabulated(table: &Table, name: Option<Expr>) -> Shown {
         None => (array.clone(), rows),
     };
     let columns = left.map_or((array.clone(), None), |(left, _)| (left, Some(array)));
-    Shown { latex: whole, text, columns, remark: None }
+    Shown { latex: whole, text, columns, remark: None, verdict: None }
 }
 
 /// A formula that is an equation already.
@@ -162,7 +164,7 @@ fn equation(whole: &Expr) -> Shown {
         Kind::Chain(left, links) if links.len() == 1 => (latex(left), Some(latex(&links[0].expr))),
         _ => (latex(whole), None),
     };
-    Shown { latex: latex(whole), text: text(whole), columns, remark: None }
+    Shown { latex: latex(whole), text: text(whole), columns, remark: None, verdict: None }
 }
 
 fn claimed(claim: &Claim, statement: &Expr) -> Shown {
@@ -171,38 +173,17 @@ fn claimed(claim: &Claim, statement: &Expr) -> Shown {
         Verdict::Proved | Verdict::Sampled => None,
         Verdict::Refuted | Verdict::Undecided => {
             let judgement = claim.judgements.iter().find(|judgement| judgement.verdict == verdict);
-            Some(judgement.map_or_else(|| verdict.word().to_owned(), remark))
+            Some(judgement.map_or_else(|| verdict.word().to_owned(), verdict_in_words))
         }
     };
     let written = latex(statement);
-    Shown { latex: written.clone(), text: text(statement), columns: (written, None), remark }
-}
-
-/// What a claim that is not true gets said beside it: `false: for t = 1 left 3, right 5`.
-pub(super) fn remark(judgement: &Judgement) -> String {
-    if judgement.verdict != Verdict::Refuted {
-        return "undecided".to_owned();
+    Shown {
+        latex: written.clone(),
+        text: text(statement),
+        columns: (written, None),
+        remark,
+        verdict: Some(verdict),
     }
-    if let Some(witness) = &judgement.witness
-        && !witness.assignment.is_empty()
-    {
-        let values = witness
-            .assignment
-            .iter()
-            .map(|(name, value)| format!("`{} = {value}`", text(&symbol_expr(name))));
-        let values: Vec<String> = values.collect();
-        return format!(
-            "false: for {} left `{}`, right `{}`",
-            values.join(", "),
-            witness.left,
-            witness.right
-        );
-    }
-    let (left, right) = (text(&judgement.left.to_expr()), text(&judgement.right.to_expr()));
-    if left.len().max(right.len()) > LONGEST_SIDE {
-        return "false".to_owned();
-    }
-    format!("false: left `{left}`, right `{right}`")
 }
 
 fn steps(lines: &[Line], language: Language) -> Piece {
@@ -296,9 +277,9 @@ mod tests {
             other => panic!("{other:?}"),
         };
         assert_eq!(remark("f(0, 1) = 1"), None);
-        assert_eq!(remark("f(0, 1) = 2").as_deref(), Some("false: left `1`, right `2`"));
+        assert_eq!(remark("f(0, 1) = 2").as_deref(), Some("refuted: left `1`, right `2`"));
         let found = remark("(t + 1)^2 = t^2 + 1").unwrap();
-        assert!(found.starts_with("false: for `t = "), "{found}");
+        assert!(found.starts_with("refuted: for `t = "), "{found}");
         assert_eq!(remark("x > 0").as_deref(), Some("undecided"));
     }
 

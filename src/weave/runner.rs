@@ -1,7 +1,7 @@
 //! Running the queries of a file, one after the other, in one session.
 
 use super::options::{BlockOptions, Show};
-use super::render::{Piece, remark, render, words_as_text};
+use super::render::{Piece, render, words_as_text};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::derive::{self, Combination};
@@ -9,6 +9,7 @@ use crate::language::diagnostic::{Code, Diagnostic, Severity};
 use crate::language::eval::Equals;
 use crate::language::syntax;
 use crate::language::value::{Claim, Line, PolarKind, Value, Verdict, symbol_expr};
+use crate::language::write::verdict_in_words;
 use crate::math::blossom::Method;
 use crate::math::poly::Symbol;
 use crate::session::{Answer, Failure, Session, guarded, read};
@@ -178,7 +179,7 @@ impl Runner {
             if verdict == Verdict::Refuted { "this claim is false" } else { "this claim is undecided" };
         let mut problem = Diagnostic::error(code, what).at(span);
         if let Some(judgement) = claim.judgements.iter().find(|judgement| judgement.verdict == verdict) {
-            problem = problem.reason(words_as_text(&remark(judgement)));
+            problem = problem.reason(words_as_text(&verdict_in_words(judgement)));
             problem.hints.extend(judgement.reasons.iter().cloned());
         }
         if problem.hints.is_empty() {

@@ -116,7 +116,7 @@ fn refuted_claims_show_their_verdict() {
     assert!(
         woven
             .text
-            .contains(r"$1 + 1 = 3 \quad \textbf{[}\text{false: left }2\text{, right }3\textbf{]}$<!--")
+            .contains(r"$1 + 1 = 3 \quad \textbf{[}\text{refuted: left }2\text{, right }3\textbf{]}$<!--")
     );
     assert_eq!(without_stamp(&woven.text).1, None, "a refuted claim is told each time");
     let undecided = super::weave_markdown(&file("{{ x > 0 }}"), &Options::default());

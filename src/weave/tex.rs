@@ -225,6 +225,6 @@ impl Query {
             }
         };
         let pieces = runner.block(&part.text, &self.file, &place, &options)?;
-        Some(block_result(!options.hide, &Markup::Latex.block(&pieces, options.style)))
+        Some(block_result(!options.hide, &Markup::Latex.block(&pieces, &options)))
     }
 }

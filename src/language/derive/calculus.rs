@@ -9,7 +9,7 @@ use super::lines::{
 use super::polar::{given, univariate};
 use super::words::{Reason, Title};
 use crate::formula::{Accent, Expr, Kind};
-use crate::language::value::{Derivation, Form, Line, Notation, polynomial_expr, symbol_expr};
+use crate::language::value::{Derivation, Form, Line, Notation, grouped_expr, symbol_expr};
 use crate::math::blossom::PolarForm;
 use crate::math::curve::{BezierCurve, Point};
 use crate::math::number::{Rational, binomial, factorial};
@@ -28,7 +28,7 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         given(Expr::name("F"), &polar, Reason::DegreeAtMost(n)),
         line(polar.equation(Expr::name("f"), Notation::Grouped), Reason::PolarFormOf("F")),
     ];
-    let result = polynomial_expr(&univariate(form.derivative(k.min(n + 1)), variable).diagonal());
+    let result = grouped_expr(&univariate(form.derivative(k.min(n + 1)), variable).diagonal());
     let title = Title::Derivative(k).words();
     if k > n {
         lines.push(line(chain([left(), Expr::int(0)]), Reason::MoreHatsThanArguments { n, k }));
@@ -60,10 +60,10 @@ pub fn derivative(form: &PolarForm<Fraction>, variable: &Symbol, k: usize) -> De
         form.value(&arguments).unwrap_or_else(|_| Fraction::zero())
     };
     for j in (0..=k).rev() {
-        let sides = [with(ends(j)), polynomial_expr(&value(j))];
+        let sides = [with(ends(j)), grouped_expr(&value(j))];
         lines.push(line(chain(sides), Reason::ValueOfForm));
     }
-    let inside = combination((0..=k).rev().map(|j| (weight(j), polynomial_expr(&value(j)))));
+    let inside = combination((0..=k).rev().map(|j| (weight(j), grouped_expr(&value(j)))));
     let numbers = combination([(share, inside)]);
     lines.push(line(chain([left(), numbers, result]), Reason::PutTogether));
     Derivation { title, lines, language: None }
@@ -113,12 +113,12 @@ pub fn elevation(form: &PolarForm<Fraction>, variable: &Symbol, by: usize) -> De
     }
     let start = points(form).into_iter().enumerate().map(|(i, point)| {
         let arguments = [vec![Expr::int(0); n - i], vec![Expr::int(1); i]].concat();
-        let label = if n == 0 { polynomial_expr(&point) } else { call(Expr::name("f"), arguments) };
-        chain([point_name(n, i), label, polynomial_expr(&point)])
+        let label = if n == 0 { grouped_expr(&point) } else { call(Expr::name("f"), arguments) };
+        chain([point_name(n, i), label, grouped_expr(&point)])
     });
     lines.push(line(sequence(start.collect()), Reason::BezierPoints));
     for degree in n..n + by {
-        let values: Vec<Expr> = points(&form.elevate(degree + 1 - n)).iter().map(polynomial_expr).collect();
+        let values: Vec<Expr> = points(&form.elevate(degree + 1 - n)).iter().map(grouped_expr).collect();
         lines.extend(raised_points(degree, &values));
     }
     Derivation { title: Title::Elevation(by).words(), lines, language: None }

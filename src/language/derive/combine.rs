@@ -4,7 +4,7 @@ use super::lines::{TERMS_UP_TO, call, chain, factor, line, mean, product, subscr
 use super::polar::{given, univariate};
 use super::words::{Reason, Title};
 use crate::formula::{Expr, Sign, Term};
-use crate::language::value::{Derivation, Line, Notation, Polar, polynomial_expr, symbol_expr};
+use crate::language::value::{Derivation, Line, Notation, Polar, grouped_expr, polynomial_expr, symbol_expr};
 use crate::math::blossom::PolarForm;
 use crate::math::number::{Combinations, Int, binomial};
 use crate::math::poly::{Fraction, Symbol};
@@ -79,7 +79,7 @@ impl Pair<'_> {
             Combination::Product => Expr::product(vec![at("F", t()), at("G", t())]),
             Combination::Composition => at("F", at("G", t())),
         };
-        let whole = chain([at("H", t()), combined, polynomial_expr(&result.diagonal())]);
+        let whole = chain([at("H", t()), combined, grouped_expr(&result.diagonal())]);
         lines.push(line(whole, Reason::Wanted));
         lines.push(line(f.equation(Expr::name("f"), Notation::Grouped), Reason::PolarFormOf("F")));
         lines.push(line(g.equation(Expr::name("g"), Notation::Grouped), Reason::PolarFormOf("G")));

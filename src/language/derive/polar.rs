@@ -10,7 +10,9 @@ use super::lines::{
 };
 use super::words::{Reason, Title};
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
-use crate::language::value::{Derivation, Line, Notation, Polar, PolarKind, polynomial_expr, symbol_expr};
+use crate::language::value::{
+    Derivation, Line, Notation, Polar, PolarKind, grouped_expr, polynomial_expr, symbol_expr,
+};
 use crate::math::blossom::{Method, PolarForm, Step, Weights};
 use crate::math::number::{Combinations, Rational, binomial, binomial_row};
 use crate::math::poly::{Fraction, Symbol};
@@ -48,7 +50,7 @@ pub(super) fn univariate(form: PolarForm<Fraction>, variable: &Symbol) -> Polar 
 /// F(t) = Σ c_i t^i
 pub(super) fn given(polynomial: Expr, polar: &Polar, reason: Reason) -> Line {
     let arguments = polar.variables.iter().map(symbol_expr).collect();
-    line(chain([Expr::apply(polynomial, arguments), polynomial_expr(&polar.diagonal())]), reason)
+    line(chain([Expr::apply(polynomial, arguments), grouped_expr(&polar.diagonal())]), reason)
 }
 
 /// Σ w_k e_k of the first m arguments, written out.

@@ -125,7 +125,10 @@ impl Machine {
             return Ok(false);
         }
         Ok(match self.callee(callee)? {
-            Callee::Value(scalar @ Value::Scalar(_)) => self.called_formula(&scalar, callee)?.is_none(),
+            Callee::Value(scalar @ Value::Scalar(_)) => {
+                self.is_no_lone_call(callee, &groups[0][0])?;
+                self.called_formula(&scalar, callee)?.is_none()
+            }
             Callee::Value(value) => {
                 !matches!(
                     &value,
@@ -162,11 +165,34 @@ impl Machine {
         if matches!(scalar, Value::List(_)) && self.reading.is_none() {
             return Err(super::entries::list_called(callee.span));
         }
+        self.is_no_lone_call(callee, factor)?;
         if let Some(called) = self.called_formula(&scalar, callee)? {
             return self.call_formula(&called, &scalar, callee, factor, span);
         }
         let factor_value = self.eval(factor)?;
         arithmetic::multiply(scalar, factor_value).at(span)
+    }
+
+    /// Refuses p(t) and p(2) for a p without a value: around one name or number, parentheses group
+    /// nothing, so they were meant as a call.
+    pub(super) fn is_no_lone_call(&mut self, callee: &Expr, inside: &Expr) -> Result<(), Diagnostic> {
+        if self.reading.is_some()
+            || !matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Number(_))
+        {
+            return Ok(());
+        }
+        // t(t) can only be a product.
+        let lone = name_of(callee, self).filter(|_| !callee.same_as(inside));
+        let Some(name) = lone.filter(|name| self.lookup(name).is_none()) else { return Ok(()) };
+        let shown = super::super::write::text(&crate::language::value::symbol_expr(&name));
+        Err(Diagnostic::error(
+            Code::AmbiguousProduct,
+            format!("'{shown}' has no value here: is this a value of {shown} or a product?"),
+        )
+        .at(callee.span)
+        .reason("not defined")
+        .hint(format!("define it, for example {shown}(t) := t^2"))
+        .hint(format!("or write {shown} * (...) for the product")))
     }
 
     /// Finds out what stands before a bracket.
@@ -201,9 +227,11 @@ impl Machine {
                 .at(callee.span)
                 .reason("not defined")
                 .hint(format!("define it, for example {name}(t) := t^2 or {name} := polar(t^2)"))
-                .hint(match name == families::BINOMIAL_COEFFICIENT {
-                    true => "the binomial coefficient is binomial(n, k)".to_owned(),
-                    false => format!("or write {name} * (...) for the product"),
+                .hint(match name {
+                    families::BINOMIAL_COEFFICIENT => "the binomial coefficient is binomial(n, k)".to_owned(),
+                    "B" => "the Bernstein polynomial is B_i^n(t), or bernstein(n, i, t)".to_owned(),
+                    "N" => "a B-spline is bspline_basis(n, knots, i)(t)".to_owned(),
+                    _ => format!("or write {name} * (...) for the product"),
                 }));
             }
         }
@@ -316,7 +344,7 @@ impl Machine {
                         if value.as_rational().is_some() && function.takes_polynomial(all.len()) {
                             self.parameter_has_value(item);
                         }
-                        all.push(value, item.span);
+                        all.push(if all.is_empty() { self.in_coordinates(value) } else { value }, item.span);
                     }
                 }
             }

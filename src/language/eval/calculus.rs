@@ -30,6 +30,10 @@ impl Machine {
 
     /// F^(k) of a value; of a curve or surface by the function of that name.
     pub(super) fn derivative_of(&mut self, value: &Value, order: usize, span: Span) -> Evaluated {
+        if let Value::List(coordinates) = self.in_coordinates(value.clone()) {
+            let each = coordinates.iter().map(|coordinate| self.derivative_of(coordinate, order, span));
+            return each.collect::<Result<_, _>>().map(Value::List);
+        }
         if !matches!(value, Value::Geometry(_) | Value::Piecewise(_)) {
             return calculus::derivative(value, order).at(span);
         }

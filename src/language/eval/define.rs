@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::machine::Machine;
 use super::names::{indices_in_brackets, name_of};
+use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
@@ -34,7 +35,7 @@ impl Machine {
                 }
                 callee.as_ref()
             }
-            Kind::Name(_) | Kind::Subscript(..) | Kind::Accent(..) => left,
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) | Kind::Accent(..) => left,
             _ => return false,
         };
         // B_i^n(t): the base and the indices count.
@@ -68,7 +69,7 @@ impl Machine {
             Target::Name(name) => {
                 self.not_reserved(&name, left)?;
                 self.not_a_sequence(left, body)?;
-                let value = match self.eval(body)? {
+                let value = match self.eval_as_written(body)? {
                     Value::Function(function) => Value::Function(Arc::new(Function {
                         name: Some(name.clone()),
                         ..(*function).clone()
@@ -132,6 +133,12 @@ impl Machine {
     }
 
     fn target(&mut self, left: &Expr) -> Result<Target, Diagnostic> {
+        if let Kind::Pow(inner, _) = &left.kind
+            && let Kind::Subscript(base, _) = &inner.kind
+            && let Some(name) = name_of(base, self)
+        {
+            return Err(power_or_upper_index(&name, left.span));
+        }
         let bad = || {
             Diagnostic::error(Code::BadDefinition, "only a name or a name with arguments can be defined")
                 .at(left.span)
@@ -219,6 +226,14 @@ impl Machine {
         clauses.push(clause);
         Ok(Value::Function(Arc::new(Function { name: Some(name.clone()), shape, clauses })))
     }
+}
+
+/// The error for b_0^1 on the left of a definition.
+pub(super) fn power_or_upper_index(base: &Symbol, span: Span) -> Diagnostic {
+    Diagnostic::error(Code::BadDefinition, "a power cannot be defined; is this an upper index?")
+        .at(span)
+        .reason("read as a power")
+        .hint(format!("write an upper index in parentheses: {base}_0^{{(1)}}"))
 }
 
 /// Whether the name occurs in the expression.

@@ -9,6 +9,7 @@ use super::names::{indices_in_brackets, letters_side_by_side};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::lexicon::roles;
 use crate::language::value::Value;
 
 /// An index with a value.
@@ -210,9 +211,20 @@ pub(super) fn list_called(callee: Span) -> Diagnostic {
 }
 
 fn factor_or_index(whole: &Expr) -> Diagnostic {
-    Diagnostic::error(Code::AmbiguousProduct, "is this an index or a factor?")
+    let error = Diagnostic::error(Code::AmbiguousProduct, "is this an index or a factor?")
         .at(whole.span)
-        .reason("square brackets directly after a name")
+        .reason("square brackets directly after a name");
+    let function = match &whole.kind {
+        Kind::Subscript(base, _) => match &base.kind {
+            Kind::Name(name) if roles::FUNCTIONS.contains(&name.as_str()) => Some(name),
+            _ => None,
+        },
+        _ => None,
+    };
+    if let Some(name) = function {
+        return error.hint(format!("for a divided difference define the function first: {name}(t) := t^2"));
+    }
+    error
         .hint("for the product write * before the bracket: t * [1, 2]")
         .hint("for an index write b_0, or p_{1,2}")
 }

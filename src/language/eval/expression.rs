@@ -120,7 +120,10 @@ impl Machine {
             }
             Kind::Lambda(parameters, body) => self.eval_lambda(parameters, body),
             Kind::Chain(first, links) => {
-                let judgements = (self.tools.judge)(self, first, links)?;
+                let judgements = match self.of_one_kind(first, links) {
+                    Some((first, links)) => (self.tools.judge)(self, &first, &links)?,
+                    None => (self.tools.judge)(self, first, links)?,
+                };
                 Ok(Value::Claim(Arc::new(Claim { judgements })))
             }
             Kind::Text(text) => Ok(Value::Text(text.clone())),

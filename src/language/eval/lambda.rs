@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use super::machine::{Evaluated, Machine};
+use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::ops::function::formula_function;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value};
 use crate::math::poly::Symbol;
 
@@ -20,6 +22,24 @@ impl Machine {
             shape: Shape::plain(names.len()),
             clauses: vec![clause],
         })))
+    }
+
+    /// A function whose values are points, c(t) := (t^2, t^3), as the list of its coordinates;
+    /// anything else as it is.
+    pub(super) fn in_coordinates(&mut self, value: Value) -> Value {
+        let Value::Function(function) = &value else { return value };
+        let [Clause { parameters, formula: None, .. }] = function.clauses.as_slice() else { return value };
+        let [Parameter::Name(parameter)] = parameters.as_slice() else { return value };
+        let (parameter, before) = (parameter.clone(), self.notes.len());
+        let point =
+            self.call(function, vec![(Value::symbol(parameter.clone()), Span::default())], Span::default());
+        self.notes.truncate(before);
+        let Ok(Value::List(items)) = point else { return value };
+        let coordinate = |item: Value| match item {
+            Value::Scalar(formula) => Some(formula_function(parameter.clone(), formula)),
+            _ => None,
+        };
+        items.into_iter().map(coordinate).collect::<Option<_>>().map_or(value, Value::List)
     }
 
     /// A clause with the value of its body, if that exists for symbolic parameters. Unknown words in

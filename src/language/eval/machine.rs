@@ -106,6 +106,11 @@ impl Machine {
     /// # Errors
     /// A [`Diagnostic`] with its place.
     pub fn eval(&mut self, expr: &Expr) -> Evaluated {
+        self.eval_as_written(expr).map(Value::plain)
+    }
+
+    /// The same with the arrangement that the formula asks for, for an answer.
+    pub(super) fn eval_as_written(&mut self, expr: &Expr) -> Evaluated {
         crate::budget::step();
         stacker::maybe_grow(RED_ZONE, SEGMENT, || {
             if let Some(reading) = self.reading.clone()

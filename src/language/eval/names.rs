@@ -206,6 +206,11 @@ impl Machine {
                 _ => Ok(None),
             };
         }
+        if let (Value::Function(function), [Expr { kind: Kind::List(nodes), .. }]) =
+            (&value, indices.as_slice())
+        {
+            return self.divided_difference(function, nodes, expr.span).map(Some);
+        }
         // The parameter of a function may have members of its own: in b(b_0) it is no list.
         self.entry(&value, indices, expr)
     }

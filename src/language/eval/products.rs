@@ -15,6 +15,7 @@ use crate::language::lexicon::families::{self, BACKWARD_DIFFERENCE, FORWARD_DIFF
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
+use num_traits::Signed;
 
 impl Machine {
     /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
@@ -52,6 +53,12 @@ impl Machine {
         {
             rest.next();
             return Ok(value);
+        }
+        if let (Kind::Pow(base, _), Some(next)) = (&factor.kind, rest.peek())
+            && let Kind::Group(inside) = &next.kind
+            && factor.span.end == next.span.start
+        {
+            self.is_no_lone_call(base, inside)?;
         }
         let value = match &factor.kind {
             // In a product, square brackets around one formula are parentheses: 3 [a - b].
@@ -184,6 +191,17 @@ impl Machine {
         let value = self.eval(base)?;
         self.is_one_factor(exponent, "exponent")?;
         let exponent_value = self.eval(exponent)?;
+        if matches!(value, Value::Function(_))
+            && exponent_value.as_rational().is_some_and(|k| k.is_negative())
+        {
+            return Err(Diagnostic::error(
+                Code::AmbiguousProduct,
+                "the inverse function, or 1 over the function?",
+            )
+            .at(span)
+            .reason("a function with a negative exponent")
+            .hint("write 1/F(t) for the quotient; inverse functions are not computed"));
+        }
         arithmetic::power(value, &exponent_value).map_err(|error| {
             let place = if error.code == Code::DivisionByZero { base.span } else { exponent.span };
             error.at(place)

@@ -1,12 +1,15 @@
 //! One statement: a definition, a claim, or a formula to evaluate.
 
+use super::define::power_or_upper_index;
 use super::env::Env;
 use super::machine::Machine;
+use super::names::name_of;
 use super::tools::Tools;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Value, Verdict};
 use crate::math::poly::Symbol;
+use num_traits::{One, Zero};
 
 /// What a statement did.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +41,7 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
     let mut machine = Machine::new(tools).with_names(env);
     let (value, defined) = machine.statement(expr, equals)?;
     if let Some(name) = &defined {
-        env.set(name.clone(), value.clone());
+        env.set(name.clone(), value.clone().plain());
     }
     Ok(Outcome { value, defined, notes: machine.notes })
 }
@@ -64,7 +67,11 @@ impl Machine {
                 return self.define(left, links).map(|(name, value)| (value, Some(name)));
             }
         }
-        let value = self.eval(expr)?;
+        self.is_no_prose(expr)?;
+        if equals == Equals::DefinesUnbound {
+            self.is_no_power_defined(expr)?;
+        }
+        let value = self.eval_as_written(expr)?;
         if let Kind::Chain(left, links) = &expr.kind
             && let (Kind::Name(name), [link], Equals::DefinesUnbound) = (&left.kind, links.as_slice(), equals)
             && link.rel == Rel::Eq
@@ -77,6 +84,23 @@ impl Machine {
             self.warn_of_commas(items);
         }
         Ok((value, None))
+    }
+
+    /// Nobody claims that b_0^1 is something: without a value for b_0 it is meant as a definition.
+    fn is_no_power_defined(&mut self, statement: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Chain(left, links) = &statement.kind else { return Ok(()) };
+        let (Kind::Pow(base, exponent), [link]) = (&left.kind, links.as_slice()) else { return Ok(()) };
+        let Kind::Subscript(letter, _) = &base.kind else { return Ok(()) };
+        let trivial = matches!(&exponent.kind, Kind::Number(k) if k.is_zero() || k.is_one());
+        let known = |machine: &mut Self, expr: &Expr| {
+            name_of(expr, machine).is_none_or(|name| machine.lookup(&name).is_some())
+        };
+        match name_of(letter, self) {
+            Some(name) if link.rel == Rel::Eq && trivial && !known(self, base) && !known(self, letter) => {
+                Err(power_or_upper_index(&name, left.span))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// `1,5` is a list of two numbers; somebody may mean one and a half.

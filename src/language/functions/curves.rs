@@ -440,8 +440,16 @@ pub(super) const TABLE: &[Builtin] = &[
 /// The interval with its ends at the second and third place; 0 and the number after the start if not
 /// given.
 pub(super) fn interval(args: &Arguments, from: usize) -> Result<Interval<Fraction>> {
-    let a = args.optional_scalar(from)?.unwrap_or_else(Fraction::zero);
-    let b = args.optional_scalar(from + 1)?.unwrap_or_else(|| a.plus(&Fraction::one()));
+    let (a, b) = (args.optional_scalar(from)?, args.optional_scalar(from + 1)?);
+    // bezier(points, 1/2) would be a curve over another interval, where a value was meant.
+    if a.is_some() && b.is_none() {
+        return Err(Diagnostic::error(Code::Arity, "an interval has two ends")
+            .at(args.span(from))
+            .reason("the start of an interval, or the parameter of a point?")
+            .hint("write (...)(t) after the curve for its value at t")
+            .hint("or give both ends of the interval"));
+    }
+    let (a, b) = (a.unwrap_or_else(Fraction::zero), b.unwrap_or_else(Fraction::one));
     Interval::new(a, b).map_err(curve_error).at(args.span(0))
 }
 

@@ -7,13 +7,14 @@ use std::sync::Arc;
 use super::Builtin;
 use super::interpolation::{self, ENDS, MOMENTS, SLOPES, Samples};
 use super::parameter::{
-    CURVE, DEGREE, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional, required,
+    CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional,
+    required,
 };
-use super::polar::{POLAR, combine};
+use super::polar::{POLAR, combine, method};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
 use crate::language::value::{Derivation, Geometry, Language, Polar, PolarKind, Value};
-use crate::math::blossom::{Method, PolarForm};
+use crate::math::blossom::PolarForm;
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
 use crate::math::poly::{Fraction, Symbol};
 
@@ -50,13 +51,6 @@ const OTHER: Parameter = required("G", Takes::Polynomial, "another one");
 
 const ARGUMENTS: Parameter =
     many("u_1, ..., u_n", Takes::Scalar, 1, "one parameter, or as many as the degree");
-
-const METHOD: Parameter = named(
-    "method=elementary",
-    Takes::Word(&["elementary", "probability", "taylor", "parts", "laguerre", "bezier"]),
-    "elementary",
-    "the way to the polar form",
-);
 
 /// What can be derived.
 const SUBJECTS: &[Builtin] = &[
@@ -239,13 +233,7 @@ fn polars(machine: &mut Machine, args: &Arguments) -> Result<Vec<Arc<Polar>>> {
 }
 
 fn polar(machine: &mut Machine, args: &Arguments) -> Result<Derivation> {
-    let method = match args.named("method") {
-        Some((Value::Text(name), span)) => name.parse::<Method>().map_err(|message| {
-            Diagnostic::error(Code::Domain, message).at(span).hint("method=elementary is the usual one")
-        })?,
-        Some((other, span)) => return Err(wrong_kind("a word", other).at(span)),
-        None => Method::Elementary,
-    };
+    let method = method(args)?;
     let polars = polars(machine, &args.without(&["method", "lang"]))?;
     Ok(derive::polar_of_curve(&polars, method))
 }

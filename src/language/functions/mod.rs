@@ -1,5 +1,6 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
+mod arrange;
 mod callable;
 mod curves;
 mod derive;

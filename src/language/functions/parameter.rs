@@ -261,6 +261,14 @@ pub(super) const VARIABLE: Parameter = named(
     "the variable of the polynomial; other letters are constants",
 );
 
+/// A way to polar forms: all lead to the same form, their derivations differ.
+pub(super) const METHOD: Parameter = named(
+    "method=elementary",
+    Takes::Word(&["elementary", "probability", "taylor", "parts", "laguerre", "bezier"]),
+    "elementary",
+    "the way to the polar form",
+);
+
 /// The letter of a polynomial that is made.
 pub(super) const RESULT_VARIABLE: Parameter =
     named("variable=t", Takes::Variable, "t", "the variable of the result");
@@ -295,4 +303,4 @@ pub(super) const VALUES: Parameter =
 pub(super) const START: Parameter = optional("a", Takes::Scalar, "0", "the start of the interval");
 
 /// The end of an interval.
-pub(super) const END: Parameter = optional("b", Takes::Scalar, "a + 1", "its end");
+pub(super) const END: Parameter = optional("b", Takes::Scalar, "1", "its end");

@@ -8,12 +8,12 @@ use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::{laws_report, point_argument};
 use std::sync::Arc;
 
-use super::parameter::{START, Takes, VARIABLE, many, optional, required, size};
+use super::parameter::{METHOD, START, Takes, VARIABLE, many, optional, required, size};
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
 use crate::math::blossom::laws::Arrangement;
-use crate::math::blossom::{PolarForm, TensorPolarForm, TotalDegreePolarForm, symmetrize};
+use crate::math::blossom::{Method, PolarForm, TensorPolarForm, TotalDegreePolarForm, symmetrize};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::{One, Zero};
@@ -30,6 +30,7 @@ pub(super) const POLAR: Builtin = Builtin {
         optional("degree", Takes::Size, "the degree of F", "the number of arguments").shown("degree=n"),
         VARIABLE,
     ],
+    common: &[METHOD],
     summary: "the polar form of a polynomial, of its own degree or a larger one",
     example: "polar(t^2 + 2t, degree=3)",
     each: true,
@@ -37,7 +38,14 @@ pub(super) const POLAR: Builtin = Builtin {
     on_surface: on_surface::POLAR,
     call: |_, args| {
         names_a_polynomial(args)?;
-        let given = args.univariate(0)?;
+        // All methods lead to the same form; the word has to be one of them.
+        method(args)?;
+        let given = args.univariate(0).map_err(|error| match error.code {
+            Code::AmbiguousVariable => {
+                error.hint("the forms of a surface are polar_tensor(F, u, v) and polar_total(F, [u, v])")
+            }
+            _ => error,
+        })?;
         let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
         let degree = args.optional_size(1)?.unwrap_or(own);
         let form = PolarForm::with_degree(&given.coefficients, degree)
@@ -46,6 +54,17 @@ pub(super) const POLAR: Builtin = Builtin {
     },
     ..NEW
 };
+
+/// The method that was asked for.
+pub(super) fn method(args: &Arguments) -> Result<Method> {
+    match args.named("method") {
+        Some((Value::Text(name), span)) => name.parse::<Method>().map_err(|message| {
+            Diagnostic::error(Code::Domain, message).at(span).hint("method=elementary is the usual one")
+        }),
+        Some((other, span)) => Err(wrong_kind("a word", other).at(span)),
+        None => Ok(Method::Elementary),
+    }
+}
 
 /// Refuses polar(F) for an undefined F, which would be a polynomial in the variable F.
 fn names_a_polynomial(args: &Arguments) -> Result<()> {

@@ -73,14 +73,6 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
-        name: "expand",
-        parameters: &[required("F", Takes::Any, "the formula")],
-        summary: "multiplied out (every value is kept that way; expand shows it)",
-        example: "expand((t + 1)^3)",
-        call: |_, args| Ok(args.value(0)?.clone()),
-        ..NEW
-    },
-    Builtin {
         name: "subs",
         parameters: &[
             required("F", Takes::Scalar, "the formula"),

@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 
 use super::record::Builtin;
 use super::{
-    curves, derive, figures, interpolation, joins, matrices, numbers, polar, polynomials, rational, splines,
-    surfaces,
+    arrange, curves, derive, figures, interpolation, joins, matrices, numbers, polar, polynomials, rational,
+    splines, surfaces,
 };
 
 /// All functions, by topic.
@@ -37,6 +37,7 @@ pub static BUILTINS: &[&Builtin] = &{
     const TABLES: &[&[Builtin]] = &[
         polar::TABLE,
         polynomials::TABLE,
+        arrange::TABLE,
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,

@@ -371,6 +371,7 @@ impl Reader<'_> {
     /// What stands after `_`: indices with commas between.
     pub fn subscript(&mut self) -> Result<Vec<Expr>> {
         if self.peek() != Some(Tok::OpenBrace) {
+            self.is_one_digit("an index", '_')?;
             return Ok(vec![self.argument()?]);
         }
         let window = self.inside(self.pos)?;
@@ -431,8 +432,31 @@ impl Reader<'_> {
                 self.pos += 1;
                 self.raise_in(at..at + 1)
             }
-            _ => Ok(Raise::Power(self.argument()?)),
+            _ => {
+                self.is_one_digit("an exponent", '^')?;
+                Ok(Raise::Power(self.argument()?))
+            }
         }
+    }
+
+    /// Refuses t^10, which TeX prints as t^1 0 and everybody means as t^{10}.
+    fn is_one_digit(&mut self, script: &str, sign: char) -> Result<()> {
+        if self.peek() != Some(Tok::Number) {
+            return Ok(());
+        }
+        let (span, text) = (self.tokens[self.pos].span(), self.text_at(self.pos));
+        if text.len() < 2 || !text.bytes().all(|byte| byte.is_ascii_digit()) {
+            return Ok(());
+        }
+        let (first, rest) = text.split_at(1);
+        Err(Box::new(
+            Diagnostic::error(Code::AmbiguousProduct, format!("{script} of several digits needs braces"))
+                .at(span)
+                .reason(format!("TeX takes the {first} only"))
+                .hint(format!(
+                    "write {sign}{{{text}}} for the whole number, {sign}{first} {rest} for the product"
+                )),
+        ))
     }
 
     fn raise_in(&mut self, window: Window) -> Result<Raise> {

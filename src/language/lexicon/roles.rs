@@ -25,6 +25,11 @@ pub(crate) fn is_function(letter: &str) -> bool {
     FUNCTIONS.contains(&letter) || POLYNOMIALS.contains(&letter) || families::is_family(letter)
 }
 
+/// Whether it usually is a parameter or coordinate.
+pub(crate) fn is_parameter(letter: &str) -> bool {
+    PARAMETERS.contains(&letter) || matches!(letter, "w" | "tau")
+}
+
 /// Whether it usually depends on no parameter.
 pub(crate) fn is_constant(letter: &str) -> bool {
     CONSTANTS.contains(&letter)

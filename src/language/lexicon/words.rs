@@ -29,17 +29,79 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("help", "polarform functions lists the functions; :help at the prompt"),
     ("quit", "leave the prompt with :quit"),
     ("exit", "leave the prompt with :quit"),
-    ("simplify", "results are simplified as they are computed; write the formula alone"),
     ("factor", "polynomials are not factored; gcd(a, b), quotient(a, b) and count_roots(F) may help"),
-    ("collect", "coefficients(F, t) lists the coefficients of the powers of t"),
     ("limit", "limits are not computed; put in the value"),
     ("roots", "roots are not computed; count_roots(F) counts them"),
     ("plot", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
     ("rightopen", "intervals have no value; write a <= t and t < b as claims"),
     ("leftopen", "intervals have no value; write a < t and t <= b as claims"),
+    ("vars", "the names are listed by :vars at the prompt"),
+    ("who", "the names are listed by :vars at the prompt"),
+    ("clear", ":forget NAME takes a name away at the prompt, :reset all of them"),
+    ("del", ":forget NAME takes a name away at the prompt"),
+    ("save", "a session is saved by :save FILE at the prompt"),
+    ("load", "a script is run by :load FILE at the prompt, or by polarform run FILE"),
+    ("draw", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
+    ("mean", "the mean of two points is (a + b)/2"),
+    ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
     ("lcm", "the least common multiple is a*b/gcd(a, b)"),
     ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
 ];
+
+/// Words of prose that may stand among factors, with what to write instead if the words beside them do
+/// not tell.
+const PROSE: &[(&str, &str)] = &[
+    ("of", ""),
+    ("the", ""),
+    ("at", "a value is F(2) for a function F, or subs(t^2, t=2)"),
+    ("in", ""),
+    ("is", "claims are written with =, !=, <, <=, > or >="),
+    ("are", "claims are written with =, !=, <, <=, > or >="),
+    ("has", "claims are written with =, !=, <, <=, > or >="),
+    ("from", ""),
+    ("to", ""),
+    ("by", ""),
+    ("for", "give a name its value first: t := 2"),
+    ("where", ""),
+    ("with", ""),
+    ("on", ""),
+    ("over", ""),
+    ("form", ""),
+    ("basis", ""),
+    ("polynomial", ""),
+    ("polynomials", ""),
+    ("curve", ""),
+    ("points", ""),
+    ("between", ""),
+    ("through", ""),
+    ("choose", ""),
+];
+
+/// What a word of a question is about, as a function.
+const TOPICS: &[(&str, &str)] = &[
+    ("symmetric", "laws"),
+    ("affine", "laws"),
+    ("multiaffine", "laws"),
+    ("value", "subs"),
+    ("choose", "binomial"),
+    ("curve", "bezier"),
+    ("basis", "bernstein"),
+    ("interpolation", "lagrange"),
+    ("elevation", "elevate"),
+    ("subdivision", "subdivide"),
+    ("insertion", "insert_knots"),
+    ("points", "control_points"),
+];
+
+/// What to write instead of a word of prose; empty if the words beside it have to tell.
+pub(crate) fn prose(word: &str) -> Option<&'static str> {
+    PROSE.iter().find(|(known, _)| *known == word).map(|(_, advice)| *advice)
+}
+
+/// The function that a word of a question is about.
+pub(crate) fn topic(word: &str) -> Option<&'static str> {
+    TOPICS.iter().find(|(known, _)| *known == word).map(|(_, function)| *function)
+}
 
 /// Names whose calls have a form of their own.
 pub const FORMS: &[(&str, &str)] = &[

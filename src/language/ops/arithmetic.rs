@@ -134,6 +134,9 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         }
         (Value::Builtin(name), b) => Err(mismatch("multiplied", &Value::Builtin(name), &b)
             .hint(format!("a function is called with parentheses: {name}(...)"))),
+        (Value::List(a), b) if is_grid(&a) => {
+            Err(mismatch("multiplied", &Value::List(a), &b).hint(AS_MATRIX))
+        }
         (Value::List(a), Value::List(b)) => Err(mismatch("multiplied", &Value::List(a), &Value::List(b))
             .hint("dot(a, b) is the scalar product of two points, cross(a, b) their cross product")),
         (Value::Polar(_), Value::Polar(_)) => {
@@ -142,6 +145,19 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         }
         (a, b) => Err(mismatch("multiplied", &a, &b)),
     }
+}
+
+/// What to write for a matrix that is given as a list of its rows.
+const AS_MATRIX: &str = "a matrix has semicolons between its rows: [1, 2; 3, 4]";
+
+/// Whether a list has lists of one length as items, as a matrix has rows.
+fn is_grid(items: &[Value]) -> bool {
+    let length = |item: &Value| match item {
+        Value::List(row) => Some(row.len()),
+        _ => None,
+    };
+    let first = items.first().and_then(length);
+    first.is_some() && items.iter().all(|item| length(item) == first)
 }
 
 /// The sum of multiples of the items.
@@ -222,6 +238,7 @@ pub(crate) fn power(base: Value, exponent: &Value) -> Result<Value> {
         other => {
             let error = Diagnostic::error(Code::Type, format!("{} has no powers", other.kind()));
             Err(match other {
+                Value::List(items) if is_grid(&items) => error.hint(AS_MATRIX),
                 Value::List(_) => error.hint("dot(a, a) is the square of a length"),
                 Value::Geometry(_) => error.hint("curve_product(c, c) is the square of a function"),
                 _ => error,

@@ -51,7 +51,7 @@ pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
                 Code::AmbiguousVariable,
                 format!("which of {} is the parameter?", names.join(", ")),
             )
-            .hint(format!("name it, for example polar(..., variable={})", names[0])))
+            .hint(format!("name it with variable={}", names[0])))
         }
     }
 }

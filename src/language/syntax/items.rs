@@ -7,8 +7,8 @@ use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Where the items of a list stand that has blanks for commas; `None` if `text` is anything else.
 ///
-/// The items are numbers, ranges of numbers, or points in brackets. Names side by side are a
-/// product, as everywhere.
+/// The items are numbers, ranges of numbers, points in brackets, or names; several names or a name
+/// first, since `2 t` is a product.
 ///
 /// # Errors
 /// When a sign might be that of an item or a difference, as in `1 -1`; when the text is too long.
@@ -19,13 +19,18 @@ use crate::language::diagnostic::{Code, Diagnostic};
 /// let items: Vec<_> = spaced_items(text).unwrap().unwrap().into_iter().map(|s| &text[s.range()]).collect();
 /// assert_eq!(items, ["0", "0", "1/2", "1"]);
 /// assert_eq!(spaced_items("0, 1"), Ok(None));
+/// assert_eq!(spaced_items("b_0 b_1 b_2").unwrap().map(|items| items.len()), Some(3));
 /// assert_eq!(spaced_items("2 t"), Ok(None));
 /// assert!(spaced_items("1 -1").is_err());
 /// ```
 pub fn spaced_items(text: &str) -> Result<Option<Vec<Span>>, Diagnostic> {
     let tokens = lexer::lex(text)?;
     let pieces = pieces(&tokens);
-    if pieces.len() < 2 || !pieces.iter().all(|piece| is_item(piece)) {
+    if pieces.len() < 2 || !pieces.iter().all(|piece| is_item(piece) || is_name(piece)) {
+        return Ok(None);
+    }
+    let names = pieces.iter().filter(|piece| is_name(piece)).count();
+    if names == 1 && pieces.len() == 2 && !is_name(pieces[0]) {
         return Ok(None);
     }
     let spans: Vec<Span> =
@@ -62,6 +67,25 @@ fn is_item(piece: &[Token]) -> bool {
         [TokenKind::Number]
         | [TokenKind::Number, TokenKind::Slash | TokenKind::DotDot, TokenKind::Number] => true,
         [TokenKind::Open(Bracket::Paren | Bracket::Square), ..] => is_point(piece),
+        _ => false,
+    }
+}
+
+/// A name with its index: b, b0, b_0, b_{10}.
+fn is_name(piece: &[Token]) -> bool {
+    let kinds: Vec<TokenKind> = piece.iter().map(|token| token.kind).collect();
+    match kinds.as_slice() {
+        [TokenKind::Name] | [TokenKind::Name, TokenKind::Index] => true,
+        [TokenKind::Name, TokenKind::Underscore, index @ ..] => match index {
+            [TokenKind::Number | TokenKind::Index | TokenKind::Name] => true,
+            [TokenKind::Open(Bracket::Brace), inside @ .., TokenKind::Close(Bracket::Brace)] => {
+                let part = |kind: &TokenKind| {
+                    matches!(kind, TokenKind::Number | TokenKind::Index | TokenKind::Name | TokenKind::Comma)
+                };
+                inside.iter().all(part)
+            }
+            _ => false,
+        },
         _ => false,
     }
 }

@@ -140,6 +140,7 @@ pub fn looks_like_latex(text: &str) -> bool {
     let bytes = text.as_bytes();
     bytes.iter().enumerate().any(|(at, &byte)| match byte {
         b'$' => true,
+        b'{' => text[at..].starts_with("{,}"),
         b'\\' => {
             let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
             letters::sign(&text[at + 1..at + 1 + letters]).is_none()

@@ -217,13 +217,17 @@ impl Geometry {
 
     /// The object as a formula in control points and basis functions, for reading.
     pub fn display_expr(&self) -> Expr {
-        let parameter = self.parameter();
-        let t = || symbol_expr(&parameter);
+        self.display_expr_in(&self.parameter())
+    }
+
+    /// The same with a letter for the parameter of a curve.
+    pub fn display_expr_in(&self, parameter: &Symbol) -> Expr {
+        let t = || symbol_expr(parameter);
         match self {
             Geometry::Bezier(curve, form) => {
                 let (a, b) = curve.interval().ends();
                 let interval = Interval::new(a.clone(), b.clone()).expect("the ends differ");
-                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, &parameter)]);
+                let basis = |i: usize| family("B", &[i], curve.degree(), vec![local(&interval, parameter)]);
                 self.combination(curve.points(), *form, &basis)
             }
             Geometry::Spline(spline, form) => {
@@ -271,7 +275,8 @@ impl Geometry {
             let point = match value.as_scalar() {
                 Some(x) if x.is_zero() => return None,
                 Some(x) if x.is_one() => None,
-                _ => Some(bracketed(value.to_expr())),
+                Some(_) => Some(bracketed(value.to_expr())),
+                None => Some(as_point(value.to_expr())),
             };
             // 2 times 1/2 would read as a mixed number.
             if let (Some(x), Some(w)) = (value.as_scalar(), weights.get(i)) {
@@ -332,6 +337,14 @@ fn net_argument(net: &[Vec<Point<Fraction>>], form: Form, arguments: &mut Vec<Ex
             arguments.push(list(net.iter().map(|row| list(row.iter().map(|point| scalars(point))))));
             Some(named("homogeneous", Expr::int(1)))
         }
+    }
+}
+
+/// A point with round brackets, as it is written in a sum.
+fn as_point(expr: Expr) -> Expr {
+    match expr.kind {
+        Kind::List(coordinates) => Kind::Tuple(coordinates).into(),
+        _ => bracketed(expr),
     }
 }
 

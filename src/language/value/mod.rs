@@ -8,23 +8,27 @@ mod derivation;
 mod factors;
 mod function;
 mod geometry;
+mod grouped;
 mod newton;
 mod outcome;
 mod piecewise;
 mod polar;
 mod table;
 mod to_expr;
+mod written;
 
 pub use derivation::{Derivation, Language, Line, Words};
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
+pub use grouped::in_powers_of;
 pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
 pub(crate) use piecewise::free_parameter;
 pub use polar::{Notation, Polar, PolarKind};
 pub use table::{Cell, Table};
-pub use to_expr::{collected, curve_expr, exact_term, polynomial_expr, symbol_expr};
+pub use to_expr::{collected, curve_expr, exact_term, grouped_expr, polynomial_expr, symbol_expr};
+pub use written::Written;
 
 use std::sync::Arc;
 
@@ -63,6 +67,8 @@ pub enum Value {
     Derivation(Arc<Derivation>),
     /// A drawing.
     Figure(Arc<Scene>),
+    /// A formula that is shown as it was arranged.
+    Written(Arc<Written>),
     /// Words, such as the answer of `degree(0)`.
     Text(String),
 }
@@ -99,6 +105,7 @@ impl Value {
             Value::Table(_) => "a table",
             Value::Derivation(_) => "a derivation",
             Value::Figure(_) => "a figure",
+            Value::Written(written) => written.value.kind(),
             Value::Claim(_) => "a claim",
             Value::Text(_) => "a text",
         }

@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::factors::quotient;
+use super::grouped::grouped;
 use super::{Notation, Polar, PolarKind, Value};
 use crate::budget;
 use crate::formula::{Accent, Delimiter, Expr, Kind, Rel, Sign, Term};
@@ -46,7 +47,7 @@ pub fn exact_term(coefficient: &Rational, mut factors: Vec<Expr>) -> Term {
     Term { sign, expr: Expr::product(factors) }
 }
 
-fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
+pub(super) fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
     let base = symbol_expr(symbol);
     match exponent {
         1 => base,
@@ -58,7 +59,7 @@ fn power_expr(symbol: &Symbol, exponent: u32) -> Expr {
     }
 }
 
-fn poly_terms(p: &MultiPoly) -> Vec<Term> {
+pub(super) fn poly_terms(p: &MultiPoly) -> Vec<Term> {
     let mut list = p.terms(MonomialOrder::GrLex);
     // 1 - t and t2 - t1 rather than -t + 1 and -t1 + t2.
     if let [first, second] = list.as_slice()
@@ -85,6 +86,19 @@ pub fn polynomial_expr(f: &Fraction) -> Expr {
     match f.as_polynomial() {
         Some(p) => poly_expr(p),
         None => quotient_expr(f),
+    }
+}
+
+/// A rational function as on a board: grouped by points or powers where that says more.
+pub fn grouped_expr(f: &Fraction) -> Expr {
+    grouped(f).unwrap_or_else(|| polynomial_expr(f))
+}
+
+/// A formula for reading: grouped, or multiplied out.
+fn scalar_expr(f: &Fraction, notation: Notation) -> Expr {
+    match notation {
+        Notation::Expanded => polynomial_expr(f),
+        _ => grouped_expr(f),
     }
 }
 
@@ -452,9 +466,9 @@ impl Polar {
     }
 }
 
-fn matrix_expr(matrix: &DMatrix<Fraction>) -> Expr {
+fn matrix_expr(matrix: &DMatrix<Fraction>, notation: Notation) -> Expr {
     let rows = (0..matrix.nrows())
-        .map(|i| (0..matrix.ncols()).map(|j| Some(polynomial_expr(&matrix[(i, j)]))).collect())
+        .map(|i| (0..matrix.ncols()).map(|j| Some(scalar_expr(&matrix[(i, j)], notation))).collect())
         .collect();
     Kind::Matrix(rows, Delimiter::Paren).into()
 }
@@ -483,10 +497,11 @@ impl Value {
     /// The value as a formula, polar forms in the given notation.
     pub fn to_expr_in(&self, notation: Notation) -> Expr {
         match self {
-            Value::Scalar(f) => polynomial_expr(f),
+            Value::Scalar(f) => scalar_expr(f, notation),
+            Value::Written(written) => written.expr.clone(),
             Value::Vector(f) => Kind::Accent(Accent::Hat, Box::new(polynomial_expr(f))).into(),
             Value::Polar(polar) => polar.equation(Expr::name("f"), notation),
-            Value::Function(function) => function_expr(function),
+            Value::Function(function) => function_expr(function, notation),
             Value::Builtin(name) => Expr::name(*name),
             Value::List(items) => {
                 if let Some(curve) = curve_expr(items, Expr::name("f"), notation) {
@@ -494,7 +509,7 @@ impl Value {
                 }
                 Kind::List(items.iter().map(|item| item.to_expr_in(notation)).collect()).into()
             }
-            Value::Matrix(matrix) => matrix_expr(matrix),
+            Value::Matrix(matrix) => matrix_expr(matrix, notation),
             Value::Geometry(geometry) => geometry.to_expr(),
             Value::Piecewise(function) => function.to_expr(),
             Value::Table(table) => table.to_expr(),
@@ -526,7 +541,7 @@ pub fn curve_expr(items: &[Value], name: Expr, notation: Notation) -> Option<Exp
     Some(Expr::relation(first.call(name), Rel::Eq, Kind::List(bodies).into()))
 }
 
-fn function_expr(function: &super::Function) -> Expr {
+fn function_expr(function: &super::Function, notation: Notation) -> Expr {
     let clauses: Vec<Expr> = function
         .clauses
         .iter()
@@ -540,7 +555,7 @@ fn function_expr(function: &super::Function) -> Expr {
                 })
                 .collect();
             let body = match &clause.formula {
-                Some(formula) if !clause.written => polynomial_expr(formula),
+                Some(formula) if !clause.written => scalar_expr(formula, notation),
                 _ => clause.body.clone(),
             };
             let shape = function.shape;

@@ -68,6 +68,12 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
         Value::Figure(scene) => json!({"kind": "figure", "title": scene.title(),
             "description": scene.description()}),
         Value::Claim(claim) => claim_json(claim),
+        Value::Written(written) => {
+            let mut json = value_json(&written.value, notation);
+            json["text"] = json!(text(&written.expr));
+            json["latex"] = json!(latex(&written.expr));
+            json
+        }
         Value::Text(words) => json!({"kind": "text", "text": words}),
     }
 }

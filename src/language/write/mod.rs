@@ -21,8 +21,9 @@
 //! and what it prints as, and does not recurse, however deep the tree is.
 //!
 //! **Reference.** Oppen, *Prettyprinting* (1980), for printing from a stack of pending pieces;
-//! here no line is ever broken, except for matrices in Unicode.
+//! here no line is broken, except for matrices in Unicode and by [`broken`] in LaTeX.
 
+mod answer;
 mod boxes;
 mod decimal;
 mod derivation;
@@ -30,6 +31,7 @@ mod expanded;
 mod format;
 mod json;
 mod latex;
+mod lines;
 mod marks;
 mod names;
 mod plain;
@@ -44,13 +46,15 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use answer::{Manner, verdict_in_words, write_answer};
 pub use derivation::{derivation_json, split_at_relation, write_derivation};
 pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
 pub use latex::{latex, write_latex};
+pub use lines::{ARTICLE, broken, lines_of, measured};
 pub use sympy::{WriteError, sympy, write_sympy};
-pub use table::{latex_table, table_json, write_table};
+pub use table::{latex_table, latex_table_within, table_json, write_table};
 pub use text::{text, write_text};
 #[cfg(feature = "figure")]
 pub(crate) use unicode::relation as unicode_relation;

@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::{Format, WriteError, latex, text, value_json, write_expr};
+use super::{Format, WriteError, latex, lines_of, measured, split_at_relation, text, value_json, write_expr};
 use crate::formula::{Expr, Kind};
 use crate::language::value::{Cell, Notation, Table, Value};
 
@@ -70,6 +70,27 @@ pub fn latex_table(table: &Table) -> String {
     out.push_str(&rows.join(" \\\\\n"));
     out.push_str("\n\\end{array}");
     out
+}
+
+/// A table as LaTeX of about this width in points: an array, or if that is much wider, the cells below
+/// each other, column by column.
+pub fn latex_table_within(table: &Table, width: f64) -> String {
+    /// What is a little too wide can be made smaller.
+    const TOLERANCE: f64 = 1.4;
+    let array = latex_table(table);
+    if measured(&array) <= TOLERANCE * width {
+        return array;
+    }
+    let columns = table.rows.iter().map(Vec::len).max().unwrap_or(0);
+    let mut rows = Vec::new();
+    for column in 0..columns {
+        for cell in table.rows.iter().filter_map(|row| row.get(column)).filter_map(Cell::to_expr) {
+            let (left, right) = split_at_relation(&cell);
+            let room = width - measured(&left);
+            rows.push(format!("{left} &{}", lines_of(&right, room).join(" \\\\\n&")));
+        }
+    }
+    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n"))
 }
 
 /// A table as rows of cells, each with its label, text and value.

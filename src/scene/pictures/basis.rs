@@ -208,13 +208,19 @@ impl BasisPicture {
         let zero = Rational::zero();
         let (least, greatest) =
             (all().min().unwrap_or(&zero).min(&zero), all().max().unwrap_or(&zero).max(&zero));
-        let mut ticks = Vec::new();
-        for value in nice_ticks(least, greatest, 4) {
-            let at = value.to_f64().unwrap_or(f64::NAN);
-            if (low < 0.0 || value.is_positive()) && at >= low && at <= high {
-                ticks.push(Tick { at, label: Some(exact_text(&value).into()) });
-            }
-        }
+        let in_sight = |count: usize| -> Vec<Tick> {
+            let tick = |value: &Rational| Tick {
+                at: value.to_f64().unwrap_or(f64::NAN),
+                label: Some(exact_text(value).into()),
+            };
+            let values = nice_ticks(least, greatest, count);
+            let shown = values.iter().filter(|value| low < 0.0 || value.is_positive()).map(tick);
+            shown.filter(|tick| low <= tick.at && tick.at <= high).collect()
+        };
+        // The ordinates may lie far outside of the graph; two numbers tell the scale.
+        let counts = [4, 8, 16, 32, 64, 100];
+        let ticks = counts.into_iter().map(in_sight).find(|ticks| ticks.len() > 1);
+        let ticks = ticks.unwrap_or_else(|| in_sight(100));
         scene.add(Axis {
             orientation: Orientation::Vertical,
             from: bottom,

@@ -102,7 +102,7 @@ pub(super) const TABLE: &[Builtin] = &[
             label_words(
                 "labels=values",
                 &["polar", "points", "values"],
-                "polar; values for divided differences",
+                "polar; values for divided differences of numbers, else points",
             ),
             named("weights=0", Takes::Flag, "1", "whether the weights stand at the arrows"),
             named(

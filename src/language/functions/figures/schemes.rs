@@ -112,8 +112,11 @@ fn divided_differences(args: &Arguments) -> Result<Scheme> {
             .at(args.span(2))
             .hint("figure_pyramid([0, 1, 2], [1, 3, 2])"));
     }
-    let wanted = labels(args, &["points", "values"])?.unwrap_or(Labels::Values);
     let (nodes, values) = (args.scalars(0)?, args.scalars(1)?);
+    // Differences of symbols are long quotients, which nobody reads in a figure.
+    let symbolic = nodes.iter().chain(&values).any(|x| x.as_rational().is_none());
+    let usual = if symbolic { Labels::Points } else { Labels::Values };
+    let wanted = labels(args, &["points", "values"])?.unwrap_or(usual);
     let table = DividedDifferences::with_repeats(&nodes, &values).map_err(|error| {
         let (code, span) = match error {
             InterpolationError::NodesApart { .. } => (Code::Coincident, args.span(0)),

@@ -57,6 +57,8 @@ fn missing_parts() {
     check("a * / b", Code::UnexpectedToken, "/", "");
     check("^2", Code::UnexpectedToken, "^", "");
     check("x^2^3", Code::UnexpectedToken, "^", "braces");
+    check("x^10", Code::AmbiguousProduct, "10", "^{10}");
+    check("x_12 + 1", Code::AmbiguousProduct, "12", "_1 2");
     check("x_1_2", Code::UnexpectedToken, "_", "braces");
     check(r"a \over b \over c", Code::UnexpectedToken, r"\over", "");
     check("a # b", Code::UnexpectedCharacter, "#", "");

@@ -1,0 +1,348 @@
+//! Long LaTeX over several lines: broken before relations, before + and -, and after commas.
+//!
+//! A line of TeX has a width, and display math is not broken by TeX itself. The width of a formula is
+//! estimated from its LaTeX; a break goes to the place that fits, outside of brackets where that
+//! does not leave a line half empty. Fractions, scripts, growing brackets and environments stay whole.
+//!
+//! **Reference.** Knuth, *The TeXbook* (1984), chapters 17 and 18, for what is spaced how.
+
+/// The width of the text of an `article` at ten points, in points.
+pub const ARTICLE: f64 = 345.0;
+
+/// A line this full may end outside of brackets, although more would fit on it.
+const FULL_ENOUGH: f64 = 0.5;
+
+/// A left side that takes more of the width than this is no margin for the lines of the right side.
+const LONG_LEFT: f64 = 0.35;
+
+/// The indentation of a line that goes on with a formula.
+const QUAD: f64 = 10.0;
+
+/// A formula in LaTeX as an `aligned` environment of lines of about this width in points; as it is, if
+/// it is not wider, or has an environment of its own at its outside.
+///
+/// Cost: linear in the length, times the number of places for a break in a line.
+///
+/// ```
+/// use polarform::write::broken;
+/// let sum = "F(t) = a + b + c";
+/// assert_eq!(broken(sum, 345.0), sum);
+/// assert_eq!(broken(sum, 60.0), "\\begin{aligned}\nF(t) &= a + b \\\\\n&\\quad {}+ c\n\\end{aligned}");
+/// ```
+pub fn broken(latex: &str, width: f64) -> String {
+    if measured(latex) <= width || latex.starts_with("\\begin") {
+        return latex.to_owned();
+    }
+    let first = places(latex).into_iter().find(|place| place.kind == Sign::Relation && place.depth == 0);
+    let (left, right) = latex.split_at(first.map_or(0, |place| place.at));
+    // All lines begin below the relation; a long left side has a line of its own.
+    let margin = measured(left);
+    if margin > LONG_LEFT * width {
+        let lines = lines_of(right, width - QUAD).join(" \\\\\n&\\quad ");
+        return format!("\\begin{{aligned}}\n&{} \\\\\n&\\quad {lines}\n\\end{{aligned}}", left.trim_end());
+    }
+    let lines = lines_of(right, width - margin);
+    if lines.len() < 2 {
+        return latex.to_owned();
+    }
+    format!("\\begin{{aligned}}\n{} &{}\n\\end{{aligned}}", left.trim_end(), lines.join(" \\\\\n&"))
+        .replace("\n &", "\n&")
+}
+
+/// A right side in lines of about this width; each but the first begins with a relation, or indented.
+pub fn lines_of(latex: &str, width: f64) -> Vec<String> {
+    let places = places(latex);
+    let mut lines = Vec::new();
+    let mut start = 0;
+    loop {
+        let rest = latex[start..].trim_start();
+        let indent = if start > 0 { QUAD } else { 0.0 };
+        let room = width - indent;
+        let line = |text: &str| match start {
+            0 => text.trim().to_owned(),
+            _ if begins_with_relation(text.trim_start()) => text.trim().to_owned(),
+            _ if text.trim_start().starts_with(['+', '-']) => format!("\\quad {{}}{}", text.trim()),
+            _ => format!("\\quad {}", text.trim()),
+        };
+        let end = match measured(rest) <= room {
+            true => None,
+            false => place_to_break(latex, start, &places, room),
+        };
+        let Some(end) = end else {
+            lines.push(line(&latex[start..]));
+            return lines;
+        };
+        lines.push(line(&latex[start..end]));
+        start = end;
+    }
+}
+
+/// Where the line that begins at `start` ends: as far as fits, at the least depth of brackets that fills
+/// it well; after the next term, if nothing fits.
+fn place_to_break(latex: &str, start: usize, places: &[Place], room: f64) -> Option<usize> {
+    let after = places.iter().filter(|place| place.at > start + leading_sign(&latex[start..]));
+    let mut fitting: Vec<(&Place, f64)> = Vec::new();
+    let mut next = None;
+    for place in after {
+        let width = measured(&latex[start..place.at]);
+        if width > room {
+            next = Some(place.at);
+            break;
+        }
+        fitting.push((place, width));
+    }
+    let Some(deepest) = fitting.iter().map(|(place, _)| place.depth).max() else { return next };
+    for depth in 0..=deepest {
+        let relation = |place: &Place| place.kind == Sign::Relation;
+        let best = fitting
+            .iter()
+            .rev()
+            .find(|(place, width)| place.depth <= depth && (relation(place) || *width >= FULL_ENOUGH * room));
+        if let Some((place, _)) = best {
+            return Some(place.at);
+        }
+    }
+    fitting.last().map(|(place, _)| place.at).or(next)
+}
+
+/// The bytes before which a break would only cut off the sign that a line begins with.
+fn leading_sign(text: &str) -> usize {
+    text.len() - text.trim_start().len()
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    Relation,
+    Plus,
+    Comma,
+}
+
+/// A place where a line may begin.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    at: usize,
+    kind: Sign,
+    /// How many small brackets are open there.
+    depth: usize,
+}
+
+const RELATIONS: &[&str] = &["=", ":=", "<", ">", "\\le", "\\ge", "\\ne", "\\equiv", "\\approx", "\\in"];
+
+fn begins_with_relation(text: &str) -> bool {
+    let word = text.split_whitespace().next().unwrap_or("");
+    RELATIONS.contains(&word)
+}
+
+/// The places between blanks, outside of braces, growing brackets and environments.
+fn places(latex: &str) -> Vec<Place> {
+    let mut places = Vec::new();
+    let (mut braces, mut depth) = (0_usize, 0_usize);
+    let bytes = latex.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        let rest = &latex[at..];
+        match bytes[at] {
+            b'\\' => {
+                let name = command(rest);
+                match name {
+                    "\\left" | "\\begin" => braces += 1,
+                    "\\right" | "\\end" => braces = braces.saturating_sub(1),
+                    _ if braces == 0 && RELATIONS.contains(&name) => {
+                        places.push(Place { at, kind: Sign::Relation, depth });
+                    }
+                    _ => {}
+                }
+                at += name.len();
+                // The bracket of \left( is no small one.
+                if matches!(name, "\\left" | "\\right") && bytes.get(at).is_some_and(u8::is_ascii_punctuation)
+                {
+                    at += if bytes[at] == b'\\' { command(&latex[at..]).len() } else { 1 };
+                }
+                continue;
+            }
+            b'{' => braces += 1,
+            b'}' => braces = braces.saturating_sub(1),
+            b'(' | b'[' if braces == 0 => depth += 1,
+            b')' | b']' if braces == 0 => depth = depth.saturating_sub(1),
+            b',' if braces == 0 && depth == 1 && rest.starts_with(", ") => {
+                places.push(Place { at: at + 1, kind: Sign::Comma, depth });
+            }
+            b' ' if braces == 0 => {
+                let next = &rest[1..];
+                if next.starts_with("+ ") || next.starts_with("- ") {
+                    places.push(Place { at, kind: Sign::Plus, depth });
+                } else if !next.starts_with('\\') && begins_with_relation(next) {
+                    places.push(Place { at, kind: Sign::Relation, depth });
+                }
+            }
+            _ => {}
+        }
+        at += rest.chars().next().map_or(1, char::len_utf8);
+    }
+    places
+}
+
+/// The command that a text begins with, with its backslash.
+fn command(text: &str) -> &str {
+    let letters = text[1..].bytes().take_while(u8::is_ascii_alphabetic).count();
+    let length =
+        if letters > 0 { 1 + letters } else { 1 + text[1..].chars().next().map_or(0, char::len_utf8) };
+    &text[..length]
+}
+
+/// The width of a formula in LaTeX, about, in points at a size of ten points.
+///
+/// ```
+/// use polarform::write::measured;
+/// assert!(measured("a + b") > measured("a b"));
+/// assert!(measured(r"\frac{a + b}{c}") < measured("(a + b) c"));
+/// ```
+pub fn measured(latex: &str) -> f64 {
+    Ruler { text: latex, at: 0 }.run(false)
+}
+
+/// Widths in Computer Modern at ten points.
+const LETTER: f64 = 5.4;
+const NARROW: f64 = 3.9;
+const OPERATOR: f64 = 12.3;
+const RELATION: f64 = 13.4;
+const SCRIPT: f64 = 0.72;
+
+struct Ruler<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl Ruler<'_> {
+    /// The width up to the end, or to the brace that closes.
+    fn run(&mut self, in_braces: bool) -> f64 {
+        let mut width: f64 = 0.0;
+        let mut widest: f64 = 0.0;
+        while let Some(c) = self.text[self.at..].chars().next() {
+            if c == '}' && in_braces {
+                self.at += 1;
+                break;
+            }
+            if self.text[self.at..].starts_with("\\\\") {
+                self.at += 2;
+                widest = widest.max(width);
+                width = 0.0;
+                continue;
+            }
+            width += self.piece(c);
+        }
+        widest.max(width)
+    }
+
+    fn piece(&mut self, c: char) -> f64 {
+        if c == '\\' {
+            let name = command(&self.text[self.at..]);
+            self.at += name.len();
+            return self.of_command(name);
+        }
+        self.at += c.len_utf8();
+        match c {
+            '{' => self.run(true),
+            '}' | ' ' | '\n' => 0.0,
+            '_' => SCRIPT * self.argument(),
+            '^' => match self.text[..self.at - 1].trim_end().ends_with('}') || self.after_index() {
+                // above an index
+                true => (SCRIPT * self.argument() - LETTER).max(0.0),
+                false => SCRIPT * self.argument(),
+            },
+            '+' | '-' => OPERATOR,
+            '=' | '<' | '>' => RELATION,
+            '(' | ')' | '[' | ']' | '|' | '.' | ':' | ';' | '\'' => NARROW,
+            ',' => 4.5,
+            '&' => 20.0,
+            'm' | 'w' | 'M' | 'W' => 8.5,
+            _ => LETTER,
+        }
+    }
+
+    /// Whether an index of one letter ends here, as before the ^ of b_0^2.
+    fn after_index(&self) -> bool {
+        let before = &self.text.as_bytes()[..self.at - 1];
+        before.len() > 1 && before[before.len() - 2] == b'_'
+    }
+
+    /// The width of the next argument: braces, a command or one character.
+    fn argument(&mut self) -> f64 {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+        match self.text[self.at..].chars().next() {
+            Some(c) => self.piece(c),
+            None => 0.0,
+        }
+    }
+
+    fn of_command(&mut self, name: &str) -> f64 {
+        match name {
+            "\\frac" | "\\tfrac" | "\\dfrac" | "\\binom" => {
+                let (above, below) = (self.argument(), self.argument());
+                above.max(below) + if name == "\\binom" { 14.0 } else { 2.4 }
+            }
+            "\\begin" | "\\end" => {
+                self.argument();
+                10.0
+            }
+            "\\left" | "\\right" => 2.0,
+            "\\," | "\\!" | "\\;" | "\\:" => 2.0,
+            "\\quad" => QUAD,
+            "\\qquad" => 2.0 * QUAD,
+            "\\cdot" | "\\times" | "\\circ" => 7.0,
+            "\\sum" | "\\prod" | "\\int" => 14.0,
+            "\\hat" | "\\vec" | "\\bar" | "\\tilde" | "\\mathbf" | "\\mathrm" | "\\text"
+            | "\\operatorname" => self.argument(),
+            _ if RELATIONS.contains(&name) || name == "\\mapsto" || name == "\\to" => RELATION,
+            _ => 5.8,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without its breaks a broken formula is the formula.
+    fn joined(broken: &str) -> String {
+        let body = broken.replace("\\begin{aligned}\n", "").replace("\n\\end{aligned}", "");
+        body.replace(" \\\\\n", " ").replace("\\quad {}", "").replace("\\quad ", "").replace('&', "")
+    }
+
+    #[test]
+    fn nothing_is_lost_and_lines_fit() {
+        let sum = |n: usize| (1..=n).map(|i| format!("b_{{{i}}} t^{i}")).collect::<Vec<_>>().join(" + ");
+        let cases = [
+            format!("F(t) = {}", sum(40)),
+            sum(30),
+            format!("f(t_1, t_2) = \\frac{{1}}{{3}} ({}) - \\frac{{2}}{{3}} ({})", sum(12), sum(20)),
+            format!("[{}]", (0..50).map(|i| format!("p_{{{i}}}")).collect::<Vec<_>>().join(", ")),
+            format!("a = {} = {}", sum(3), sum(25)),
+        ];
+        for case in &cases {
+            for width in [120.0, 345.0, 500.0] {
+                let text = broken(case, width);
+                let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+                assert_eq!(plain(&joined(&text)), plain(case), "{width}");
+                let rows =
+                    text.lines().filter(|line| !line.starts_with("\\begin") && !line.starts_with("\\end"));
+                for row in rows {
+                    let row = row.trim_end_matches("\\\\").replace('&', "");
+                    assert!(measured(&row) <= width + 30.0, "{width}: {row}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_holds_together_stays_whole() {
+        for whole in [
+            r"\frac{a + b + c + d}{e + f + g}".to_owned(),
+            r"\left( \frac{a}{b} + c + d + e \right)".to_owned(),
+            r"\begin{pmatrix} a + b & c + d \\ e & f \end{pmatrix}".to_owned(),
+        ] {
+            assert_eq!(broken(&whole, 20.0), whole);
+        }
+    }
+}
