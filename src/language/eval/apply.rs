@@ -319,34 +319,43 @@ impl Machine {
     ) -> Evaluated {
         let mut all = Arguments::default();
         for group in groups {
-            for item in group {
-                match named(item) {
-                    Some((name, value)) => {
+            let mut values: Vec<Value> = Vec::with_capacity(group.len());
+            let mut spans: Vec<Span> = Vec::with_capacity(group.len());
+            let mut skip = false;
+            for (at, item) in group.iter().enumerate() {
+                if std::mem::take(&mut skip) {
+                    continue;
+                }
+                match (named(item), &item.kind) {
+                    (Some((name, value)), _) => {
                         let given = self.eval_or_word(value, function, Slot::Name(&name))?;
                         all.push_named(name, given, value.span);
                     }
-                    None if matches!(item.kind, Kind::Ellipsis | Kind::Brace(..)) => {
-                        for value in self.expand_items(group)? {
-                            all.push(value, item.span);
-                        }
-                        break;
+                    (None, Kind::Ellipsis) => skip = self.fill_dots(group, at, &mut values)?,
+                    (None, Kind::Brace(list, label)) => {
+                        values.extend(self.repeated(list, label.as_deref(), item.span)?);
                     }
-                    None => {
-                        // max{1, 2}
-                        if let Kind::Set(members, None) = &item.kind {
-                            for member in members {
-                                all.push(self.eval(member)?, member.span);
-                            }
-                            continue;
+                    // max{1, 2}
+                    (None, Kind::Set(members, None)) => {
+                        for member in members {
+                            values.push(self.eval(member)?);
+                            spans.push(member.span);
                         }
+                    }
+                    (None, _) => {
                         self.not_named_without_sign(item)?;
-                        let value = self.eval_or_word(item, function, Slot::Place(all.len()))?;
-                        if value.as_rational().is_some() && function.takes_polynomial(all.len()) {
+                        let place = all.len() + values.len();
+                        let value = self.eval_or_word(item, function, Slot::Place(place))?;
+                        if value.as_rational().is_some() && function.takes_polynomial(place) {
                             self.parameter_has_value(item);
                         }
-                        all.push(if all.is_empty() { self.in_coordinates(value) } else { value }, item.span);
+                        values.push(if place == 0 { self.in_coordinates(value) } else { value });
                     }
                 }
+                spans.resize(values.len(), item.span);
+            }
+            for (value, span) in values.into_iter().zip(spans) {
+                all.push(value, span);
             }
         }
         function.run(self, all).at(span).map_err(|error| match error.code {

@@ -17,20 +17,7 @@ impl Machine {
                 continue;
             }
             match &item.kind {
-                Kind::Ellipsis => {
-                    let (Some(before), Some(after)) =
-                        (at.checked_sub(1).map(|i| &items[i]), items.get(at + 1))
-                    else {
-                        return Err(unsupported("an ellipsis needs an item on both sides")
-                            .at(item.span)
-                            .hint("write the first and the last item: t1, ..., t5"));
-                    };
-                    let too_many = self.fill_ellipsis(before, after, &mut values, item.span)?;
-                    skip = too_many > 0;
-                    if too_many > 1 {
-                        values.pop();
-                    }
-                }
+                Kind::Ellipsis => skip = self.fill_dots(items, at, &mut values)?,
                 Kind::Brace(list, label) => {
                     let label = label.as_deref();
                     values.extend(self.repeated(list, label, item.span)?);
@@ -39,6 +26,27 @@ impl Machine {
             }
         }
         Ok(values)
+    }
+
+    /// Writes out the dots at a place; `values` has what stands before them. Says whether the item
+    /// after them is to be left out.
+    pub(super) fn fill_dots(
+        &mut self,
+        items: &[Expr],
+        at: usize,
+        values: &mut Vec<Value>,
+    ) -> Result<bool, Diagnostic> {
+        let span = items[at].span;
+        let (Some(before), Some(after)) = (at.checked_sub(1).map(|i| &items[i]), items.get(at + 1)) else {
+            return Err(unsupported("an ellipsis needs an item on both sides")
+                .at(span)
+                .hint("write the first and the last item: t1, ..., t5"));
+        };
+        let too_many = self.fill_ellipsis(before, after, values, span)?;
+        if too_many > 1 {
+            values.pop();
+        }
+        Ok(too_many > 0)
     }
 
     /// `t, ..., t` with a count below the brace.
@@ -71,7 +79,7 @@ impl Machine {
     ///
     /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
     /// ends are t_1, and two for i = 1, when there is nothing at all.
-    pub(crate) fn fill_ellipsis(
+    fn fill_ellipsis(
         &mut self,
         before: &Expr,
         after: &Expr,

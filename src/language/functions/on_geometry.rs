@@ -14,6 +14,7 @@ use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind
 use crate::math::curve::{Interval, RationalCurve};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
+use crate::math::spline::RationalSpline;
 use num_traits::{One, Zero};
 
 pub(super) const POLAR: Option<Variant> = Variant::new(
@@ -180,12 +181,12 @@ pub(crate) fn derivative(args: &Arguments) -> Evaluated {
             Ok(bezier(derived.homogeneous().clone(), *form))
         }
         Geometry::Bezier(curve, form) => Ok(bezier(curve.derivative(order), *form)),
-        Geometry::Spline(_, form) if form.rational => Err(Diagnostic::error(
-            Code::Unsupported,
-            "derivatives of rational splines are taken piece by piece",
-        )
-        .at(args.span(0))
-        .hint("P := pieces(s), then derivative(P_0) is that of the first piece")),
+        Geometry::Spline(s, form) if form.rational => {
+            let derived = RationalSpline::from_homogeneous(s.clone())
+                .and_then(|s| (0..order).try_fold(s, |s, _| s.derivative()));
+            let derived = derived.map_err(spline_error).at(args.span(0))?;
+            Ok(spline(derived.homogeneous().clone(), *form))
+        }
         Geometry::Spline(s, form) => {
             s.nth_derivative(order).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
         }

@@ -12,7 +12,9 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
-use crate::math::curve::{Direction, Point, Scheme, TensorPatch, TrianglePatch, Vector, indices};
+use crate::math::curve::{
+    CurveError, Direction, Point, RationalPatch, Scheme, TensorPatch, TrianglePatch, Vector, indices,
+};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
 
@@ -365,25 +367,36 @@ pub(super) fn pieces(args: &Arguments) -> Evaluated {
 /// Entry (r, s) is the derivative of order r in u and s in v.
 type Jet = Vec<Vec<Vector<Fraction>>>;
 
-/// All partial derivatives of order at most k of a patch at (u, v), and how they are shown.
+fn patch_derivatives(
+    patch: &TensorPatch<Fraction>,
+    form: Form,
+    u: &Fraction,
+    v: &Fraction,
+    k: usize,
+) -> Result<Jet, CurveError> {
+    if form.rational {
+        return RationalPatch::from_homogeneous(patch.clone())?.derivatives(u, v, k);
+    }
+    let row = |r: usize| (0..=k - r).map(|s| patch.derivative_at(r, s, u, v)).collect();
+    Ok((0..=k).map(row).collect())
+}
+
+/// All partial derivatives of order at most k of a surface at (u, v), and how they are shown.
 pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let (u, v) = (args.scalar(1)?, args.scalar(2)?);
     crate::budget::charge_terms((k as u64 + 1).saturating_mul(k as u64 + 1));
     let grid = match &*geometry {
-        Geometry::Patch(patch, _) if form.rational => {
-            crate::math::curve::RationalPatch::from_homogeneous(patch.clone())
-                .and_then(|p| p.derivatives(&u, &v, k))
-        }
         Geometry::Triangle(patch, _) if form.rational => {
             crate::math::curve::RationalTriangle::from_homogeneous(patch.clone())
                 .and_then(|p| p.derivatives(&[u, v], k))
         }
-        Geometry::Patch(patch, _) => {
-            let row = |r: usize| (0..=k - r).map(|s| patch.derivative_at(r, s, &u, &v)).collect();
-            Ok((0..=k).map(row).collect())
+        Geometry::Surface(s, _) => {
+            let patch = s.patch_at(&u, &v).map_err(spline_error).at(args.span(1))?;
+            patch_derivatives(&patch, form, &u, &v, k)
         }
+        Geometry::Patch(patch, _) => patch_derivatives(patch, form, &u, &v, k),
         other => return Err(not_for(other, args)),
     };
     Ok((grid.map_err(curve_error).at(args.span(1))?, Form { rational: false, ..form }))

@@ -20,6 +20,10 @@ const NEW: Builtin = Builtin::about("Polynomials");
 const LETTER: Parameter =
     optional("variable", Takes::Variable, "the only variable, or t", "its variable").shown("t");
 
+/// Of a division with remainder.
+const DIVISION: &[Parameter] =
+    &[required("F", Takes::Scalar, "the dividend"), required("G", Takes::Scalar, "the divisor"), LETTER];
+
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "degree",
@@ -195,11 +199,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "quotient",
-        parameters: &[
-            required("F", Takes::Scalar, "the dividend"),
-            required("G", Takes::Scalar, "the divisor"),
-            LETTER,
-        ],
+        parameters: DIVISION,
         summary: "the quotient of the division of F by G with remainder",
         example: "quotient(t^3 + 1, t - 1, t)",
         call: |_, args| divided(args).map(|(q, _)| Value::Scalar(q)),
@@ -207,11 +207,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "remainder",
-        parameters: &[
-            required("F", Takes::Scalar, "the dividend"),
-            required("G", Takes::Scalar, "the divisor"),
-            LETTER,
-        ],
+        parameters: DIVISION,
         summary: "the remainder of the division of F by G",
         example: "remainder(t^3 + 1, t - 1, t)",
         call: |_, args| divided(args).map(|(_, r)| Value::Scalar(r)),

@@ -7,11 +7,12 @@ use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
-use crate::language::ops::errors::{curve_error, wrong_kind};
-use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
-use crate::language::value::{Form, Value};
+use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezier, scalar_list};
+use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, Point, RationalCurve};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::spline::RationalSpline;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -228,12 +229,21 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
         on_surface: on_surface::DERIVATIVES_AT,
         call: |_, args| {
-            let form = Form { rational: false, ..args.bezier(0)?.1 };
-            let order = args.size(2)?;
+            let (t, order) = (args.scalar(1)?, args.size(2)?);
             crate::budget::charge_terms(order as u64);
-            let list = rational_curve(args, 0)?.derivatives(&args.scalar(1)?, order);
-            let list = list.map_err(curve_error).at(args.span(1))?;
-            Ok(Value::List(list.into_iter().map(|point| form.plain(point)).collect()))
+            let (list, form) = match args.value(0)? {
+                Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)) => {
+                    let (s, form) = args.spline(0)?;
+                    let s = RationalSpline::from_homogeneous(as_rational_spline(&s, form));
+                    (s.and_then(|s| s.derivatives(&t, order)).map_err(spline_error).at(args.span(1))?, form)
+                }
+                _ => {
+                    let list = rational_curve(args, 0)?.derivatives(&t, order);
+                    (list.map_err(curve_error).at(args.span(1))?, args.bezier(0)?.1)
+                }
+            };
+            let form = Form { rational: false, ..form };
+            Ok(Value::List(list.into_iter().map(|vector| form.plain(vector)).collect()))
         },
         ..NEW
     },

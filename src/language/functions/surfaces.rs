@@ -10,7 +10,7 @@ use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Form, Geometry, Value};
 use crate::math::curve::{
-    BezierCurve, Corner, Interval, Point, RationalPatch, Side, TensorPatch, TrianglePatch,
+    BezierCurve, Corner, CurveError, Interval, Point, RationalPatch, Side, TensorPatch, TrianglePatch, Vector,
 };
 use crate::math::poly::Fraction;
 use crate::math::spline::{BSpline, KnotVector, SplineSurface};
@@ -144,16 +144,16 @@ pub(super) const TABLE: &[Builtin] = &[
             required("u", Takes::Scalar, "the first parameter"),
             required("v", Takes::Scalar, "the second parameter"),
         ],
-        summary: "the cross product of the partial derivatives of a patch at one point",
+        summary: "the cross product of the partial derivatives of a surface at one point",
         example: "normal_at(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
         call: |_, args| {
             let (u, v) = (args.scalar(1)?, args.scalar(2)?);
             let point = match &*args.geometry(0)? {
-                Geometry::Patch(patch, form) if form.rational => {
-                    let patch = RationalPatch::from_homogeneous(patch.clone());
-                    patch.and_then(|patch| patch.normal_at(&u, &v))
+                Geometry::Patch(patch, form) => patch_normal(patch, *form, &u, &v),
+                Geometry::Surface(s, form) => {
+                    let patch = s.patch_at(&u, &v).map_err(spline_error).at(args.span(1))?;
+                    patch_normal(&patch, *form, &u, &v)
                 }
-                Geometry::Patch(patch, _) => patch.normal().map(|n| n.value(&u, &v).position()),
                 Geometry::Triangle(patch, form) if form.rational => {
                     let patch = crate::math::curve::RationalTriangle::from_homogeneous(patch.clone());
                     patch.and_then(|patch| patch.normal_at(&[u, v]))
@@ -237,6 +237,19 @@ fn edges(s: &SplineSurface<Fraction>, form: Form) -> Result<Vec<Value>, Diagnost
         curve(u, &columns.net()[0])?,
         curve(u, &last(columns.net()))?,
     ])
+}
+
+/// The normal of a patch at one point.
+fn patch_normal(
+    patch: &TensorPatch<Fraction>,
+    form: Form,
+    u: &Fraction,
+    v: &Fraction,
+) -> Result<Vector<Fraction>, CurveError> {
+    match form.rational {
+        true => RationalPatch::from_homogeneous(patch.clone())?.normal_at(u, v),
+        false => patch.normal().map(|n| n.value(u, v).position()),
+    }
 }
 
 /// A patch as the first argument.

@@ -45,6 +45,7 @@ pub use join::{
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
 pub use point::{Point, PolarValue, Vector, combination, lerp};
+pub(in crate::math) use projective::{check_weight, lifted, parted, projected};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use revolve::{revolve, revolve_along};

@@ -12,7 +12,10 @@ use crate::math::ring::Field;
 ///
 /// # Errors
 /// [`CurveError::WeightCount`], [`CurveError::ZeroWeight`].
-pub(super) fn lifted<C: Field>(points: &[Point<C>], weights: &[C]) -> Result<Vec<Point<C>>, CurveError> {
+pub(in crate::math) fn lifted<C: Field>(
+    points: &[Point<C>],
+    weights: &[C],
+) -> Result<Vec<Point<C>>, CurveError> {
     if points.len() != weights.len() {
         return Err(CurveError::WeightCount { weights: weights.len(), points: points.len() });
     }
@@ -26,7 +29,7 @@ pub(super) fn lifted<C: Field>(points: &[Point<C>], weights: &[C]) -> Result<Vec
 }
 
 /// x and w of a vector (x, w).
-pub(super) fn parted<C>(vector: &[C]) -> (&[C], &C) {
+pub(in crate::math) fn parted<C>(vector: &[C]) -> (&[C], &C) {
     let (weight, x) = vector.split_last().expect("a homogeneous vector has a weight");
     (x, weight)
 }
@@ -35,14 +38,14 @@ pub(super) fn parted<C>(vector: &[C]) -> (&[C], &C) {
 ///
 /// # Errors
 /// [`CurveError::ZeroDenominator`] if w = 0.
-pub(super) fn projected<C: Field>(vector: &[C]) -> Result<Point<C>, CurveError> {
+pub(in crate::math) fn projected<C: Field>(vector: &[C]) -> Result<Point<C>, CurveError> {
     let (x, weight) = parted(vector);
     let inverse = weight.inverse().ok_or(CurveError::ZeroDenominator)?;
     Ok(x.iter().map(|x| inverse.times(x)).collect())
 }
 
 /// Whether a homogeneous object has the weight that it needs.
-pub(super) fn check_weight(dimension: usize) -> Result<(), CurveError> {
+pub(in crate::math) fn check_weight(dimension: usize) -> Result<(), CurveError> {
     if dimension > 0 { Ok(()) } else { Err(CurveError::DimensionsOf { left: 0, right: 1 }) }
 }
 

@@ -21,6 +21,7 @@ mod insertion;
 mod integers;
 mod knots;
 mod parts;
+mod rational;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -32,6 +33,7 @@ use crate::math::curve::CurveError;
 pub use bspline::{BSpline, DeBoor};
 pub use insertion::Defect;
 pub use knots::KnotVector;
+pub use rational::RationalSpline;
 pub use surface::SplineSurface;
 
 /// Why a spline cannot be made or changed.

@@ -169,6 +169,31 @@ impl<C: Field> SplineSurface<C> {
             .along(Direction::V, |spline| spline.nth_derivative(s))
     }
 
+    /// The Bézier patch of the knot intervals of (u, v).
+    ///
+    /// # Errors
+    /// As [`KnotVector::span_of`].
+    ///
+    /// ```
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::{KnotVector, SplineSurface};
+    /// let knots = KnotVector::clamped(1, &z(0), &[z(1)], &z(2))?;
+    /// let net = [[0, 1, 0], [1, 4, 1], [0, 1, 0]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
+    /// let s = SplineSurface::new(knots.clone(), knots, net)?;
+    /// let patch = s.patch_at(&q(1, 2), &q(3, 2))?;
+    /// assert_eq!(patch.net(), [[[z(1)], [z(0)]], [[z(4)], [z(1)]]]);
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn patch_at(&self, u: &C, v: &C) -> Result<TensorPatch<C>, SplineError> {
+        let rows = self.net.iter().map(|row| flat(row)).collect();
+        let strip = BSpline::new(self.u.clone(), rows)?.bezier_piece(self.u.span_of(u)?)?;
+        let net: Net<C> = strip.points().iter().map(|row| unflat(row, self.dimension())).collect();
+        let columns = transposed(&net).iter().map(|column| flat(column)).collect();
+        let piece = BSpline::new(self.v.clone(), columns)?.bezier_piece(self.v.span_of(v)?)?;
+        let net: Net<C> = piece.points().iter().map(|column| unflat(column, self.dimension())).collect();
+        Ok(TensorPatch::new(transposed(&net), strip.interval().clone(), piece.interval().clone())?)
+    }
+
     /// The Bézier patches of all pairs of knot intervals, by rows in u.
     pub fn patches(&self) -> Vec<Vec<TensorPatch<C>>> {
         let in_u = |net: &[Vec<Point<C>>], knots: &KnotVector<C>| -> Vec<Net<C>> {
@@ -238,6 +263,7 @@ mod tests {
             let column = s.knots().1.spans().iter().position(|&k| k == b).unwrap();
             let patch = &patches[row][column];
             prop_assert_eq!(&patch.value(&u, &v), &value);
+            prop_assert_eq!(&s.patch_at(&u, &v).unwrap(), patch);
             let (us, vs) = (vec![Argument::Point(u.clone()); 2], vec![Argument::Point(v.clone()); 3]);
             prop_assert_eq!(s.blossom((a, b), &us, &vs).unwrap(), Argument::Point(value));
             let mixed = s.derivative(1, 1).unwrap();

@@ -46,7 +46,7 @@ fn any_knots() -> impl Strategy<Value = KnotVector<Rational>> {
     })
 }
 
-fn any_spline() -> impl Strategy<Value = Spline> {
+pub(super) fn any_spline() -> impl Strategy<Value = Spline> {
     any_knots().prop_flat_map(|knots| {
         let m = knots.count();
         prop::collection::vec(prop::collection::vec(small(), 2), m)
@@ -55,7 +55,7 @@ fn any_spline() -> impl Strategy<Value = Spline> {
 }
 
 /// A parameter in the domain, often a knot.
-fn inside(s: &Spline, k: usize) -> Rational {
+pub(super) fn inside(s: &Spline, k: usize) -> Rational {
     let (a, b) = s.domain();
     let inner = s.inner_knots();
     if k.is_multiple_of(3) && !inner.is_empty() {

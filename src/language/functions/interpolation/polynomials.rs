@@ -42,6 +42,10 @@ const NORM: Parameter = optional(
 )
 .shown("norm=infinity");
 
+/// Of the tableaux of Neville and Aitken.
+const PYRAMID: &[Parameter] =
+    &[NODES, VALUES, optional("t", Takes::Scalar, "the variable", "the parameter"), RESULT_VARIABLE];
+
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "lagrange",
@@ -164,12 +168,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "neville",
-        parameters: &[
-            NODES,
-            VALUES,
-            optional("t", Takes::Scalar, "the variable", "the parameter"),
-            RESULT_VARIABLE,
-        ],
+        parameters: PYRAMID,
         summary: "Neville's tableau at a parameter: p_{0,1,2} interpolates at x_0, x_1, x_2",
         example: "neville([0, 1, 3], [1, 3, 2], 2)",
         call: |_, args| pyramid(args, Scheme::Neville),
@@ -177,12 +176,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "aitken",
-        parameters: &[
-            NODES,
-            VALUES,
-            optional("t", Takes::Scalar, "the variable", "the parameter"),
-            RESULT_VARIABLE,
-        ],
+        parameters: PYRAMID,
         summary: "Aitken's tableau at a parameter, where each new node is joined to x_0, ..., x_k",
         example: "aitken([0, 1, 3], [1, 3, 2], 2)",
         call: |_, args| pyramid(args, Scheme::Aitken),
