@@ -22,6 +22,7 @@ mod mathematics;
 mod notes;
 mod notes_commands;
 mod notes_corpus;
+mod notes_repairs;
 mod roundtrip;
 mod weave;
 mod worked_examples;

@@ -1,14 +1,13 @@
 //! The arguments of the command line.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::figure_arguments::FigureArguments;
+use super::notes_arguments::Notes;
 use crate::budget::Limits;
-use crate::document::Container;
 use crate::language::value::{Language, Notation};
 use crate::language::write::Format;
 use crate::math::blossom::Method;
@@ -469,96 +468,6 @@ pub(super) enum Interpolation {
     Spline,
     /// The closest polynomial of a degree; its steps are the normal equations
     LeastSquares,
-}
-
-/// What to do with lecture notes.
-#[derive(Debug, Subcommand)]
-pub(super) enum Notes {
-    /// A verdict for every formula: Markdown, reStructuredText, LaTeX or Jupyter notebooks
-    #[command(after_help = "Examples:\n  \
-        polarform notes check lecture.md\n  \
-        polarform notes check lectures/*.tex --context definitions.txt\n  \
-        polarform notes check lecture.md -o report.html --watch\n\n\
-        Exit status: 1 if a formula is refuted, else 2 if a file could not be read, else 0.")]
-    Check(NotesCheck),
-    /// The formulas as they are read, printed anew as LaTeX
-    List {
-        /// Files of notes
-        #[arg(required = true, value_name = "FILE")]
-        files: Vec<PathBuf>,
-        /// How the files are written (if not given: by the endings of their names)
-        #[arg(long = "as", value_enum, value_name = "KIND")]
-        kind: Option<PageKind>,
-        /// Files read at the same time (as many as there are processors if not given)
-        #[arg(long, short = 'j', value_name = "N")]
-        jobs: Option<NonZeroUsize>,
-    },
-}
-
-/// How to check lecture notes.
-#[derive(Debug, Args)]
-pub(super) struct NotesCheck {
-    /// Files of notes
-    #[arg(required = true, value_name = "FILE")]
-    pub files: Vec<PathBuf>,
-    /// How the files are written (if not given: by the endings of their names)
-    #[arg(long = "as", value_enum, value_name = "KIND")]
-    pub kind: Option<PageKind>,
-    /// Declarations for all files: definitions, degrees, ranges, in the query language
-    #[arg(long, value_name = "FILE")]
-    pub context: Option<PathBuf>,
-    /// A line for every formula
-    #[arg(long, short)]
-    pub verbose: bool,
-    /// The kind of report (if not given: by the name of the output file, else text)
-    #[arg(long, value_enum, value_name = "KIND")]
-    pub report: Option<ReportKind>,
-    /// Write the report to a file, and only a summary to standard output
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    /// Check again whenever a file changes, until Ctrl-C
-    #[arg(long, short)]
-    pub watch: bool,
-    /// Files checked at the same time (as many as there are processors if not given)
-    #[arg(long, short = 'j', value_name = "N")]
-    pub jobs: Option<NonZeroUsize>,
-}
-
-/// How pages are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum PageKind {
-    /// Markdown in its dialects, plain text
-    Markdown,
-    /// reStructuredText
-    Rst,
-    /// LaTeX
-    Latex,
-    /// A Jupyter notebook
-    Notebook,
-}
-
-impl From<PageKind> for Container {
-    fn from(kind: PageKind) -> Container {
-        match kind {
-            PageKind::Markdown => Container::Markdown,
-            PageKind::Rst => Container::Rst,
-            PageKind::Latex => Container::Latex,
-            PageKind::Notebook => Container::Notebook,
-        }
-    }
-}
-
-/// How to report on lecture notes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum ReportKind {
-    /// For a terminal
-    Text,
-    /// For programs
-    Json,
-    /// SARIF 2.1.0, for code hosts and editors
-    Sarif,
-    /// A page for a browser
-    Html,
 }
 
 /// How to weave.

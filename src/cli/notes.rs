@@ -1,37 +1,40 @@
 //! The commands for lecture notes: check them, list what they hold, watch them.
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroUsize;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::thread;
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
-use rayon::{ThreadPool, ThreadPoolBuilder, prelude::*};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::Status;
-use super::arguments::{Global, Notes, NotesCheck, ReportKind};
+use super::arguments::Global;
 use super::commands::{Ran, Stop};
+use super::notes_arguments::{Notes, NotesCheck, ReportKind};
+use super::notes_config::Config;
+use super::notes_input::{Input, STANDARD, expanded, gather, identity, read_all};
 use super::output::Output;
 use super::watch::Watch;
-use crate::document::{Container, Document, read_files};
+use crate::document::Container;
 use crate::formula::source::SourceFile;
 use crate::judge::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::write::Format;
 use crate::notes::report::{
-    TextOptions, render_html, render_json, render_listing, render_listing_json, render_sarif, render_summary,
-    render_text,
+    TextOptions, fixed, render_html, render_json, render_listing, render_listing_json, render_sarif,
+    render_summary, render_text,
 };
 use crate::notes::{Options, check_document, listing};
 use crate::session::Failure;
+use crate::weave::{read_input, replace_file};
 
 /// Seconds for one formula where nothing else is said.
 const SECONDS: f64 = 60.0;
+
+/// So often the files are checked again after suggestions were put in.
+const MAX_ROUNDS: usize = 20;
 
 /// Formulas are nested; a thread gets more than the usual two megabytes.
 const STACK: usize = 16 << 20;
@@ -40,20 +43,19 @@ pub(super) fn run(notes: &Notes, global: &Global, output: &Output) -> Ran {
     match notes {
         Notes::List { files, kind, jobs } => list(files, kind.map(Container::from), *jobs, global, output),
         Notes::Check(arguments) => {
-            let check = Check { arguments, kind: kind(arguments, global.format())?, global, output };
+            let config = Config::load(arguments.config.as_deref()).map_err(failed)?;
+            let files = expanded(&arguments.files, |path| config.excludes(path));
+            let kind = kind(arguments, global.format())?;
+            let check = Check { arguments, files, config, kind, global, output };
             check.refuse_overwriting()?;
-            if arguments.watch { check.watch() } else { check.once() }
+            match () {
+                () if arguments.watch => check.watch(),
+                () if arguments.diff => check.diff(),
+                () if arguments.fix => check.fix(),
+                () => check.once(),
+            }
         }
     }
-}
-
-/// What a file named on the command line led to.
-struct Input {
-    path: PathBuf,
-    /// Its report and those of the files it includes.
-    reports: Vec<FileReport>,
-    /// Whether it could be read.
-    read: bool,
 }
 
 fn list(
@@ -66,8 +68,9 @@ fn list(
     if matches!(global.format(), Format::Sympy) {
         return Err(usage("a list of formulas is printed as text or JSON", "choose another --format"));
     }
+    let files = expanded(files, |_| false);
     let pool = pool(jobs, files.len())?;
-    let inputs = read_all(&pool, files, kind, |document| FileReport {
+    let inputs = read_all(&pool, &files, kind, false, |document| FileReport {
         file: document.file.clone(),
         findings: listing(document),
         problems: document.problems.clone(),
@@ -107,6 +110,9 @@ fn kind(arguments: &NotesCheck, format: Format) -> Result<ReportKind, Stop> {
 /// `notes check` with its arguments.
 struct Check<'a> {
     arguments: &'a NotesCheck,
+    /// The files, also those in folders.
+    files: Vec<PathBuf>,
+    config: Config,
     kind: ReportKind,
     global: &'a Global,
     output: &'a Output,
@@ -116,7 +122,7 @@ impl Check<'_> {
     /// A report must not take the place of the notes.
     fn refuse_overwriting(&self) -> Result<(), Stop> {
         let Some(target) = &self.arguments.output else { return Ok(()) };
-        let sources = self.arguments.files.iter().chain(&self.arguments.context);
+        let sources = self.files.iter().chain(&self.arguments.context);
         if sources.into_iter().any(|source| identity(source) == identity(target)) {
             let message = format!("the report would overwrite {}", target.display());
             return Err(usage(&message, "give another name after -o"));
@@ -125,7 +131,7 @@ impl Check<'_> {
     }
 
     fn options(&self) -> Result<Options, Stop> {
-        let context = match &self.arguments.context {
+        let context = match self.arguments.context.as_ref().or(self.config.context.as_ref()) {
             None => None,
             Some(path) => Some(fs::read_to_string(path).map_err(|error| {
                 failed(Diagnostic::error(Code::File, format!("cannot read {}: {error}", path.display())))
@@ -135,16 +141,105 @@ impl Check<'_> {
     }
 
     fn once(&self) -> Ran {
-        let options = self.options()?;
-        let pool = pool(self.arguments.jobs, self.arguments.files.len())?;
-        let inputs = self.checked(&pool, &self.arguments.files, &options);
+        let inputs = self.all()?;
+        if let Some(path) = &self.arguments.write_baseline {
+            let known = Config::baseline_of(&gather(&inputs));
+            fs::write(path, known).map_err(|error| {
+                failed(Diagnostic::error(Code::File, format!("cannot write {}: {error}", path.display())))
+            })?;
+        }
         self.publish(&inputs)
     }
 
+    fn all(&self) -> Result<Vec<Input>, Stop> {
+        let options = self.options()?;
+        let pool = pool(self.arguments.jobs, self.files.len())?;
+        Ok(self.checked(&pool, &self.files, &options))
+    }
+
     fn checked(&self, pool: &ThreadPool, files: &[PathBuf], options: &Options) -> Vec<Input> {
-        read_all(pool, files, self.arguments.kind.map(Container::from), |document| {
-            check_document(document, options)
+        let fixing = self.arguments.fix || self.arguments.diff;
+        let kind = self.arguments.kind.map(Container::from);
+        read_all(pool, files, kind, fixing, |document| {
+            self.config.filtered(check_document(document, options), self.arguments.write_baseline.is_some())
         })
+    }
+
+    /// Shows the suggestions as a patch.
+    fn diff(&self) -> Ran {
+        let inputs = self.all()?;
+        let mut status = Status::Fine;
+        for input in &inputs {
+            show_problems(if input.read { &[] } else { &input.reports }, self.output);
+            for (report, fixes) in input.reports.iter().zip(&input.fixes) {
+                let (old, name) = (report.file.text(), report.file.name());
+                let new = fixed(old, fixes);
+                let patch = similar::TextDiff::from_lines(old, new.as_str());
+                if !fixes.is_empty() {
+                    let (before, after) = (format!("a/{name}"), format!("b/{name}"));
+                    self.output.text(&patch.unified_diff().header(&before, &after).to_string())?;
+                    status = Status::Refuted;
+                }
+            }
+        }
+        let read = inputs.iter().all(|input| input.read);
+        Ok(if read || matches!(status, Status::Refuted) { status } else { Status::Failed })
+    }
+
+    /// Puts the suggestions into the files until none is left, and reports.
+    fn fix(&self) -> Ran {
+        if self.files.iter().any(|path| path.as_os_str() == STANDARD) {
+            return Err(usage("standard input cannot be fixed in place", "--diff shows a patch for it"));
+        }
+        let options = self.options()?;
+        let pool = pool(self.arguments.jobs, self.files.len())?;
+        let mut inputs = self.checked(&pool, &self.files, &options);
+        let mut written = 0;
+        for _ in 0..MAX_ROUNDS {
+            let mut changed = Vec::new();
+            for input in &inputs {
+                let mut count = 0;
+                for (report, fixes) in input.reports.iter().zip(&input.fixes) {
+                    if !fixes.is_empty() && self.put(report, &fixed(report.file.text(), fixes)) {
+                        count += fixes.len();
+                    }
+                }
+                if count > 0 {
+                    changed.push(input.path.clone());
+                    written += count;
+                }
+            }
+            if changed.is_empty() {
+                break;
+            }
+            for new in self.checked(&pool, &changed, &options) {
+                if let Some(old) = inputs.iter_mut().find(|input| input.path == new.path) {
+                    *old = new;
+                }
+            }
+        }
+        say(&format!("{written} {} put in", if written == 1 { "change" } else { "changes" }));
+        self.publish(&inputs)
+    }
+
+    /// Writes the new text of a file, if what was checked is what stands there; whether it was written.
+    fn put(&self, report: &FileReport, text: &str) -> bool {
+        let path = Path::new(report.file.name());
+        let written = read_input(path).and_then(|input| {
+            if input.file.text() != report.file.text() {
+                let what = format!("{} was not changed: its bytes could not be kept exactly", path.display());
+                return Err(Diagnostic::error(Code::Encoding, what)
+                    .hint("save it as UTF-8 with line feeds at the ends of lines"));
+            }
+            replace_file(&input, text)
+        });
+        match written {
+            Ok(()) => true,
+            Err(problem) => {
+                self.output.problem(&problem, &report.file);
+                false
+            }
+        }
     }
 
     /// Writes the report and says how the check ended.
@@ -173,6 +268,9 @@ impl Check<'_> {
                 self.output.text(&format!("{summary}written to {}\n", path.display()))?;
             }
         }
+        if let Some(remark) = self.config.remark() {
+            say(&remark);
+        }
         let refuted = reports.iter().any(|report| report.count(Verdict::Refuted) > 0);
         let read = inputs.iter().all(|input| input.read);
         Ok(match (refuted, read) {
@@ -184,7 +282,10 @@ impl Check<'_> {
 
     /// Checks, and checks again what changes, until Ctrl-C.
     fn watch(&self) -> Ran {
-        let files = &self.arguments.files;
+        let files = &self.files;
+        if files.iter().any(|path| path.as_os_str() == STANDARD) {
+            return Err(usage("standard input cannot be watched", "name a file"));
+        }
         let mut options = self.options()?;
         let pool = pool(self.arguments.jobs, files.len())?;
         let trouble = |error: notify::Error| {
@@ -273,104 +374,6 @@ fn pool(jobs: Option<NonZeroUsize>, files: usize) -> Result<ThreadPool, Stop> {
     })
 }
 
-/// Reads files side by side and makes a report of every document in them.
-fn read_all(
-    pool: &ThreadPool,
-    files: &[PathBuf],
-    kind: Option<Container>,
-    report: impl Fn(&Document) -> FileReport + Sync,
-) -> Vec<Input> {
-    let bar = progress(files.len());
-    let inputs = pool.install(|| {
-        files
-            .par_iter()
-            .map(|path| {
-                let input = read_one(path, kind, &report);
-                bar.inc(1);
-                input
-            })
-            .collect()
-    });
-    bar.finish_and_clear();
-    inputs
-}
-
-/// Shown on standard error if that is a terminal.
-fn progress(files: usize) -> ProgressBar {
-    if !io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::new(files as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos} of {len} files, {elapsed}") {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(250));
-    bar
-}
-
-fn read_one(path: &Path, kind: Option<Container>, report: impl Fn(&Document) -> FileReport) -> Input {
-    let name = path.display().to_string();
-    let documents = if path.is_dir() {
-        Err(Diagnostic::error(Code::File, format!("{name} is a directory"))
-            .hint(format!("name the files in it, for example {}", path.join("*.md").display())))
-    } else {
-        guarded(|| read_files(path, kind)).and_then(|result| result)
-    };
-    let unread =
-        |file: SourceFile, problem| FileReport { file, findings: Vec::new(), problems: vec![problem] };
-    match documents {
-        Err(problem) => {
-            let reports = vec![unread(SourceFile::new(name, ""), problem)];
-            Input { path: path.to_owned(), reports, read: false }
-        }
-        Ok(documents) => {
-            let mut read = true;
-            let reports = documents
-                .iter()
-                .map(|document| {
-                    guarded(|| report(document)).unwrap_or_else(|problem| {
-                        read = false;
-                        unread(document.file.clone(), problem)
-                    })
-                })
-                .collect();
-            Input { path: path.to_owned(), reports, read }
-        }
-    }
-}
-
-/// A defect in one file does not spoil the others.
-fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Diagnostic> {
-    catch_unwind(AssertUnwindSafe(work)).map_err(|_| {
-        Diagnostic::error(Code::Internal, "polarform met a defect of its own")
-            .hint("please report the file that led here")
-    })
-}
-
-/// The same for all names of a file.
-fn identity(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
-}
-
-/// All reports, each file once: a file that another one includes is reported there, where it has
-/// more context.
-fn gather(inputs: &[Input]) -> Vec<FileReport> {
-    let name = |report: &FileReport| identity(Path::new(report.file.name()));
-    let included: BTreeSet<PathBuf> =
-        inputs.iter().flat_map(|input| input.reports.iter().skip(1)).map(name).collect();
-    let mut seen = BTreeSet::new();
-    let mut reports = Vec::new();
-    for input in inputs {
-        for (place, report) in input.reports.iter().enumerate() {
-            let name = name(report);
-            if (place > 0 || !included.contains(&name)) && seen.insert(name) {
-                reports.push(report.clone());
-            }
-        }
-    }
-    reports
-}
-
 fn show_problems(reports: &[FileReport], output: &Output) {
     for report in reports {
         for problem in &report.problems {
@@ -383,32 +386,16 @@ fn show_problems(reports: &[FileReport], output: &Output) {
 mod tests {
     use super::*;
 
-    fn input(names: &[&str]) -> Input {
-        let report = |name: &&str| FileReport {
-            file: SourceFile::new(*name, ""),
-            findings: Vec::new(),
-            problems: Vec::new(),
-        };
-        Input { path: PathBuf::from(names[0]), reports: names.iter().map(report).collect(), read: true }
-    }
-
-    fn gathered(inputs: &[Input]) -> Vec<String> {
-        gather(inputs).iter().map(|report| report.file.name().to_owned()).collect()
-    }
-
-    #[test]
-    fn every_file_is_reported_once() {
-        assert_eq!(gathered(&[input(&["a"]), input(&["b"]), input(&["a"])]), ["a", "b"]);
-        assert_eq!(gathered(&[input(&["b"]), input(&["a", "b", "c"]), input(&["c"])]), ["a", "b", "c"]);
-        assert_eq!(gathered(&[input(&["a", "b"]), input(&["b", "a"])]), ["b", "a"]);
-    }
-
     #[test]
     fn the_kind_of_report() {
         let kind = |report, output: Option<&str>, format| {
             let arguments = NotesCheck {
                 files: Vec::new(),
                 kind: None,
+                fix: false,
+                diff: false,
+                config: None,
+                write_baseline: None,
                 context: None,
                 verbose: false,
                 report,
@@ -425,16 +412,5 @@ mod tests {
         assert_eq!(kind(None, Some("a.sarif.json"), text), Some(ReportKind::Sarif));
         assert_eq!(kind(Some(ReportKind::Text), Some("a.json"), Format::Json), Some(ReportKind::Text));
         assert_eq!(kind(None, None, Format::Sympy), None);
-    }
-
-    #[test]
-    fn a_defect_or_a_directory_spoils_one_file_only() {
-        let folder = read_one(&std::env::temp_dir(), None, |_| unreachable!("there is no document"));
-        assert!(!folder.read);
-        assert!(folder.reports[0].problems[0].message.ends_with("is a directory"));
-        assert_eq!(
-            guarded(|| panic!("a defect")).map_err(|problem: Diagnostic| problem.code),
-            Err::<(), _>(Code::Internal)
-        );
     }
 }

@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::mathml::mathml;
 use super::place::Locator;
-use super::{Tally, counted, states_something};
+use super::{Tally, further_words, states_something, verdict_words};
 use crate::judge::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 
@@ -66,12 +66,9 @@ pub fn render_html(reports: &[FileReport]) -> String {
 }
 
 fn headline(tally: &Tally) -> String {
-    let statements = counted(tally.statements(), "statement", "statements");
-    let refuted = tally.count(Verdict::Refuted);
-    match tally.percent_judged() {
-        None => "nothing to judge".to_owned(),
-        Some(percent) => format!("{refuted} refuted of {statements}, {percent}% judged"),
-    }
+    let further = further_words(tally);
+    let words = std::iter::once(verdict_words(tally)).chain(further);
+    words.collect::<Vec<_>>().join("; ")
 }
 
 /// A button for everything and for each kind of finding that occurs.
@@ -83,14 +80,18 @@ fn filters(tally: &Tally) -> Markup {
             }
         }
     };
+    // The page opens on what somebody should look at.
+    let counts = ORDER.map(|verdict| (verdict.word(), tally.count(verdict)));
+    let urgent = [counts[0], ("suspicious", tally.warnings()), counts[1], counts[2]];
+    let first = urgent.into_iter().find(|(_, count)| *count > 0).map_or("all", |(kind, _)| kind);
     html! {
-        (button("all", "all", tally.statements() + tally.silent(), true))
-        @for verdict in ORDER {
-            @if tally.count(verdict) > 0 {
-                (button(verdict.word(), verdict.word(), tally.count(verdict), false))
-            }
+        @for (word, count) in counts {
+            @if count > 0 { (button(word, word, count, word == first)) }
         }
-        @if tally.warnings() > 0 { (button("suspicious", "with a warning", tally.warnings(), false)) }
+        @if tally.warnings() > 0 {
+            (button("suspicious", "with a warning", tally.warnings(), first == "suspicious"))
+        }
+        (button("all", "all", tally.statements() + tally.silent(), first == "all"))
         @if tally.silent() > 0 { (button("silent", "without a statement", tally.silent(), false)) }
     }
 }

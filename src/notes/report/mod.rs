@@ -2,10 +2,12 @@
 //!
 //! Each report is a pure function of the findings. Wherever a place is given, lines and columns
 //! count from 1; columns count characters, in SARIF UTF-16 code units (the specification's
-//! default). A formula without a relation *states nothing*: it is listed where everything is
-//! listed, but it counts neither as judged nor as not judged.
+//! default). A *claim* is what can be right or wrong; definitions and conditions are counted apart, and a
+//! formula without a relation *states nothing*. What is refuted comes first; what was not read is listed.
 
 mod excerpt;
+mod fingerprint;
+mod fixes;
 mod html;
 mod json;
 mod listing;
@@ -19,6 +21,8 @@ mod tests;
 
 use std::ops::AddAssign;
 
+pub use fingerprint::{Rule, fingerprints};
+pub use fixes::{Fix, fixed, fixes};
 pub use html::render_html;
 pub use json::render_json;
 pub use listing::{render_listing, render_listing_json};
@@ -27,6 +31,7 @@ pub use table::render_summary;
 pub use terminal::{TextOptions, render_text};
 
 use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// How many findings there are of each kind.
 ///
@@ -40,8 +45,7 @@ use crate::judge::finding::{FileReport, Finding, Verdict};
 ///     problems: Vec::new(),
 /// };
 /// let tally = Tally::of(&[report]);
-/// assert_eq!((tally.statements(), tally.count(Verdict::Refuted)), (0, 0));
-/// assert_eq!(tally.percent_judged(), None);
+/// assert_eq!((tally.claims(), tally.definitions(), tally.count(Verdict::Refuted)), (0, 0, 0));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
@@ -49,6 +53,7 @@ pub struct Tally {
     silent: usize,
     warnings: usize,
     problems: usize,
+    unseen: usize,
 }
 
 impl Tally {
@@ -56,7 +61,9 @@ impl Tally {
     pub fn of(reports: &[FileReport]) -> Self {
         let mut tally = Tally::default();
         for report in reports {
-            tally.problems += report.problems.len();
+            let unseen = report.problems.iter().filter(|problem| is_unseen(problem)).count();
+            tally.unseen += unseen;
+            tally.problems += report.problems.len() - unseen;
             for finding in &report.findings {
                 tally.warnings += usize::from(finding.warning.is_some());
                 if states_something(finding) {
@@ -74,19 +81,24 @@ impl Tally {
         self.counts[verdict as usize]
     }
 
-    /// Findings that state something.
+    /// Findings that state something: claims, definitions and conditions.
     pub fn statements(&self) -> usize {
         self.counts.iter().sum()
     }
 
-    /// Findings whose verdict says whether they hold.
-    pub fn judged(&self) -> usize {
-        Verdict::ALL.iter().filter(|verdict| verdict.is_judged()).map(|&verdict| self.count(verdict)).sum()
+    /// Findings that can be right or wrong, also those that could not be decided or read.
+    pub fn claims(&self) -> usize {
+        self.statements() - self.definitions()
     }
 
-    /// The share of statements judged in percent, rounded down; `None` if there is no statement.
-    pub fn percent_judged(&self) -> Option<usize> {
-        (self.judged() * 100).checked_div(self.statements())
+    /// Findings that introduce a name, a value or a condition.
+    pub fn definitions(&self) -> usize {
+        self.count(Verdict::Definition)
+    }
+
+    /// Claims whose verdict says whether they hold.
+    pub fn judged(&self) -> usize {
+        [Verdict::Refuted, Verdict::Proved, Verdict::Sampled].map(|verdict| self.count(verdict)).iter().sum()
     }
 
     /// Formulas that state nothing.
@@ -103,6 +115,11 @@ impl Tally {
     pub fn problems(&self) -> usize {
         self.problems
     }
+
+    /// Places that look like formulas and were not read.
+    pub fn unseen(&self) -> usize {
+        self.unseen
+    }
 }
 
 impl AddAssign for Tally {
@@ -113,6 +130,7 @@ impl AddAssign for Tally {
         self.silent += other.silent;
         self.warnings += other.warnings;
         self.problems += other.problems;
+        self.unseen += other.unseen;
     }
 }
 
@@ -120,6 +138,47 @@ impl AddAssign for Tally {
 fn states_something(finding: &Finding) -> bool {
     finding.relation > 0 || !matches!(finding.verdict, Verdict::Undecided | Verdict::Definition)
 }
+
+/// Whether the problem is a formula that was not seen as one.
+fn is_unseen(problem: &Diagnostic) -> bool {
+    matches!(problem.code, Code::UnseenFormula | Code::UnclosedFormula)
+}
+
+/// The claims and what came of them, the same words in every report: `3 claims: 1 refuted, 2 proved`.
+fn verdict_words(tally: &Tally) -> String {
+    if tally.statements() == 0 {
+        let unread = tally.problems() + tally.unseen() > 0;
+        return if unread { "nothing could be read" } else { "nothing to judge" }.to_owned();
+    }
+    let claims = counted(tally.claims(), "claim", "claims");
+    let parts: Vec<String> = CLAIMS
+        .into_iter()
+        .filter(|&verdict| tally.count(verdict) > 0)
+        .map(|verdict| format!("{} {}", tally.count(verdict), verdict.word()))
+        .collect();
+    if parts.is_empty() { claims } else { format!("{claims}: {}", parts.join(", ")) }
+}
+
+/// What else there is, in words: `5 definitions and conditions`, `1 warning`.
+fn further_words(tally: &Tally) -> Vec<String> {
+    let kinds = [
+        (tally.definitions(), "definition or condition", "definitions and conditions"),
+        (tally.silent(), "formula without a statement", "formulas without a statement"),
+        (tally.warnings(), "warning", "warnings"),
+        (
+            tally.unseen(),
+            "place that looks like a formula and was not read",
+            "places that look like formulas and were not read",
+        ),
+        (tally.problems(), "problem with the file itself", "problems with the files themselves"),
+    ];
+    let some = kinds.into_iter().filter(|(count, ..)| *count > 0);
+    some.map(|(count, one, many)| counted(count, one, many)).collect()
+}
+
+/// The verdicts of claims in the order in which a person asks for them.
+const CLAIMS: [Verdict; 5] =
+    [Verdict::Refuted, Verdict::Proved, Verdict::Sampled, Verdict::Undecided, Verdict::Unread];
 
 /// `1 warning`, `2 warnings`.
 fn counted(count: usize, one: &str, many: &str) -> String {

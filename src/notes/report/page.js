@@ -12,6 +12,7 @@ for (const button of buttons) {
     });
   });
 }
+document.querySelector('[data-show][aria-pressed="true"]')?.click();
 document.querySelectorAll(".copy").forEach(button => {
   const code = button.parentElement.querySelector("code");
   button.addEventListener("click", async () => {

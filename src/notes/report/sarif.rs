@@ -5,31 +5,15 @@ use serde_json::{Value, json};
 
 use super::json::pretty;
 use super::place::{Locator, Region};
-use super::states_something;
-use crate::judge::finding::{FileReport, Finding, Verdict};
+use super::{Rule, fingerprints};
+use crate::judge::finding::{FileReport, Finding};
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
-/// What a result is an instance of. The index of a rule is its place in `ALL`.
-#[derive(Clone, Copy)]
-enum Rule {
-    Refuted,
-    Suspicious,
-    Undecided,
-    Unread,
-}
+/// Where the pages about this version stand.
+const PAGES: &str =
+    concat!("https://docs.rs/", env!("CARGO_PKG_NAME"), "/", env!("CARGO_PKG_VERSION"), "/polarform/notes/");
 
 impl Rule {
-    const ALL: [Rule; 4] = [Rule::Refuted, Rule::Suspicious, Rule::Undecided, Rule::Unread];
-
-    fn id(self) -> &'static str {
-        match self {
-            Rule::Refuted => "refuted",
-            Rule::Suspicious => "suspicious",
-            Rule::Undecided => "undecided",
-            Rule::Unread => "unread",
-        }
-    }
-
     fn level(self) -> &'static str {
         match self {
             Rule::Refuted => "error",
@@ -47,10 +31,30 @@ impl Rule {
         }
     }
 
+    fn help(self) -> &'static str {
+        match self {
+            Rule::Refuted => {
+                "Compare the two sides at the counterexample. If the formula is meant, say what the text leaves open in a declaration, or write 'polarform: ignore' before it."
+            }
+            Rule::Suspicious => {
+                "Nothing is proved to be wrong; look at the index, name or bound that is named."
+            }
+            Rule::Undecided => {
+                "Declare what is missing: <!-- polarform: … --> in Markdown, % polarform: … in LaTeX."
+            }
+            Rule::Unread => {
+                "The reason names the construct. Another notation may be read; docs/notes.md lists them."
+            }
+        }
+    }
+
     fn to_json(self) -> Value {
         json!({
             "id": self.id(),
+            "name": self.id(),
             "shortDescription": {"text": self.summary()},
+            "help": {"text": self.help()},
+            "helpUri": PAGES,
             "defaultConfiguration": {"level": self.level()},
         })
     }
@@ -66,17 +70,17 @@ pub fn render_sarif(reports: &[FileReport]) -> String {
     for (index, report) in reports.iter().enumerate() {
         let artifact = json!({"uri": uri(report.file.name()), "index": index});
         let mut locator = Locator::new(&report.file);
-        for finding in &report.findings {
+        for (finding, fingerprint) in report.findings.iter().zip(fingerprints(report)) {
             let region = region(locator.region(finding.span));
             if let Some((rule, message)) = verdict(finding) {
-                let mut result = result(rule, &message, &artifact, &region);
+                let mut result = result(rule, &message, &artifact, &region, &fingerprint);
                 if let Some(suggestion) = &finding.suggestion {
                     result["fixes"] = json!([fix(suggestion, report.file.name(), &artifact, &region)]);
                 }
                 results.push(result);
             }
             if let Some(warning) = &finding.warning {
-                results.push(result(Rule::Suspicious, warning, &artifact, &region));
+                results.push(result(Rule::Suspicious, warning, &artifact, &region, &fingerprint));
             }
         }
         for problem in &report.problems {
@@ -117,12 +121,11 @@ pub fn render_sarif(reports: &[FileReport]) -> String {
 
 /// The rule that a verdict falls under, if any, and what is said.
 fn verdict(finding: &Finding) -> Option<(Rule, String)> {
-    let (rule, otherwise) = match finding.verdict {
-        _ if !states_something(finding) => return None,
-        Verdict::Refuted => (Rule::Refuted, "the two sides differ"),
-        Verdict::Undecided => (Rule::Undecided, "a condition or a definition is missing"),
-        Verdict::Unread => (Rule::Unread, "outside what polarform reads"),
-        Verdict::Definition | Verdict::Proved | Verdict::Sampled => return None,
+    let rule = Rule::of(finding)?;
+    let otherwise = match rule {
+        Rule::Refuted | Rule::Suspicious => "the two sides differ",
+        Rule::Undecided => "a condition or a definition is missing",
+        Rule::Unread => "outside what polarform reads",
     };
     let mut message = format!("{}: {}", rule.id(), finding.reason.as_deref().unwrap_or(otherwise));
     for (label, text) in [("counterexample", &finding.witness), ("suggestion", &finding.suggestion)] {
@@ -133,13 +136,14 @@ fn verdict(finding: &Finding) -> Option<(Rule, String)> {
     Some((rule, message))
 }
 
-fn result(rule: Rule, message: &str, artifact: &Value, region: &Value) -> Value {
+fn result(rule: Rule, message: &str, artifact: &Value, region: &Value, fingerprint: &str) -> Value {
     json!({
         "ruleId": rule.id(),
         "ruleIndex": rule as usize,
         "level": rule.level(),
         "message": {"text": message},
         "locations": [{"physicalLocation": {"artifactLocation": artifact, "region": region}}],
+        "partialFingerprints": {"polarformFormula/v1": format!("{}:{fingerprint}", rule.id())},
     })
 }
 

@@ -3,84 +3,32 @@
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::terminal::{BOLD, painted, plain};
-use super::{Tally, counted};
-use crate::judge::finding::{FileReport, Verdict};
+use super::{CLAIMS, Tally, further_words, verdict_words};
+use crate::judge::finding::FileReport;
 
-/// Verdicts in the order in which a person asks for them.
-const ORDER: [Verdict; 6] = [
-    Verdict::Refuted,
-    Verdict::Proved,
-    Verdict::Sampled,
-    Verdict::Definition,
-    Verdict::Undecided,
-    Verdict::Unread,
-];
-
-/// How many statements got which verdict, for one file in words, for several as a table.
+/// How many claims got which verdict, and what else there is; for several files with a table.
 pub fn render_summary(reports: &[FileReport], color: bool) -> String {
     let tally = Tally::of(reports);
-    let mut out = match reports {
+    let further = further_words(&tally).join(", ");
+    let (mut out, indent) = match reports {
         [] => return String::new(),
         [one] => {
-            format!("{}\n", painted(&format!("{}: {}", plain(one.file.name()), share(&tally)), BOLD, color))
+            let line = format!("{}: {}", plain(one.file.name()), verdict_words(&tally));
+            (format!("{}\n", painted(&line, BOLD, color)), "  ")
         }
-        _ => table(reports, &tally),
+        _ => (table(reports, &tally), ""),
     };
-    if reports.len() == 1 && tally.statements() > 0 {
-        let parts: Vec<String> = ORDER
-            .into_iter()
-            .filter(|&verdict| tally.count(verdict) > 0)
-            .map(|verdict| format!("{} {}", tally.count(verdict), plural(verdict, tally.count(verdict))))
-            .collect();
-        out.push_str(&format!("  {}\n", parts.join(", ")));
-    }
-    let mut rest = Vec::new();
-    if tally.warnings() > 0 {
-        rest.push(counted(tally.warnings(), "warning", "warnings"));
-    }
-    if tally.silent() > 0 {
-        rest.push(counted(tally.silent(), "formula without a statement", "formulas without a statement"));
-    }
-    if tally.problems() > 0 {
-        rest.push(counted(
-            tally.problems(),
-            "problem with the file itself",
-            "problems with the files themselves",
-        ));
-    }
-    if !rest.is_empty() {
-        let indent = if reports.len() == 1 { "  " } else { "" };
-        out.push_str(&format!("{indent}{}\n", rest.join(", ")));
+    if !further.is_empty() {
+        out.push_str(&format!("{indent}{further}\n"));
     }
     out
-}
-
-fn share(tally: &Tally) -> String {
-    match tally.percent_judged() {
-        None if tally.problems() > 0 => "nothing could be read".to_owned(),
-        None => "nothing to judge".to_owned(),
-        Some(percent) => {
-            let statements = counted(tally.statements(), "statement", "statements");
-            format!("{statements}, {} judged ({percent}%)", tally.judged())
-        }
-    }
-}
-
-fn plural(verdict: Verdict, count: usize) -> &'static str {
-    match verdict {
-        Verdict::Definition if count != 1 => "definitions",
-        _ => verdict.word(),
-    }
 }
 
 fn table(reports: &[FileReport], total: &Tally) -> String {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
-    let heads = ["file", "statements"]
-        .into_iter()
-        .chain(ORDER.into_iter().map(|verdict| plural(verdict, 2)))
-        .chain(["judged"]);
-    table.set_header(heads);
+    let heads = ["file", "claims"].into_iter().chain(CLAIMS.map(|verdict| verdict.word()));
+    table.set_header(heads.chain(["definitions"]));
     for report in reports {
         let tally = Tally::of(std::slice::from_ref(report));
         table.add_row(row(plain(report.file.name()), &tally));
@@ -96,8 +44,8 @@ fn table(reports: &[FileReport], total: &Tally) -> String {
 }
 
 fn row(name: String, tally: &Tally) -> Vec<String> {
-    let mut cells = vec![name, tally.statements().to_string()];
-    cells.extend(ORDER.into_iter().map(|verdict| tally.count(verdict).to_string()));
-    cells.push(tally.percent_judged().map_or("-".to_owned(), |percent| format!("{percent}%")));
+    let mut cells = vec![name, tally.claims().to_string()];
+    cells.extend(CLAIMS.map(|verdict| tally.count(verdict).to_string()));
+    cells.push(tally.definitions().to_string());
     cells
 }

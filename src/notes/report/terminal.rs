@@ -67,9 +67,16 @@ pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
             out.push('\n');
         }
         let mut locator = Locator::new(&report.file);
-        for finding in report.findings.iter().filter(|finding| finding.is_suspicious()) {
+        let mut shown: Vec<&Finding> =
+            report.findings.iter().filter(|finding| finding.is_suspicious()).collect();
+        // What is wrong comes first.
+        shown.sort_by_key(|finding| finding.verdict != Verdict::Refuted);
+        for finding in shown {
             out.push_str(&snippet(finding, &report.file, &mut locator, options.color));
             out.push_str("\n\n");
+        }
+        if !options.verbose {
+            unread(&mut out, report, options.color);
         }
     }
     out.push_str(&render_summary(reports, options.color));
@@ -105,6 +112,38 @@ fn lines(out: &mut String, report: &FileReport, color: bool) {
         out.push_str(line.trim_end());
         out.push('\n');
     }
+}
+
+/// So many formulas that were not read are listed unless all are.
+const UNREAD: usize = 10;
+
+/// The formulas of a file that were not read, a line for each.
+fn unread(out: &mut String, report: &FileReport, color: bool) {
+    let all: Vec<&Finding> =
+        report.findings.iter().filter(|finding| finding.verdict == Verdict::Unread).collect();
+    if all.is_empty() {
+        return;
+    }
+    let title = format!("{}: not read", plain(report.file.name()));
+    out.push_str(&painted(&title, BOLD, color));
+    out.push('\n');
+    let mut locator = Locator::new(&report.file);
+    for finding in all.iter().take(UNREAD) {
+        let start = locator.region(finding.span).start;
+        let place = format!("{}:{}", start.line, start.column);
+        let reason = finding.reason.as_deref().unwrap_or("outside what polarform reads");
+        let line = format!(
+            "  {place:<8}  {}  {}",
+            one_line(&finding.latex, FORMULA),
+            painted(&one_line(reason, 2 * FORMULA), FAINT, color)
+        );
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+    if all.len() > UNREAD {
+        out.push_str(&format!("  and {} more; --verbose lists all\n", all.len() - UNREAD));
+    }
+    out.push('\n');
 }
 
 /// The source with a caret, and what is to be said about it.

@@ -122,7 +122,7 @@ fn both() -> Vec<FileReport> {
 fn tallies() {
     let tally = Tally::of(&both());
     assert_eq!((tally.statements(), tally.silent(), tally.warnings(), tally.problems()), (10, 1, 1, 1));
-    assert_eq!((tally.judged(), tally.percent_judged()), (8, Some(80)));
+    assert_eq!((tally.claims(), tally.definitions(), tally.judged(), tally.unseen()), (8, 2, 6, 0));
     let mut sum = Tally::default();
     both().into_iter().for_each(|report| sum += Tally::of(&[report]));
     assert_eq!(sum, tally);
@@ -178,8 +178,12 @@ fn json_has_every_field() {
         "line",
         "column",
         "end_line",
+        "end_column",
+        "start",
+        "end",
         "latex",
         "relation",
+        "kind",
         "verdict",
         "reason",
         "witness",
@@ -188,6 +192,7 @@ fn json_has_every_field() {
         "warning",
         "reading",
         "notes",
+        "fingerprint",
     ];
     for formula in json["files"][0]["formulas"].as_array().expect("a list") {
         let keys: Vec<&str> = formula.as_object().expect("an object").keys().map(String::as_str).collect();
@@ -196,6 +201,16 @@ fn json_has_every_field() {
     let counts: Vec<u64> =
         Verdict::ALL.iter().map(|v| json["summary"][v.word()].as_u64().expect("a count")).collect();
     assert_eq!(counts, [2, 1, 1, 4, 2, 1]);
+    let summary = &json["summary"];
+    assert_eq!(
+        (&summary["claims"], &summary["definitions"], &summary["unseen"]),
+        (&8.into(), &2.into(), &0.into())
+    );
+    let first = &json["files"][0]["formulas"][0];
+    assert_eq!(
+        (&first["kind"], &first["end"]),
+        (&"definition".into(), &(first["start"].as_u64().unwrap() + 11).into())
+    );
 }
 
 #[test]
@@ -251,6 +266,8 @@ fn sarif_is_as_specified() {
         assert_eq!(rule["id"], result["ruleId"]);
         assert_eq!(rule["defaultConfiguration"]["level"], result["level"]);
         assert!(!result["message"]["text"].as_str().expect("a message").is_empty());
+        assert!(rule["helpUri"].as_str().is_some_and(|uri| uri.starts_with("https://")));
+        assert!(result["partialFingerprints"]["polarformFormula/v1"].is_string());
         let place = &result["locations"][0]["physicalLocation"];
         let index = location(place);
         inside(&place["region"], reports[index].file.text());

@@ -1,0 +1,272 @@
+//! Suggestions put into the file: the smallest pieces of text that turn the one formula into the other.
+//!
+//! **Definition.** A *fix* is a stretch of the file and the text that takes its place. Those of a finding are
+//! found by comparing the tree of the relation as it stands there with that of the suggestion: what is the same
+//! in both keeps its bytes, its spaces and its macros.
+//!
+//! **Invariants.** The text with the fixes in it reads as the suggestion does, which is verified by reading it;
+//! otherwise a larger piece is replaced, in the end the whole relation. Fixes do not overlap.
+
+use crate::document::{Document, Item, Style};
+use crate::formula::Expr;
+use crate::formula::source::Span;
+use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::{latex, syntax, write};
+
+/// A replacement of some bytes of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What goes.
+    pub span: Span,
+    /// What stands there instead.
+    pub text: String,
+}
+
+/// The fixes of a file: those of its refuted relations for which there is a suggestion, in the order of the
+/// file. Of two that overlap the second is left out; it may come up again when the file is checked anew.
+///
+/// Cost: linear in the findings; for each, its tree is read a few times.
+pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
+    let notebook = report.file.name().ends_with(".ipynb");
+    let mut all: Vec<(Span, Vec<Fix>)> = Vec::new();
+    let wrong = report.findings.iter().filter(|finding| finding.verdict == Verdict::Refuted);
+    for finding in wrong {
+        let Some(suggestion) = &finding.suggestion else { continue };
+        let source = report.file.slice(finding.span);
+        let plain = is_plain(document, finding);
+        let found = if notebook {
+            in_string(source, suggestion)
+        } else {
+            pieces(source, suggestion, if plain { Notation::Plain } else { Notation::Latex })
+        };
+        let shifted = |fix: Fix| Fix { span: fix.span.shifted(finding.span.start), ..fix };
+        let found: Vec<Fix> = found.into_iter().map(shifted).collect();
+        if let (Some(first), Some(last)) = (found.first(), found.last()) {
+            all.push((first.span.to(last.span), found));
+        }
+    }
+    all.sort_by_key(|(span, _)| (span.start, span.end));
+    let mut end = 0;
+    let mut kept = Vec::new();
+    for (span, found) in all {
+        if span.start >= end {
+            end = span.end;
+            kept.extend(found);
+        }
+    }
+    kept
+}
+
+/// The text with the fixes in it.
+pub fn fixed(text: &str, fixes: &[Fix]) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut said = 0;
+    for fix in fixes {
+        out.push_str(&text[said..fix.span.start]);
+        out.push_str(&fix.text);
+        said = fix.span.end;
+    }
+    out.push_str(&text[said..]);
+    out
+}
+
+/// Whether the relation stands in plain notation among words.
+fn is_plain(document: &Document, finding: &Finding) -> bool {
+    document.items.iter().any(|item| match item {
+        Item::Formula(formula) => {
+            formula.style == Style::Plain
+                && formula.span.start <= finding.span.start
+                && finding.span.end <= formula.span.end
+        }
+        _ => false,
+    })
+}
+
+#[derive(Clone, Copy)]
+enum Notation {
+    Latex,
+    Plain,
+}
+
+impl Notation {
+    fn read(self, text: &str) -> Option<Expr> {
+        match self {
+            // Signs between the cells and rows of a table are no part of the relation.
+            Notation::Latex => latex::read(&without_columns(text)).ok(),
+            Notation::Plain => syntax::parse(text).ok(),
+        }
+    }
+
+    fn write(self, expr: &Expr) -> String {
+        match self {
+            Notation::Latex => write::latex(expr),
+            Notation::Plain => write::text(expr),
+        }
+    }
+}
+
+/// The text with blanks in place of `&` and `\\`.
+fn without_columns(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        match c {
+            '&' => out.push(' '),
+            '\\' if rest.peek() == Some(&'\\') => {
+                rest.next();
+                out.push_str("  ");
+            }
+            '\\' => {
+                out.push(c);
+                out.extend(rest.next());
+            }
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// What is replaced in the source of a relation.
+fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
+    let whole = |text: String| vec![Fix { span: Span::new(0, source.len()), text }];
+    let Ok(wanted) = latex::read(suggestion) else { return whole(suggestion.to_owned()) };
+    let plain = matches!(notation, Notation::Plain);
+    let Some(given) = notation.read(source) else {
+        // In words LaTeX would not be read.
+        return if plain { Vec::new() } else { whole(suggestion.to_owned()) };
+    };
+    let is_right = |found: &[Fix]| {
+        let read = notation.read(&fixed(source, found));
+        read.is_some_and(|read| read.same_as(&wanted))
+    };
+    let rows = |span: Span| source[span.range()].contains(r"\\") || source[span.range()].contains('&');
+    // From the smallest pieces to the sides.
+    let deepest = depth(&given).min(MAX_DEPTH);
+    for limit in (0..=deepest).rev() {
+        let mut places = Vec::new();
+        differences(&given, &wanted, limit, &mut places);
+        if places.is_empty() || places.iter().any(|(span, _)| rows(*span)) {
+            continue;
+        }
+        for brace in [false, true] {
+            let text = |expr: &Expr| {
+                let text = notation.write(expr);
+                match (brace, plain) {
+                    (false, _) => text,
+                    (true, false) => format!("{{{text}}}"),
+                    (true, true) => format!("({text})"),
+                }
+            };
+            let mut found: Vec<Fix> =
+                places.iter().map(|(span, expr)| Fix { span: *span, text: text(expr) }).collect();
+            found.sort_by_key(|fix| fix.span.start);
+            let apart = found.windows(2).all(|pair| pair[0].span.end <= pair[1].span.start);
+            if apart && is_right(&found) {
+                return found;
+            }
+        }
+    }
+    if plain { Vec::new() } else { whole(suggestion.to_owned()) }
+}
+
+/// Deeper trees are not compared to their leaves.
+const MAX_DEPTH: usize = 40;
+
+fn depth(expr: &Expr) -> usize {
+    let mut deepest = 0;
+    expr.for_each_child(&mut |child| deepest = deepest.max(1 + depth(child)));
+    deepest
+}
+
+/// The places where the trees differ, not deeper than `limit`, with what should stand there.
+fn differences(given: &Expr, wanted: &Expr, limit: usize, found: &mut Vec<(Span, Expr)>) {
+    if given.same_as(wanted) {
+        return;
+    }
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    given.for_each_child(&mut |child| left.push(child));
+    wanted.for_each_child(&mut |child| right.push(child));
+    let inner = |child: &Expr| {
+        !child.span.is_empty() && given.span.start <= child.span.start && child.span.end <= given.span.end
+    };
+    let changed = || left.iter().zip(&right).filter(|(a, b)| !a.same_as(b));
+    let descends = limit > 0
+        && left.len() == right.len()
+        && changed().all(|(a, _)| inner(a))
+        && same_head(given, wanted);
+    if descends {
+        for (a, b) in left.iter().zip(&right) {
+            differences(a, b, limit - 1, found);
+        }
+    } else {
+        found.push((given.span, wanted.clone()));
+    }
+}
+
+/// Whether two trees are the same but for their children.
+fn same_head(a: &Expr, b: &Expr) -> bool {
+    let bare = |expr: &Expr| {
+        let mut expr = expr.clone();
+        expr.for_each_child_mut(&mut |child| *child = Expr::int(0));
+        expr
+    };
+    bare(a).same_as(&bare(b))
+}
+
+/// The same for a relation that stands in a string of a notebook: all of it is written anew.
+fn in_string(source: &str, suggestion: &str) -> Vec<Fix> {
+    let Ok(text) = serde_json::from_str::<String>(&format!("\"{source}\"")) else { return Vec::new() };
+    let quoted = |text: &str| {
+        let quoted = serde_json::Value::from(text).to_string();
+        quoted[1..quoted.len() - 1].to_owned()
+    };
+    // Only what is written as it would be written anew.
+    if quoted(&text) != source {
+        return Vec::new();
+    }
+    let fix = Fix {
+        span: Span::new(0, source.len()),
+        text: quoted(&fixed(&text, &pieces(&text, suggestion, Notation::Latex))),
+    };
+    vec![fix]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(source: &str, suggestion: &str) -> String {
+        fixed(source, &pieces(source, suggestion, Notation::Latex))
+    }
+
+    #[test]
+    fn the_smallest_piece_is_replaced() {
+        for (source, suggestion, wanted) in [
+            (r"F(t)  =  t^2+ 2 t", r"F(t) = t^2 + 3 t", r"F(t)  =  t^2+ 3 t"),
+            (r"2^10 = 1025", r"2^10 = 1024", r"2^10 = 1024"),
+            (r"x &= \tfrac{1}{2}  y", r"x = \frac{1}{3} y", r"x &= \tfrac{1}{3}  y"),
+            (r"b_0\,+b_1 = b_2", r"b_0 + b_1 = b_{12}", r"b_0\,+b_1 = b_{12}"),
+            (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
+        ] {
+            let read = |text: &str| latex::read(&without_columns(text)).unwrap();
+            let fixed = after(source, suggestion);
+            assert!(read(&fixed).same_as(&read(suggestion)), "{fixed}");
+            assert_eq!(fixed, wanted);
+        }
+    }
+
+    #[test]
+    fn in_plain_notation_nothing_of_latex_is_written() {
+        let source = "F(t) = t^2 + 2t";
+        let found = pieces(source, r"F(t) = \frac{1}{3} t^2", Notation::Plain);
+        let text = fixed(source, &found);
+        assert!(!text.contains('\\') && text.starts_with("F(t) = "), "{text}");
+    }
+
+    #[test]
+    fn strings_of_notebooks() {
+        let found = in_string(r"\\sigma = 1", r"\sigma = 2");
+        assert_eq!(found[0].text, r"\\sigma = 2");
+        assert_eq!(in_string("a = 1\",\n \"b", "a = 2"), []);
+    }
+}
