@@ -111,3 +111,16 @@ fn settings_and_what_is_known() {
     let ran = run(&["notes", "check", &page, "--config", &config]);
     assert!(ran.status == Some(2) && ran.err.contains("nothing is no rule"), "{}", ran.err);
 }
+
+#[test]
+fn a_page_of_which_no_formula_is_read_is_an_error() {
+    let folder = Folder::new("unread-page");
+    for text in ["Then \\frac12 is half.\n", "Then $a \\foo{b} = c$.\n"] {
+        let page = folder.write("a.md", text);
+        let ran = run(&["notes", "check", &page]);
+        assert_eq!(ran.status, Some(2), "{}{}", ran.out, ran.err);
+        assert!(ran.err.contains("none of its formulas"), "{}", ran.err);
+    }
+    let page = folder.write("a.md", "Words only.\n");
+    assert_eq!(run(&["notes", "check", &page]).status, Some(0));
+}

@@ -23,7 +23,7 @@ use crate::judge::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::write::Format;
 use crate::notes::report::{
-    TextOptions, fixed, render_html, render_json, render_listing, render_listing_json, render_sarif,
+    Tally, TextOptions, fixed, render_html, render_json, render_listing, render_listing_json, render_sarif,
     render_summary, render_text,
 };
 use crate::notes::{Options, check_document, listing};
@@ -272,7 +272,13 @@ impl Check<'_> {
             say(&remark);
         }
         let refuted = reports.iter().any(|report| report.count(Verdict::Refuted) > 0);
-        let read = inputs.iter().all(|input| input.read);
+        let mut read = inputs.iter().all(|input| input.read);
+        for report in &reports {
+            if Tally::of(std::slice::from_ref(report)).is_all_unread() {
+                say(&format!("{}: none of its formulas could be read", report.file.name()));
+                read = false;
+            }
+        }
         Ok(match (refuted, read) {
             (true, _) => Status::Refuted,
             (false, false) => Status::Failed,

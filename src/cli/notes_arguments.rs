@@ -17,7 +17,7 @@ pub(super) enum Notes {
         polarform notes check lecture.md -o report.html --watch\n  \
         polarform notes check lectures --diff\n  \
         polarform notes check - < lecture.md\n\n\
-        Exit status: 1 if a formula is refuted, else 2 if a file could not be read, else 0.")]
+        Exit status: 1 if a formula is refuted, else 2 if a file or all of its formulas could not be read, else 0.")]
     Check(NotesCheck),
     /// The formulas as they are read, printed anew as LaTeX
     List {

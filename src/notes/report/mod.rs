@@ -116,6 +116,12 @@ impl Tally {
         self.problems
     }
 
+    /// Whether there are formulas and none of them could be read.
+    pub fn is_all_unread(&self) -> bool {
+        let unread = self.count(Verdict::Unread);
+        unread + self.unseen > 0 && self.statements() + self.silent == unread
+    }
+
     /// Places that look like formulas and were not read.
     pub fn unseen(&self) -> usize {
         self.unseen
