@@ -13,7 +13,7 @@ const SLIPS: &str = "# Slips  \r\n\n\
     Then $\\binom{5}{2} = 11$.\n\n\
     Hence $\\sum_{i=0}^n B_i^n(t) = 2$.\n\n\
     Then $3 \\cdot 4 = 13$.\n\n\
-    Then $2(a - b) = 2a - b$ in all cases.\n\n\
+    Then $5^2 - 4^2 = 8$ in all cases.\n\n\
     Then $\\tfrac12 + \\tfrac13 = \\tfrac15$.\n\n\
     Then $(x-y)^2 = x^2 - 2xy - y^2$.\n\n\
     Hence $(1-t)^2 + 2t(1-t) + t^2 = 0$.\n\n\

@@ -243,7 +243,7 @@ mod tests {
     fn the_smallest_piece_is_replaced() {
         for (source, suggestion, wanted) in [
             (r"F(t)  =  t^2+ 2 t", r"F(t) = t^2 + 3 t", r"F(t)  =  t^2+ 3 t"),
-            (r"2^10 = 1025", r"2^10 = 1024", r"2^10 = 1024"),
+            (r"2^{10} = 1025", r"2^{10} = 1024", r"2^{10} = 1024"),
             (r"x &= \tfrac{1}{2}  y", r"x = \frac{1}{3} y", r"x &= \tfrac{1}{3}  y"),
             (r"b_0\,+b_1 = b_2", r"b_0 + b_1 = b_{12}", r"b_0\,+b_1 = b_{12}"),
             (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
