@@ -153,3 +153,26 @@ fn to_f64(text: &str) -> f64 {
     let number = |text: &str| text.trim().parse::<f64>().unwrap();
     text.split_once('/').map_or_else(|| number(text), |(p, q)| number(p) / number(q))
 }
+
+/// The pieces of a B-spline over symbolic knots are written as the products of the recurrence; read
+/// back they are the pieces.
+#[test]
+fn pieces_of_basis_functions_are_products() {
+    let mut session = polarform::session::Session::default();
+    let mut value = |query: &str| session.run(query).map(|answer| answer.outcome.value).expect(query);
+    for knots in ["k, m, n, p", "k, k, m, n", "k, m, m, n", "0, k, m, 1", "k, m, n, p, q", "k, k, k, m, n"] {
+        for degree in 1..=3 {
+            let count = knots.split(',').count();
+            let repeated = knots.matches('k').count();
+            if degree + 2 > count || repeated > degree + 1 {
+                continue;
+            }
+            let query = format!("bspline_basis({degree}, [{knots}], 0)");
+            let function = value(&query);
+            let written = polarform::write::text(&function.to_expr());
+            assert_eq!(value(&written), function, "{query}: {written}");
+        }
+    }
+    let written = polarform::write::text(&value("bspline_basis(2, [k, m, n, p], 0)").to_expr());
+    assert_eq!(written.matches("/((n - k) (n - m)) + ").count(), 1, "{written}");
+}

@@ -301,3 +301,29 @@ fn numbers_on_axes_are_exact_and_short() {
     assert_eq!(written(&rational(5, 2)), "5/2");
     assert_eq!(written(&integer(0)), "0");
 }
+
+/// Rational surfaces, also of several patches, are drawn as they are: on the sphere.
+#[test]
+fn rational_surfaces_are_drawn() {
+    let mut session = polarform::session::Session::default();
+    let mut draw = |query: &str| match session.run(query).map(|answer| answer.outcome.value) {
+        Ok(polarform::value::Value::Figure(scene)) => layout(&scene, &measure),
+        other => panic!("{query}: {other:?}"),
+    };
+    for query in [
+        "figure_patch(sphere_octant([0, 0, 0], 1))",
+        "figure_patch(revolve(bezier([[1, 0], [2, 1]])))",
+        "figure_patch(patch([[[0, 0, 0], [1, 0, 1]], [[0, 1, 1], [1, 1, 0]]], weights=[[1, 2], [3, 4]]))",
+    ] {
+        check(query, &draw(query));
+    }
+    // The weights of a patch are those of its points: all alike they change nothing.
+    let net = "[[[0, 0, 0], [1, 0, 1]], [[0, 1, 1], [1, 1, 0]]]";
+    let plain = draw(&format!("figure_patch(patch({net}))"));
+    let weighted = draw(&format!("figure_patch(patch({net}, weights=[[2, 2], [2, 2]]))"));
+    assert!((plain.width - weighted.width).abs() < 0.1 && (plain.height - weighted.height).abs() < 0.1);
+    let infinite =
+        "figure_patch(patch([[[0, 0, 0, 1], [1, 0, 1, 0]], [[0, 1, 1, 1], [1, 1, 0, 1]]], homogeneous=1))";
+    let problem = session.run(infinite).unwrap_err().problem;
+    assert!(problem.message.contains("infinity"), "{}", problem.message);
+}

@@ -63,8 +63,19 @@ fn formula_or_option(argument: OsString) -> OsString {
     }
 }
 
-/// A formula or a function in the place of a command is for `eval`.
+/// A formula or a function in the place of a command is for `eval`; in the place of the kind of a
+/// figure, it needs that kind before it.
 fn advise(error: &mut clap::Error) {
+    if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue)
+        && let Some((function, _)) = given.split_once('(')
+        && matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::String(name)) if name == "<KIND>")
+    {
+        let kind = if function.starts_with("figure_") { "query" } else { function };
+        let advice = format!("the kind of the figure goes first: polarform figure {kind} \"{given}\"");
+        error.remove(ContextKind::SuggestedValue);
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![advice.into()]));
+        return;
+    }
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return };
     let word = given.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_');
     let advice = match (word, crate::language::functions::builtin(given)) {

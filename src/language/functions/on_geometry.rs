@@ -171,7 +171,7 @@ pub(crate) fn derivative(args: &Arguments) -> Evaluated {
     if let Value::Piecewise(function) = args.value(0)? {
         let derived = function.function.derivative(order);
         let variable = function.variable.clone();
-        return Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function: derived, variable })));
+        return Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(derived, variable))));
     }
     match &*args.geometry(0)? {
         Geometry::Bezier(curve, form) if form.rational => {
@@ -242,7 +242,7 @@ pub(crate) fn antiderivative(args: &Arguments) -> Evaluated {
         Value::Piecewise(function) => {
             let primitive = function.function.antiderivative();
             let variable = function.variable.clone();
-            Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function: primitive, variable })))
+            Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(primitive, variable))))
         }
         Value::Geometry(geometry) => {
             polynomial(geometry.form(), args)?;

@@ -11,11 +11,13 @@ use super::parameter::{
     size,
 };
 use super::{Builtin, on_surface};
+use crate::formula::{Expr, Kind, Sign, Term};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value, free_parameter};
+use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value, free_parameter, polynomial_expr};
 use crate::math::piecewise::{Outside, Piecewise};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::{Field, Ring};
 use crate::math::spline::{BSpline, DeBoor, KnotVector};
 use num_traits::{One, Zero};
 
@@ -224,9 +226,11 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let knots = knots(args)?;
             if let Some(i) = args.optional_size(2)? {
-                return knots.basis_function(i).map(piecewise).map_err(spline_error).at(args.span(2));
+                let function = knots.basis_function(i).map_err(spline_error).at(args.span(2))?;
+                return Ok(basis_function(&knots, i, function));
             }
-            Ok(Value::List(knots.basis_functions().into_iter().map(piecewise).collect()))
+            let functions = knots.basis_functions().into_iter().enumerate();
+            Ok(Value::List(functions.map(|(i, function)| basis_function(&knots, i, function)).collect()))
         },
         ..NEW
     },
@@ -271,7 +275,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let function =
                 Piecewise::new(breaks, pieces, outside).map_err(piecewise_error).at(args.span(0))?;
             let function = if args.flag("closed", true)? { function } else { function.half_open() };
-            Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function, variable })))
+            Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable))))
         },
         ..NEW
     },
@@ -456,7 +460,61 @@ pub(super) const TABLE: &[Builtin] = &[
 
 fn piecewise(function: Piecewise<Fraction>) -> Value {
     let variable = free_parameter(function.breaks());
-    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable }))
+    Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable)))
+}
+
+/// A basis function, over symbolic knots with its pieces as the products of the recurrence.
+fn basis_function(knots: &KnotVector<Fraction>, i: usize, function: Piecewise<Fraction>) -> Value {
+    /// Pieces of a larger degree have too many products.
+    const LARGEST: usize = 5;
+    let (n, variable) = (knots.degree(), free_parameter(function.breaks()));
+    let support = knots.support(i);
+    let symbolic = support.iter().any(|knot| knot.as_rational().is_none());
+    let written = (symbolic && n <= LARGEST).then(|| products_of_recurrence(support, n, &variable));
+    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable, written }))
+}
+
+/// N_0^n over n + 2 knots by the recurrence of Cox and de Boor, each piece as a sum over the ways that
+/// lead to it: (t - a)/(c - a) (c - t)/(c - b) + (d - t)/(d - b) (t - b)/(c - b). 2^n products.
+fn products_of_recurrence(knots: &[Fraction], n: usize, variable: &Symbol) -> Vec<Expr> {
+    let t = Fraction::from(MultiPoly::symbol(variable.clone()));
+    let empty = |pair: &[Fraction]| pair[0] == pair[1];
+    let mut level: Vec<Vec<Vec<Fraction>>> = knots
+        .windows(2)
+        .map(|pair| vec![if empty(pair) { Vec::new() } else { vec![Fraction::one()] }])
+        .collect();
+    for k in 1..=n {
+        let share = |i: usize| knots[i + k].minus(&knots[i]).inverse();
+        let times =
+            |ways: &[Fraction], by: &Fraction| ways.iter().map(|way| way.times(by)).collect::<Vec<_>>();
+        level = (0..level.len() - 1)
+            .map(|i| {
+                let mut pieces = vec![Vec::new(); k + 1];
+                if let Some(s) = share(i) {
+                    let rise = t.minus(&knots[i]).times(&s);
+                    pieces
+                        .iter_mut()
+                        .zip(&level[i])
+                        .for_each(|(piece, ways)| piece.extend(times(ways, &rise)));
+                }
+                if let Some(s) = share(i + 1) {
+                    let fall = knots[i + k + 1].minus(&t).times(&s);
+                    let shifted = pieces[1..].iter_mut().zip(&level[i + 1]);
+                    shifted.for_each(|(piece, ways)| piece.extend(times(ways, &fall)));
+                }
+                pieces
+            })
+            .collect();
+    }
+    let sum = |ways: &Vec<Fraction>| {
+        let term = |way: &Fraction| match polynomial_expr(way).kind {
+            Kind::Add(mut terms) if terms.len() == 1 => terms.swap_remove(0),
+            kind => Term { sign: Sign::Plus, expr: kind.into() },
+        };
+        Expr::sum(ways.iter().map(term).collect())
+    };
+    let pieces = level[0].iter().zip(knots.windows(2));
+    pieces.filter(|(_, pair)| !empty(pair)).map(|(ways, _)| sum(ways)).collect()
 }
 
 /// Degree and knots at the first two places.

@@ -146,13 +146,13 @@ pub(crate) fn add_piecewise(a: &PiecewiseFunction, b: &PiecewiseFunction) -> Res
         Diagnostic::error(Code::Undecided, "the breakpoints of the two functions cannot be put in one order")
             .hint("symbolic breakpoints have to be the same in both")
     })?;
-    Ok(Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: a.variable.clone() })))
+    Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(function, a.variable.clone()))))
 }
 
 /// A multiple of a piecewise polynomial.
 pub(crate) fn scale_piecewise(factor: &Fraction, f: &PiecewiseFunction) -> Value {
     let function = f.function.map(|piece| piece.scaled(factor));
-    Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: f.variable.clone() }))
+    Value::Piecewise(Arc::new(PiecewiseFunction::new(function, f.variable.clone())))
 }
 
 /// The same curve from its end to its start, over the same interval.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Value, polynomial_expr, symbol_expr};
+use super::{Value, grouped_expr, polynomial_expr, symbol_expr};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::math::piecewise::{Outside, Piecewise, PiecewiseError};
@@ -15,6 +15,8 @@ pub struct PiecewiseFunction {
     pub function: Piecewise<Fraction>,
     /// How its variable is called.
     pub variable: Symbol,
+    /// How its pieces are shown, if not as polynomials: as the sums of products they were made of.
+    pub written: Option<Vec<Expr>>,
 }
 
 /// A parameter that is none of the symbols in some formulas: t where it is free.
@@ -35,6 +37,19 @@ impl PartialEq for PiecewiseFunction {
 }
 
 impl PiecewiseFunction {
+    /// A function of this variable, its pieces shown as polynomials.
+    pub fn new(function: Piecewise<Fraction>, variable: Symbol) -> Self {
+        PiecewiseFunction { function, variable, written: None }
+    }
+
+    /// The pieces as they are shown.
+    fn shown(&self) -> Vec<Expr> {
+        match &self.written {
+            Some(pieces) => pieces.clone(),
+            None => self.formulas().iter().map(grouped_expr).collect(),
+        }
+    }
+
     /// The pieces as polynomials in the variable.
     pub fn formulas(&self) -> Vec<Fraction> {
         let t = Fraction::from(MultiPoly::symbol(self.variable.clone()));
@@ -53,7 +68,7 @@ impl PiecewiseFunction {
     pub fn to_expr(&self) -> Expr {
         let list = |items: Vec<Expr>| Expr::from(Kind::List(items));
         let breaks = self.function.breaks().iter().map(polynomial_expr).collect();
-        let pieces = self.formulas().iter().map(polynomial_expr).collect();
+        let pieces = self.shown();
         let mut arguments = vec![list(breaks), list(pieces)];
         if self.variable != Symbol::new("t") {
             arguments.push(Expr::relation(Expr::name("variable"), Rel::Eq, symbol_expr(&self.variable)));
@@ -72,13 +87,14 @@ impl PiecewiseFunction {
         let t = symbol_expr(&self.variable);
         let link = |rel, expr| Link { rel, span: Span::default(), expr };
         let breaks = self.function.breaks();
-        let last = self.formulas().len() - 1;
+        let pieces = self.shown();
+        let last = pieces.len() - 1;
         let mut cases: Vec<(Expr, Option<Expr>)> = Vec::with_capacity(last + 2);
-        for (i, formula) in self.formulas().iter().enumerate() {
+        for (i, piece) in pieces.into_iter().enumerate() {
             let (from, to) = (polynomial_expr(&breaks[i]), polynomial_expr(&breaks[i + 1]));
             let end = if i == last && self.function.is_closed() { Rel::Le } else { Rel::Lt };
             let range = Kind::Chain(Box::new(from), vec![link(Rel::Le, t.clone()), link(end, to)]);
-            cases.push((polynomial_expr(formula), Some(range.into())));
+            cases.push((piece, Some(range.into())));
         }
         if self.function.outside() == Outside::Zero {
             cases.push((Expr::int(0), None));

@@ -2,15 +2,25 @@
 
 use super::Space;
 use super::curve::outward;
-use super::projection::{Point, de_casteljau, light, nearness, point, project};
+use super::projection::{Point, de_casteljau, light, nearness, point, project, project_homogeneous};
 use crate::budget;
 use crate::formula::Expr;
-use crate::scene::{Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path};
+use crate::math::number::Rational;
+use crate::scene::spot::rounded;
+use crate::scene::{
+    Ink, Label, Marker, Path, Scene, SceneError, Shape, Spot, Style, bezier_path, rational_bezier_path,
+};
 
 /// How many pieces the surface has in each direction.
 const PIECES: usize = 14;
 
-/// A tensor-product Bézier surface over [0, 1]², seen from above, with its control net.
+/// Control points by rows, and their weights.
+type WeightedNet = (Vec<Vec<Space>>, Vec<Vec<Rational>>);
+
+/// A homogeneous point (w x, w y, w z, w).
+type Weighted = [f64; 4];
+
+/// Tensor-product Bézier surfaces over [0, 1]², seen from above, the first with its control net.
 ///
 /// The control points F(u, v) = Σ B_i^m(u) B_j^n(v) b_ij stand in rows of equal i.
 ///
@@ -26,8 +36,12 @@ const PIECES: usize = 14;
 pub struct PatchPicture {
     /// The control points b_ij by rows.
     pub net: Vec<Vec<Space>>,
+    /// Their weights, in the same rows; 1 where there are none.
+    pub weights: Vec<Vec<Rational>>,
     /// Their names, in the same rows; missing ones are not shown.
     pub labels: Vec<Vec<Expr>>,
+    /// Further patches of the surface, with their weights; their control nets are not drawn.
+    pub others: Vec<WeightedNet>,
     /// How many lines of constant u, and of constant v, are drawn; two are the boundary.
     pub lines: [usize; 2],
     /// Whether the control net is drawn.
@@ -37,53 +51,67 @@ pub struct PatchPicture {
 impl PatchPicture {
     /// The surface with its control net and five lines in each direction.
     pub fn of(net: Vec<Vec<Space>>) -> Self {
-        PatchPicture { net, labels: Vec::new(), lines: [5, 5], polygon: true }
+        PatchPicture {
+            net,
+            weights: Vec::new(),
+            labels: Vec::new(),
+            others: Vec::new(),
+            lines: [5, 5],
+            polygon: true,
+        }
     }
 
     /// The picture.
     ///
     /// # Errors
     /// [`SceneError::Shape`] for rows of different lengths, [`SceneError::Empty`] without points,
-    /// [`SceneError::TooLarge`].
+    /// [`SceneError::AtInfinity`] where a weight vanishes, [`SceneError::TooLarge`].
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        let columns = self.net.first().map_or(0, Vec::len);
-        if columns == 0 {
-            return Err(SceneError::Empty { what: "control points" });
-        }
-        if self.net.iter().any(|row| row.len() != columns) {
-            return Err(SceneError::Shape { what: "the rows of a net need equally many points".to_owned() });
-        }
-        budget::charge_terms((self.net.len() * columns) as u64 + (PIECES * PIECES) as u64);
-        let net: Vec<Vec<Point>> =
-            self.net.iter().map(|row| row.iter().map(point).collect()).collect::<Result<_, _>>()?;
+        let first = weighted(&self.net, &self.weights)?;
+        let others = self.others.iter().map(|(net, weights)| weighted(net, weights));
+        let nets: Vec<Vec<Vec<Weighted>>> =
+            std::iter::once(Ok(first)).chain(others).collect::<Result<_, _>>()?;
         let mut scene = Scene::new("Tensor-product surface");
-        surface(&mut scene, &net)?;
+        let pieces: Vec<[Point; 4]> =
+            nets.iter().map(|net| pieces(net)).collect::<Result<Vec<_>, _>>()?.concat();
+        add_pieces(&mut scene, pieces)?;
+        for net in &nets {
+            self.add_curves(&mut scene, net)?;
+        }
+        if self.polygon {
+            self.add_net(&mut scene)?;
+        }
+        let columns = self.net.first().map_or(0, Vec::len);
+        Ok(scene.with_description(format!(
+            "A surface of degree ({}, {}) with its control net.",
+            self.net.len().saturating_sub(1),
+            columns.saturating_sub(1)
+        )))
+    }
+
+    /// The lines of constant u and v.
+    fn add_curves(&self, scene: &mut Scene, net: &[Vec<Weighted>]) -> Result<(), SceneError> {
+        let columns = net.first().map_or(0, Vec::len);
         for k in 0..self.lines[0].min(200) {
             // u constant: the control points are values of the columns
             let u = part(k, self.lines[0]);
-            let points: Vec<Point> = (0..columns).map(|j| de_casteljau(&column(&net, j), u)).collect();
+            let points: Vec<Weighted> = (0..columns).map(|j| de_casteljau(&column(net, j), u)).collect();
             scene.add(curve(&points, k == 0 || k + 1 == self.lines[0])?);
         }
         for k in 0..self.lines[1].min(200) {
             let v = part(k, self.lines[1]);
-            let points: Vec<Point> = net.iter().map(|row| de_casteljau(row, v)).collect();
+            let points: Vec<Weighted> = net.iter().map(|row| de_casteljau(row, v)).collect();
             scene.add(curve(&points, k == 0 || k + 1 == self.lines[1])?);
         }
-        if self.polygon {
-            self.add_net(&mut scene, &net)?;
-        }
-        Ok(scene.with_description(format!(
-            "A surface of degree ({}, {}) with its control net.",
-            net.len() - 1,
-            columns - 1
-        )))
+        Ok(())
     }
 
-    fn add_net(&self, scene: &mut Scene, net: &[Vec<Point>]) -> Result<(), SceneError> {
-        let columns = net.first().map_or(0, Vec::len);
-        let rows: Vec<Vec<Spot>> = net
+    fn add_net(&self, scene: &mut Scene) -> Result<(), SceneError> {
+        let columns = self.net.first().map_or(0, Vec::len);
+        let rows: Vec<Vec<Spot>> = self
+            .net
             .iter()
-            .map(|row| row.iter().map(|&point| project(point)).collect())
+            .map(|row| row.iter().map(|exact| project(point(exact)?)).collect())
             .collect::<Result<_, _>>()?;
         for row in &rows {
             scene.add_lines(row.iter().copied());
@@ -114,7 +142,26 @@ impl Scene {
     }
 }
 
-fn column(net: &[Vec<Point>], j: usize) -> Vec<Point> {
+/// The homogeneous control points of a patch, if it is one.
+fn weighted(net: &[Vec<Space>], weights: &[Vec<Rational>]) -> Result<Vec<Vec<Weighted>>, SceneError> {
+    let columns = net.first().map_or(0, Vec::len);
+    if columns == 0 {
+        return Err(SceneError::Empty { what: "control points" });
+    }
+    if net.iter().any(|row| row.len() != columns) {
+        return Err(SceneError::Shape { what: "the rows of a net need equally many points".to_owned() });
+    }
+    budget::charge_terms((net.len() * columns) as u64 + (PIECES * PIECES) as u64);
+    let entry = |i: usize, j: usize| {
+        let [x, y, z] = point(&net[i][j])?;
+        let weight = weights.get(i).and_then(|row| row.get(j));
+        let w = weight.map_or(Ok(1.0), |weight| rounded(weight, "a weight"))?;
+        Ok([x * w, y * w, z * w, w])
+    };
+    (0..net.len()).map(|i| (0..columns).map(|j| entry(i, j)).collect()).collect()
+}
+
+fn column(net: &[Vec<Weighted>], j: usize) -> Vec<Weighted> {
     net.iter().map(|row| row[j]).collect()
 }
 
@@ -123,30 +170,40 @@ fn part(k: usize, count: usize) -> f64 {
 }
 
 /// A line on the surface; projected control points give the projected curve.
-fn curve(points: &[Point], boundary: bool) -> Result<Path, SceneError> {
+fn curve(points: &[Weighted], boundary: bool) -> Result<Path, SceneError> {
     budget::steps(u32::try_from(points.len() * points.len()).unwrap_or(u32::MAX));
-    let spots: Vec<Spot> = points.iter().map(|&point| project(point)).collect::<Result<_, _>>()?;
     let style = Style::line(Ink::Series(0), if boundary { 2.0 } else { 1.0 });
-    Ok(Path::new(spots.first().copied().unwrap_or_default(), bezier_path(&spots)?, style))
+    if points.iter().all(|point| point[3] == 1.0) {
+        let spots: Vec<Spot> =
+            points.iter().map(|&[x, y, z, _]| project([x, y, z])).collect::<Result<_, _>>()?;
+        return Ok(Path::new(spots.first().copied().unwrap_or_default(), bezier_path(&spots)?, style));
+    }
+    let projected: Vec<[f64; 3]> = points.iter().map(|&point| project_homogeneous(point)).collect();
+    let (start, segments) = rational_bezier_path(&projected)?;
+    Ok(Path::new(start, segments, style))
 }
 
-/// The surface as flat pieces, the far ones first.
-fn surface(scene: &mut Scene, net: &[Vec<Point>]) -> Result<(), SceneError> {
+/// The surface as flat pieces.
+fn pieces(net: &[Vec<Weighted>]) -> Result<Vec<[Point; 4]>, SceneError> {
+    let affine = |[x, y, z, w]: Weighted| match w == 0.0 {
+        true => Err(SceneError::AtInfinity { what: "the surface".to_owned() }),
+        false => Ok([x / w, y / w, z / w]),
+    };
     let values: Vec<Vec<Point>> = (0..=PIECES)
         .map(|k| {
             let v = k as f64 / PIECES as f64;
-            let points: Vec<Point> = net.iter().map(|row| de_casteljau(row, v)).collect();
+            let points: Vec<Weighted> = net.iter().map(|row| de_casteljau(row, v)).collect();
             budget::steps(u32::try_from(net.len() * points.len()).unwrap_or(u32::MAX));
-            (0..=PIECES).map(|l| de_casteljau(&points, l as f64 / PIECES as f64)).collect()
+            (0..=PIECES).map(|l| affine(de_casteljau(&points, l as f64 / PIECES as f64))).collect()
         })
-        .collect();
+        .collect::<Result<_, _>>()?;
     let mut pieces: Vec<[Point; 4]> = Vec::with_capacity(PIECES * PIECES);
     for pair in values.windows(2) {
         for l in 0..PIECES {
             pieces.push([pair[0][l], pair[0][l + 1], pair[1][l + 1], pair[1][l]]);
         }
     }
-    add_pieces(scene, pieces)
+    Ok(pieces)
 }
 
 /// Flat pieces, the far ones first, the more opaque the less light they get.

@@ -42,6 +42,12 @@ pub(super) fn project([x, y, z]: Point) -> Result<Spot, SceneError> {
     Spot::new(y * cos - x * sin, z * flat - (x * cos + y * sin) * up)
 }
 
+/// The projected homogeneous point (w x, w y, w z, w), in homogeneous coordinates.
+pub(super) fn project_homogeneous([x, y, z, w]: [f64; 4]) -> [f64; 3] {
+    let ((sin, cos), (up, flat)) = (TURN, RISE);
+    [y * cos - x * sin, z * flat - (x * cos + y * sin) * up, w]
+}
+
 /// How near a point is to the eye, apart from a constant.
 pub(super) fn nearness([x, y, z]: Point) -> f64 {
     let ((sin, cos), (up, flat)) = (TURN, RISE);
@@ -65,17 +71,17 @@ pub(super) fn light(a: Point, b: Point, c: Point) -> f64 {
 }
 
 /// (1 − t) a + t b
-pub(super) fn between(a: Point, b: Point, t: f64) -> Point {
-    [0, 1, 2].map(|k| (1.0 - t) * a[k] + t * b[k])
+pub(super) fn between<const N: usize>(a: [f64; N], b: [f64; N], t: f64) -> [f64; N] {
+    std::array::from_fn(|k| (1.0 - t) * a[k] + t * b[k])
 }
 
-/// The point of a Bézier curve in space, for t in [0, 1].
-pub(super) fn de_casteljau(points: &[Point], t: f64) -> Point {
+/// The point of a Bézier curve in space, for t in [0, 1]; also in homogeneous coordinates.
+pub(super) fn de_casteljau<const N: usize>(points: &[[f64; N]], t: f64) -> [f64; N] {
     let mut row = points.to_vec();
     for length in (1..row.len()).rev() {
         for i in 0..length {
             row[i] = between(row[i], row[i + 1], t);
         }
     }
-    row.first().copied().unwrap_or_default()
+    row.first().copied().unwrap_or([0.0; N])
 }

@@ -74,6 +74,43 @@ fn polynomial(form: Form, span: Span) -> Result<()> {
         .hint("figure_bezier draws rational curves, such as boundary_curves(s)"))
 }
 
+/// A surface of several patches, also rational ones, without names of its points.
+fn patches(args: &Arguments, items: &[Value]) -> Evaluated {
+    let span = args.span(0);
+    let mut nets = Vec::with_capacity(items.len());
+    for item in items {
+        let Value::Geometry(geometry) = item else {
+            return Err(wrong_kind("a patch", item).at(span));
+        };
+        let Geometry::Patch(patch, form) = &**geometry else {
+            return Err(wrong_kind("a patch", item).at(span));
+        };
+        let mut net = Vec::new();
+        let mut weights = Vec::new();
+        for row in patch.net() {
+            let infinite = || {
+                Diagnostic::error(Code::Undrawable, "a control point with weight 0 is at infinity")
+                    .at(span)
+                    .hint("subdivide the surface first")
+            };
+            let (values, own) = form.split(row).ok_or_else(infinite)?;
+            let place = |value: &Value| match points_of(&Value::List(vec![value.clone()])) {
+                Some((points, _)) if points[0].len() == 3 => {
+                    space(&points[0], [0, 0].map(|k| rational(k, 1)), &rational(1, 1), span)
+                }
+                _ => Err(wrong_kind("points of space", value).at(span)),
+            };
+            net.push(values.iter().map(place).collect::<Result<Vec<Space>>>()?);
+            weights.push(own.iter().map(|weight| number(weight, span)).collect::<Result<Vec<Rational>>>()?);
+        }
+        nets.push((net, weights));
+    }
+    let (net, weights) = nets.remove(0);
+    let polygon = args.flag("polygon", nets.is_empty())?;
+    let picture = PatchPicture { weights, others: nets, polygon, ..PatchPicture::of(net) };
+    finished(args, drawn(picture.scene(), span)?)
+}
+
 pub(super) fn patch(args: &Arguments) -> Evaluated {
     let span = args.span(0);
     let wanted = labels(args, LABELS)?.unwrap_or(Labels::None);
@@ -84,15 +121,16 @@ pub(super) fn patch(args: &Arguments) -> Evaluated {
             .hint("for example figure_patch([[0, 1], [1, 0]])")
     };
     let rows: Net<Fraction> = match value {
+        Value::List(items) if items.iter().any(|item| matches!(item, Value::Geometry(_))) => {
+            return patches(args, items);
+        }
         Value::List(rows) if !rows.is_empty() => {
             let row = |row: &Value| points_of(row).map(|(points, _)| points).ok_or_else(|| wrong(row));
             rows.iter().map(row).collect::<Result<_>>()?
         }
         Value::Geometry(geometry) => match &**geometry {
-            Geometry::Patch(patch, form) => {
-                polynomial(*form, span)?;
-                patch.net().to_vec()
-            }
+            Geometry::Patch(patch, form) if !form.rational => patch.net().to_vec(),
+            Geometry::Patch(..) => return patches(args, std::slice::from_ref(value)),
             Geometry::Surface(..) => {
                 return Err(wrong(value).hint("pieces(s) are the patches of a spline surface"));
             }

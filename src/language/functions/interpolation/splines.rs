@@ -48,9 +48,8 @@ pub(crate) const TABLE: &[Builtin] = &[
             let given = Given::read(args)?;
             let variable = given.samples.variable(args)?;
             let spline = given.spline(args)?;
-            let piecewise = |function| {
-                Value::Piecewise(Arc::new(PiecewiseFunction { function, variable: variable.clone() }))
-            };
+            let piecewise =
+                |function| Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable.clone())));
             let mut list: Vec<Value> = spline.to_piecewise().into_iter().map(piecewise).collect();
             Ok(if given.samples.form.scalar { list.swap_remove(0) } else { Value::List(list) })
         },
