@@ -70,7 +70,7 @@ pub struct Limits {
     pub terms: u64,
     /// Number of bits a single integer may have.
     pub bits: u64,
-    /// How deeply functions may call each other.
+    /// How deeply functions may call each other, at most [`MOST_DEPTH`].
     pub depth: usize,
     /// Set by somebody else to stop the computation.
     pub interrupt: Arc<AtomicBool>,
@@ -92,6 +92,9 @@ impl Default for Limits {
 
 /// Nested calls allowed where nothing else is said, also outside of [`run`].
 const DEFAULT_DEPTH: usize = 400;
+
+/// Calls may not be nested deeper than this, whatever is asked for: each takes memory.
+pub const MOST_DEPTH: usize = 20_000;
 
 struct Active {
     limits: Limits,
@@ -192,7 +195,9 @@ pub fn spent() -> u64 {
 
 /// How deeply functions may call each other here.
 pub fn depth() -> usize {
-    ACTIVE.with(|slot| slot.borrow().as_ref().map_or(DEFAULT_DEPTH, |active| active.limits.depth))
+    ACTIVE.with(|slot| {
+        slot.borrow().as_ref().map_or(DEFAULT_DEPTH, |active| active.limits.depth.min(MOST_DEPTH))
+    })
 }
 
 /// Asks for room for a value of `count` terms.

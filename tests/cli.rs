@@ -425,6 +425,23 @@ fn names_of_arguments_are_those_of_the_user() {
 }
 
 #[test]
+fn depth_has_an_end() {
+    let ran = run(&["eval", "1 + 1", "--max-depth=1000000"]);
+    assert!(ran.err.contains("--max-depth") && ran.err.contains("20000"), "{}", ran.err);
+    assert_eq!(run(&["eval", "1 + 1", "--max-depth=20000"]).out, "2\n");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_printed_is_a_failure() {
+    for argument in ["--help", "--version"] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let status = crate::common::command(&[argument]).stdout(full).status().unwrap();
+        assert!(!status.success(), "{argument}");
+    }
+}
+
+#[test]
 fn a_time_limit_is_a_number_of_seconds() {
     for wrong in ["--timeout=-1", "--timeout=nan", "--timeout=inf", "--timeout=-inf", "--timeout=soon"] {
         let ran = run(&["eval", "1 + 1", wrong]);

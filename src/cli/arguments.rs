@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use super::figure_arguments::FigureArguments;
 use super::notes_arguments::Notes;
-use crate::budget::Limits;
+use crate::budget::{Limits, MOST_DEPTH};
 use crate::language::value::{Language, Notation};
 use crate::language::write::Format;
 use crate::math::blossom::Method;
@@ -62,8 +62,9 @@ pub(super) struct Global {
     /// Number of terms a value may have
     #[arg(long, global = true, default_value_t = 4_000_000, value_name = "N")]
     pub max_terms: u64,
-    /// How deeply functions may call each other
-    #[arg(long, global = true, default_value_t = 400, value_name = "N")]
+    /// How deeply functions may call each other, at most 20000 (each call takes memory)
+    #[arg(long, global = true, default_value_t = 400, value_name = "N",
+        value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(..=MOST_DEPTH as u64))]
     pub max_depth: usize,
 }
 

@@ -20,6 +20,7 @@ mod watch;
 mod weave;
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -95,9 +96,9 @@ pub fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(mut error) => {
             advise(&mut error);
-            let failed = error.use_stderr();
-            // Nothing better can be done when even the message cannot be printed.
-            let _ = error.print();
+            // Help that cannot be printed is a failure; nothing better can be done about a message.
+            let printed = error.print().and_then(|()| std::io::stdout().flush());
+            let failed = error.use_stderr() || printed.is_err();
             return ExitCode::from(if failed { Status::Failed as u8 } else { Status::Fine as u8 });
         }
     };

@@ -16,6 +16,7 @@ use super::commands;
 use super::output::{Output, Trouble};
 use super::repl_helper::Helper;
 use super::waiting::Waiting;
+use crate::budget::MOST_DEPTH;
 use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind};
@@ -289,7 +290,8 @@ impl Repl<'_> {
                 self.session.limits.terms = rest.parse().map_err(|_| usage(":max-terms N"))?;
             }
             "max-depth" => {
-                self.session.limits.depth = rest.parse().map_err(|_| usage(":max-depth N"))?;
+                let depth = rest.parse().ok().filter(|depth| *depth <= MOST_DEPTH);
+                self.session.limits.depth = depth.ok_or_else(|| usage(":max-depth N with N up to 20000"))?;
             }
             "vars" => self.vars()?,
             "forget" => {

@@ -17,7 +17,7 @@ use num_traits::{Signed, Zero};
 
 use crate::budget;
 use crate::math::poly::Coefficients;
-use crate::math::ring::{Field, Ring};
+use crate::math::ring::Ring;
 
 /// What a piecewise polynomial is outside of its breakpoints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -303,12 +303,38 @@ impl<C: Ring> Piecewise<C> {
 }
 
 /// i with `breaks[i]` ≤ t < `breaks[i+1]`, these two different; the end of the last such
-/// interval belongs to it. Cost: at most one comparison for each breakpoint.
+/// interval belongs to it. Cost: O(log) comparisons among numbers, else at most one for each breakpoint.
 ///
 /// # Errors
 /// [`PiecewiseError::OutsideDomain`], and [`PiecewiseError::Unordered`] if the place depends on
 /// symbols. A breakpoint equal to t is found also among symbols.
 pub fn interval_of<C: Ring>(breaks: &[C], t: &C) -> Result<usize, PiecewiseError> {
+    by_bisection(breaks, t).unwrap_or_else(|| by_comparing_all(breaks, t))
+}
+
+/// `None` if a comparison on the way depends on symbols.
+fn by_bisection<C: Ring>(breaks: &[C], t: &C) -> Option<Result<usize, PiecewiseError>> {
+    let last = breaks.len() - 1;
+    let t = &t.as_rational()?;
+    let at_most = |i: usize| Some(breaks[i].as_rational()? <= *t);
+    if !at_most(0)? || breaks[last].as_rational()? < *t {
+        return Some(Err(PiecewiseError::OutsideDomain));
+    }
+    if at_most(last)? {
+        let before_end = breaks.iter().rposition(|x| *x != breaks[last]);
+        return Some(before_end.ok_or(PiecewiseError::OutsideDomain));
+    }
+    // breaks[low] ≤ t < breaks[high]
+    let (mut low, mut high) = (0, last);
+    while high - low > 1 {
+        budget::step();
+        let middle = low + (high - low) / 2;
+        if at_most(middle)? { low = middle } else { high = middle }
+    }
+    Some(Ok(low))
+}
+
+fn by_comparing_all<C: Ring>(breaks: &[C], t: &C) -> Result<usize, PiecewiseError> {
     let last = breaks.len() - 1;
     // A parameter that equals a breakpoint needs no order.
     if let Some(at) = breaks.iter().rposition(|x| x == t) {
@@ -341,8 +367,6 @@ pub fn interval_of<C: Ring>(breaks: &[C], t: &C) -> Result<usize, PiecewiseError
     Err(PiecewiseError::Unordered)
 }
 
-impl<C: Field> Piecewise<C> {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -370,6 +394,18 @@ mod tests {
         assert_eq!(hat.derivative(1).smoothness(1), None);
         assert_eq!(hat.antiderivative().derivative(1).pieces(), hat.pieces());
         assert_eq!(hat.antiderivative().value(&z(3)), Err(PiecewiseError::OutsideDomain));
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn bisection_agrees_with_comparing_all(
+            steps in proptest::collection::vec(0i64..3, 1..12), p in -3i64..30, half in proptest::bool::ANY,
+        ) {
+            let mut end = 0;
+            let breaks: Vec<Rational> = steps.iter().map(|s| { end += s; z(end) }).collect();
+            let t = if half { q(2 * p + 1, 2) } else { z(p) };
+            assert_eq!(by_bisection(&breaks, &t), Some(by_comparing_all(&breaks, &t)));
+        }
     }
 
     #[test]

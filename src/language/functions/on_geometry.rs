@@ -293,7 +293,8 @@ fn compose(args: &Arguments) -> Evaluated {
         }
         _ => Interval::unit(),
     };
-    let inner = crate::math::blossom::PolarForm::with_degree(&inner, inner.len() - 1).map_err(polar_error)?;
+    let degree = inner.len() - 1;
+    let inner = crate::math::blossom::PolarForm::with_degree(inner, degree).map_err(polar_error)?;
     curve.compose(&inner, interval).map(|c| bezier(c, form)).map_err(curve_error)
 }
 

@@ -48,7 +48,7 @@ pub(super) const POLAR: Builtin = Builtin {
         })?;
         let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
         let degree = args.optional_size(1)?.unwrap_or(own);
-        let form = PolarForm::with_degree(&given.coefficients, degree)
+        let form = PolarForm::with_degree(given.coefficients, degree)
             .map_err(|error| polar_error(error).hint(format!("use degree={own} or more")))?;
         Ok(univariate(form, given.variable))
     },
@@ -406,7 +406,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let expression = args.scalar(0)?;
             let names = symbols(args, 1)?;
             let given = args.univariate(2)?;
-            let form = PolarForm::with_degree(&given.coefficients, names.len()).map_err(polar_error)?;
+            let form = PolarForm::with_degree(given.coefficients, names.len()).map_err(polar_error)?;
             let polar = Polar { kind: PolarKind::Univariate(form), variables: vec![given.variable] };
             let arrangement = Arrangement::new(vec![names.into_iter().map(|s| vec![s]).collect()]);
             let lines = laws_report(&polar, &expression, &arrangement);

@@ -88,8 +88,8 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let given = args.univariate(0)?;
             let own = given.coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
-            let form = crate::math::blossom::PolarForm::with_degree(&given.coefficients, own)
-                .map_err(polar_error)?;
+            let form =
+                crate::math::blossom::PolarForm::with_degree(given.coefficients, own).map_err(polar_error)?;
             let knots = knots_at(args, 1, 2)?;
             let s = BSpline::of_polynomial(knots, &[form]).map_err(spline_error).at(args.span(0))?;
             Ok(spline(s, Form { scalar: true, rational: false }))

@@ -165,7 +165,7 @@ pub(crate) fn triangular(indices: &[usize], at: &[Fraction]) -> Fraction {
 pub(crate) fn symmetric_mean(i: usize, at: &[Fraction]) -> Result<Fraction, PolarError> {
     let mut power = vec![Fraction::zero(); i];
     power.push(Fraction::one());
-    PolarForm::with_degree(&power, at.len())?.value(at)
+    PolarForm::with_degree(power, at.len())?.value(at)
 }
 
 /// The mean of the products of i arguments and of the complements 1 − t_j of the others: the polar
@@ -180,7 +180,7 @@ pub(crate) fn complementary_mean(i: usize, at: &[Fraction]) -> Result<Fraction, 
         let weight = Rational::from_integer(binomial(others, j));
         Fraction::from_rational(&if j % 2 == 0 { weight } else { -weight })
     }));
-    PolarForm::with_degree(&polynomial, at.len())?.value(at)
+    PolarForm::with_degree(polynomial, at.len())?.value(at)
 }
 
 /// The B-spline over the given distinct knots on the interval with a number, counted from 0 at its

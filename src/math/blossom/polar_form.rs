@@ -162,13 +162,13 @@ impl<C: Ring> PolarForm<C> {
     /// let f = PolarForm::with_degree(&t, 3).unwrap(); // (t1 + t2 + t3)/3
     /// assert_eq!(f.value(&[integer(1), integer(2), integer(6)]), Ok(integer(3)));
     /// ```
-    pub fn with_degree(coefficients: &[C], degree: usize) -> Result<Self, PolarError> {
-        let polynomial = coefficients.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+    pub fn with_degree(coefficients: impl Into<Vec<C>>, degree: usize) -> Result<Self, PolarError> {
+        let mut list = coefficients.into();
+        let polynomial = list.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
         if polynomial > degree {
             return Err(PolarError::DegreeTooSmall { polynomial, asked: degree });
         }
         crate::budget::charge_terms(degree as u64 + 1);
-        let mut list: Vec<C> = coefficients.iter().take(polynomial + 1).cloned().collect();
         list.resize(degree + 1, C::zero());
         Ok(PolarForm { coefficients: list })
     }

@@ -6,6 +6,7 @@
 //! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); G. Farin, *Curves and
 //! Surfaces for CAGD*, 5th ed. (2002), chapters 4–6.
 
+use super::integers;
 use super::{CurveError, Interval, Point, PolarValue, Vector, combination, dimension, lerp};
 use crate::budget;
 use crate::math::basis::raising;
@@ -41,6 +42,12 @@ impl<C> Tableau<C> {
     pub fn result(&self) -> &Point<C> {
         &self.levels[self.levels.len() - 1][0]
     }
+}
+
+/// Points from their coordinates.
+fn points_of<C: Ring>(columns: &[Vec<Rational>]) -> Vec<Point<C>> {
+    let count = columns.first().map_or(0, Vec::len);
+    (0..count).map(|i| columns.iter().map(|column| C::from_rational(&column[i])).collect()).collect()
 }
 
 impl<C: Field> BezierCurve<C> {
@@ -194,16 +201,45 @@ impl<C: Field> BezierCurve<C> {
         Ok(Tableau { levels, labels })
     }
 
-    /// The parts over [a, t] and [t, b]. Cost: one de Casteljau tableau.
+    /// The parts over [a, t] and [t, b]. Cost: n²/2 affine combinations, over Q on integers.
     ///
     /// # Errors
     /// [`CurveError::EmptyInterval`] if t is one of the ends.
     pub fn subdivide(&self, t: &C) -> Result<(Self, Self), CurveError> {
         let (before, after) = self.interval.split(t)?;
-        let tableau = self.tableau(&vec![t.clone(); self.degree()])?;
-        let left = tableau.levels.iter().map(|level| level[0].clone()).collect();
-        let right = tableau.levels.iter().rev().map(|level| level[level.len() - 1].clone()).collect();
+        let s = self.interval.local(t);
+        let of_numbers = s.as_rational().and_then(|s| {
+            let parts = self.columns_of_numbers()?.into_iter().map(|column| integers::split(&column, &s));
+            let (left, right): (Vec<_>, Vec<_>) = parts.unzip();
+            Some((points_of(&left), points_of(&right)))
+        });
+        let (left, right) = of_numbers.unwrap_or_else(|| self.split_by_steps(&s));
         Ok((BezierCurve::new(left, before)?, BezierCurve::new(right, after)?))
+    }
+
+    /// The first and the last point of each level of de Casteljau's algorithm.
+    pub(super) fn split_by_steps(&self, s: &C) -> (Vec<Point<C>>, Vec<Point<C>>) {
+        let mut level = self.points.clone();
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        loop {
+            budget::steps(level.len() as u32);
+            left.push(level[0].clone());
+            right.push(level[level.len() - 1].clone());
+            if level.len() == 1 {
+                right.reverse();
+                return (left, right);
+            }
+            level = level.windows(2).map(|pair| lerp(&pair[0], &pair[1], s)).collect();
+        }
+    }
+
+    /// Each coordinate of all points, if they are numbers and there are any.
+    fn columns_of_numbers(&self) -> Option<Vec<Vec<Rational>>> {
+        if self.dimension() == 0 {
+            return None;
+        }
+        let column = |k: usize| self.points.iter().map(|point| point[k].as_rational()).collect();
+        (0..self.dimension()).map(column).collect()
     }
 
     /// The parts between consecutive parameters a, t_1, …, t_k, b.
@@ -254,8 +290,17 @@ impl<C: Field> BezierCurve<C> {
     }
 
     /// The same curve with `by` more control points. Cost: one product for each entry of the
-    /// raising matrix.
+    /// raising matrix; over Q one product of integer polynomials.
     pub fn elevate(&self, by: usize) -> Self {
+        budget::charge_terms((self.points.len() as u64).saturating_add(by as u64));
+        if let Some(columns) = self.columns_of_numbers() {
+            let raised: Vec<_> = columns.iter().map(|column| integers::elevated(column, by)).collect();
+            return BezierCurve { points: points_of(&raised), interval: self.interval.clone() };
+        }
+        self.elevate_by_matrix(by)
+    }
+
+    pub(super) fn elevate_by_matrix(&self, by: usize) -> Self {
         let n = self.degree();
         let matrix = raising(n, n + by).expect("the degree does not fall");
         let points = (0..=n + by).map(|i| {

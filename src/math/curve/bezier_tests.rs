@@ -65,6 +65,14 @@ proptest! {
             prop_assert_eq!(&left, &c.part(c.interval().start(), &r).unwrap());
             prop_assert_eq!(&right, &c.part(&r, c.interval().end()).unwrap());
         }
+        // numbers go another way than symbols
+        let s = c.interval().local(&r);
+        if let Ok((left, right)) = c.subdivide(&r) {
+            prop_assert_eq!((left.points, right.points), c.split_by_steps(&s));
+        }
+        for by in 0..4 {
+            prop_assert_eq!(c.elevate(by).points, c.elevate_by_matrix(by).points);
+        }
         let raised = c.elevate(3);
         prop_assert_eq!(raised.value(&t), value.clone());
         prop_assert_eq!(raised.reduce(3).unwrap(), c.clone());
@@ -186,4 +194,13 @@ fn what_is_wrong_is_said() {
     assert_eq!(point.value(&z(9)), [z(3)]);
     assert_eq!(point.contains(&q(1, 2)), Some(true));
     assert_eq!(point.contains(&z(2)), Some(false));
+}
+
+#[test]
+fn curves_without_coordinates_keep_their_points() {
+    let empty: Vec<Point<Rational>> = vec![Vec::new().into(), Vec::new().into()];
+    let c = Curve::new(empty, Interval::unit()).unwrap();
+    assert_eq!(c.elevate(2).degree(), 3);
+    let (left, right) = c.subdivide(&q(1, 2)).unwrap();
+    assert_eq!((left.degree(), right.degree()), (1, 1));
 }

@@ -17,6 +17,7 @@ pub(crate) mod display;
 mod domain;
 mod edge;
 mod hull;
+mod integers;
 mod join;
 mod patch;
 mod patch_conversion;

@@ -8,7 +8,7 @@
 
 use super::{CurveError, Point};
 use crate::budget;
-use crate::math::number::{Int, Rational, binomial_row};
+use crate::math::number::{Int, Rational, binomial_row, over_one_denominator};
 use crate::math::ring::Ring;
 
 /// Puts in one argument: one level of de Casteljau's algorithm.
@@ -47,8 +47,7 @@ pub(super) fn value_of_numbers<C: Ring>(points: &[Point<C>], s: &C) -> Option<Po
     let coordinate = |k: usize| -> Option<C> {
         let numbers: Vec<Rational> =
             points.iter().map(|point| point[k].as_rational()).collect::<Option<_>>()?;
-        let scale = numbers.iter().fold(Int::ONE, |scale, x| num_integer::Integer::lcm(&scale, x.denom()));
-        let mut level: Vec<Int> = numbers.iter().map(|x| x.numer() * &scale.div_exact(x.denom())).collect();
+        let (mut level, scale) = over_one_denominator(&numbers);
         while level.len() > 1 {
             budget::steps(level.len() as u32);
             level = level.windows(2).map(|pair| &pair[0] * &rest + &pair[1] * &p).collect();

@@ -10,6 +10,7 @@
 
 use super::InterpolationError;
 use super::datum::{Datum, check, combination, distinct, divided, enough, reciprocal};
+use super::numbers::{self, numbers};
 use crate::budget;
 use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
@@ -82,10 +83,14 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
     }
 
     /// The power coefficients of L_0, …, L_n, each a list of n + 1, lowest first. Cost: 2n²
-    /// products.
+    /// products, for numbers of integers.
     pub fn basis_polynomials(&self) -> Vec<Vec<C>> {
-        let product = nodal_polynomial(&self.nodes);
         budget::charge_terms((self.nodes.len() as u64).saturating_mul(self.nodes.len() as u64));
+        if let (Some(nodes), Some(weights)) = (numbers(&self.nodes), numbers(&self.weights)) {
+            let lists = numbers::basis(&nodes, &weights);
+            return lists.iter().map(|list| list.iter().map(C::from_rational).collect()).collect();
+        }
+        let product = nodal_polynomial(&self.nodes);
         let polynomial = |(x, w): (&C, &C)| {
             let quotient = divided(&product, x).map_or_else(Vec::new, |(quotient, _)| quotient);
             quotient.iter().map(|c| c.times(w)).collect()
@@ -94,8 +99,18 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
     }
 
     /// The n + 1 power coefficients of p, lowest first; leading ones may be zero. Cost: 3n²
-    /// products.
+    /// products; for numbers O(M(B) log n) for B bits in all, M the cost of a product.
     pub fn to_power(&self) -> Vec<V> {
+        if let (Some(nodes), Some(weights)) = (numbers(&self.nodes), numbers(&self.weights))
+            && let Some(power) = numbers::combination(&nodes, &weights, &self.values)
+        {
+            return power;
+        }
+        self.to_power_by_basis()
+    }
+
+    /// The same for coefficients in any field.
+    pub(super) fn to_power_by_basis(&self) -> Vec<V> {
         let basis = self.basis_polynomials();
         let coefficient = |i: usize| {
             combination(basis.iter().map(|p| &p[i]).zip(&self.values)).expect("there is at least one node")
@@ -142,6 +157,13 @@ pub fn barycentric_weights<C: Field>(nodes: &[C]) -> Result<Vec<C>, Interpolatio
 }
 
 fn weights_of<C: Field>(nodes: &[C]) -> Vec<C> {
+    match numbers(nodes) {
+        Some(nodes) => numbers::weights(&nodes).iter().map(C::from_rational).collect(),
+        None => weights_by_differences(nodes),
+    }
+}
+
+pub(super) fn weights_by_differences<C: Field>(nodes: &[C]) -> Vec<C> {
     let weight = |(j, x): (usize, &C)| {
         let mut product = C::one();
         for (k, other) in nodes.iter().enumerate() {

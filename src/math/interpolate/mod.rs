@@ -31,6 +31,7 @@ mod lagrange;
 mod least_squares;
 mod neville;
 mod newton;
+mod numbers;
 mod parameters;
 mod remainder;
 mod spline;

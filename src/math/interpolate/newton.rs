@@ -17,6 +17,7 @@ use super::InterpolationError;
 use super::datum::{
     Datum, as_many, check, enough, fitting, over_factorial, reciprocal, same_dimension, times_linear,
 };
+use super::numbers;
 use crate::budget;
 use crate::math::ring::{Field, Ring};
 
@@ -244,8 +245,18 @@ impl<C: Ring, V: Datum<C>> NewtonForm<C, V> {
         })
     }
 
-    /// The n + 1 power coefficients, lowest first; leading ones may be zero. Cost: n²/2 products.
+    /// The n + 1 power coefficients, lowest first; leading ones may be zero. Cost: n²/2 products;
+    /// for numbers O(M(B) log n) for B bits in all, M the cost of a product.
     pub fn to_power(&self) -> Vec<V> {
+        let numbers = numbers::numbers(&self.nodes);
+        if let Some(power) = numbers.and_then(|nodes| numbers::from_newton(&nodes, &self.coefficients)) {
+            return power;
+        }
+        self.to_power_by_steps()
+    }
+
+    /// The same for coefficients in any ring.
+    pub(super) fn to_power_by_steps(&self) -> Vec<V> {
         let n = self.nodes.len();
         let rest = self.nodes.iter().zip(&self.coefficients).rev();
         rest.fold(vec![self.coefficients[n].clone()], |power, (node, c)| {

@@ -189,7 +189,7 @@ proptest! {
         let ends = [(a.clone(), left.clone()), (b.clone(), right.clone())];
         let given: Vec<_> = ends.into_iter().filter(|(_, values)| !values.is_empty()).collect();
         let power = DividedDifferences::hermite(&given).unwrap().newton_form().to_power();
-        let form = PolarForm::with_degree(&power, points.len() - 1).unwrap();
+        let form = PolarForm::with_degree(power.clone(), points.len() - 1).unwrap();
         prop_assert_eq!(&points, &form.bezier_points(&a, &b));
         if !left.is_empty() {
             prop_assert_eq!(end_derivatives(&a, &b, &points, left.len() - 1).unwrap(), left);
@@ -369,4 +369,37 @@ fn errors_name_the_offender() {
     assert_eq!(end_derivatives(&z(0), &z(1), &[z(0)], 1), Err(E::TooFewPoints { needed: 2, given: 1 }));
     assert!(NewtonForm::new(vec![z(1)], vec![z(1)]).is_err());
     assert!(Remainder::<Rational>::new(&[], &[z(0)]).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    /// Numbers go another way than symbols; both give the same.
+    #[test]
+    fn numbers_agree_with_the_general_way(
+        nodes in prop::collection::btree_set((-40i64..40, 1i64..7).prop_map(|(p, d)| q(p, d)), 1..14),
+        draws in prop::collection::vec((-99i64..99, 1i64..9), 28),
+    ) {
+        let nodes: Vec<Rational> = nodes.into_iter().collect();
+        let values: Vec<Rational> = draws.iter().take(nodes.len()).map(|(p, d)| q(*p, *d)).collect();
+        let points: Vec<Vec<Rational>> =
+            draws.chunks(2).take(nodes.len()).map(|pair| pair.iter().map(|(p, d)| q(*p, *d)).collect()).collect();
+        prop_assert_eq!(barycentric_weights(&nodes).unwrap(), lagrange::weights_by_differences(&nodes));
+        let form = LagrangeForm::new(&nodes, &values).unwrap();
+        let power = form.to_power();
+        prop_assert_eq!(&power, &form.to_power_by_basis());
+        prop_assert_eq!(power.len(), nodes.len());
+        for (x, y) in nodes.iter().zip(&values) {
+            prop_assert_eq!(value_of(&power, x).unwrap(), y.clone());
+        }
+        let newton = DividedDifferences::new(&nodes, &values).unwrap().newton_form();
+        prop_assert_eq!(newton.to_power(), newton.to_power_by_steps());
+        prop_assert_eq!(newton.to_power(), power);
+        let curve = LagrangeForm::new(&nodes, &points).unwrap();
+        prop_assert_eq!(curve.to_power(), curve.to_power_by_basis());
+        for (polynomial, k) in form.basis_polynomials().iter().zip(0..) {
+            for (x, j) in nodes.iter().zip(0..) {
+                prop_assert_eq!(value_of(polynomial, x).unwrap(), z(i64::from(j == k)));
+            }
+        }
+    }
 }

@@ -243,3 +243,67 @@ fn limits_stop_elimination() {
     let limits = Limits { terms: 100, ..Limits::default() };
     assert!(matches!(crate::budget::run(&limits, || rank(&a)), Err(Stop::Terms { .. })));
 }
+
+/// What elimination says, whatever `solve` prefers.
+fn by_elimination(a: &DMatrix<Rational>, b: &DMatrix<Rational>) -> DMatrix<Rational> {
+    let reduced = Reduced::new(a, Some(b));
+    let columns = (a.ncols()..a.ncols() + b.ncols()).flat_map(|column| reduced.coordinates(column));
+    DMatrix::from_vec(a.ncols(), b.ncols(), columns.collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    #[test]
+    fn faster_ways_agree_with_elimination(
+        a in (1usize..13).prop_flat_map(|n| matrix(Just(n), Just(n), entry().boxed())), shape in 0..4, k in 0usize..4,
+    ) {
+        let n = a.nrows();
+        let kept = |i: usize, j: usize| match shape { 0 => i >= j, 1 => i <= j, _ => true };
+        let a = DMatrix::from_fn(n, n, |i, j| match (kept(i, j), i == j) {
+            (false, _) => Rational::zero(),
+            // mostly regular
+            (true, true) if a[(i, j)].is_zero() && shape < 3 => integer(-2),
+            (true, _) => a[(i, j)].clone(),
+        });
+        let b = DMatrix::from_fn(n, k, |i, j| a[(j % n, i)].plus(&rational(i as i64, j as i64 + 1)));
+        match solve(&a, &b) {
+            Ok(x) => {
+                prop_assert_eq!(multiply(&a, &x), Ok(b.clone()));
+                prop_assert_eq!(x, by_elimination(&a, &b));
+                prop_assert_eq!(rank(&a), n);
+            }
+            Err(error) => {
+                prop_assert_eq!(rank(&a), match error { LinalgError::Singular { rank, .. } => rank, _ => n });
+                prop_assert!(rank(&a) < n);
+            }
+        }
+    }
+}
+
+/// Entries of one word, of many words, and a determinant that the prime of the lifting divides.
+#[test]
+fn large_systems() {
+    let prime = crate::math::number::primes().next().unwrap().p;
+    for (n, size) in [(20usize, 1u32), (12, 9)] {
+        let entry = |i: usize, j: usize| {
+            let x = (7 * i * i + 13 * j * j * j + 5 * i * j + 1) % 199;
+            integer(x as i64 - 99).powered(size)
+        };
+        let a = DMatrix::from_fn(n, n, entry);
+        let b = DMatrix::from_fn(n, 2, |i, j| rational(i as i64 - 5, j as i64 + 3));
+        assert_eq!(solve(&a, &b).unwrap(), by_elimination(&a, &b));
+        let scaled = DMatrix::from_fn(n, n, |i, j| {
+            if i == 0 { &a[(i, j)] + Rational::from_integer(Int::from(prime)) } else { a[(i, j)].clone() }
+        });
+        let first = DMatrix::from_fn(n, n, |i, j| {
+            if i == 0 { scaled[(0, j)].clone() - &a[(0, j)] } else { a[(i, j)].clone() }
+        });
+        assert_eq!(solve(&scaled, &b).unwrap(), by_elimination(&scaled, &b));
+        match solve(&first, &b) {
+            Ok(x) => assert_eq!(x, by_elimination(&first, &b)),
+            Err(error) => assert!(matches!(error, LinalgError::Singular { .. })),
+        }
+    }
+    let singular = DMatrix::from_fn(11, 11, |i, j| integer((i + j) as i64));
+    assert_eq!(inverse(&singular), Err(LinalgError::Singular { size: 11, rank: 2, column: 2 }));
+}

@@ -8,12 +8,14 @@ mod combinatorics;
 mod int;
 mod lehmer;
 mod literal;
+mod modular;
 mod root;
 
 pub use combinatorics::{Combinations, binomial, binomial_row, factorial, multinomial};
 pub use int::Int;
 pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal};
+pub(crate) use modular::{Modulus, primes};
 pub use root::exact_root;
 
 /// An exact rational number in lowest terms with positive denominator.
@@ -35,4 +37,10 @@ pub fn rational(p: i64, q: i64) -> Rational {
 /// The integer `p` as a rational.
 pub fn integer(p: i64) -> Rational {
     Rational::from_integer(Int::from(p))
+}
+
+/// The numbers as integers over their least common denominator.
+pub(crate) fn over_one_denominator(numbers: &[Rational]) -> (Vec<Int>, Int) {
+    let scale = numbers.iter().fold(Int::ONE, |scale, x| num_integer::Integer::lcm(&scale, x.denom()));
+    (numbers.iter().map(|x| x.numer() * &scale.div_exact(x.denom())).collect(), scale)
 }

@@ -71,10 +71,18 @@ pub struct MultiPoly {
     pub(super) den: Int,
 }
 
+/// One empty list for all constants of a thread.
+fn no_variables() -> Arc<[Symbol]> {
+    thread_local! {
+        static NONE: Arc<[Symbol]> = Arc::from([]);
+    }
+    NONE.with(Arc::clone)
+}
+
 impl MultiPoly {
     /// 0
     pub fn zero() -> Self {
-        MultiPoly { vars: Arc::from([]), terms: Vec::new(), den: Int::ONE }
+        MultiPoly { vars: no_variables(), terms: Vec::new(), den: Int::ONE }
     }
 
     /// The constant polynomial c.
@@ -83,7 +91,7 @@ impl MultiPoly {
             return MultiPoly::zero();
         }
         let (numerator, den) = c.into_raw();
-        MultiPoly { vars: Arc::from([]), terms: vec![(Exponents::new(), numerator)], den }
+        MultiPoly { vars: no_variables(), terms: vec![(Exponents::new(), numerator)], den }
     }
 
     /// The polynomial that is just a symbol.

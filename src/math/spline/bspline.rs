@@ -4,6 +4,7 @@ use super::{KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
 use crate::math::curve::{BezierCurve, Interval, Point, PolarValue, Tableau, dimension, lerp};
+use crate::math::number::Rational;
 use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::ring::Field;
 
@@ -136,20 +137,44 @@ impl<C: Field> BSpline<C> {
 
     /// f_j(u_1, …, u_n): the polar form of the piece on [t_j, t_{j+1}], by de Boor's scheme.
     ///
-    /// Cost: n²/2 affine combinations.
+    /// Cost: n²/2 affine combinations, of integers over one denominator if everything is a number.
     ///
     /// # Errors
     /// [`SplineError::NoDomain`] unless j is one of [`KnotVector::spans`];
     /// [`crate::math::curve::CurveError::Arguments`] unless there are n arguments.
     pub fn blossom(&self, span: usize, arguments: &[Argument<C>]) -> Result<PolarValue<C>, SplineError> {
         self.check(span, arguments.len())?;
+        let value = self.blossom_of_numbers(span, arguments);
+        let value = value.unwrap_or_else(|| self.blossom_by_steps(span, arguments));
+        Ok(PolarValue::of(value, arguments))
+    }
+
+    /// `None` unless everything is a number.
+    fn blossom_of_numbers(&self, span: usize, arguments: &[Argument<C>]) -> Option<Point<C>> {
+        let number = |argument: &Argument<C>| match argument {
+            Argument::Point(u) => u.as_rational(),
+            Argument::Vector(_) => None,
+        };
+        let arguments: Vec<Rational> = arguments.iter().map(number).collect::<Option<_>>()?;
+        let n = self.degree();
+        let knots: Vec<Rational> =
+            self.knots.knots()[span + 1 - n..=span + n].iter().map(C::as_rational).collect::<Option<_>>()?;
+        let coordinates = |point: &Point<C>| point.iter().map(C::as_rational).collect();
+        let points: Vec<Vec<Rational>> =
+            self.points[span - n..=span].iter().map(coordinates).collect::<Option<_>>()?;
+        let value = super::integers::de_boor(&knots, &points, &arguments);
+        Some(value.iter().map(C::from_rational).collect())
+    }
+
+    /// The same over any field.
+    pub(super) fn blossom_by_steps(&self, span: usize, arguments: &[Argument<C>]) -> Point<C> {
         let n = self.degree();
         let mut level = self.points[span - n..=span].to_vec();
         for (r, argument) in arguments.iter().enumerate() {
             budget::step();
             level = self.step(span, r, &level, argument);
         }
-        Ok(PolarValue::of(level.swap_remove(0), arguments))
+        level.swap_remove(0)
     }
 
     fn check(&self, span: usize, arguments: usize) -> Result<(), SplineError> {

@@ -1,14 +1,14 @@
-//! The recurrence of Cox and de Boor over integers, for knots that are numbers.
+//! The recurrence of Cox and de Boor and de Boor's scheme over integers, for knots that are numbers.
 //!
 //! With T = L t for the common denominator L of the knots all differences are integers. A piece is
 //! kept as integer numerators over one denominator; only the finished coefficients are reduced.
 //! That takes a few gcds for each piece instead of one for each coefficient and step.
 
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 use crate::budget;
-use crate::math::number::{Int, Rational};
+use crate::math::number::{Int, Rational, over_one_denominator};
 
 /// Numerators of the powers of T over a denominator; no numerators for the zero function.
 #[derive(Clone, Default)]
@@ -64,11 +64,42 @@ impl Piece {
     }
 }
 
+/// f(u_1, …, u_n) by de Boor's scheme, from the 2n knots t_{j−n+1}, …, t_{j+n} around the interval
+/// [t_j, t_{j+1}] and its n + 1 control points.
+///
+/// All points of a level have one denominator, the least common multiple of the widths there joined
+/// to the one before. Cost: n² products for each coordinate, one gcd for each.
+pub(super) fn de_boor(knots: &[Rational], points: &[Vec<Rational>], arguments: &[Rational]) -> Vec<Rational> {
+    let n = arguments.len();
+    let all: Vec<Rational> = knots.iter().chain(arguments).cloned().collect();
+    let (integers, _) = over_one_denominator(&all);
+    let (knots, arguments) = integers.split_at(knots.len());
+    let size = points[0].len();
+    let flat: Vec<Rational> = points.iter().flatten().cloned().collect();
+    let (mut level, mut denominator) = over_one_denominator(&flat);
+    for (r, u) in arguments.iter().enumerate() {
+        budget::step();
+        // Point i lies over [t_lo, t_hi] with lo = r + i among these knots.
+        let ends = |i: usize| (&knots[r + i], &knots[n + i]);
+        let widths: Vec<Int> = (0..n - r).map(|i| ends(i).1 - ends(i).0).collect();
+        let common = widths.iter().fold(Int::ONE, |common, width| common.lcm(width));
+        let mut next = Vec::with_capacity((n - r) * size);
+        for (i, width) in widths.iter().enumerate() {
+            let unit = common.div_exact(width);
+            let (low, high) = (&unit * (ends(i).1 - u), &unit * (u - ends(i).0));
+            for k in i * size..(i + 1) * size {
+                next.push(&level[k] * &low + &level[k + size] * &high);
+            }
+        }
+        level = next;
+        denominator *= common;
+    }
+    level.into_iter().map(|x| Rational::new(x, denominator.clone())).collect()
+}
+
 /// All functions of degree n over these knots: power coefficients on each interval of the support.
 pub(super) fn recurrence(knots: &[Rational], n: usize) -> Vec<Vec<Vec<Rational>>> {
-    let scale = knots.iter().fold(Int::one(), |scale, knot| scale.lcm(knot.denom()));
-    let whole = |knot: &Rational| knot.numer() * &scale.div_exact(knot.denom());
-    let knots: Vec<Int> = knots.iter().map(whole).collect();
+    let (knots, scale) = over_one_denominator(knots);
     let unit = |pair: &[Int]| match pair[0] == pair[1] {
         true => Piece::default(),
         false => Piece { numerators: vec![Int::ONE], denominator: Int::ONE },
