@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Quotient, Sign, Term};
-use crate::judge::evaluator;
+use crate::judge::{asked, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals, Outcome};
 use crate::language::value::{Value, symbol_expr};
@@ -155,8 +155,11 @@ impl Session {
     pub fn evaluate(&mut self, statement: &mut Expr, equals: Equals) -> Result<Outcome, Diagnostic> {
         let mut env = self.env.clone();
         let limits = self.limits.clone();
-        let outcome = guarded(&limits, || evaluator::evaluate(statement, &mut env, equals))
-            .map_err(|problem| complete(problem, statement.span))?;
+        let outcome = guarded(&limits, || {
+            let outcome = evaluator::evaluate(statement, &mut env, equals);
+            asked::refined(statement, &self.env, outcome)
+        })
+        .map_err(|problem| complete(problem, statement.span))?;
         if outcome.defined.is_none() {
             env.set(Symbol::new("ans"), outcome.value.clone().plain());
         }

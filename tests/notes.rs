@@ -272,6 +272,56 @@ fn pages_mean_what_they_say() {
             red,
         ),
         ("For all $x$ we have $(1+x)^3\\ge 1+3x$.", silent),
+        ("For $t=0$ we get $(1-t)^2=1$.\n\n## More\n\nAlways $(1-t)^2=1$.", red),
+        ("For all $t$ we have $(1-t)^2=1-2t+t^2$.", green),
+        ("Solving $x^2=1$ is easy.", silent),
+        // What the field knows, under the words of the section.
+        (
+            "## Raising the degree\n\nA curve of degree $n$ has as one of degree $n+1$ the points $$c_i=\\frac{i}{n+1}b_{i-1}+\\frac{n+1-i}{n+1}b_i.$$",
+            green,
+        ),
+        (
+            "## Graderhöhung\n\nEine Kurve vom Grad $n$ hat als solche vom Grad $n+1$ die Punkte $$c_i=\\frac{i}{n}b_{i-1}+\\left(1-\\frac{i}{n}\\right)b_i.$$",
+            red,
+        ),
+        (
+            "## Élévation du degré\n\n$$\\hat b_i=\\left(1-\\frac{i}{n+1}\\right)b_{i-1}+\\frac{i}{n+1}b_i$$",
+            red,
+        ),
+        ("Let $$c_i=\\left(1-\\frac{i}{n+1}\\right)b_{i-1}+\\frac{i}{n+1}b_i.$$", silent),
+        ("Knot insertion for splines of degree $p$: $$\\alpha_i=\\frac{\\bar u-u_i}{u_{i+p}-u_i}.$$", green),
+        ("Knot insertion for splines of degree $p$: $$\\alpha_i=\\frac{\\bar u-u_i}{u_{i+p+1}-u_i}.$$", red),
+        (
+            "Splines, where $k$ is the order. In de Boor's algorithm $$\\alpha_i^r=\\frac{x-t_i}{t_{i+k-r}-t_i}.$$",
+            green,
+        ),
+        (
+            "Splines, where $k$ is the order. In de Boor's algorithm $$\\alpha_i^r=\\frac{x-t_i}{t_{i+k+1-r}-t_i}.$$",
+            red,
+        ),
+        (
+            "在升阶中，曲线的新控制点是 $$c_i=\\frac{i}{n+1}b_{i-1}+\\left(1-\\frac{i}{n+1}\\right)b_i。$$",
+            green,
+        ),
+        // Values in words.
+        (
+            "The knots $t_0,\\dots,t_7$ are $0,0,0,1,2,3,3,3$. The ratio is $\\frac{3/2-t_2}{t_4-t_2}=\\frac34$.",
+            green,
+        ),
+        (
+            "The knots $t_0,\\dots,t_7$ are $0,0,0,1,2,3,3,3$. The ratio is $\\frac{3/2-t_2}{t_4-t_2}=\\frac12$.",
+            red,
+        ),
+        ("With some knots $\\frac{3/2-t_2}{t_4-t_2}=\\frac12$.", silent),
+        ("The cubic $p$ has the control points $1,2,4,3$. Then $p'(0)=3$.", green),
+        ("The cubic $p$ has the control points $1,2,4,3$. Then $p'(1)=3$.", red),
+        // Sums and extreme values.
+        ("Let $p_{n,k}(x)=\\binom nk x^k(1-x)^{n-k}$. Then $\\sum_k k\\,p_{n,k}(x)=nx$.", green),
+        ("$$\\max_{0\\le t\\le1}B_1^2(t)=\\frac13$$", silent),
+        (
+            "Let $F$ be affine with polar form $f$, let $G$ be quadratic with polar form $g$. The product $H=FG$ is cubic, and $$h(a,b,c)=\\frac13(f(a)g(b,c)+f(b)g(a,c)+f(c)g(a,b)).$$",
+            green,
+        ),
         ("For all $x$ we have $(1+x)^2\\ge 1+2x$.", green),
         ("$B_i^n(t)\\ge 0$ for $0\\le t\\le 1$.", green),
         ("Is it true that $(a+b)^2=a^2+b^2$?", silent),

@@ -128,7 +128,7 @@ impl Checker {
             near: earlier.iter().filter(|condition| place.sees(&condition.place)).count(),
             earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
             reached,
-            knot_letters: self.context.knot_letters(place),
+            knot_letters: self.context.knot_letters(place, &sides),
         };
         Setting { chain, place, curve, facts: Rc::new(facts) }
     }

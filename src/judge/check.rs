@@ -13,7 +13,6 @@ use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use super::trial::Setting;
 use super::verdict::Judged;
-use super::words;
 use crate::budget::{self, Limits};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -101,7 +100,10 @@ impl Checker {
                 let limits = self.limits.clone();
                 let before = self.context.mark();
                 match budget::run(&limits, || self.chain(chain, statement)) {
-                    Ok(findings) => self.findings.extend(findings),
+                    Ok(mut findings) => {
+                        self.by_the_field(chain, statement, &mut findings, before);
+                        self.findings.extend(findings);
+                    }
                     Err(stop) => {
                         Rc::make_mut(&mut self.context).forget(before);
                         for at in 0..chain.relations.len() {
@@ -117,10 +119,14 @@ impl Checker {
     }
 
     /// Takes in what words say that names stand for.
-    fn object(&mut self, object: &Object, place: &Place) {
+    pub(super) fn object(&mut self, object: &Object, place: &Place) {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
+        for (head, value) in object.members() {
+            let span = value.span;
+            self.define(head, Body::Formula(value), &[], place, span);
+        }
     }
 
     /// A chain that its sentence assumes, asks for, or claims for cases that nothing describes.
@@ -255,7 +261,7 @@ impl Checker {
             }
             return findings;
         }
-        let curve = words::curve_spoken_of(&statement.recent);
+        let curve = statement.curve();
         let head = definable(&chain.sides[0].expr)
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| {
@@ -314,6 +320,7 @@ impl Checker {
                 && head.arguments.is_none()
                 && is_variable(&head.base)
                 && !matches!(statement.role, Some(Role::Introduced))
+                && !calls_something(&chain.sides[1].expr)
                 && !defines;
             if passing {
                 findings[0].verdict = Verdict::Definition;
@@ -325,6 +332,7 @@ impl Checker {
                 }
             } else {
                 self.definition(chain, head, place, &mut findings[0]);
+                self.convention(head, &chain.sides[1].expr, statement);
             }
             start = 1;
         }
@@ -333,6 +341,15 @@ impl Checker {
         {
             findings[0].verdict = Verdict::Definition;
             findings[0].reason = Some(format!("says what the derivative of {function} is"));
+            start = 1;
+        }
+        if start == 0
+            && head.is_none()
+            && chain.relations[0].0 == Rel::Eq
+            && let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr)
+            && let Some(Some(own)) = self.recursion(left, right, place)
+        {
+            self.definition(chain, &own, place, &mut findings[0]);
             start = 1;
         }
         if start == 0
@@ -570,6 +587,13 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
         return true;
     };
     is_variable(only) || is_index_letter(only) || inside.contains(only)
+}
+
+/// Whether a function is applied in a formula: s = x(1/2) is a point, t = i/n a parameter.
+fn calls_something(expr: &Expr) -> bool {
+    let mut found = false;
+    super::names::walk(expr, &mut |part| found |= matches!(part.kind, Kind::Apply(..)));
+    found
 }
 
 /// A finding for a relation, not judged yet.

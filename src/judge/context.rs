@@ -1,6 +1,8 @@
 //! What names mean, and where: the definitions and conditions met so far.
 
+use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
 
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
@@ -63,6 +65,15 @@ pub struct Context {
     pub letters: Letters,
     /// The numbers of the definitions and of the objects of each letter.
     named: HashMap<String, [Vec<usize>; 2]>,
+    /// What was last looked up: a chain asks for the same letters thousands of times.
+    seen: RefCell<Seen>,
+}
+
+/// The numbers of the definitions visible from a place, by their letters, each with whether it is near.
+#[derive(Clone, Debug, Default)]
+struct Seen {
+    place: Option<Place>,
+    letters: HashMap<String, Rc<[(usize, bool)]>>,
 }
 
 /// How much was known at some time.
@@ -244,6 +255,7 @@ impl Context {
 
     /// Adds a definition.
     pub fn define(&mut self, mut definition: Definition) {
+        self.seen.take();
         definition.head = self.with_pairs_apart(definition.head);
         let base = definition.head.base.clone();
         self.named.entry(base).or_default()[0].push(self.definitions.len());
@@ -252,6 +264,7 @@ impl Context {
 
     /// Adds what words say that names stand for.
     pub fn declare(&mut self, declared: Declared) {
+        self.seen.take();
         let bases: BTreeSet<String> =
             declared.object.names.iter().filter_map(|name| Some(Head::of(name)?.base)).collect();
         for base in bases {
@@ -269,6 +282,7 @@ impl Context {
     pub fn forget(&mut self, since: Mark) {
         let Mark([definitions, conditions, objects]) = since;
         if self.definitions.len() > definitions || self.objects.len() > objects {
+            self.seen.take();
             self.named.retain(|_, [own, others]| {
                 own.retain(|&number| number < definitions);
                 others.retain(|&number| number < objects);
@@ -280,10 +294,19 @@ impl Context {
         self.objects.truncate(objects);
     }
 
-    /// The objects of a letter, the latest first.
-    pub fn objects_of(&self, base: &str) -> impl DoubleEndedIterator<Item = &Declared> + Clone {
+    fn spoken(&self, base: &str) -> impl DoubleEndedIterator<Item = &Declared> + Clone {
         let numbers = self.named.get(base).map_or(&[][..], |[_, numbers]| numbers);
         numbers.iter().rev().map(|&number| &self.objects[number])
+    }
+
+    /// The objects of a letter, the latest first.
+    pub fn objects_of(&self, base: &str) -> impl DoubleEndedIterator<Item = &Declared> + Clone {
+        self.spoken(base).filter(|declared| !declared.object.is_size())
+    }
+
+    /// Where words say that a letter is a degree or an order, the latest first.
+    pub fn sizes_of(&self, base: &str) -> impl Iterator<Item = &Declared> {
+        self.spoken(base).filter(|declared| declared.object.is_size())
     }
 
     /// Whether the second index of a B-spline N is its degree, which the page tells by where its recursion
@@ -301,22 +324,38 @@ impl Context {
 
     /// The definitions of a letter visible from a place, the nearest and latest first: their numbers,
     /// and whether they stand in the same section, example or quotation, or one around it.
-    pub fn visible<'a>(
-        &'a self,
-        base: &'a str,
-        place: &'a Place,
-    ) -> impl Iterator<Item = (usize, &'a Definition, bool)> + 'a {
-        let near = move |definition: &Definition| place.sees(&definition.place);
-        let all = move || {
-            let numbers = self.named.get(base).map_or(&[][..], |[numbers, _]| numbers);
-            let own = numbers.iter().rev().map(|&number| (number, &self.definitions[number]));
-            own.filter(move |(_, d)| place.in_reach(&d.place, d.assumed))
-        };
-        let first = all().filter(move |(_, d)| near(d)).map(|(i, d)| (i, d, true));
-        let second = all()
-            .filter(move |(_, d)| !near(d) && matches!(d.body, Body::Formula(_)))
-            .filter(move |(_, d)| !self.is_spoken_of_anew(base, &d.place, place))
-            .map(|(i, d)| (i, d, false));
-        first.chain(second)
+    pub fn visible(&self, base: &str, place: &Place) -> impl Iterator<Item = (usize, &Definition, bool)> {
+        let found = self.seen(base, place);
+        (0..found.len()).map(move |at| {
+            let (number, near) = found[at];
+            (number, &self.definitions[number], near)
+        })
+    }
+
+    /// As found the last time from this place, or anew: O(definitions of the letter).
+    fn seen(&self, base: &str, place: &Place) -> Rc<[(usize, bool)]> {
+        let mut seen = self.seen.borrow_mut();
+        if seen.place.as_ref() != Some(place) {
+            *seen = Seen { place: Some(place.clone()), letters: HashMap::new() };
+        } else if let Some(found) = seen.letters.get(base) {
+            return found.clone();
+        }
+        let numbers = self.named.get(base).map_or(&[][..], |[numbers, _]| numbers);
+        let alive = numbers.iter().rev().filter(|&&number| {
+            let definition = &self.definitions[number];
+            place.in_reach(&definition.place, definition.assumed)
+        });
+        let (close, far): (Vec<usize>, Vec<usize>) =
+            alive.copied().partition(|&number| place.sees(&self.definitions[number].place));
+        let mut found: Vec<(usize, bool)> = close.into_iter().map(|number| (number, true)).collect();
+        let far = far.into_iter().filter(|&number| {
+            let definition = &self.definitions[number];
+            matches!(definition.body, Body::Formula(_))
+                && !self.is_spoken_of_anew(base, &definition.place, place)
+        });
+        found.extend(far.map(|number| (number, false)));
+        let found: Rc<[(usize, bool)]> = found.into();
+        seen.letters.insert(base.to_owned(), found.clone());
+        found
     }
 }

@@ -9,8 +9,10 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::context::{Body, Definition};
-use super::names::Head;
-use super::statement::Place;
+use super::names::{Head, bases};
+use super::object::{Object, Sort};
+use super::statement::{Place, Statement};
+use super::topic::Topic;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -21,6 +23,25 @@ fn read(statement: &str) -> Result<Expr, Diagnostic> {
 }
 
 impl Checker {
+    /// H = FG, where the section is on polar forms: h is that of H, as f and g are those of F and G.
+    pub(super) fn convention(&mut self, head: &Head, body: &Expr, statement: &Statement) {
+        let function = |base: &String| {
+            let object = self.context.object_called(base, &statement.place);
+            base.starts_with(char::is_uppercase) && object.is_some_and(|d| d.object.is_function())
+        };
+        let made = matches!(body.kind, Kind::Mul(_) | Kind::Add(_) | Kind::Compose(_));
+        let small = head.base.to_lowercase();
+        let whole = head.arguments.is_none() && head.lower.is_empty() && head.upper.is_empty();
+        let alike = whole && small != head.base && !head.base.contains(' ');
+        let free = self.context.object_called(&small, &statement.place).is_none();
+        if made && alike && free && statement.topics.has(Topic::PolarForm) && bases(body).iter().all(function)
+        {
+            let (names, of) = (vec![Expr::name(small)], Some(Expr::name(&head.base)));
+            let object = Object { names, of, ..Object::new(Sort::PolarForm) };
+            self.object(&object, &statement.place);
+        }
+    }
+
     /// Takes in declarations; `span` is their place in the file, if they stand there.
     pub fn declare(&mut self, text: &str, place: &Place, span: Option<Span>) {
         let text = text.trim();

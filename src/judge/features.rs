@@ -62,17 +62,24 @@ pub fn highest_derivative(side: &Expr) -> usize {
 /// Derivatives up to this order are given functions of sufficient degree.
 const HIGHEST_ORDER: usize = 12;
 
-/// Whether divided differences f[x_0, x_1] occur.
+/// Whether divided differences f[x_0, x_1] occur, none of them with a node that is repeated.
 pub fn has_divided_differences(sides: &[&Expr]) -> bool {
-    let mut found = false;
+    let (mut found, mut repeated) = (false, false);
     for side in sides {
         walk(side, &mut |part| {
-            if let Kind::Mul(factors) = &part.kind {
-                found |= factors.windows(2).any(|pair| bracket_beside_name(&pair[0], &pair[1]).is_some());
+            let Kind::Mul(factors) = &part.kind else { return };
+            for pair in factors.windows(2) {
+                let Some(before) = bracket_beside_name(&pair[0], &pair[1]) else { continue };
+                found = true;
+                if let Kind::List(nodes) = &pair[usize::from(!before)].kind {
+                    let same =
+                        |(at, node): (usize, &Expr)| nodes[..at].iter().any(|other| other.same_as(node));
+                    repeated |= nodes.iter().enumerate().any(same);
+                }
             }
         });
     }
-    found
+    found && !repeated
 }
 
 /// Whether functions of two groups of arguments occur: f(u_1, u_2; v_1, v_2).

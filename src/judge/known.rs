@@ -4,7 +4,7 @@
 use super::check::Checker;
 use super::context::{Body, Condition, Definition, is_variable};
 use super::model::{Curve, capital_of};
-use super::names::{Head, bases, has_members, is_index_letter, is_range, walk};
+use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_range, walk};
 use super::refute::calls;
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
@@ -36,7 +36,9 @@ pub fn definable(expr: &Expr) -> Option<Head> {
     {
         return None;
     }
-    if matches!(head.base.as_str(), "Delta" | "nabla" | "D") {
+    if matches!(head.base.as_str(), "Delta" | "nabla" | "D")
+        && (head.lower.is_empty() || head.arguments.is_some())
+    {
         return None;
     }
     // f(t_1, t_2, t_3) has places; f(t_2, t_3, t) is a value at knots.
@@ -260,9 +262,25 @@ impl Checker {
                 || calls(body, &head.base))
     }
 
+    /// Whether an equation is the only one for members of a family of which the page gives some by number, as a_0 = 1 and
+    /// a_{n+1} = 2 a_n; with its left side if it is a recursion.
+    pub(super) fn recursion(&self, left: &Expr, right: &Expr, place: &Place) -> Option<Option<Head>> {
+        let own = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty())?;
+        let given = |head: &Head| head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        let members: Vec<&Head> =
+            self.context.visible(&own.base, place).map(|(_, definition, _)| &definition.head).collect();
+        let mut alike = members.into_iter().filter(|head| head.lower.len() == own.lower.len()).peekable();
+        if alike.peek().is_none() || given(&own) || !alike.all(given) {
+            return None;
+        }
+        let steps = own.lower.iter().all(|index| integer_names(index).len() <= 1);
+        let recursive = bases(right).contains(&own.base) && steps;
+        Some(recursive.then_some(own))
+    }
+
     /// Whether a claim rests on knots that the page does not give.
     pub(super) fn invents_knots(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
-        let letters = ["t".to_owned()];
+        let letters = self.context.knot_letters(place, &[left, right]);
         let indexed = [left, right].iter().any(|side| has_members(side, &letters));
         let bases = bases(left).into_iter().chain(bases(right));
         let given = bases.into_iter().any(|base| {

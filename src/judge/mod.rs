@@ -10,6 +10,7 @@
 //! A claim within the language (`claim`, `family`) is judged by its values (`values`); `evaluator`
 //! hands this judge and the functions of the program to the evaluator.
 
+pub(crate) mod asked;
 mod attempt;
 pub mod check;
 mod claim;
@@ -37,9 +38,10 @@ mod roots;
 mod same_geometry;
 pub mod statement;
 mod tally;
+mod theorems;
+pub mod topic;
 mod trial;
 mod unfold;
 mod values;
 mod verdict;
 mod witness;
-mod words;

@@ -1,13 +1,15 @@
 //! What the page says in words that its names stand for: a polar form, a B-spline, a cubic polynomial.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::{Body, Context};
-use super::names::{Head, bases, is_index_letter};
+use super::names::{Head, bases, is_index_letter, walk};
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::Value;
+use crate::math::number::Rational;
 
 /// What a name stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,6 +38,10 @@ pub enum Sort {
     Nodes,
     /// A matrix.
     Matrix,
+    /// A degree.
+    Degree,
+    /// The order of splines, which is their degree and one.
+    Order,
     /// Numbers, points, vectors, indices: symbols without properties.
     Symbols,
     /// Something else, in these words: what is claimed of it cannot be wrong as far as is known here.
@@ -59,6 +65,8 @@ pub struct Object {
     pub points: Vec<Expr>,
     /// Their weights.
     pub weights: Vec<Expr>,
+    /// The values of its names, in their order: the knots t_0, …, t_3 are 0, 0, 1, 1.
+    pub values: Vec<Expr>,
     /// The ends of its interval.
     pub interval: Option<(Expr, Expr)>,
     /// Whether its knots are equally spaced.
@@ -76,6 +84,7 @@ impl Object {
             knots: Vec::new(),
             points: Vec::new(),
             weights: Vec::new(),
+            values: Vec::new(),
             interval: None,
             uniform: false,
         }
@@ -100,6 +109,38 @@ impl Object {
                 && own.lower.iter().zip(&head.lower).all(|(a, b)| all || fits(a, b));
             same.then_some(own)
         })
+    }
+
+    /// Its names with their values, dots written out; nothing if their numbers differ.
+    pub fn members(&self) -> Vec<(Head, Expr)> {
+        let dots = self.names.iter().any(|name| name.kind == Kind::Ellipsis);
+        let Some(first) = self.names.first().and_then(Head::of) else { return Vec::new() };
+        let start = match first.lower.as_slice() {
+            [Expr { kind: Kind::Number(q), .. }] => Value::number(q.clone()).as_int(),
+            _ => None,
+        };
+        let heads: Vec<Head> = match (dots, start) {
+            (true, Some(start)) => (start..)
+                .take(self.values.len())
+                .map(|index| Head { lower: vec![Expr::int(index)], ..first.clone() })
+                .collect(),
+            (true, None) => Vec::new(),
+            (false, _) => self.names.iter().filter_map(Head::of).collect(),
+        };
+        // x_0, …, x_3 are four: the last one says so.
+        let last = |head: &Head| {
+            self.names.last().and_then(Head::of).is_some_and(|last| {
+                matches!((last.lower.as_slice(), head.lower.as_slice()), ([a], [b])
+                if a.same_as(b) || !matches!(a.kind, Kind::Number(_)))
+            })
+        };
+        let agree = heads.len() == self.values.len() && (!dots || heads.last().is_some_and(last));
+        if agree { heads.into_iter().zip(self.values.iter().cloned()).collect() } else { Vec::new() }
+    }
+
+    /// Whether it is a degree or an order.
+    pub fn is_size(&self) -> bool {
+        matches!(self.sort, Sort::Degree | Sort::Order)
     }
 
     /// Whether it can be applied to arguments.
@@ -217,10 +258,37 @@ impl Context {
     }
 
     /// The letters whose members are knots: those that words call so, or between which a B-spline is defined to
-    /// be 1; else t.
-    pub fn knot_letters(&self, place: &Place) -> Vec<String> {
-        let found = self.stated_knots(place);
+    /// be 1, or of whose members a claim has differences in denominators; else t.
+    pub fn knot_letters(&self, place: &Place, sides: &[&Expr]) -> Vec<String> {
+        let mut found = self.stated_knots(place);
+        if found.is_empty() {
+            found = divided_by(sides);
+        }
         if found.is_empty() { vec!["t".to_owned()] } else { found }
+    }
+
+    /// The knots that the section gives by number, from the first on without a gap.
+    pub fn given_knots(&self, letters: &[String], place: &Place) -> BTreeMap<i64, Rational> {
+        let mut found = BTreeMap::new();
+        for letter in letters {
+            for (_, definition, near) in self.visible(letter, place) {
+                let value = match &definition.body {
+                    Body::Formula(Expr { kind: Kind::Number(q), .. }) => Some(q.clone()),
+                    Body::Value(value) => value.as_rational(),
+                    Body::Formula(_) => None,
+                };
+                let index = match definition.head.lower.as_slice() {
+                    [Expr { kind: Kind::Number(q), .. }] => Value::number(q.clone()).as_int(),
+                    _ => None,
+                };
+                if let (true, Some(index), Some(value)) = (near, index, value) {
+                    found.entry(index).or_insert(value);
+                }
+            }
+        }
+        let knots: Vec<(&i64, &Rational)> = found.iter().collect();
+        let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
+        if whole && knots.len() > 2 { found } else { BTreeMap::new() }
     }
 
     /// The letters that the page itself gives to knots.
@@ -275,4 +343,30 @@ impl Context {
     pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
         self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
     }
+}
+
+/// The letters in denominators that are differences of members of one family: t in (x - t_i)/(t_{i+n} - t_i).
+pub fn divided_by(sides: &[&Expr]) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    let member = |expr: &Expr| match &expr.kind {
+        Kind::Subscript(base, _) => match &base.kind {
+            Kind::Name(letter) => Some(letter.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Div(_, below, _) = &part.kind
+                && let Kind::Add(terms) = &below.kind
+                && let [first, second] = terms.as_slice()
+                && let (Some(a), Some(b)) = (member(&first.expr), member(&second.expr))
+                && a == b
+                && !found.contains(&a)
+            {
+                found.push(a);
+            }
+        });
+    }
+    found
 }

@@ -14,6 +14,9 @@ use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
 use num_traits::Zero;
 
+/// Knots that the page gives are tried up to this number.
+const LAST_GIVEN: i64 = 24;
+
 /// Generic knot intervals are tried from number 0 to this one.
 const LAST_INTERVAL: i64 = 3;
 
@@ -74,7 +77,8 @@ impl Trial<'_> {
     /// knots also beside them, as far as the conditions allow.
     pub(super) fn places(&self, bound: &[(String, i64)], breaks: &[Rational]) -> Vec<Rational> {
         let model = self.model(None, Some(Rational::zero()), breaks);
-        let generic: Vec<Rational> = (0..=LAST_INTERVAL + 1).map(|j| model.knot(j)).collect();
+        let last = if model.has_given_knots() { LAST_GIVEN } else { LAST_INTERVAL + 1 };
+        let generic: Vec<Rational> = (0..=last).map(|j| model.knot(j)).collect();
         let knots = if breaks.is_empty() { generic } else { breaks.to_vec() };
         let mut places: Vec<Rational> = Vec::new();
         for ends in knots.windows(2).filter(|ends| ends[0] < ends[1]) {

@@ -7,19 +7,18 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare;
-use super::context::Body;
+use super::context::{Body, is_variable};
 use super::hypotheses::is_coefficient;
-use super::names::{Head, bases, integer_names, is_index_letter, walk};
+use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
-use super::words::curve_spoken_of;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::value::Value;
 use crate::language::write;
-use crate::math::poly::Symbol;
+use crate::math::poly::{Index, Symbol};
 use crate::math::ring::Ring;
 
 /// What a failing relation is taken for.
@@ -96,6 +95,9 @@ pub fn decide(
     if bare(left) && number(right) || number(left) && bare(right) {
         return Decision::Open("it has no argument here".to_owned());
     }
+    if tally.record.unbounded {
+        return Decision::Open("it fails for some bounds, but the bounds of a sum are not given".to_owned());
+    }
     if chain.relations[at].0 == Rel::Define {
         return Decision::Open("it defines its left side".to_owned());
     }
@@ -109,6 +111,24 @@ pub fn decide(
         && checker.invents_knots(left, right, &statement.place);
     if invented {
         return Decision::Open("nothing says what the knots are".to_owned());
+    }
+    // Numbers of an example belong to its knots.
+    let numbers = tally.record.definitions.iter().any(|(number, _)| {
+        let definition = &checker.context.definitions[*number];
+        !definition.head.lower.is_empty()
+            && match &definition.body {
+                Body::Formula(body) => bases(body).is_empty(),
+                Body::Value(value) => compare::symbols(value).is_empty(),
+            }
+    });
+    let letters = checker.context.knot_letters(&statement.place, &[left, right]);
+    let given = !checker.context.given_knots(&letters, &statement.place).is_empty();
+    if numbers
+        && !given
+        && !tally.fails.is_empty()
+        && tally.fails.iter().all(|failure| failure.around.is_some())
+    {
+        return Decision::Open("the knots that these numbers belong to are not known".to_owned());
     }
     // What the page says of a name in words that are not understood may be what the claim rests on.
     let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
@@ -171,22 +191,13 @@ pub fn decide(
     if of_integers(left) || of_integers(right) {
         return Decision::Open("it needs to be known what a function of integers is".to_owned());
     }
-    // a_0 = 1 and a_{n+1} = 2 a_n: the other members are known by this equation only.
-    if let Some(own) = Head::of(left).filter(|own| own.arguments.is_none() && !own.lower.is_empty()) {
-        let given = |head: &Head| head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
-        let mut members = checker
-            .context
-            .visible(&own.base, &statement.place)
-            .filter(|(_, definition, _)| definition.head.lower.len() == own.lower.len())
-            .peekable();
-        let some = members.peek().is_some();
-        if some && !given(&own) && members.all(|(_, definition, _)| given(&definition.head)) {
-            let steps = own.lower.iter().all(|index| integer_names(index).len() <= 1);
-            return match first && bases(right).contains(&own.base) && steps {
-                true => Decision::Recursion(Box::new(own.clone())),
-                false => Decision::Open(format!("it may say what the other {} are", own.base)),
-            };
+    match checker.recursion(left, right, &statement.place) {
+        Some(Some(own)) if first => return Decision::Recursion(Box::new(own)),
+        Some(own) => {
+            let base = own.or_else(|| Head::of(left)).map_or(String::new(), |head| head.base);
+            return Decision::Open(format!("it may say what the other {base} are"));
         }
+        None => {}
     }
     let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
     let Some(failure) = best_failure(tally, outcomes, chain) else {
@@ -220,6 +231,11 @@ pub fn decide(
         checker.is_determined(&head, &statement.place) || valued()
     });
     let head = head.filter(|_| !spoken);
+    // Both sides are made of the same points.
+    let same = {
+        let symbols = visible(&failure.left);
+        symbols == visible(&failure.right) && symbols.iter().any(|symbol| !symbol.is_plain())
+    };
     if let Some(head) = head
         && first
     {
@@ -245,15 +261,15 @@ pub fn decide(
                 && definition.head.lower.len() == head.lower.len()
                 && definition.head.upper.len() == head.upper.len()
         });
-        // n = 2, a_k = k^2: a name that is no function gets a new value.
+        // n = 2, a_k = k^2: a name that is no function gets a new value, unless it has one in the same symbols.
         let value = head.arguments.is_none()
+            && !(same && head.lower.is_empty())
             && (head.lower.is_empty() && is_constant(&failure.right) || again)
             && !own.contains(&head.base);
         if value && !standard {
             return Decision::Redefinition(None);
         }
-        let of_capital = own.contains(&super::model::capital_of(&head.base))
-            || curve_spoken_of(&statement.recent).is_some();
+        let of_capital = own.contains(&super::model::capital_of(&head.base)) || statement.curve().is_some();
         if statement.role == Some(Role::Introduced)
             && again
             && !of_capital
@@ -277,8 +293,8 @@ pub fn decide(
                     && definition.head.lower.len() == head.lower.len()
                     && definition.head.arguments.is_some() == head.arguments.is_some()
             });
-        let of_capital = bases(right).contains(&super::model::capital_of(&head.base))
-            || curve_spoken_of(&statement.recent).is_some();
+        let of_capital =
+            bases(right).contains(&super::model::capital_of(&head.base)) || statement.curve().is_some();
         // A recursion that differs from an earlier one defines the family anew.
         let closed = checker.context.visible(&head.base, &statement.place).any(|(_, definition, near)| {
             near && definition.head.lower.len() == head.lower.len()
@@ -291,6 +307,7 @@ pub fn decide(
         }
         if let Some((_, definition, _)) = defined
             && !of_capital
+            && !(same && head.arguments.is_none())
             && !bases(right).contains(&head.base)
             && definition.place.group != statement.place.group
         {
@@ -317,6 +334,18 @@ pub fn decide(
     }
     // Numbers are not to be solved for.
     if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {
+        return refuted(failure);
+    }
+    // (τ - t_2)/(t_4 - t_2) = 3/4: which numbers t_2 and t_4 are is not said.
+    let member = |symbol: &&Symbol| matches!(symbol.indices(), [Index::Number(_), ..]);
+    let constant = sl.is_empty() && number(left) || sr.is_empty() && number(right);
+    if let (true, Some(symbol)) = (constant, sl.union(&sr).find(member)) {
+        return Decision::Open(format!("what {symbol} is is not said"));
+    }
+    // Always (1 - t)^2 = 1: no equation to be solved for t.
+    let variable = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());
+    let plain = tally.record.unknown.is_empty() && tally.record.definitions.is_empty();
+    if chain.universal && plain && sl.union(&sr).all(variable) {
         return refuted(failure);
     }
     // Δ as a name, not as an operator, has no meaning.
@@ -368,6 +397,25 @@ pub fn decide(
     if inequality {
         return refuted(failure);
     }
+    // Other members of one family on each side, of which nothing that was used speaks: a condition on them.
+    let spoken_of = |base: &str| {
+        let numbers = tally.record.definitions.iter().map(|(number, _)| *number);
+        let mut bodies = numbers.map(|number| &checker.context.definitions[number]);
+        !tally.record.standard.is_empty()
+            || bodies.any(|definition| {
+                definition.head.base == base
+                    || matches!(&definition.body, Body::Formula(body) if bases(body).contains(base))
+            })
+    };
+    let only = |here: &BTreeSet<Symbol>, there: &BTreeSet<Symbol>, base: &str| {
+        here.difference(there).any(|symbol| symbol.base() == base && !symbol.is_plain())
+    };
+    let open = sl.iter().map(Symbol::base).find(|base| {
+        only(&sl, &sr, base) && only(&sr, &sl, base) && bases(left).contains(*base) && !spoken_of(base)
+    });
+    if let (Some(base), true) = (open, head.is_none()) {
+        return Decision::Open(format!("a condition on {base}"));
+    }
     // Which symbols the sides speak of.
     let common: Vec<&Symbol> = sl.intersection(&sr).collect();
     if !known && unknown.is_empty() {
@@ -417,7 +465,7 @@ pub fn decide(
         && tally.record.unknown.is_empty()
         && at == 0
     {
-        let curve = curve_spoken_of(&statement.recent).is_some() && head.is_some();
+        let curve = statement.curve().is_some() && head.is_some();
         if !curve && !claimed {
             return missing_or_redefinition(head, first, "an equation to be solved, or a condition");
         }

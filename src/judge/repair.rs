@@ -70,7 +70,8 @@ fn printed(left: &Expr, rel: Rel, right: &Expr) -> String {
     write::latex(&Expr::relation(left.clone(), rel, right.clone()))
 }
 
-fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
+/// Whether a relation held wherever it made sense, often enough.
+pub(super) fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
     let tally = &outcomes.tallies[0];
     let ranged = !outcomes.integers.is_empty();
     let enough = if !ranged || quick { tally.holds > 0 } else { tally.holds_inner >= 1 || tally.holds >= 4 };
@@ -119,7 +120,7 @@ fn constant_apart(checker: &Checker, setting: &Setting, at: usize, choices: Choi
 }
 
 /// Small edits of a formula, the likeliest first.
-fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
+pub(super) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
     let mut pool = Pool::default();
     pool.collect(expr);
     pool.collect(other);
@@ -146,6 +147,20 @@ fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Expr> {
             found.push((cost, rebuild(replacement)));
         }
     });
+    // Two members of a family exchanged in a sum: the weights of b_{i-1} and b_i.
+    at_every_node(expr, false, &mut |node, _, rebuild| {
+        if !matches!(node.kind, Kind::Add(_)) {
+            return;
+        }
+        for (at, first) in pool.siblings.iter().enumerate() {
+            for second in &pool.siblings[at + 1..] {
+                let mut exchanged = node.clone();
+                if exchange(&mut exchanged, first, second) > 1 {
+                    found.push((1, rebuild(exchanged)));
+                }
+            }
+        }
+    });
     // Factors for the whole side, or for the terms of its sum.
     for (cost, factor) in factors(&pool, expr) {
         found.push((cost, Expr::product(vec![factor.clone(), grouped(expr)])));
@@ -167,6 +182,24 @@ fn replace_all(expr: &mut Expr, node: &Expr, by: &Expr) -> usize {
     }
     let mut count = 0;
     expr.for_each_child_mut(&mut |child| count += replace_all(child, node, by));
+    count
+}
+
+/// Exchanges two members of one family; says how many places change.
+fn exchange(expr: &mut Expr, first: &Expr, second: &Expr) -> usize {
+    if let (Kind::Subscript(a, _), Kind::Subscript(b, _)) = (&first.kind, &second.kind)
+        && !a.same_as(b)
+    {
+        return 0;
+    }
+    for (own, other) in [(first, second), (second, first)] {
+        if expr.same_as(own) {
+            *expr = with_span(other.clone(), expr);
+            return 1;
+        }
+    }
+    let mut count = 0;
+    expr.for_each_child_mut(&mut |child| count += exchange(child, first, second));
     count
 }
 

@@ -1,6 +1,8 @@
 //! What is judged: chains of relations with what is said of them, and where they stand.
 
+use super::model::Curve;
 use super::object::Object;
+use super::topic::{Topic, Topics};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
@@ -49,6 +51,10 @@ impl Place {
 pub enum Role {
     /// Then …, we get …: it is claimed.
     Claimed,
+    /// Always …: it is claimed for all values of its variables.
+    Always,
+    /// For all …: a case, or variables for all values of which the sentence claims.
+    All,
     /// Let …, where …: it introduces a name.
     Introduced,
     /// Suppose …: it is taken for true, to the end of the paragraph.
@@ -104,6 +110,8 @@ pub struct Chain {
     pub given: bool,
     /// Whether it is claimed for a part only that no condition says: "otherwise".
     pub partial: bool,
+    /// Whether it is claimed for all values of its variables.
+    pub universal: bool,
     /// Whether a condition beside it could not be read.
     pub blocked: bool,
     /// Why parts could not be read.
@@ -156,8 +164,10 @@ pub struct Statement {
     pub role: Option<Role>,
     /// The words of the paragraph before the formula.
     pub before: String,
-    /// The words of this paragraph and those before it, as far as they may name what is spoken of.
-    pub recent: String,
+    /// What its section speaks of, up to it.
+    pub topics: Topics,
+    /// What the sentences right before it speak of.
+    pub near: Topics,
     /// The words between the formula before and this one.
     pub gap: String,
 }
@@ -165,7 +175,13 @@ pub struct Statement {
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
-        let (before, recent, gap) = Default::default();
-        Statement { said, place, role: None, before, recent, gap }
+        let (before, topics, near, gap) = Default::default();
+        Statement { said, place, role: None, before, topics, near, gap }
+    }
+
+    /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.
+    pub(super) fn curve(&self) -> Option<Curve> {
+        let spoken = self.near.has(Topic::BezierCurve) && self.near.has(Topic::PolarForm);
+        spoken.then(|| Curve { points: "b".to_owned() })
     }
 }

@@ -117,7 +117,9 @@ impl<'a> Trial<'a> {
             reading,
             memo: Memo::default(),
         };
-        trial.reading = trial.reading.clone().with_uniform_knots(trial.has_integer_knots());
+        let given = trial.context.given_knots(&trial.facts.knot_letters, trial.place);
+        trial.reading =
+            trial.reading.clone().with_uniform_knots(trial.has_integer_knots()).with_given_knots(given);
         trial
     }
 

@@ -73,11 +73,12 @@ impl Checker {
     }
 }
 
-fn put(expr: &mut Expr, by: &[(String, Expr)]) {
+/// Puts expressions for names.
+pub(super) fn put(expr: &mut Expr, by: &[(String, Expr)]) {
     if let Kind::Name(name) = &expr.kind {
         if let Some((_, value)) = by.iter().find(|(known, _)| known == name) {
             *expr = match value.kind {
-                Kind::Name(_) | Kind::Number(_) => value.clone(),
+                Kind::Name(_) | Kind::Number(_) | Kind::Accent(..) => value.clone(),
                 _ => value.clone().grouped(),
             };
         }

@@ -51,7 +51,7 @@ fn in_words(condition: &Expr) -> Option<Expr> {
     let formula = formula?;
     match speech::role(&around, false)? {
         role @ (Role::Odd | Role::Even) => Some(parity(&formula, role == Role::Odd)),
-        Role::Case if matches!(formula.kind, Kind::Chain(..)) => Some(formula),
+        Role::Case | Role::All if matches!(formula.kind, Kind::Chain(..)) => Some(formula),
         _ => None,
     }
 }

@@ -9,6 +9,7 @@ use super::cases::parity;
 use super::speech::{self, Around};
 use crate::document::{Document, Item};
 use crate::formula::{Expr, Kind, Link, Rel};
+use crate::judge::names::Head;
 use crate::judge::statement::{Chain, Role, Said, Statement};
 
 /// Gives every statement its role and every claim the cases of its sentence.
@@ -147,8 +148,9 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
     let mut formulas: Vec<usize> = statements.iter().map(|statement| statement.place.formula).collect();
     formulas.dedup();
     let words = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
+    let claims = |role: Option<Role>| matches!(role, Some(Role::Claimed | Role::Always));
     let claimed: Vec<bool> =
-        formulas.iter().map(|&formula| speech::role(&words(formula), false) == Some(Role::Claimed)).collect();
+        formulas.iter().map(|&formula| claims(speech::role(&words(formula), false))).collect();
     let mut roles: Vec<(Option<Role>, bool)> = Vec::with_capacity(formulas.len());
     for (at, &formula) in formulas.iter().enumerate() {
         let words = words(formula);
@@ -164,8 +166,8 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         {
             let comma = words.left.trim().chars().all(|c| !c.is_alphanumeric());
             // "If a = 0, b = 1": after the comma comes what is claimed, unless a "then" comes.
-            let consequent = comma && before == Role::Case && !claims_later;
-            if before != Role::Claimed && !consequent {
+            let consequent = comma && matches!(before, Role::Case | Role::All) && !claims_later;
+            if !claims(Some(before)) && !consequent {
                 (role, alternative) = (Some(before), or);
             }
         }
@@ -175,8 +177,20 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let at = formulas.iter().position(|&formula| formula == statement.place.formula);
         at.map_or((None, false), |at| roles[at])
     };
+    // "For all t": a bare name is no case.
+    let quantified = statements
+        .iter()
+        .any(|statement| role_of(statement).0 == Some(Role::All) && matches!(statement.said, Said::Bare(..)));
     for statement in statements.iter_mut() {
-        let (role, _) = role_of(statement);
+        let (mut role, _) = role_of(statement);
+        if let Said::Chain(chain) = &mut statement.said {
+            chain.universal = quantified || role == Some(Role::Always);
+        }
+        role = match role {
+            Some(Role::Always) => Some(Role::Claimed),
+            Some(Role::All) => Some(Role::Case),
+            role => role,
+        };
         let states = matches!(statement.said, Said::Chain(_) | Said::Condition(_));
         let parity = matches!((role, &statement.said), (Some(Role::Odd | Role::Even), Said::Bare(..)));
         // Words such as "otherwise" speak of the formula beside them.
@@ -203,11 +217,12 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
 fn names_a_function(chain: &Chain) -> bool {
     let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
     let plain = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
-    match &chain.sides[0].expr.kind {
-        Kind::Apply(callee, groups) => plain(callee) && groups.iter().flatten().all(plain),
-        Kind::Subscript(base, indices) => plain(base) && indices.iter().all(plain),
-        _ => false,
-    }
+    Head::of(&chain.sides[0].expr).is_some_and(|head| {
+        let inside = head.lower.iter().chain(head.flat());
+        head.upper.is_empty()
+            && (head.arguments.is_some() || !head.lower.is_empty())
+            && inside.into_iter().all(plain)
+    })
 }
 
 /// Hands the cases of a sentence to its claims.

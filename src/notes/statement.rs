@@ -13,8 +13,12 @@ use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, is_range};
 use crate::judge::statement::{Chain, Place, Role, Said, Side, Statement};
+use crate::judge::topic::Topics;
 use crate::language::diagnostic::Diagnostic;
 use crate::language::{latex, syntax};
+
+/// So many letters before a formula say what its sentence speaks of.
+const LAST_WORDS: usize = 400;
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -57,7 +61,8 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         group: 0,
         ended: false,
         before: String::new(),
-        recent: String::new(),
+        topics: Topics::default(),
+        last: String::new(),
         gap: String::new(),
         formula: 0,
     };
@@ -85,7 +90,9 @@ struct Reader<'a> {
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
     before: String,
-    recent: String,
+    topics: Topics,
+    /// The last words, for what the sentence speaks of.
+    last: String,
     gap: String,
     formula: usize,
 }
@@ -99,9 +106,11 @@ impl Reader<'_> {
                 self.sections.push((*level, self.next_scope));
                 self.blocks.clear();
                 self.new_group();
-                self.recent.clear();
-                self.before.push_str(self.document.file.slice(*span));
-                self.recent.push_str(self.document.file.slice(*span));
+                let title = self.document.file.slice(*span);
+                self.before.push_str(title);
+                self.topics = Topics::default();
+                self.last.clear();
+                self.speak(title);
             }
             Item::Words(span) => {
                 let words = self.document.file.slice(*span);
@@ -120,7 +129,7 @@ impl Reader<'_> {
                 }
                 self.before.push_str(words);
                 self.gap.push_str(words);
-                self.recent.push_str(words);
+                self.speak(words);
             }
             Item::Break => {
                 self.ended = true;
@@ -152,6 +161,24 @@ impl Reader<'_> {
         }
     }
 
+    /// Notes what words speak of.
+    fn speak(&mut self, words: &str) {
+        speech::topics(words, &mut self.topics);
+        self.last.push_str(words);
+        if let Some((from, _)) = self.last.char_indices().rev().nth(LAST_WORDS) {
+            self.last.drain(..from);
+        }
+    }
+
+    /// The topics of the last words.
+    fn near(&self) -> Topics {
+        let mut near = Topics::default();
+        if self.topics.any() {
+            speech::topics(&self.last, &mut near);
+        }
+        near
+    }
+
     fn new_group(&mut self) {
         self.group += 1;
         self.ended = false;
@@ -175,7 +202,8 @@ impl Reader<'_> {
     fn push(&mut self, said: Said) {
         let statement = Statement {
             before: self.before.clone(),
-            recent: self.recent.clone(),
+            topics: self.topics,
+            near: self.near(),
             gap: self.gap.clone(),
             ..Statement::new(said, self.place())
         };
@@ -310,6 +338,7 @@ impl Reader<'_> {
                     conditions: Vec::new(),
                     given: false,
                     partial: false,
+                    universal: false,
                     blocked: false,
                     problems: all,
                 });
@@ -371,6 +400,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
             conditions: Vec::new(),
             given: false,
             partial: false,
+            universal: false,
             blocked: false,
             problems: Vec::new(),
         };
@@ -382,6 +412,7 @@ fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) ->
         conditions: Vec::new(),
         given: false,
         partial: false,
+        universal: false,
         blocked: false,
         problems: problems.to_vec(),
     }

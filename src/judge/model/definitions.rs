@@ -210,13 +210,16 @@ impl Model {
             }
             (None, Some(_)) => return None,
         }
-        for condition in &definition.conditions {
-            let holds = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
-            if holds == Ok(Some(false)) {
-                return None;
-            }
+        // A condition that needs a definition with conditions says nothing: it may need itself.
+        if self.asking.replace(true) {
+            return Some((bound, exact));
         }
-        Some((bound, exact))
+        let failed = definition.conditions.iter().any(|condition| {
+            let held = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
+            held == Ok(Some(false))
+        });
+        self.asking.set(false);
+        (!failed).then_some((bound, exact))
     }
 
     pub(super) fn match_arguments(

@@ -18,7 +18,7 @@ mod steps;
 pub use polynomials::capital_of;
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::Context;
@@ -80,6 +80,8 @@ pub struct Record {
     pub mixed: bool,
     /// Whether an infinite sum was cut.
     pub infinite: bool,
+    /// Whether a sum without bounds was given some.
+    pub unbounded: bool,
     /// Whether a polar form had dots without a count among its arguments.
     pub flexible: bool,
     /// Whether Bernstein polynomials occurred: their parameters run from 0 to 1.
@@ -98,6 +100,7 @@ impl Record {
         self.wants_degree |= other.wants_degree;
         self.mixed |= other.mixed;
         self.infinite |= other.infinite;
+        self.unbounded |= other.unbounded;
         self.flexible |= other.flexible;
         self.unit |= other.unit;
     }
@@ -145,6 +148,8 @@ pub struct Model {
     uniform: bool,
     /// Knots that words give.
     breaks: Vec<Rational>,
+    /// The knots that the page gives, by their numbers.
+    given_knots: Rc<BTreeMap<i64, Rational>>,
     /// Whether functions of two groups of arguments occur.
     tensor: bool,
     /// Capital letters whose small ones are their polar forms in this statement.
@@ -154,6 +159,8 @@ pub struct Model {
     /// Letters of control points whose curve is being evaluated.
     open: RefCell<BTreeSet<String>>,
     depth: Cell<usize>,
+    /// Whether conditions of a definition are being looked at.
+    asking: Cell<bool>,
     record: RefCell<Record>,
 }
 
@@ -171,11 +178,13 @@ impl Model {
             around: RefCell::default(),
             uniform: false,
             breaks: Vec::new(),
+            given_knots: Rc::default(),
             tensor: false,
             pairs: BTreeSet::new(),
             flexible: Cell::new(false),
             open: RefCell::default(),
             depth: Cell::new(0),
+            asking: Cell::new(false),
             record: RefCell::default(),
         }
     }
@@ -219,6 +228,12 @@ impl Model {
     /// Knots that words give, where pieces end.
     pub fn with_breaks(mut self, breaks: Vec<Rational>) -> Self {
         self.breaks = breaks;
+        self
+    }
+
+    /// Knots that the page gives, by their numbers.
+    pub fn with_given_knots(mut self, knots: BTreeMap<i64, Rational>) -> Self {
+        self.given_knots = Rc::new(knots);
         self
     }
 

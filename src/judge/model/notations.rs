@@ -3,7 +3,8 @@
 
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
-use crate::judge::names::{Head, implied_index, walk};
+use crate::judge::context::Body;
+use crate::judge::names::{Head, implied_index, is_index_letter, own_names, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;
@@ -114,6 +115,11 @@ impl Model {
         body: &Expr,
         expr: &Expr,
     ) -> Option<Evaluated> {
+        if matches!(op, BigOp::Max | BigOp::Min) {
+            let over_reals = own_names(lower).iter().any(|name| !is_index_letter(name));
+            let message = "extreme values over real numbers are not computed";
+            return over_reals.then(|| Err(Diagnostic::error(Code::Undecided, message).at(expr.span)));
+        }
         if !matches!(op, BigOp::Sum | BigOp::Product) {
             return None;
         }
@@ -162,11 +168,14 @@ impl Model {
             })
             .collect();
         let all = |machine: &mut Machine, name: &str| {
-            let (first, last) = match last_nonzero(body, name) {
+            let (first, last) = match self.last_nonzero(body, name) {
                 Some(last) => (0, last),
                 // All B-splines that are not 0 on one of the intervals that are tried.
                 None if self.is_local() => (-LOCAL_TERMS, Expr::int(LOCAL_TERMS)),
-                None => (1, Expr::int(FREE_TERMS)),
+                None => {
+                    self.record.borrow_mut().unbounded = true;
+                    (1, Expr::int(FREE_TERMS))
+                }
             };
             Some(machine.eval(&range(name, Expr::int(first), last)))
         };
@@ -304,6 +313,31 @@ impl Model {
         let base = Symbol::new(&head.base);
         let names: Vec<(Symbol, Value)> = (0..=40).map(|i| (base.numbered(i), value.clone())).collect();
         Some(machine.with_locals(names, |machine| machine.eval(body)).map_err(|error| error.at(expr.span)))
+    }
+}
+
+impl Model {
+    /// The last index for which the terms of a sum over all integers do not vanish, by the binomial or Bernstein
+    /// polynomial in them: n for C(n, k) and B_k^n, also if a name for them stands there.
+    fn last_nonzero(&self, body: &Expr, index: &str) -> Option<Expr> {
+        let mut last = last_nonzero(body, index);
+        let mut heads: Vec<Head> = Vec::new();
+        walk(body, &mut |part| heads.extend(Head::of(part).filter(|head| !head.lower.is_empty())));
+        for head in heads {
+            let given: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
+            let at = given.iter().position(|own| matches!(&own.kind, Kind::Name(name) if name == index));
+            let (Some(at), None) = (at, &last) else { continue };
+            last = self.context.visible(&head.base, &self.place).find_map(|(_, definition, _)| {
+                let own: Vec<&Expr> = definition.head.lower.iter().chain(&definition.head.upper).collect();
+                let (Body::Formula(body), Kind::Name(letter)) = (&definition.body, &own.get(at)?.kind) else {
+                    return None;
+                };
+                let last = last_nonzero(body, letter).filter(|_| own.len() == given.len())?;
+                let place = own.iter().position(|own| own.same_as(&last));
+                Some(place.map_or(last, |place| given[place].clone()))
+            });
+        }
+        last
     }
 }
 

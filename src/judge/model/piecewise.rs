@@ -26,8 +26,14 @@ impl Model {
         self.around.borrow().is_some()
     }
 
-    /// The knot number j: uneven ones, unless the notes define B-splines over the integers.
+    /// The knot number j: the one that the page gives, the outer ones beyond them; else uneven ones, unless the notes
+    /// define B-splines over the integers.
     pub fn knot(&self, j: i64) -> Rational {
+        let given = &self.given_knots;
+        if let (Some((_, first)), Some((_, last))) = (given.first_key_value(), given.last_key_value()) {
+            let inner = given.range(..=j).next_back().map(|(_, knot)| knot);
+            return inner.unwrap_or(if j < 0 { first } else { last }).clone();
+        }
         const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
         let uneven = usize::try_from(j - KNOTS.start).ok().and_then(|at| UNEVEN.get(at).copied());
         integer(match uneven {
@@ -35,6 +41,11 @@ impl Model {
             _ if self.uniform => j,
             _ => 3 * j,
         })
+    }
+
+    /// Whether the page gives the knots by number.
+    pub fn has_given_knots(&self) -> bool {
+        !self.given_knots.is_empty()
     }
 
     /// The generic knots, called by letters.

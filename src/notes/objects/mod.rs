@@ -11,7 +11,7 @@ mod subject;
 mod tests;
 mod tokens;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
@@ -19,7 +19,7 @@ use self::tokens::{Token, tokens};
 use super::sentence::Piece;
 use super::speech::Word;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
+use crate::judge::names::{Head, integer_names, is_index_letter};
 use crate::judge::object::{Object, Sort};
 use crate::judge::statement::{Said, Statement};
 
@@ -84,6 +84,9 @@ impl<'a> Reader<'a> {
     }
 
     fn read(&mut self) {
+        for at in 0..self.tokens.len() {
+            self.size(at);
+        }
         let mut at = 0;
         while at < self.tokens.len() {
             match &self.tokens[at] {
@@ -162,6 +165,22 @@ impl<'a> Reader<'a> {
             _ => self.subjects_before(from).or_else(|| self.subject_after(to)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
+        // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
+        if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
+            let curve = match (of.as_slice(), self.topic.as_slice()) {
+                ([one], _) | ([], [one]) => one.clone(),
+                _ => return,
+            };
+            let number = (from..to).find_map(|at| self.formula_at(at));
+            let degree = Some(Expr::int(object.values.len() as i64 - 1));
+            let points = std::mem::take(&mut object.values);
+            let object = Object { names: vec![curve], degree, points, sort: Sort::BezierCurve, ..object };
+            if let Some(number) = number {
+                self.taken = to;
+                self.found.entry(number).or_default().push(object);
+            }
+            return;
+        }
         let Some((names, number)) = subject else { return };
         let whole = |expr: &Expr| expr.kind != Kind::Ellipsis && name_in(expr).is_none();
         if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
@@ -204,6 +223,35 @@ impl<'a> Reader<'a> {
         object.names = names;
         object.of = of.into_iter().next();
         self.found.entry(number).or_default().push(object);
+    }
+
+    /// "Of degree n", "k is the order": which letter a size is.
+    fn size(&mut self, at: usize) {
+        let (sort, after) = match self.tokens[at] {
+            Token::Word(Word::Degree) => (Sort::Degree, false),
+            Token::Word(Word::DegreeAfter) => (Sort::Degree, true),
+            Token::Word(Word::Order) => (Sort::Order, false),
+            Token::Word(Word::OrderAfter) => (Sort::Order, true),
+            _ => return,
+        };
+        let link =
+            |token: &Token| matches!(token, Token::Word(Word::Be | Word::Article | Word::Der | Word::Filler));
+        let next = (at + 1..self.tokens.len()).find(|&next| !link(&self.tokens[next]));
+        let last = (0..at).rev().find(|&last| !link(&self.tokens[last]));
+        let formula = |at: Option<usize>| at.and_then(|at| self.formula_at(at));
+        let number = if after { formula(last) } else { formula(next).or_else(|| formula(last)) };
+        let Some(number) = number else { return };
+        let [size] = self.said(number) else { return };
+        let letters = integer_names(size).into_iter().chain(match &size.kind {
+            Kind::Name(name) => Some(name.clone()),
+            _ => None,
+        });
+        let letters: BTreeSet<String> = letters.filter(|name| is_index_letter(name)).collect();
+        if let (Some(letter), 1) = (letters.first(), letters.len()) {
+            let degree = Some(size.clone());
+            let object = Object { names: vec![Expr::name(letter)], degree, ..Object::new(sort) };
+            self.found.entry(number).or_default().push(object);
+        }
     }
 
     /// "Let G be a group": what a noun that is not known here says of names.

@@ -5,6 +5,7 @@ use super::Reader;
 use super::subject::{interval, minus_one, name_in, named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
+use crate::judge::names::bases;
 use crate::judge::object::{Object, Sort};
 
 /// A noun phrase.
@@ -203,6 +204,18 @@ impl Reader<'_> {
         {
             (object.names, at) = self.list(first);
         }
+        // The knots t_0, …, t_3 are 0, 0, 1, 1; the control points 0, 4, 8
+        if matches!(object.sort, Sort::Knots | Sort::Nodes | Sort::ControlPoints) {
+            let named = number_of_name.is_some();
+            let start = self.skip_fillers(if self.is(at, &Word::Be) { at + 1 } else { at });
+            let (items, end) = self.list(start);
+            let constant = items.iter().all(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis);
+            let owned = object.sort == Sort::ControlPoints || named && start > at;
+            if items.len() > 1 && constant && owned {
+                object.values = items;
+                at = end;
+            }
+        }
         let mut phrase = Phrase {
             object,
             of: phrase_of,
@@ -276,6 +289,11 @@ impl Reader<'_> {
                     if *piece && self.is(next, &Word::Of) {
                         next = self.skip_fillers(next + 1);
                     }
+                }
+                // "Un polynôme de forme polaire f" has it.
+                let owned = self.is(next, &Word::Noun(Sort::PolarForm));
+                if *word == Word::Of && owned && object.is_function() && object.sort != Sort::PolarForm {
+                    return None;
                 }
                 match self.tokens.get(next)? {
                     Token::Word(mark @ (Word::Degree | Word::Order)) => {

@@ -9,7 +9,7 @@ fn said(page: &str) -> Vec<String> {
     let file = SourceFile::new("page.md", page);
     let document = document::document(file, Container::Markdown);
     let objects = statements(&document).into_iter().filter_map(|statement| match statement.said {
-        Said::Object(object) => Some(*object),
+        Said::Object(object) if !matches!(object.sort, Sort::Degree | Sort::Order) => Some(*object),
         _ => None,
     });
     let list = |items: &[Expr]| items.iter().map(write::text).collect::<Vec<_>>().join(" ");

@@ -5,6 +5,7 @@ use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("所以", Role::Claimed),
@@ -41,7 +42,12 @@ pub(super) const CUES: &[Cue] = &[
     Before("当", Role::Case),
     Before("对", Role::Case),
     Before("对于", Role::Case),
-    Before("对任意", Role::Case),
+    Before("对任意", Role::All),
+    Before("对一切", Role::All),
+    Before("对所有", Role::All),
+    Before("恒有", Role::Always),
+    Before("总有", Role::Always),
+    Before("恒成立", Role::Always),
     After("时", Role::Case),
     Before("除非", Role::Except),
     After("其余情形", Role::Elsewhere),
@@ -235,4 +241,33 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("两个", Filler),
     ("三个", Filler),
     ("为控制点的", Filler),
+];
+
+/// How words begin that tell what a section is on.
+pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("贝塞尔曲线", Topic::BezierCurve),
+    ("bezier曲线", Topic::BezierCurve),
+    ("bézier曲线", Topic::BezierCurve),
+    ("bezier 曲线", Topic::BezierCurve),
+    ("bézier 曲线", Topic::BezierCurve),
+    ("极形式", Topic::PolarForm),
+    ("开花", Topic::PolarForm),
+    ("升阶", Topic::Elevation),
+    ("升次", Topic::Elevation),
+    ("看成", Topic::Elevation),
+    ("看作", Topic::Elevation),
+    ("细分", Topic::Subdivision),
+    ("分割", Topic::Subdivision),
+    ("剖分", Topic::Subdivision),
+    ("加细", Topic::Subdivision),
+    ("割角", Topic::Subdivision),
+    ("样条", Topic::Spline),
+    ("节点", Topic::Spline),
+    ("de boor", Topic::Spline),
+    ("greville", Topic::Spline),
+    ("拼接", Topic::Join),
+    ("连续", Topic::Join),
+    ("光滑", Topic::Join),
+    ("有理", Topic::Rational),
+    ("圆锥曲线", Topic::Rational),
 ];

@@ -5,6 +5,7 @@ use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     // Claims.
@@ -32,7 +33,7 @@ pub(super) const CUES: &[Cue] = &[
     Before("show that", Role::Claimed),
     Before("prove that", Role::Claimed),
     Before("implies", Role::Claimed),
-    Before("always", Role::Claimed),
+    Before("always", Role::Always),
     Before("in particular", Role::Claimed),
     Before("i.e.", Role::Claimed),
     Before("that is", Role::Claimed),
@@ -67,10 +68,13 @@ pub(super) const CUES: &[Cue] = &[
     // Cases.
     Before("if", Role::Case),
     Before("for", Role::Case),
-    Before("for all", Role::Case),
-    Before("for every", Role::Case),
-    Before("for each", Role::Case),
-    Before("for any", Role::Case),
+    Before("for all", Role::All),
+    Before("for arbitrary", Role::All),
+    Before("identically", Role::Always),
+    Before("it is always true that", Role::Always),
+    Before("for every", Role::All),
+    Before("for each", Role::All),
+    Before("for any", Role::All),
     Before("for the case", Role::Case),
     Before("in the case", Role::Case),
     Before("in case", Role::Case),
@@ -358,6 +362,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("stand for", Be),
     ("stands for", Be),
     ("denoting", Be),
+    ("reads", Be),
+    ("written out", Filler),
+    ("explicitly", Filler),
     ("its", Its),
     ("their", Its),
     ("let", Let),
@@ -481,4 +488,46 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("now", Filler),
     ("then here", Filler),
     ("thus here", Filler),
+];
+
+/// How words begin that tell what a section is on.
+pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("bézier curve", Topic::BezierCurve),
+    ("bezier curve", Topic::BezierCurve),
+    ("polar form", Topic::PolarForm),
+    ("blossom", Topic::PolarForm),
+    ("elevat", Topic::Elevation),
+    ("degree raising", Topic::Elevation),
+    ("raising the degree", Topic::Elevation),
+    ("raise the degree", Topic::Elevation),
+    ("raised", Topic::Elevation),
+    ("raises", Topic::Elevation),
+    ("considered as a", Topic::Elevation),
+    ("regarded as a", Topic::Elevation),
+    ("written as a", Topic::Elevation),
+    ("as a cubic", Topic::Elevation),
+    ("as a quartic", Topic::Elevation),
+    ("subdivi", Topic::Subdivision),
+    ("split", Topic::Subdivision),
+    ("left half", Topic::Subdivision),
+    ("left part", Topic::Subdivision),
+    ("cut ", Topic::Subdivision),
+    ("corner cutting", Topic::Subdivision),
+    ("refine", Topic::Subdivision),
+    ("insert between", Topic::Subdivision),
+    ("chaikin", Topic::Subdivision),
+    ("spline", Topic::Spline),
+    ("b-spline", Topic::Spline),
+    ("de boor", Topic::Spline),
+    ("knot", Topic::Spline),
+    ("greville", Topic::Spline),
+    ("joint", Topic::Join),
+    ("join", Topic::Join),
+    ("smooth", Topic::Join),
+    ("continuous", Topic::Join),
+    ("differentiable", Topic::Join),
+    ("adjacent", Topic::Join),
+    ("rational", Topic::Rational),
+    ("conic", Topic::Rational),
+    ("shoulder", Topic::Rational),
 ];

@@ -5,6 +5,7 @@ use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("on a", Role::Claimed),
@@ -51,7 +52,11 @@ pub(super) const CUES: &[Cue] = &[
     Before("lorsque", Role::Case),
     Before("quand", Role::Case),
     Before("pour", Role::Case),
-    Before("pour tout", Role::Case),
+    Before("pour tout", Role::All),
+    Before("pour chaque", Role::All),
+    Before("pour toute", Role::All),
+    Before("toujours", Role::Always),
+    Before("on a toujours", Role::Always),
     Before("dès que", Role::Case),
     Before("au cas où", Role::Case),
     Before("en", Role::Case),
@@ -204,6 +209,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("désigne", Be),
     ("désignent", Be),
     ("être", Be),
+    ("s'écrit", Be),
+    ("s'écrivent", Be),
+    ("explicitement", Filler),
     ("sa", Its),
     ("son", Its),
     ("ses", Its),
@@ -272,4 +280,35 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("au plus", Filler),
     ("unique", Filler),
     ("inférieur ou égal à", Filler),
+];
+
+/// How words begin that tell what a section is on.
+pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("courbe de bézier", Topic::BezierCurve),
+    ("courbes de bézier", Topic::BezierCurve),
+    ("forme polaire", Topic::PolarForm),
+    ("formes polaires", Topic::PolarForm),
+    ("floraison", Topic::PolarForm),
+    ("élévation", Topic::Elevation),
+    ("élève", Topic::Elevation),
+    ("élever", Topic::Elevation),
+    ("comme carreau", Topic::Elevation),
+    ("comme cubique", Topic::Elevation),
+    ("comme courbe", Topic::Elevation),
+    ("subdivis", Topic::Subdivision),
+    ("coupe", Topic::Subdivision),
+    ("raffin", Topic::Subdivision),
+    ("moitié", Topic::Subdivision),
+    ("spline", Topic::Spline),
+    ("b-spline", Topic::Spline),
+    ("de boor", Topic::Spline),
+    ("nœud", Topic::Spline),
+    ("noeud", Topic::Spline),
+    ("greville", Topic::Spline),
+    ("raccord", Topic::Join),
+    ("jonction", Topic::Join),
+    ("continu", Topic::Join),
+    ("dérivable", Topic::Join),
+    ("rationnel", Topic::Rational),
+    ("conique", Topic::Rational),
 ];

@@ -5,6 +5,7 @@ use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("gilt", Role::Claimed),
@@ -54,8 +55,16 @@ pub(super) const CUES: &[Cue] = &[
     Before("falls", Role::Case),
     Before("sobald", Role::Case),
     Before("für", Role::Case),
-    Before("für alle", Role::Case),
-    Before("für jedes", Role::Case),
+    Before("für alle", Role::All),
+    Before("für beliebige", Role::All),
+    Before("für jede", Role::All),
+    Before("stets", Role::Always),
+    Before("immer", Role::Always),
+    Before("gilt stets", Role::Always),
+    Before("gilt immer", Role::Always),
+    Before("ist stets", Role::Always),
+    Before("ist immer", Role::Always),
+    Before("für jedes", Role::All),
     Before("im fall", Role::Case),
     Before("an der stelle", Role::Case),
     Before("bei", Role::Case),
@@ -241,6 +250,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("seien", Be),
     ("heißt", Be),
     ("heiße", Be),
+    ("lautet", Be),
+    ("lauten", Be),
+    ("ausgeschrieben", Filler),
+    ("explizit", Filler),
     ("seine", Its),
     ("ihre", Its),
     ("deren", Its),
@@ -324,4 +337,36 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("ganze", Filler),
     ("natürliche", Filler),
     ("positive", Filler),
+];
+
+/// How words begin that tell what a section is on.
+pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("bézierkurve", Topic::BezierCurve),
+    ("polarform", Topic::PolarForm),
+    ("graderhöh", Topic::Elevation),
+    ("gradanheb", Topic::Elevation),
+    ("grad erhöh", Topic::Elevation),
+    ("grad um eins", Topic::Elevation),
+    ("als kub", Topic::Elevation),
+    ("als kurve", Topic::Elevation),
+    ("erhöht", Topic::Elevation),
+    ("unterteil", Topic::Subdivision),
+    ("teilung", Topic::Subdivision),
+    ("verfein", Topic::Subdivision),
+    ("zerleg", Topic::Subdivision),
+    ("halbier", Topic::Subdivision),
+    ("spline", Topic::Spline),
+    ("b-spline", Topic::Spline),
+    ("de boor", Topic::Spline),
+    ("de-boor", Topic::Spline),
+    ("knoten", Topic::Spline),
+    ("greville", Topic::Spline),
+    ("übergang", Topic::Join),
+    ("anschluss", Topic::Join),
+    ("stetig", Topic::Join),
+    ("glatt", Topic::Join),
+    ("aneinander", Topic::Join),
+    ("rational", Topic::Rational),
+    ("kegelschnitt", Topic::Rational),
+    ("schulterpunkt", Topic::Rational),
 ];

@@ -13,6 +13,7 @@ use std::borrow::Cow;
 
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
+use crate::judge::topic::{Topic, Topics};
 
 /// What a phrase is in a sentence that says what names stand for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -108,6 +109,8 @@ struct Language {
     blocks: &'static [(&'static str, Block)],
     /// What phrases are in a sentence that says what names stand for.
     words: &'static [(&'static str, Word)],
+    /// How words begin that tell what a section is on.
+    topics: &'static [(&'static str, Topic)],
     /// Whether blanks separate words.
     spaced: bool,
 }
@@ -118,6 +121,7 @@ const LANGUAGES: &[Language] = &[
         fillers: english::FILLERS,
         blocks: english::BLOCKS,
         words: english::WORDS,
+        topics: english::TOPICS,
         spaced: true,
     },
     Language {
@@ -125,6 +129,7 @@ const LANGUAGES: &[Language] = &[
         fillers: german::FILLERS,
         blocks: german::BLOCKS,
         words: german::WORDS,
+        topics: german::TOPICS,
         spaced: true,
     },
     Language {
@@ -132,6 +137,7 @@ const LANGUAGES: &[Language] = &[
         fillers: french::FILLERS,
         blocks: french::BLOCKS,
         words: french::WORDS,
+        topics: french::TOPICS,
         spaced: true,
     },
     Language {
@@ -139,6 +145,7 @@ const LANGUAGES: &[Language] = &[
         fillers: chinese::FILLERS,
         blocks: chinese::BLOCKS,
         words: chinese::WORDS,
+        topics: chinese::TOPICS,
         spaced: false,
     },
 ];
@@ -189,6 +196,35 @@ pub fn word(text: &str) -> Option<(usize, &'static Word)> {
     best
 }
 
+/// Adds what words speak of.
+///
+/// Cost: linear in the words, times the number of topics.
+pub fn topics(words: &str, found: &mut Topics) {
+    let text = plain(words);
+    for language in LANGUAGES {
+        let mentions = |phrase: &str, whole: bool| {
+            text.match_indices(phrase).any(|(at, _)| {
+                let (before, after) = (&text[..at], &text[at + phrase.len()..]);
+                let begins = !before.ends_with(char::is_alphanumeric);
+                let ends = !whole || !after.starts_with(char::is_alphanumeric);
+                !language.spaced || begins && ends
+            })
+        };
+        for (phrase, topic) in language.topics {
+            if !found.has(*topic) && mentions(phrase, false) {
+                found.add(*topic);
+            }
+        }
+        for (phrase, word) in language.words {
+            if let Word::OfDegree(degree) = word
+                && mentions(phrase, true)
+            {
+                found.add_degree(*degree);
+            }
+        }
+    }
+}
+
 /// The words after the last occurrence of a phrase, if only fillers follow it.
 fn ends_with(words: &str, phrase: &str, language: &Language) -> bool {
     let mut rest = words;
@@ -220,10 +256,13 @@ fn starts_with(words: &str, phrase: &str, language: &Language) -> bool {
 /// Cost: linear in the words, times the number of cues.
 pub fn role(around: &Around, claims: bool) -> Option<Role> {
     let (left, right) = (normal(&around.left), normal(&around.right));
+    // "Solving, we find": the formula is not what is solved.
+    let apart = around.left.trim_end().ends_with([',', '，']);
     let mut best: Option<(usize, Role)> = None;
     for language in LANGUAGES {
         for cue in language.cues {
             let found = match cue {
+                Cue::Before(_, Role::Asked) if apart => None,
                 Cue::Before(phrase, role) => ends_with(&left, phrase, language).then_some((phrase, role)),
                 Cue::Opening(phrase, role) => {
                     (claims && around.first && left == *phrase).then_some((phrase, role))
@@ -289,7 +328,9 @@ mod tests {
     fn cues_in_four_languages() {
         for (left, right, wanted) in [
             ("If", "then", Some(Role::Case)),
-            ("For all integers", "", Some(Role::Case)),
+            ("For all", "", Some(Role::All)),
+            ("Always", "", Some(Role::Always)),
+            ("For all integers", "", Some(Role::All)),
             ("It follows that", "", Some(Role::Claimed)),
             ("We find", "", Some(Role::Claimed)),
             ("Find", "", Some(Role::Asked)),

@@ -1,0 +1,56 @@
+//! What a section speaks of, as far as its words tell.
+
+/// A subject of the field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Topic {
+    /// Bézier curves.
+    BezierCurve,
+    /// Polar forms.
+    PolarForm,
+    /// The same curve with a higher degree.
+    Elevation,
+    /// Parts of a curve, refinement of its control points.
+    Subdivision,
+    /// B-splines, their knots and algorithms.
+    Spline,
+    /// Where two curves meet.
+    Join,
+    /// Rational curves, conics.
+    Rational,
+}
+
+/// The topics of a section, and the degrees that it names by words: "cubic".
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Topics {
+    topics: u16,
+    degrees: u16,
+}
+
+impl Topics {
+    /// Adds a topic.
+    pub fn add(&mut self, topic: Topic) {
+        self.topics |= 1 << topic as u16;
+    }
+
+    /// Adds a degree.
+    pub fn add_degree(&mut self, degree: i64) {
+        if (0..16).contains(&degree) {
+            self.degrees |= 1 << degree;
+        }
+    }
+
+    /// Whether anything is spoken of.
+    pub fn any(self) -> bool {
+        self.topics != 0
+    }
+
+    /// Whether it is spoken of.
+    pub fn has(self, topic: Topic) -> bool {
+        self.topics & (1 << topic as u16) != 0
+    }
+
+    /// The degrees, in increasing order.
+    pub fn degrees(self) -> impl Iterator<Item = i64> {
+        (0..16).filter(move |degree| self.degrees & (1 << degree) != 0)
+    }
+}
