@@ -237,32 +237,23 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     }
 }
 
-/// Remarks about products that print reads in two ways: `3/7 t` and the mixed number `3\frac12`.
+/// Remarks about products that print reads in two ways: `3/7 t`.
 fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
     if let Kind::Mul(factors) = &expr.kind {
         for pair in factors.windows(2) {
-            let span = pair[0].span.to(pair[1].span);
-            let note = match (&pair[0].kind, &pair[1].kind) {
-                (Kind::Div(_, below, Quotient::Slash), second)
-                    if !matches!(second, Kind::Group(_))
-                        && !matches!(&below.kind, Kind::Name(d) if d == "d") =>
-                {
+            if let Kind::Div(_, below, Quotient::Slash) = &pair[0].kind
+                && !matches!(&pair[1].kind, Kind::Group(_))
+                && !matches!(&below.kind, Kind::Name(d) if d == "d")
+            {
+                notes.push(
                     Diagnostic::note(
                         Code::AmbiguousProduct,
                         "the quotient is read as a factor of what follows it",
                     )
                     .hint("write \\frac{3}{7} t, or 3/(7 t)")
-                }
-                (Kind::Number(whole), Kind::Div(above, below, Quotient::Fraction))
-                    if whole.is_integer()
-                        && matches!((&above.kind, &below.kind), (Kind::Number(_), Kind::Number(_))) =>
-                {
-                    Diagnostic::note(Code::AmbiguousProduct, "read as a product, not as a mixed number")
-                        .hint("a mixed number is written 3 + \\frac{1}{2}")
-                }
-                _ => continue,
-            };
-            notes.push(note.at(span));
+                    .at(pair[0].span.to(pair[1].span)),
+                );
+            }
         }
     }
     expr.for_each_child(&mut |child| products_in_latex(child, notes));

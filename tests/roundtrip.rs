@@ -192,3 +192,19 @@ fn functions_read_back() {
         }
     }
 }
+
+/// What print would show as a mixed number has a sign, and so have the ways that the hints of the reader show.
+#[test]
+fn mixed_numbers_are_neither_printed_nor_read() {
+    let product = Expr::product(vec![Expr::int(3), Expr::int(1).over(Expr::int(2))]);
+    assert_eq!(latex(&product), r"3 \cdot \frac{1}{2}");
+    assert!(polarform::latex::read(&latex(&product)).expect("a product").same_as(&product));
+    let problem = polarform::latex::read(r"3\frac12").expect_err("two readings");
+    assert_eq!(problem.hints.len(), 2, "{problem:?}");
+    let mut session = session();
+    for (hint, value) in problem.hints.iter().zip(["3/2", "7/2"]) {
+        let (formula, _) = hint.trim_start_matches("write ").split_once(" for ").expect("a formula");
+        let found = session.run(formula).expect(formula).outcome.value;
+        assert_eq!(found, session.run(value).expect(value).outcome.value, "{formula}");
+    }
+}

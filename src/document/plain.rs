@@ -9,8 +9,7 @@
 
 use std::ops::Range;
 
-use super::signs::is_ideograph;
-use crate::language::lexicon::letters;
+use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::{latex, syntax};
 
 /// A formula of a line: its bytes, and its text, in which marks of emphasis are blanked.
@@ -33,7 +32,10 @@ pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
     }
     let tokens = tokens(line);
     let mut found = Vec::new();
-    for segment in tokens.split(|token| token.kind == Kind::Cut) {
+    for (at, segment) in segments(&tokens) {
+        if is_half(&tokens, at, segment.len()) {
+            continue;
+        }
         for run in balanced(segment) {
             let first =
                 continues && run.first().is_some_and(|token| line[..token.range.start].trim().is_empty());
@@ -41,6 +43,33 @@ pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
         }
     }
     found
+}
+
+/// The runs between the tokens that belong to no formula, with the numbers of their first tokens.
+fn segments(tokens: &[Token]) -> Vec<(usize, &[Token])> {
+    let mut found = Vec::new();
+    let mut from = 0;
+    for at in 0..=tokens.len() {
+        if tokens.get(at).is_none_or(|token| matches!(token.kind, Kind::Cut | Kind::Strange)) {
+            if from < at {
+                found.push((from, &tokens[from..at]));
+            }
+            from = at + 1;
+        }
+    }
+    found
+}
+
+/// Whether a run is a part of something larger that is not read: beside an unknown sign, or glued to a word
+/// whose argument or index it is.
+fn is_half(tokens: &[Token], at: usize, len: usize) -> bool {
+    let before = at.checked_sub(1).map(|at| &tokens[at]);
+    let after = tokens.get(at + len);
+    let strange = |token: Option<&Token>| token.is_some_and(|token| token.kind == Kind::Strange);
+    let call = before.is_some_and(|token| token.word)
+        && !tokens[at].spaced
+        && matches!(tokens[at].kind, Kind::Open(_) | Kind::Operator | Kind::Number);
+    strange(before) || strange(after) || call
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +89,8 @@ enum Kind {
     Comma,
     Dots,
     Cut,
+    /// A sign of mathematics that is not known: what it touches is not read.
+    Strange,
 }
 
 #[derive(Clone, Debug)]
@@ -70,6 +101,8 @@ struct Token {
     spaced: bool,
     /// Marks of emphasis at both ends.
     marks: usize,
+    /// Whether it is a word of letters that are no ideographs.
+    word: bool,
 }
 
 fn tokens(line: &str) -> Vec<Token> {
@@ -83,7 +116,8 @@ fn tokens(line: &str) -> Vec<Token> {
             continue;
         }
         let (kind, len, marks) = token(line, at, c);
-        tokens.push(Token { kind, range: at..at + len, spaced, marks });
+        let word = kind == Kind::Cut && is_letter(c) && !is_ideograph(c);
+        tokens.push(Token { kind, range: at..at + len, spaced, marks, word });
         at += len;
         spaced = false;
     }
@@ -158,6 +192,8 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
         '}' => Kind::Close('{'),
         ',' | ';' => Kind::Comma,
         '∞' => Kind::Number,
+        // The blocks of mathematical operators, and what ASCII has of them.
+        '%' | '~' | '&' | '@' | '\u{2200}'..='\u{22ff}' | '\u{2a00}'..='\u{2aff}' => Kind::Strange,
         _ => Kind::Cut,
     };
     (kind, one, 0)
@@ -214,6 +250,12 @@ fn name(text: &str, len: usize) -> (Kind, usize, usize) {
 /// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names.
 fn script(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
+    if first == '(' {
+        // b_(i-1), B_i^(n-1)
+        let close = text.find(')').filter(|&close| close < 40)?;
+        let inner = &text[1..close];
+        return (!inner.is_empty() && !inner.contains(['(', '=', ' '])).then_some(close + 1);
+    }
     if first == '{' {
         let close = text.find('}').filter(|&close| close < 40)?;
         return (!text[1..close].contains(['{', '='])).then_some(close + 1);
@@ -426,6 +468,8 @@ mod tests {
             ("f(t1, t2) = t1 t2 + 1", vec!["f(t1, t2) = t1 t2 + 1"]),
             ("so a = b + 1 and", vec!["a = b + 1"]),
             ("let n! = n (n-1)!", vec!["n! = n (n-1)!"]),
+            ("here b_(i-1) = b_i holds", vec!["b_(i-1) = b_i"]),
+            ("and B_i^(n-1)(t) = 0 holds", vec!["B_i^(n-1)(t) = 0"]),
         ] {
             assert_eq!(found(line), wanted, "{line}");
         }
@@ -459,6 +503,11 @@ mod tests {
             "--flag=value -o=2",
             "E = mc²",
             "f(x = y",
+            "a = b ⊕ c",
+            "x = y % z",
+            "a ~ b = c",
+            "é(t) = 4",
+            "Bézier(n) = 3",
         ] {
             assert_eq!(found(line), [""; 0], "{line}");
         }

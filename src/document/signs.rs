@@ -4,6 +4,8 @@
 //! inside out. So the search for the closing sign stops at what cannot stand in a formula: a
 //! heading, a fence, a formula set with single `$`, a paragraph of prose.
 
+use crate::language::lexicon::letters::is_ideograph;
+
 /// The environments that are displays of their own.
 const ENVIRONMENTS: &[&str] = &[
     "equation",
@@ -186,11 +188,6 @@ pub(super) fn reads_as_prose(line: &str) -> bool {
         }
     }
     false
-}
-
-/// A character of Chinese, Japanese or Korean.
-pub(super) fn is_ideograph(c: char) -> bool {
-    matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}')
 }
 
 /// Where the formula opened by the single `$` at `open` ends: the byte of the closing `$`.

@@ -71,4 +71,22 @@ impl Expr {
             | Kind::Unread(_) => Precedence::Atom,
         }
     }
+
+    /// Whether this and what is set beside it could be a mixed number: in print `3\tfrac12`, a whole number before a
+    /// proper fraction of two numbers, is 3 + 1/2 for some and 3 · 1/2 for others. Cost: O(1).
+    pub fn is_mixed_with(&self, next: &Expr) -> bool {
+        let last = if let Kind::Cross(factors) = &self.kind { factors.last() } else { Some(self) };
+        let first = if let Kind::Cross(factors) = &next.kind { factors.first() } else { Some(next) };
+        let (Some(last), Some(first)) = (last, first) else { return false };
+        let (Kind::Number(whole), Kind::Div(above, below, Quotient::Fraction)) = (&last.kind, &first.kind)
+        else {
+            return false;
+        };
+        match (&above.kind, &below.kind) {
+            (Kind::Number(above), Kind::Number(below)) => {
+                [whole, above, below].iter().all(|number| number.is_integer()) && above < below
+            }
+            _ => false,
+        }
+    }
 }

@@ -26,7 +26,7 @@ pub(super) fn character(c: char) -> Option<Character> {
         '’' | '′' => return Some(Character::Prime(1)),
         '″' => return Some(Character::Prime(2)),
         '‴' => return Some(Character::Prime(3)),
-        '−' | '–' => Tok::Minus,
+        '−' | '–' | '－' => Tok::Minus,
         '＋' => Tok::Plus,
         '·' | '⋅' | '∙' => Tok::Dot,
         '∗' => Tok::Star,
@@ -93,6 +93,11 @@ pub(super) fn accent(c: char) -> Option<Accent> {
 pub(super) fn is_word(c: char) -> bool {
     !c.is_ascii() && c.is_alphabetic() && character(c).is_none()
         || matches!(c, '“' | '”' | '《' | '》' | '「' | '」')
+}
+
+/// Whether the text begins with one letter in braces.
+pub(super) fn is_letter_in_braces(text: &str) -> bool {
+    matches!(text.as_bytes(), [b'{', letter, b'}', ..] if letter.is_ascii_alphabetic())
 }
 
 /// The plain character that a raised (true) or lowered (false) one stands for.

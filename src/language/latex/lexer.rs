@@ -4,14 +4,15 @@
 //! its problem, so that one strange character spoils only the formula it stands in.
 //! Spaces, comments, sizes and labels are gone after this stage.
 
-use super::characters::{Character, character, is_word};
+use super::characters::{Character, character, is_letter_in_braces, is_word};
 use super::commands::{self, BARE_WORDS, CONNECTIVES, Role};
 use super::environments;
 use super::token::{Env, Fence, Tok, Token};
 use super::{Word, Words};
-use crate::formula::Rel;
 use crate::formula::source::Span;
+use crate::formula::{Accent, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::letters::is_ideograph;
 
 /// A numeral with more digits is refused.
 pub(super) const MAX_DIGITS: usize = 20_000;
@@ -42,7 +43,7 @@ pub(super) struct Lexer<'t> {
     words: Words<'t>,
     pub(super) at: usize,
     end: usize,
-    tokens: Vec<Token>,
+    pub(super) tokens: Vec<Token>,
     problems: Vec<Diagnostic>,
     max_raw: usize,
 }
@@ -85,7 +86,7 @@ impl Lexer<'_> {
         self.push_from(start, Tok::Bad(number), end);
     }
 
-    fn last(&self) -> Option<Tok> {
+    pub(super) fn last(&self) -> Option<Tok> {
         self.tokens.last().map(|token| token.kind)
     }
 
@@ -115,6 +116,17 @@ impl Lexer<'_> {
                 None => self.other(c),
             },
         }
+    }
+
+    /// Whether the word of `run` bytes here belongs to a name: `Bézier(n, t)`, `é(t)`. Ideographs stand beside names.
+    fn is_in_name(&self, run: usize) -> bool {
+        let word = &self.rest()[..run];
+        let letter = |c: char| c.is_ascii_alphabetic();
+        let before = self.text[..self.at].ends_with(letter);
+        let after =
+            self.rest()[run..].starts_with(|c: char| letter(c) || matches!(c, '(' | '_' | '^' | '\''));
+        word.chars().all(|c| c.is_alphabetic() && !is_ideograph(c))
+            && (before || after || word.chars().count() == 1)
     }
 
     /// Length of `:=` here, also with spaces between; 0 if there is none.
@@ -219,6 +231,14 @@ impl Lexer<'_> {
             }
             None if is_word(c) => {
                 let run: usize = self.rest().chars().take_while(|&c| is_word(c)).map(char::len_utf8).sum();
+                if self.is_in_name(run) {
+                    let problem = Diagnostic::error(
+                        Code::UnexpectedCharacter,
+                        format!("'{c}' cannot be a letter of a name in a formula"),
+                    )
+                    .hint("write names with ASCII or Greek letters, words as \\text{…}");
+                    return self.bad(self.at, self.at + run, problem);
+                }
                 self.push(Tok::Text(self.at as u32, (self.at + run) as u32), run);
             }
             None => {
@@ -313,6 +333,10 @@ impl Lexer<'_> {
                 self.push_from(start, Tok::RowBreak, self.at);
             }
             Role::Left | Role::Right | Role::Middle => self.delimiter(start, role, name),
+            // \textbf{Q}_i: a letter, not a word.
+            Role::Text if name == "textbf" && is_letter_in_braces(&self.rest()[end - self.at..]) => {
+                self.push_from(start, Tok::Command(Role::Accent(Accent::Bold)), end);
+            }
             Role::Text => {
                 if let Some(content) = self.raw_argument(start, name) {
                     self.push_from(start, Tok::Text(content.start as u32, content.end as u32), self.at);

@@ -1,5 +1,6 @@
 //! Numerals: digits, groups of digits, decimals.
 
+use super::commands::Role;
 use super::lexer::{Lexer, MAX_DIGITS};
 use super::token::Tok;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -78,6 +79,19 @@ impl Lexer<'_> {
         if parts > 1 {
             return None;
         }
+        // 2,5 where the side of a relation begins: a decimal, or two numbers?
+        if let Some(fraction) = tail.strip_prefix(',')
+            && let count @ 1.. = digits(fraction)
+            && self.begins_side()
+            && !goes_on_as_list(&fraction[count..])
+            && !(self.has_name_before() && is_next(number, &fraction[..count]))
+        {
+            let end = length + 1 + count;
+            let problem = malformed(end)
+                .reason("a decimal comma, or two numbers?")
+                .hint(format!("write {number}{{,}}{0}, or a space: {number}, {0}", &fraction[..count]));
+            return Some((end, Some(problem)));
+        }
         // 1{,}5 is a decimal comma, 1{,}024 may be a thousand and 24
         if let Some(fraction) = tail.strip_prefix("{,}")
             && let count @ 1.. = digits(fraction)
@@ -103,6 +117,72 @@ impl Lexer<'_> {
         {
             end += more;
         }
+        // 12\,34 is neither one number nor clearly two; of x^2 and \frac12 TeX takes single digits
+        let is_argument = matches!(self.last(), Some(Tok::Sup | Tok::Sub | Tok::Command(_)));
+        let more = ["\\,", "~"].into_iter().find_map(|blank| rest[end..].strip_prefix(blank));
+        if let Some(more) = more.filter(|more| !is_argument && digits(more) > 0) {
+            let end = rest.len() - more.len() + digits(more);
+            let problem = malformed(end)
+                .reason("groups of a number have three digits")
+                .hint("write the number without spaces, or a product with \\cdot");
+            return Some((end, Some(problem)));
+        }
         (end > length).then_some((end, None))
+    }
+
+    /// Whether the side of a relation begins here, perhaps with a sign.
+    fn begins_side(&self) -> bool {
+        let mut before = self.kinds_before();
+        match before.next() {
+            None | Some(Tok::Rel(_)) => true,
+            Some(Tok::Minus) => matches!(before.next(), None | Some(Tok::Rel(_))),
+            _ => false,
+        }
+    }
+
+    /// Whether a relation whose left side is a name stands before: `i = 0,1`.
+    fn has_name_before(&self) -> bool {
+        let mut before = self.kinds_before();
+        matches!(before.next(), Some(Tok::Rel(_)))
+            && matches!(before.next(), Some(Tok::Letter(_) | Tok::Symbol(_)))
+            && match before.next() {
+                None => true,
+                Some(Tok::Command(role)) => role == Role::ForAll,
+                Some(kind) => matches!(
+                    kind,
+                    Tok::Comma
+                        | Tok::Gap
+                        | Tok::Text(..)
+                        | Tok::Open(_)
+                        | Tok::OpenBrace
+                        | Tok::RowBreak
+                        | Tok::Align
+                        | Tok::Begin(_)
+                ),
+            }
+    }
+
+    fn kinds_before(&self) -> impl Iterator<Item = Tok> {
+        self.tokens.iter().rev().map(|token| token.kind).filter(|kind| *kind != Tok::Skip)
+    }
+}
+
+/// Whether more items of a list follow: `1,3,5`, `1,3, \dots, n`.
+fn goes_on_as_list(text: &str) -> bool {
+    let item = text.trim_start().strip_prefix(',');
+    let rest = item.unwrap_or(text).trim_start();
+    let rest = rest.strip_prefix("\\,").unwrap_or(rest).trim_start();
+    let dots = ["..", "…", "\\dots", "\\ldots", "\\cdots"];
+    let ends = rest.starts_with("\\q") || rest.starts_with("\\text") || rest.starts_with(['}', '&', '$']);
+    let glued = item.is_some_and(|item| item.starts_with(|c: char| !c.is_whitespace())) && !ends;
+    let number = item.is_some() && rest.starts_with(|c: char| c.is_ascii_digit());
+    glued || number || dots.iter().any(|dots| rest.starts_with(dots))
+}
+
+/// Whether the second number follows the first: 0,1 are indices.
+fn is_next(first: &str, second: &str) -> bool {
+    match (first.parse::<u64>(), second.parse::<u64>()) {
+        (Ok(first), Ok(second)) => first.checked_add(1) == Some(second),
+        _ => false,
     }
 }

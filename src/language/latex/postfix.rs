@@ -464,17 +464,20 @@ impl Reader<'_> {
         if let Some(raise) = self.raise_of_signs(window.clone()) {
             return Ok(raise);
         }
-        if self.is_round_bracket(window.clone()) {
+        // f^{(k)}, and the step of a scheme: c^{[0]}
+        if self.is_bracket(window.clone()) {
             return Ok(Raise::Upper(self.list_in(window.start + 1..window.end - 1)?));
         }
         let mut list = self.list_in(window)?;
         Ok(if list.len() == 1 { Raise::Power(list.swap_remove(0)) } else { Raise::Upper(list) })
     }
 
-    /// Whether a window is one bracket from end to end.
-    fn is_round_bracket(&self, window: Window) -> bool {
-        matches!(self.tokens[window.start].kind, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren))
-            && self.after(window.start) == window.end
+    /// Whether a window is one round or square bracket from end to end.
+    fn is_bracket(&self, window: Window) -> bool {
+        matches!(
+            self.tokens[window.start].kind,
+            Tok::Open(Fence::Paren | Fence::Square) | Tok::Left(Fence::Paren | Fence::Square)
+        ) && self.after(window.start) == window.end
     }
 
     /// Superscripts that are signs rather than expressions: primes, stars, the T of a transpose.

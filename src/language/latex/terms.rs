@@ -4,6 +4,7 @@ use super::commands::Role;
 use super::reader::{Reader, Result};
 use super::token::{Fence, Tok};
 use crate::formula::{Enclosure, Expr, Kind, Quotient, Sign, Term};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 impl Reader<'_> {
     fn sign(&mut self) -> Option<Sign> {
@@ -106,11 +107,30 @@ impl Reader<'_> {
                     self.bump();
                     self.wrap(layers).and_then(|()| self.evaluated(body, start))
                 }
-                _ => self.operand(),
+                _ => {
+                    let next = self.operand();
+                    if let (Some(last), Ok(next)) = (factors.last(), &next) {
+                        self.refuse_mixed_number(last, next)?;
+                    }
+                    next
+                }
             };
             factors.push(next?);
         }
         Ok(self.joined(factors, start))
+    }
+
+    fn refuse_mixed_number(&self, before: &Expr, after: &Expr) -> Result<()> {
+        if !before.is_mixed_with(after) {
+            return Ok(());
+        }
+        let (number, fraction) = (&self.text[before.span.range()], &self.text[after.span.range()]);
+        Err(Box::new(
+            Diagnostic::error(Code::AmbiguousProduct, "a mixed number or a product?")
+                .hint(format!("write {number} \\cdot {fraction} for the product"))
+                .hint(format!("write {number} + {fraction} for the mixed number"))
+                .at(before.span.to(after.span)),
+        ))
     }
 
     fn quotient(&mut self, left: Expr, start: usize, layers: u32) -> Result<Expr> {

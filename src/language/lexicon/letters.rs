@@ -133,6 +133,11 @@ fn double_struck(letter: char) -> Option<char> {
     }
 }
 
+/// A character of Chinese, Japanese or Korean.
+pub fn is_ideograph(c: char) -> bool {
+    matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}' | '\u{f900}'..='\u{faff}')
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -15,8 +15,8 @@ use crate::formula::{
 /// The formula in LaTeX, without dollar signs.
 ///
 /// Parentheses grow (`\left( … \right)`) only around what is taller than a line. Between a name
-/// and a parenthesis a product has a `\cdot`, since `c(t + 1)` could be a value of c. Pieces that
-/// could not be read are printed as they were written.
+/// and a parenthesis a product has a `\cdot`, since `c(t + 1)` could be a value of c, and between 3 and 1/2,
+/// which could be a mixed number. Pieces that could not be read are printed as they were written.
 ///
 /// Cost: linear in the size of the tree.
 ///
@@ -109,6 +109,7 @@ impl Notation for Latex {
             // \\[…] would be the distance to the next row
             Joint::Adjacent if before.row_break && first == Some('[') => "{}",
             Joint::Adjacent => "",
+            Joint::Times { mixed: true, .. } => " \\cdot ",
             Joint::Times { .. } if first.is_some_and(|c| c.is_ascii_digit()) => " \\cdot ",
             Joint::Times { hint: callee, .. } => {
                 let bracket = ["(", "\\left(", "\\{", "\\left\\{"].iter().any(|open| next.starts_with(open));

@@ -47,7 +47,8 @@ pub(super) fn product<'a>(
 ) {
     for (i, factor) in factors.iter().enumerate() {
         if i > 0 {
-            out.times(hint(&factors[i - 1], factor));
+            let before = &factors[i - 1];
+            out.times(hint(before, factor), before.is_mixed_with(factor));
         }
         let level = factor_level(factor, i == 0, i + 1 == factors.len(), &open);
         node_or_dots(factor, dots, level, out);

@@ -103,7 +103,7 @@ impl Notation for Text {
                 ""
             }
             Joint::Times { compact: false, .. } => " ",
-            Joint::Times { compact: true, hint: number } => match (before.last, first) {
+            Joint::Times { compact: true, hint: number, .. } => match (before.last, first) {
                 (_, Some('.')) | (Some('.'), _) => " ",
                 // 2e is the beginning of a power of ten
                 (_, Some(c)) if number && (c == '(' || c.is_alphabetic() && !matches!(c, 'e' | 'E')) => "",

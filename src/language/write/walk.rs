@@ -40,6 +40,8 @@ pub(super) enum Joint {
     Times {
         /// What the notation said about the first factor, see [`Pieces::times`].
         hint: bool,
+        /// Side by side they could be a mixed number, see [`Expr::is_mixed_with`].
+        mixed: bool,
         /// In an index or exponent.
         compact: bool,
     },
@@ -71,7 +73,7 @@ enum Piece<'a> {
     Str(&'a str),
     String(String),
     Node { expr: &'a Expr, level: Precedence, compact: bool },
-    Times { hint: bool, compact: bool },
+    Times { hint: bool, mixed: bool, compact: bool },
 }
 
 /// The pieces of a node, in order.
@@ -115,8 +117,8 @@ impl<'a> Pieces<'a> {
 
     /// The sign of a product, settled when the next factor is known. The hint is what
     /// [`Notation::between`] wants to know about the factor before.
-    pub(super) fn times(&mut self, hint: bool) {
-        self.list.push(Piece::Times { hint, compact: self.compact });
+    pub(super) fn times(&mut self, hint: bool, mixed: bool) {
+        self.list.push(Piece::Times { hint, mixed, compact: self.compact });
     }
 
     /// Items with a separator, each in a place that requires at least `level`.
@@ -176,7 +178,7 @@ pub(super) fn walk<N: Notation>(
         match piece {
             Piece::Str(text) => sink.push(notation, text)?,
             Piece::String(text) => sink.push(notation, &text)?,
-            Piece::Times { hint, compact } => sink.joint = Joint::Times { hint, compact },
+            Piece::Times { hint, mixed, compact } => sink.joint = Joint::Times { hint, mixed, compact },
             Piece::Node { expr, level, compact } => {
                 budget::step();
                 if notation.level(expr) < level {

@@ -111,3 +111,56 @@ fn long_formulas_are_read() {
     assert!(read(&vec!["a = b"; 20_000].join(r"\\")).is_ok());
     assert!(read(&vec!["f(t)(a)"; 20_000].join(r"\quad ")).is_ok());
 }
+
+/// Each of these has two readings; neither is taken.
+#[test]
+fn numbers_with_two_readings() {
+    for text in [
+        r"3\tfrac12 = 3.5",
+        r"3 \tfrac12",
+        r"2\,\frac{3}{4} = x",
+        r"2 \times 3\frac12 = 7",
+        r"3\frac12 \times 2 = 7",
+        r"\frac1{10} = 0,1",
+        r"x = 2,5.",
+        r"x = 2,5, \quad y = 3",
+        r"12\,34 = 1234",
+        r"2,5 = \frac52",
+        r"\frac12 = 0,5",
+        r"x = -1,25",
+        "B\u{e9}zier(n, t) = 3",
+        "\u{e9}(t) = 3",
+    ] {
+        let problem = crate::language::latex::read(text).expect_err(text);
+        assert!(!problem.hints.is_empty(), "{text}: {problem:?}");
+    }
+    for text in [
+        r"3\frac32",
+        r"3\left(\frac12\right)",
+        r"t^2\frac12",
+        r"\sqrt3\frac12",
+        r"t^2\,3",
+        r"\frac12\,3",
+        r"1\,024 = 2^{10}",
+        r"10~000",
+        r"0{,}5 = \frac12",
+        r"10\,000",
+        r"f(0,5) = 1",
+        "i = 0,1",
+        r"\sum_{i=0,1} t^i",
+        r"0,2,\frac12",
+        r"x \in 0, 2, \, \ldots, n",
+        "i = 0,1,\\dots,n",
+        r"x = 2, y = 3",
+        "i = 1,3,5",
+    ] {
+        assert!(crate::language::latex::read(text).is_ok(), "{text}");
+    }
+}
+
+#[test]
+fn upper_indices_in_brackets_and_bold_letters() {
+    let read = |text: &str| crate::language::latex::read(text).expect(text);
+    assert!(read("c_1^{[0]}").same_as(&read("c_1^{(0)}")));
+    assert!(read(r"\textbf{Q}_i").same_as(&read(r"\mathbf{Q}_i")));
+}

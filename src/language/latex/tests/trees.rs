@@ -232,7 +232,11 @@ fn arithmetic() {
         (r"\sqrt2x", "(* (sqrt: 2) x)"),
         (r"\sqrt[3]{x}", "(root: x 3)"),
         (r"A \setminus B", "(setminus: A B)"),
-        (r"2\frac12", "(* 2 (frac 1 2))"),
+        (r"2 \cdot \frac12", "(* 2 (frac 1 2))"),
+        (r"2\frac{a}{b}", "(* 2 (frac a b))"),
+        (r"2\frac{1}{n}", "(* 2 (frac 1 n))"),
+        (r"2\frac32", "(* 2 (frac 3 2))"),
+        (r"2^3\frac12\frac34", "(* (^ 2 3) (frac 1 2) (frac 3 4))"),
     ]);
 }
 
