@@ -252,12 +252,12 @@ fn script(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
     if first == '(' {
         // b_(i-1), B_i^(n-1)
-        let close = text.find(')').filter(|&close| close < 40)?;
+        let close = text.bytes().take(40).position(|byte| byte == b')')?;
         let inner = &text[1..close];
         return (!inner.is_empty() && !inner.contains(['(', '=', ' '])).then_some(close + 1);
     }
     if first == '{' {
-        let close = text.find('}').filter(|&close| close < 40)?;
+        let close = text.bytes().take(40).position(|byte| byte == b'}')?;
         return (!text[1..close].contains(['{', '='])).then_some(close + 1);
     }
     if first.is_ascii_digit() {
