@@ -162,8 +162,6 @@ pub struct Statement {
     pub place: Place,
     /// What the words around it make of it, if they say.
     pub role: Option<Role>,
-    /// The words of the paragraph before the formula.
-    pub before: String,
     /// What its section speaks of, up to it.
     pub topics: Topics,
     /// What the sentences right before it speak of.
@@ -175,8 +173,8 @@ pub struct Statement {
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
-        let (before, topics, near, gap) = Default::default();
-        Statement { said, place, role: None, before, topics, near, gap }
+        let (topics, near, gap) = Default::default();
+        Statement { said, place, role: None, topics, near, gap }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -13,7 +13,7 @@ use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, is_range};
 use crate::judge::statement::{Chain, Place, Role, Said, Side, Statement};
-use crate::judge::topic::Topics;
+use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::{latex, syntax};
 
@@ -60,7 +60,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         blocks: Vec::new(),
         group: 0,
         ended: false,
-        before: String::new(),
+        begun: false,
         topics: Topics::default(),
         last: String::new(),
         gap: String::new(),
@@ -89,7 +89,8 @@ struct Reader<'a> {
     group: u32,
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
-    before: String,
+    /// Whether the paragraph has words already.
+    begun: bool,
     topics: Topics,
     /// The last words, for what the sentence speaks of.
     last: String,
@@ -107,7 +108,7 @@ impl Reader<'_> {
                 self.blocks.clear();
                 self.new_group();
                 let title = self.document.file.slice(*span);
-                self.before.push_str(title);
+                self.begun = true;
                 self.topics = Topics::default();
                 self.last.clear();
                 self.speak(title);
@@ -117,7 +118,7 @@ impl Reader<'_> {
                 if self.ended && !words.trim().is_empty() {
                     self.new_group();
                 }
-                if self.before.trim().is_empty()
+                if !self.begun
                     && let Some(block) = speech::block(words)
                 {
                     self.next_scope += 1;
@@ -127,13 +128,12 @@ impl Reader<'_> {
                         self.blocks.push((block, self.next_scope));
                     }
                 }
-                self.before.push_str(words);
+                self.begun |= !words.trim().is_empty();
                 self.gap.push_str(words);
                 self.speak(words);
             }
             Item::Break => {
                 self.ended = true;
-                self.before.push('\n');
             }
             Item::Enter(enclosure) => {
                 self.next_scope += 1;
@@ -173,7 +173,8 @@ impl Reader<'_> {
     /// The topics of the last words.
     fn near(&self) -> Topics {
         let mut near = Topics::default();
-        if self.topics.any() {
+        // Nothing else is asked of the last words.
+        if self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm) {
             speech::topics(&self.last, &mut near);
         }
         near
@@ -182,7 +183,7 @@ impl Reader<'_> {
     fn new_group(&mut self) {
         self.group += 1;
         self.ended = false;
-        self.before.clear();
+        self.begun = false;
     }
 
     fn place(&self) -> Place {
@@ -201,7 +202,6 @@ impl Reader<'_> {
 
     fn push(&mut self, said: Said) {
         let statement = Statement {
-            before: self.before.clone(),
             topics: self.topics,
             near: self.near(),
             gap: self.gap.clone(),

@@ -4,7 +4,9 @@
 //! numbers as numbers (t < t_1 < t_2 < t_10 < t_i), then upper indices. The order is total
 //! and two symbols are equal only if all parts are.
 
+use std::cmp::Ordering;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 /// An index: a number or a word.
@@ -41,8 +43,35 @@ struct Parts {
 /// assert_eq!(Symbol::indexed("t", 2).to_string(), "t2");
 /// assert_eq!(Symbol::indexed("c", 2).to_string(), "c_2");
 /// ```
-#[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Eq)]
 pub struct Symbol(Arc<Parts>);
+
+impl PartialEq for Symbol {
+    /// Indices first: members of one family differ in these, and numbers are compared faster than letters.
+    fn eq(&self, other: &Self) -> bool {
+        let (a, b) = (&*self.0, &*other.0);
+        Arc::ptr_eq(&self.0, &other.0)
+            || a.indices == b.indices && a.base == b.base && a.upper == b.upper && a.accent == b.accent
+    }
+}
+
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.hash(state);
+    }
+}
+
+impl PartialOrd for Symbol {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Symbol {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if Arc::ptr_eq(&self.0, &other.0) { Ordering::Equal } else { self.0.cmp(&other.0) }
+    }
+}
 
 impl Symbol {
     /// A plain symbol.

@@ -19,7 +19,7 @@ use self::tokens::{Token, tokens};
 use super::sentence::Piece;
 use super::speech::Word;
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{Head, integer_names, is_index_letter};
+use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
 use crate::judge::statement::{Said, Statement};
 
@@ -242,11 +242,7 @@ impl<'a> Reader<'a> {
         let number = if after { formula(last) } else { formula(next).or_else(|| formula(last)) };
         let Some(number) = number else { return };
         let [size] = self.said(number) else { return };
-        let letters = integer_names(size).into_iter().chain(match &size.kind {
-            Kind::Name(name) => Some(name.clone()),
-            _ => None,
-        });
-        let letters: BTreeSet<String> = letters.filter(|name| is_index_letter(name)).collect();
+        let letters: BTreeSet<String> = bases(size).into_iter().filter(|name| is_index_letter(name)).collect();
         if let (Some(letter), 1) = (letters.first(), letters.len()) {
             let degree = Some(size.clone());
             let object = Object { names: vec![Expr::name(letter)], degree, ..Object::new(sort) };
