@@ -359,7 +359,11 @@ pub fn decide(
         unknown.iter().filter(|name| !tally.record.paired.contains(name.as_str())).collect();
     // h(t_1, t_2) = …, where words say that h is the polar form of FG, for whatever F and G.
     let generic = |value: &Value| compare::symbols(value).iter().any(is_coefficient);
-    if spoken && first && asserted && generic(&failure.left) && generic(&failure.right) {
+    let from_right = || {
+        Head::of(right)
+            .is_some_and(|own| own.arguments.is_some() && checker.is_determined(&own, &statement.place))
+    };
+    if (spoken && first || from_right()) && asserted && generic(&failure.left) && generic(&failure.right) {
         return refuted(failure);
     }
     if unknown.len() > 1 {

@@ -242,7 +242,8 @@ impl<'a> Reader<'a> {
         let number = if after { formula(last) } else { formula(next).or_else(|| formula(last)) };
         let Some(number) = number else { return };
         let [size] = self.said(number) else { return };
-        let letters: BTreeSet<String> = bases(size).into_iter().filter(|name| is_index_letter(name)).collect();
+        let letters: BTreeSet<String> =
+            bases(size).into_iter().filter(|name| is_index_letter(name)).collect();
         if let (Some(letter), 1) = (letters.first(), letters.len()) {
             let degree = Some(size.clone());
             let object = Object { names: vec![Expr::name(letter)], degree, ..Object::new(sort) };
