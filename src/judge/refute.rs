@@ -7,9 +7,9 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare;
-use super::context::{Body, is_variable};
+use super::context::{Body, Definition, is_variable};
 use super::hypotheses::is_coefficient;
-use super::names::{Head, bases, is_index_letter, walk};
+use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
@@ -254,6 +254,17 @@ pub fn decide(
         let variables: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
         let closed = !variables.is_empty() && own.is_subset(&variables);
         if statement.role == Some(Role::Introduced) && !standard && closed {
+            return Decision::Redefinition(None);
+        }
+        // For F(t) = t …, in general for F(t) = t^k …
+        let example = |definition: &Definition| matches!(&definition.body, Body::Formula(body) if integer_names(body).is_empty());
+        let mut known = checker.context.visible(&head.base, &statement.place).peekable();
+        if !claimed
+            && !standard
+            && !integer_names(right).is_empty()
+            && known.peek().is_some()
+            && known.all(|(_, definition, _)| example(definition))
+        {
             return Decision::Redefinition(None);
         }
         let again = checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
