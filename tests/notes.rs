@@ -220,6 +220,8 @@ fn pages_mean_what_they_say() {
             red,
         ),
         ("Let $F$ be a polynomial of degree $n$, $f$ its polar form. Then $F(t)=f(t^n)$.", green),
+        ("Let $F$ be a polynomial of degree $n$, $f$ its polar form. Then $F(t)=f(t^{[n]})$.", green),
+        ("Let $F$ be a polynomial of degree $n$, $f$ its polar form. Then $F(t)=2f(t^{[n]})$.", red),
         ("Let $f$ be the polar form of a cubic $F$. Then $F'''(t)=f(\\hat 1,\\hat 1,\\hat 1)$.", red),
         (
             "Let $F$ be quadratic and $g$ be affine. Let $h$ be the polar form of $Fg$ and $f$ the polar form of $F$. Then $h(a,b,c)=\\frac13(f(a,b)g(c)+f(a,c)g(b)+f(b,c)g(a))$.",

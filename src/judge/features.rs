@@ -110,3 +110,16 @@ pub fn has_splines(sides: &[&Expr]) -> bool {
     }
     found
 }
+
+/// Sums, products, factorials, binomials: signs of an identity rather than of a condition.
+pub fn has_structure(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| {
+        found = found
+            || matches!(
+                part.kind,
+                Kind::Big { .. } | Kind::Factorial(_) | Kind::Binomial(..) | Kind::Integral { .. }
+            );
+    });
+    found
+}

@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition, is_variable};
+use super::features::has_structure;
 use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
@@ -624,19 +625,6 @@ fn bare_values(side: &Expr) -> bool {
         Kind::Group(inner) => bare_values(inner),
         _ => false,
     }
-}
-
-/// Sums, products, factorials, binomials: signs of an identity rather than of a condition.
-fn has_structure(side: &Expr) -> bool {
-    let mut found = false;
-    walk(side, &mut |part| {
-        found = found
-            || matches!(
-                part.kind,
-                Kind::Big { .. } | Kind::Factorial(_) | Kind::Binomial(..) | Kind::Integral { .. }
-            );
-    });
-    found
 }
 
 /// The symbols of a value that are no coefficients of an unknown function.

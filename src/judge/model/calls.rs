@@ -177,22 +177,22 @@ impl Model {
         let factors: Vec<&Expr> = items
             .iter()
             .flat_map(|item| match &item.kind {
-                Kind::Mul(factors) if factors.iter().any(|factor| matches!(factor.kind, Kind::Pow(..))) => {
+                Kind::Mul(factors) if factors.iter().any(|factor| power(factor).is_some()) => {
                     factors.iter().collect()
                 }
                 _ => vec![item],
             })
             .collect();
-        let count = |factor: &&Expr| match &factor.kind {
-            Kind::Pow(base, exponent) if single(base) => machine.eval_int(exponent).ok(),
-            _ if single(factor) => Some(1),
-            _ => None,
+        let count = |factor: &&Expr| match power(factor).filter(|(base, _)| single(base)) {
+            Some((_, exponent)) => machine.eval_int(exponent).ok(),
+            None => single(factor).then_some(1),
         };
-        let number = |factor: &&Expr| matches!(&factor.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Number(_)));
+        let number =
+            |factor: &&Expr| power(factor).is_some_and(|(base, _)| matches!(base.kind, Kind::Number(_)));
         // Powers of names are repetitions where that gives the number of arguments, and the powers do not.
         let repeated = factors.iter().any(number)
             || arity.is_some_and(|arity| {
-                arity != items.len()
+                (arity != items.len() || factors.iter().any(|factor| matches!(factor.kind, Kind::Upper(..))))
                     && factors.iter().map(count).sum::<Option<i64>>() == i64::try_from(arity).ok()
             });
         if !repeated {
@@ -200,8 +200,8 @@ impl Model {
         }
         let mut values = Vec::new();
         for factor in factors {
-            match &factor.kind {
-                Kind::Pow(base, exponent) if single(base) => {
+            match power(factor).filter(|(base, _)| single(base)) {
+                Some((base, exponent)) => {
                     let count = machine.eval_int(exponent)?;
                     let count = usize::try_from(count).map_err(|_| {
                         Diagnostic::error(Code::Domain, format!("{count} copies make no sense"))
@@ -211,7 +211,7 @@ impl Model {
                     let value = machine.eval(base)?;
                     values.extend(std::iter::repeat_n(value, count));
                 }
-                _ => values.push(machine.eval(factor)?),
+                None => values.push(machine.eval(factor)?),
             }
         }
         Ok(Some(values))
@@ -629,4 +629,16 @@ pub(super) fn unclear(what: &str, expr: &Expr) -> Diagnostic {
 /// A symbol as a formula.
 pub(super) fn variable(symbol: Symbol) -> Fraction {
     Fraction::from(MultiPoly::symbol(symbol))
+}
+
+/// An argument and how often it stands: t^3, t^{[3]}, t^{(3)}.
+fn power(expr: &Expr) -> Option<(&Expr, &Expr)> {
+    match &expr.kind {
+        Kind::Pow(base, exponent) => Some((base.as_ref(), exponent.as_ref())),
+        Kind::Upper(base, exponents) => match exponents.as_slice() {
+            [exponent] => Some((base.as_ref(), exponent)),
+            _ => None,
+        },
+        _ => None,
+    }
 }
