@@ -305,6 +305,14 @@ fn pages_mean_what_they_say() {
             "在升阶中，曲线的新控制点是 $$c_i=\\frac{i}{n+1}b_{i-1}+\\left(1-\\frac{i}{n+1}\\right)b_i。$$",
             green,
         ),
+        (
+            "Let $C(t)=\\sum_{i=0}^nP_iB_i^n(t)$ with $n\\ge2$. Then $C''(1)=n(n-1)(P_n-2P_{n-1}+P_{n-2})$.",
+            green,
+        ),
+        (
+            "Let $C(t)=\\sum_{i=0}^nP_iB_i^n(t)$ with $n\\ge2$. Then $C''(1)=n(n-1)(P_n-2P_{n-1}-P_{n-2})$.",
+            red,
+        ),
         // Values in words.
         (
             "The knots $t_0,\\dots,t_7$ are $0,0,0,1,2,3,3,3$. The ratio is $\\frac{3/2-t_2}{t_4-t_2}=\\frac34$.",

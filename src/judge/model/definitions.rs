@@ -19,6 +19,8 @@ impl Model {
     ) -> Option<Evaluated> {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
+        let mut excluded = false;
+        self.excluded.set(false);
         for (number, definition, near) in context.visible(&head.base, &self.place) {
             // n = 3 holds for its paragraph.
             let fixed = is_index_letter(&definition.head.base) && definition.number().is_some();
@@ -45,14 +47,22 @@ impl Model {
             {
                 continue;
             }
-            let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
+            let Some((bound, exact)) = self.matches(machine, definition, head, values) else {
+                excluded |= self.excluded.take();
+                continue;
+            };
             // Of several that fit, the one with most exact indices; else the latest.
             let better = best.as_ref().is_none_or(|(latest, most, ..)| exact > *most || number > *latest);
             if better {
                 best = Some((number, exact, near, bound));
             }
         }
-        let (number, _, near, bound) = best?;
+        let Some((number, _, near, bound)) = best else {
+            // C(t) = Σ …, for n ≥ 2: where n is 1, C is not any function.
+            let function = values.is_some() && head.lower.is_empty() && head.upper.is_empty();
+            let message = "it is defined for other numbers only";
+            return (function && excluded).then(|| Err(Diagnostic::error(Code::Domain, message)));
+        };
         let definition = &context.definitions[number];
         let outermost = self.depth.get() == 0;
         let result = self.unfold(machine, definition, bound);
@@ -219,6 +229,7 @@ impl Model {
             held == Ok(Some(false))
         });
         self.asking.set(false);
+        self.excluded.set(failed);
         (!failed).then_some((bound, exact))
     }
 
