@@ -73,6 +73,13 @@ impl Expr {
         }
     }
 
+    /// The sum with a number that is not 0: n + 1, n − 1.
+    pub fn plus(self, by: i64) -> Self {
+        let sign = if by < 0 { Sign::Minus } else { Sign::Plus };
+        let number = Expr::int(by.abs());
+        Expr::sum(vec![Term { sign: Sign::Plus, expr: self }, Term { sign, expr: number }])
+    }
+
     /// A product; one factor is that factor itself, none is 1.
     pub fn product(mut factors: Vec<Expr>) -> Self {
         match factors.len() {

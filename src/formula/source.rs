@@ -60,6 +60,29 @@ impl fmt::Debug for Span {
     }
 }
 
+/// A text with other words in the places of some spans, which are in its order and do not overlap.
+///
+/// Cost: linear in the result.
+///
+/// # Panics
+/// If a span does not lie within the text on character boundaries, or begins before the one before it ends.
+///
+/// ```
+/// use polarform::source::{Span, replaced};
+/// assert_eq!(replaced("t^2 + 1", [(Span::new(2, 3), "3"), (Span::new(6, 7), "4")]), "t^3 + 4");
+/// ```
+pub fn replaced<'a>(text: &str, changes: impl IntoIterator<Item = (Span, &'a str)>) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for (span, new) in changes {
+        out.push_str(&text[at..span.start]);
+        out.push_str(new);
+        at = span.end;
+    }
+    out.push_str(&text[at..]);
+    out
+}
+
 /// A named text with its line starts. Cheap to clone.
 #[derive(Clone, Debug)]
 pub struct SourceFile {

@@ -98,16 +98,8 @@ fn findings(claim: &Expr) -> Vec<Finding> {
     let Kind::Chain(first, links) = &claim.kind else { return Vec::new() };
     let side = |expr: &Expr| Side { expr: expr.clone(), latex: write::latex(expr) };
     let sides = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
-    let chain = Chain {
-        sides: sides.map(side).collect(),
-        relations: links.iter().map(|link| (link.rel, link.span)).collect(),
-        conditions: Vec::new(),
-        given: false,
-        partial: false,
-        universal: true,
-        blocked: false,
-        problems: Vec::new(),
-    };
+    let relations = links.iter().map(|link| (link.rel, link.span)).collect();
+    let chain = Chain { universal: true, ..Chain::new(sides.map(side).collect(), relations) };
     let place = Place { scope: Vec::new(), group: 0, formula: 1, blocks: Vec::new() };
     let statement = Statement { role: Some(Role::Claimed), ..Statement::new(Said::Chain(chain), place) };
     let limits = Limits { steps: Some(STEPS), ..Limits::default() };

@@ -243,11 +243,7 @@ fn factors(pool: &Pool, expr: &Expr) -> Vec<(u32, Expr)> {
         list.push((3, one_over(n())));
         list.push((3, one_over(factorial())));
         list.push((4, factorial()));
-        let plus = |by: i64| {
-            let term = |sign, expr| Term { sign, expr };
-            let sign = if by < 0 { Sign::Minus } else { Sign::Plus };
-            Expr::from(Kind::Add(vec![term(Sign::Plus, n()), term(sign, Expr::int(by.abs()))]))
-        };
+        let plus = |by: i64| n().plus(by);
         list.push((4, plus(1).grouped()));
         list.push((4, plus(-1).grouped()));
         list.push((4, one_over(plus(1))));

@@ -119,6 +119,20 @@ pub struct Chain {
 }
 
 impl Chain {
+    /// Sides and the relations between them, of which nothing more is said.
+    pub fn new(sides: Vec<Side>, relations: Vec<(Rel, Span)>) -> Self {
+        Chain {
+            sides,
+            relations,
+            conditions: Vec::new(),
+            given: false,
+            partial: false,
+            universal: false,
+            blocked: false,
+            problems: Vec::new(),
+        }
+    }
+
     /// The chain as one formula.
     pub fn whole(&self) -> Expr {
         let mut sides = self.sides.iter();

@@ -332,16 +332,7 @@ impl Reader<'_> {
                 relations.append(&mut more.1);
                 let mut all = std::mem::take(known);
                 all.extend_from_slice(problems);
-                last.said = Said::Chain(Chain {
-                    sides,
-                    relations,
-                    conditions: Vec::new(),
-                    given: false,
-                    partial: false,
-                    universal: false,
-                    blocked: false,
-                    problems: all,
-                });
+                last.said = Said::Chain(Chain { problems: all, ..Chain::new(sides, relations) });
                 true
             }
             _ => false,
@@ -394,28 +385,12 @@ fn part(expr: &Expr, latex: &str, document: &Document) -> Side {
 
 fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) -> Chain {
     let Kind::Chain(first, links) = side.expr.kind else {
-        return Chain {
-            sides: vec![side],
-            relations: Vec::new(),
-            conditions: Vec::new(),
-            given: false,
-            partial: false,
-            universal: false,
-            blocked: false,
-            problems: Vec::new(),
-        };
+        return Chain::new(vec![side], Vec::new());
     };
     let one = |expr: &Expr| Side { latex: clean(&latex(expr.span)), expr: expr.clone() };
-    Chain {
-        sides: std::iter::once(one(&first)).chain(links.iter().map(|link| one(&link.expr))).collect(),
-        relations: links.iter().map(|link| (link.rel, link.span)).collect(),
-        conditions: Vec::new(),
-        given: false,
-        partial: false,
-        universal: false,
-        blocked: false,
-        problems: problems.to_vec(),
-    }
+    let sides = std::iter::once(one(&first)).chain(links.iter().map(|link| one(&link.expr))).collect();
+    let relations = links.iter().map(|link| (link.rel, link.span)).collect();
+    Chain { problems: problems.to_vec(), ..Chain::new(sides, relations) }
 }
 
 /// The text of a formula without marks of quotations and alignment at its ends.

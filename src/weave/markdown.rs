@@ -7,7 +7,7 @@ use super::options::BlockOptions;
 use super::plan::{Block, Plan, Site, SiteKind, Template};
 use super::runner::Runner;
 use super::{Mode, Options};
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::{SourceFile, Span, replaced};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// A change of a text.
@@ -99,15 +99,7 @@ pub(super) fn line_end(text: &str) -> &'static str {
 
 /// The text with its changes; they are in its order.
 pub(super) fn edited(text: &str, edits: &[Edit]) -> String {
-    let mut out = String::with_capacity(text.len() + edits.iter().map(|edit| edit.new.len()).sum::<usize>());
-    let mut at = 0;
-    for edit in edits {
-        out.push_str(&text[at..edit.span.start]);
-        out.push_str(&edit.new);
-        at = edit.span.end;
-    }
-    out.push_str(&text[at..]);
-    out
+    replaced(text, edits.iter().map(|edit| (edit.span, edit.new.as_str())))
 }
 
 struct Weaver<'a> {

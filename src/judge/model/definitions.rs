@@ -20,7 +20,6 @@ impl Model {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
         let mut excluded = false;
-        self.excluded.set(false);
         for (number, definition, near) in context.visible(&head.base, &self.place) {
             // n = 3 holds for its paragraph.
             let fixed = is_index_letter(&definition.head.base) && definition.number().is_some();
@@ -47,10 +46,11 @@ impl Model {
             {
                 continue;
             }
-            let Some((bound, exact)) = self.matches(machine, definition, head, values) else {
-                excluded |= self.excluded.take();
+            let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
+            if !self.allows(machine, definition, &bound) {
+                excluded = true;
                 continue;
-            };
+            }
             // Of several that fit, the one with most exact indices; else the latest.
             let better = best.as_ref().is_none_or(|(latest, most, ..)| exact > *most || number > *latest);
             if better {
@@ -220,17 +220,21 @@ impl Model {
             }
             (None, Some(_)) => return None,
         }
-        // A condition that needs a definition with conditions says nothing: it may need itself.
+        Some((bound, exact))
+    }
+
+    /// Whether the conditions of a definition that fits do not fail. One that needs a definition with conditions says
+    /// nothing: it may need itself.
+    fn allows(&self, machine: &mut Machine, definition: &Definition, bound: &Bound) -> bool {
         if self.asking.replace(true) {
-            return Some((bound, exact));
+            return true;
         }
         let failed = definition.conditions.iter().any(|condition| {
             let held = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
             held == Ok(Some(false))
         });
         self.asking.set(false);
-        self.excluded.set(failed);
-        (!failed).then_some((bound, exact))
+        !failed
     }
 
     pub(super) fn match_arguments(

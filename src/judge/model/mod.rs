@@ -161,8 +161,6 @@ pub struct Model {
     depth: Cell<usize>,
     /// Whether conditions of a definition are being looked at.
     asking: Cell<bool>,
-    /// Whether only its conditions kept a definition from fitting.
-    excluded: Cell<bool>,
     record: RefCell<Record>,
 }
 
@@ -187,7 +185,6 @@ impl Model {
             open: RefCell::default(),
             depth: Cell::new(0),
             asking: Cell::new(false),
-            excluded: Cell::new(false),
             record: RefCell::default(),
         }
     }

@@ -28,7 +28,7 @@ use super::trial::{Facts, Setting, Trial};
 use super::unfold;
 use super::witness;
 use crate::budget;
-use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::formula::{Expr, Kind, Rel};
 use crate::language::{latex, write};
 
 /// So many ways to exchange the letters are tried for one theorem.
@@ -198,7 +198,7 @@ impl Checker {
                 add(&letters, true, false);
                 // From degree n - 1 to n, or from n to n + 1
                 if let Some(size @ Expr { kind: Kind::Name(_), .. }) = &size {
-                    let less = minus_one(size.clone());
+                    let less = size.clone().plus(-1);
                     let by = |(letter, own): &(String, Expr)| match letter.as_str() {
                         "n" => (letter.clone(), less.clone()),
                         _ => (letter.clone(), own.clone()),
@@ -222,8 +222,7 @@ impl Checker {
                 _ => continue,
             }
             // "of degree n - 1": n is something else.
-            if declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&minus_one(size.clone())))
-            {
+            if declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1))) {
                 return None;
             }
         }
@@ -416,11 +415,6 @@ fn main_case(expr: &Expr) -> &Expr {
         (Some(only), None) => only,
         _ => expr,
     }
-}
-
-fn minus_one(size: Expr) -> Expr {
-    let term = |sign, expr| Term { sign, expr };
-    Expr::sum(vec![term(Sign::Plus, size), term(Sign::Minus, Expr::int(1))])
 }
 
 /// A formula of a theorem in the letters of the claim, with the indices of a family above or below as the claim has

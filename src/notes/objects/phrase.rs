@@ -2,7 +2,7 @@
 
 use super::super::speech::Word;
 use super::Reader;
-use super::subject::{interval, minus_one, name_in, named, subject};
+use super::subject::{interval, name_in, named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
 use crate::judge::names::bases;
@@ -135,7 +135,7 @@ impl Reader<'_> {
                 // 3 次, F 的
                 Token::Word(mark @ (Word::DegreeAfter | Word::OrderAfter)) if before > 0 => {
                     let Some(degree) = self.number_at(before - 1) else { break };
-                    object.degree = Some(if *mark == Word::OrderAfter { minus_one(degree) } else { degree });
+                    object.degree = Some(if *mark == Word::OrderAfter { degree.plus(-1) } else { degree });
                     from = before;
                 }
                 // 节点 0, 1, 2 上的
@@ -299,7 +299,7 @@ impl Reader<'_> {
                     Token::Word(mark @ (Word::Degree | Word::Order)) => {
                         let value = self.skip_fillers(next + 1);
                         let degree = self.number_at(value)?;
-                        object.degree = Some(if *mark == Word::Order { minus_one(degree) } else { degree });
+                        object.degree = Some(if *mark == Word::Order { degree.plus(-1) } else { degree });
                         Some(value + 1)
                     }
                     Token::Word(Word::OfDegree(degree)) if *word == Word::As => {

@@ -3,7 +3,7 @@
 use super::super::speech::Word;
 use super::Reader;
 use super::tokens::Token;
-use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::Head;
 
 impl Reader<'_> {
@@ -102,11 +102,6 @@ pub(super) fn named(expr: &Expr) -> Expr {
         Kind::Apply(callee, _) => callee.as_ref().clone(),
         _ => expr.clone(),
     }
-}
-
-pub(super) fn minus_one(order: Expr) -> Expr {
-    let one = Term { sign: Sign::Minus, expr: Expr::int(1) };
-    Expr::sum(vec![Term { sign: Sign::Plus, expr: order }, one])
 }
 
 /// [a, b]

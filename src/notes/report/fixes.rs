@@ -9,7 +9,7 @@
 
 use crate::document::{Document, Item, Style};
 use crate::formula::Expr;
-use crate::formula::source::Span;
+use crate::formula::source::{Span, replaced};
 use crate::judge::finding::{FileReport, Finding, Verdict};
 use crate::language::{latex, syntax, write};
 
@@ -59,15 +59,7 @@ pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
 
 /// The text with the fixes in it.
 pub fn fixed(text: &str, fixes: &[Fix]) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut said = 0;
-    for fix in fixes {
-        out.push_str(&text[said..fix.span.start]);
-        out.push_str(&fix.text);
-        said = fix.span.end;
-    }
-    out.push_str(&text[said..]);
-    out
+    replaced(text, fixes.iter().map(|fix| (fix.span, fix.text.as_str())))
 }
 
 /// Whether the relation stands in plain notation among words.
