@@ -12,6 +12,7 @@ use crate::formula::{Expr, Kind, Quotient, Sign, Term};
 use crate::judge::{asked, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals, Outcome};
+use crate::language::lexicon::words;
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax};
 use crate::math::poly::Symbol;
@@ -138,12 +139,16 @@ impl Session {
         Ok(answers)
     }
 
-    /// The definitions that stand side by side in a statement; any other statement is one.
+    /// The definitions that stand side by side in a statement, and what follows them: `k = 1, b = 2`,
+    /// `x = 3, x^2`; any other statement is one.
     fn statements_in(&self, statement: Expr, equals: Equals) -> Vec<Expr> {
         let Kind::Sequence(items) = &statement.kind else { return vec![statement] };
+        let joins = |item: &&Expr| matches!(&item.kind, Kind::Text(word) if words::joins_statements(word));
+        let parts: Vec<&Expr> = items.iter().filter(|item| !joins(item)).collect();
         let mut machine = evaluator::machine_in(&self.env);
-        if equals == Equals::DefinesUnbound && items.iter().all(|item| machine.defines(item)) {
-            return items.clone();
+        let definitions = parts.iter().take_while(|item| machine.defines(item)).count();
+        if equals == Equals::DefinesUnbound && definitions > 0 && definitions + 1 >= parts.len() {
+            return parts.into_iter().cloned().collect();
         }
         vec![statement]
     }
@@ -237,7 +242,7 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     }
 }
 
-/// Remarks about products that print reads in two ways: `3/7 t`.
+/// Remarks about products that print reads in two ways: `3/7 t`, `d/dt F d/dt G`.
 fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
     if let Kind::Mul(factors) = &expr.kind {
         for pair in factors.windows(2) {
@@ -255,6 +260,17 @@ fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
                 );
             }
         }
+    }
+    // d/dt F d/dt G
+    if let Kind::Derivative { body: Some(body), .. } = &expr.kind
+        && let Kind::Mul(factors) = &body.kind
+        && let Some(second) = factors.iter().find(|factor| matches!(factor.kind, Kind::Derivative { .. }))
+    {
+        notes.push(
+            Diagnostic::note(Code::AmbiguousProduct, "the first derivative is that of all that follows it")
+                .hint("write parentheses around the product of two derivatives: (d/dt F) (d/dt G)")
+                .at(expr.span.to(second.span)),
+        );
     }
     expr.for_each_child(&mut |child| products_in_latex(child, notes));
 }

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::claim::judge_plainly;
-use super::family::{judge_family, may_be_family};
+use super::family::{counts_divisors, judge_family, may_be_family, of_integers};
 use crate::formula::{Expr, Link};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::eval::{self, Env, Equals, Machine, Outcome, Reading, Tools};
@@ -56,6 +56,7 @@ pub fn evaluate_reading(
 fn judge(machine: &mut Machine, first: &Expr, links: &[Link]) -> Result<Vec<Judgement>, Diagnostic> {
     match judge_plainly(machine, first, links) {
         Err(error) if may_be_family(&error) => judge_family(machine, first, links).ok_or(error),
+        Ok(judgements) if counts_divisors(first, links) => Ok(of_integers(machine, first, links, judgements)),
         result => result,
     }
 }

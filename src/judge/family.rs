@@ -7,6 +7,7 @@
 
 use super::claim::judge_plainly;
 use super::integers::advance;
+use super::names::{is_gcd, names_a_parameter, walk};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::names::stands_for_itself;
@@ -70,6 +71,47 @@ pub(crate) fn judge_family(machine: &mut Machine, first: &Expr, links: &[Link]) 
     tallies.into_iter().map(|tally| tally.verdict(&names, &range)).collect()
 }
 
+/// Whether a gcd stands in a chain whose arguments may be integers: gcd(a, b).
+pub(crate) fn counts_divisors(first: &Expr, links: &[Link]) -> bool {
+    let mut found = false;
+    for side in std::iter::once(first).chain(links.iter().map(|link| &link.expr)) {
+        walk(side, &mut |part| found |= of_letters(part));
+    }
+    found
+}
+
+/// Whether an expression is the gcd of what may be integers.
+fn of_letters(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Apply(callee, groups) if is_gcd(callee) && !groups.iter().flatten().any(names_a_parameter))
+}
+
+/// The verdicts on a chain with gcds that was judged for polynomials in its names: they have to hold for integers,
+/// too.
+pub(crate) fn of_integers(
+    machine: &mut Machine,
+    first: &Expr,
+    links: &[Link],
+    judgements: Vec<Judgement>,
+) -> Vec<Judgement> {
+    let Some(others) = judge_family(machine, first, links) else { return judgements };
+    let agreed =
+        |(polynomials, integers): (Judgement, Judgement)| match (polynomials.verdict, integers.verdict) {
+            (Verdict::Refuted, Verdict::Refuted) => integers,
+            (Verdict::Proved, Verdict::Sampled) => integers,
+            (Verdict::Proved, _) => {
+                let names = "it is true of polynomials, not of all integers".to_owned();
+                let reasons = std::iter::once(names).chain(integers.reasons).collect();
+                Judgement { verdict: Verdict::Undecided, reasons, ..polynomials }
+            }
+            (_, Verdict::Sampled) => {
+                let reasons = vec!["it seems true of integers, not of polynomials".to_owned()];
+                Judgement { verdict: Verdict::Undecided, reasons, witness: None, ..polynomials }
+            }
+            _ => integers,
+        };
+    judgements.into_iter().zip(others).map(agreed).collect()
+}
+
 /// Names without a value that stand where only integers make sense: in exponents, upper and
 /// lower entries of binomials, factorials, bounds of sums, indices of families.
 fn integer_names(machine: &mut Machine, expr: &Expr, inside: bool, names: &mut Vec<Symbol>) {
@@ -103,6 +145,9 @@ fn integer_names(machine: &mut Machine, expr: &Expr, inside: bool, names: &mut V
             integer_names(machine, k, true, names);
         }
         Kind::Factorial(body) => integer_names(machine, body, true, names),
+        Kind::Apply(_, groups) if of_letters(expr) => {
+            groups.iter().flatten().for_each(|item| integer_names(machine, item, true, names));
+        }
         Kind::Big { lower, upper, body, .. } => {
             let mut own = Vec::new();
             for piece in lower {

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family, Notation};
+use crate::language::lexicon::roles;
 
 /// A name with its indices and arguments, as it stands on the left of a definition or in a call.
 #[derive(Clone, Debug)]
@@ -171,6 +172,12 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
             collect(k, Position::Integer, found);
         }
         Kind::Factorial(body) => collect(body, Position::Integer, found),
+        // gcd(a, b) is that of integers, gcd(t^2 - 1, t - 1) one of polynomials.
+        Kind::Apply(callee, groups) if is_gcd(callee) => {
+            let whole = !groups.iter().flatten().any(names_a_parameter);
+            let position = if whole { Position::Integer } else { position };
+            groups.iter().flatten().for_each(|item| collect(item, position, found));
+        }
         // 1² + 2² + … + n²: what the dots lead to
         Kind::Add(terms) if terms.iter().any(|term| term.expr.kind == Kind::Ellipsis) => {
             let mut led_to = false;
@@ -234,6 +241,20 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
         }
         _ => expr.for_each_child(&mut |child| collect(child, position, found)),
     }
+}
+
+/// Whether an expression is the name of the greatest common divisor.
+pub(super) fn is_gcd(callee: &Expr) -> bool {
+    matches!(&callee.kind, Kind::Name(name) if name == "gcd")
+}
+
+/// Whether a parameter such as t stands in an expression.
+pub(super) fn names_a_parameter(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        found |= matches!(&part.kind, Kind::Name(name) if roles::is_parameter(name));
+    });
+    found
 }
 
 /// The names that a sum or product runs over.

@@ -19,7 +19,7 @@ use crate::language::value::{Function, PolarKind, Value};
 use crate::math::poly::Symbol;
 
 /// What stands before the bracket.
-enum Callee {
+pub(super) enum Callee {
     Value(Value),
     /// A function with its index arguments already evaluated.
     Indexed(Arc<Function>, Vec<(Value, Span)>),
@@ -208,6 +208,7 @@ impl Machine {
             return Ok(found);
         }
         let Some(symbol) = symbol else {
+            self.is_no_unknown_member(callee)?;
             return self.eval(callee).map(Callee::Value);
         };
         if symbol.is_plain() {
@@ -252,8 +253,30 @@ impl Machine {
         self.eval(callee).map(Callee::Value)
     }
 
+    /// Refuses b_i^r(t) for a b_i and an r without values: with letters as indices it is no power.
+    fn is_no_unknown_member(&mut self, callee: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Pow(base, upper) = &callee.kind else { return Ok(()) };
+        let Kind::Subscript(letter, _) = &base.kind else { return Ok(()) };
+        let mut free = |expr: &Expr| name_of(expr, self).is_some_and(|name| self.lookup(&name).is_none());
+        if !free(base) || !free(letter) || !free(upper) || self.reading.is_some() {
+            return Ok(());
+        }
+        let shown = super::super::write::text(callee);
+        let letter = super::super::write::text(letter);
+        Err(Diagnostic::error(
+            Code::AmbiguousProduct,
+            format!("'{shown}' has no value here: is this a member of a family or a product?"),
+        )
+        .at(callee.span)
+        .reason("not defined")
+        .hint(format!(
+            "define it first, a recursion by its first case: {letter}_i^0(t) := ..., then {shown}(t) := ..."
+        ))
+        .hint(format!("or write {shown} * (...) for the product")))
+    }
+
     /// `N_i(t)`, `B_i^n(t)` and the like, for defined functions and standard families.
-    fn indexed_callee(&mut self, callee: &Expr) -> Result<Option<Callee>, Diagnostic> {
+    pub(super) fn indexed_callee(&mut self, callee: &Expr) -> Result<Option<Callee>, Diagnostic> {
         let (base, lower, upper) = match &callee.kind {
             Kind::Subscript(base, lower) => (base.as_ref(), lower.as_slice(), None),
             Kind::Pow(inner, upper) => split_lower(inner, upper),
@@ -349,7 +372,8 @@ impl Machine {
                         if value.as_rational().is_some() && function.takes_polynomial(place) {
                             self.parameter_has_value(item);
                         }
-                        values.push(if place == 0 { self.in_coordinates(value) } else { value });
+                        let split = place == 0 && function.takes_coordinates();
+                        values.push(if split { self.in_coordinates(value) } else { value });
                     }
                 }
                 spans.resize(values.len(), item.span);

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use super::entries::{factor_or_index, is_bracketed};
 use super::machine::Machine;
 use super::names::{indices_in_brackets, name_of};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::roles;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
 use crate::math::poly::Symbol;
 
@@ -51,9 +53,16 @@ impl Machine {
             return false;
         }
         let Some(name) = name_of(head, self) else { return false };
+        if let Kind::Name(word) = &left.kind
+            && self.is_product_of_letters(word)
+            && self.is_a_factor_of(right, word)
+        {
+            return false;
+        }
+        let bracket = matches!(&head.kind, Kind::Subscript(_, indices) if is_bracketed(indices));
         let known = self.lookup(&name).is_some()
             || (name.is_plain() && (self.tools.function)(name.base()).is_some())
-            || self.lookup(&Symbol::new(name.base())).is_some();
+            || self.lookup(&Symbol::new(name.base())).is_some_and(|value| bracket || has_members(value));
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
             Kind::Apply(..) => calls(right, &name, self),
@@ -69,6 +78,7 @@ impl Machine {
             Target::Name(name) => {
                 self.not_reserved(&name, left)?;
                 self.not_a_sequence(left, body)?;
+                self.not_a_value_in_brackets(left)?;
                 let value = match self.eval_as_written(body)? {
                     Value::Function(function) => Value::Function(Arc::new(Function {
                         name: Some(name.clone()),
@@ -99,7 +109,7 @@ impl Machine {
         Ok((name, value))
     }
 
-    fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
+    pub(super) fn not_reserved(&self, name: &Symbol, left: &Expr) -> Result<(), Diagnostic> {
         if name.is_plain() && (self.tools.function)(name.base()).is_some() {
             return Err(Diagnostic::error(
                 Code::ReservedName,
@@ -112,24 +122,45 @@ impl Machine {
         Ok(())
     }
 
-    /// `a_i := i^2` would define one symbol named a_i, which nobody means.
+    /// `a_i := i^2` would define one symbol named a_i, which nobody means; so would a recursion b_i^{(r)} := ....
     fn not_a_sequence(&mut self, left: &Expr, body: &Expr) -> Result<(), Diagnostic> {
-        let Kind::Subscript(base, indices) = &left.kind else { return Ok(()) };
-        for index in indices_in_brackets(indices) {
-            let Kind::Name(_) = &index.kind else { continue };
-            let Some(name) = name_of(index, self) else { continue };
-            if self.lookup(&name).is_none() && mentions(body, &name, self) {
-                let base = name_of(base, self).map_or("a".to_owned(), |base| base.to_string());
-                return Err(Diagnostic::error(
-                    Code::BadDefinition,
-                    format!("this would define the one symbol named with the letter {name}"),
-                )
-                .at(left.span)
-                .reason("an index, not an argument")
-                .hint(format!("define a function of {name}: {base}({name}) := ...")));
+        let (mut base, mut letters) = (left, Vec::new());
+        while let Kind::Subscript(inner, indices) | Kind::Upper(inner, indices) = &base.kind {
+            for index in indices_in_brackets(indices) {
+                let Kind::Name(_) = &index.kind else { continue };
+                let free = name_of(index, self).filter(|name| self.lookup(name).is_none());
+                letters.extend(free.filter(|name| mentions(body, name, self)));
             }
+            base = inner;
         }
-        Ok(())
+        if letters.is_empty() {
+            return Ok(());
+        }
+        letters.sort();
+        let letters: Vec<String> = letters.iter().map(Symbol::to_string).collect();
+        let base = name_of(base, self).map_or("a".to_owned(), |base| base.to_string());
+        let error = Diagnostic::error(
+            Code::BadDefinition,
+            format!("this would define the one symbol named with the letter {}", letters[0]),
+        )
+        .at(left.span)
+        .reason("an index, not an argument")
+        .hint(format!("define a function of {0}: {base}({0}) := ...", letters.join(", ")));
+        Err(match mentions(body, &Symbol::new(&*base), self) {
+            true => error.hint(format!("of a recursion the first case goes first: {base}(i, 0) := ...")),
+            false => error,
+        })
+    }
+
+    /// `f[x_0] = y_0` says what a divided difference is, not what f_{x_0} is called.
+    fn not_a_value_in_brackets(&mut self, left: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Subscript(base, indices) = &left.kind else { return Ok(()) };
+        let function = name_of(base, self).is_some_and(|name| roles::FUNCTIONS.contains(&name.base()));
+        let node = |index: &Expr| !matches!(index.kind, Kind::Number(_));
+        match function && is_bracketed(indices) && indices_in_brackets(indices).iter().any(node) {
+            true => Err(factor_or_index(left)),
+            false => Ok(()),
+        }
     }
 
     fn target(&mut self, left: &Expr) -> Result<Target, Diagnostic> {
@@ -228,12 +259,24 @@ impl Machine {
     }
 }
 
+/// Whether a value has entries or members with indices; x_1 has nothing to do with a number x.
+fn has_members(value: &Value) -> bool {
+    match value {
+        Value::Scalar(_) => false,
+        Value::Function(function) => function.shape.lower > 0,
+        _ => true,
+    }
+}
+
 /// The error for b_0^1 on the left of a definition.
 pub(super) fn power_or_upper_index(base: &Symbol, span: Span) -> Diagnostic {
     Diagnostic::error(Code::BadDefinition, "a power cannot be defined; is this an upper index?")
         .at(span)
         .reason("read as a power")
         .hint(format!("write an upper index in parentheses: {base}_0^{{(1)}}"))
+        .hint(format!(
+            "a recursion has arguments and a first case: {base}_i^0(t) := ..., then {base}_i^r(t) := ..."
+        ))
 }
 
 /// Whether the name occurs in the expression.

@@ -177,7 +177,7 @@ fn index_list(whole: &Expr) -> &[Expr] {
     }
 }
 
-fn is_bracketed(indices: &[Expr]) -> bool {
+pub(super) fn is_bracketed(indices: &[Expr]) -> bool {
     matches!(indices, [Expr { kind: Kind::List(_), .. }])
 }
 
@@ -210,7 +210,7 @@ pub(super) fn list_called(callee: Span) -> Diagnostic {
         .hint("or write b * (...) for the product")
 }
 
-fn factor_or_index(whole: &Expr) -> Diagnostic {
+pub(super) fn factor_or_index(whole: &Expr) -> Diagnostic {
     let error = Diagnostic::error(Code::AmbiguousProduct, "is this an index or a factor?")
         .at(whole.span)
         .reason("square brackets directly after a name");

@@ -12,6 +12,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::lexicon::families::{self, BACKWARD_DIFFERENCE, FORWARD_DIFFERENCE};
+use crate::language::lexicon::roles;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
@@ -60,6 +61,10 @@ impl Machine {
         {
             self.is_no_lone_call(base, inside)?;
         }
+        if let Some(value) = self.difference_before(factor, rest.peek().copied())? {
+            rest.next();
+            return Ok(value);
+        }
         let value = match &factor.kind {
             // In a product, square brackets around one formula are parentheses: 3 [a - b].
             Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
@@ -73,6 +78,24 @@ impl Machine {
             return Ok(result);
         }
         Ok(value)
+    }
+
+    /// The divided difference `[x_0, x_1] f` of a function f.
+    fn difference_before(&mut self, nodes: &Expr, next: Option<&Expr>) -> Result<Option<Value>, Diagnostic> {
+        let (Kind::List(items), Some(next)) = (&nodes.kind, next) else { return Ok(None) };
+        let Some(name) = name_of(next, self).filter(|_| items.len() > 1) else { return Ok(None) };
+        let span = nodes.span.to(next.span);
+        match self.lookup(&name).cloned() {
+            Some(Value::Function(function)) => self.divided_difference(&function, items, span).map(Some),
+            None if name.is_plain() && roles::FUNCTIONS.contains(&name.base()) && !self.has_reading() => {
+                Err(Diagnostic::error(Code::AmbiguousProduct, "a divided difference or a product?")
+                    .at(span)
+                    .reason(format!("{name} has no value here"))
+                    .hint(format!("for a divided difference define the function first: {name}(t) := t^2"))
+                    .hint(format!("for the product write {name} * [...]")))
+            }
+            _ => Ok(None),
+        }
     }
 
     /// k for an undefined Δ or Δ^k.

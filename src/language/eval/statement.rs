@@ -7,6 +7,7 @@ use super::names::name_of;
 use super::tools::Tools;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::words;
 use crate::language::value::{Value, Verdict};
 use crate::math::poly::Symbol;
 use num_traits::{One, Zero};
@@ -70,7 +71,9 @@ impl Machine {
         self.is_no_prose(expr)?;
         if equals == Equals::DefinesUnbound {
             self.is_no_power_defined(expr)?;
+            self.is_no_word_defined(expr)?;
         }
+        is_without_words(expr)?;
         let value = self.eval_as_written(expr)?;
         if let Kind::Chain(left, links) = &expr.kind
             && let (Kind::Name(name), [link], Equals::DefinesUnbound) = (&left.kind, links.as_slice(), equals)
@@ -91,7 +94,8 @@ impl Machine {
         let Kind::Chain(left, links) = &statement.kind else { return Ok(()) };
         let (Kind::Pow(base, exponent), [link]) = (&left.kind, links.as_slice()) else { return Ok(()) };
         let Kind::Subscript(letter, _) = &base.kind else { return Ok(()) };
-        let trivial = matches!(&exponent.kind, Kind::Number(k) if k.is_zero() || k.is_one());
+        let trivial = matches!(&exponent.kind, Kind::Number(k) if k.is_zero() || k.is_one())
+            || is_letter(exponent) && has_other_powers(&link.expr, base);
         let known = |machine: &mut Self, expr: &Expr| {
             name_of(expr, machine).is_none_or(|name| machine.lookup(&name).is_some())
         };
@@ -100,6 +104,43 @@ impl Machine {
                 Err(power_or_upper_index(&name, left.span))
             }
             _ => Ok(()),
+        }
+    }
+
+    /// `pq = p + q` may define the name pq or claim something of the product; `knots = [0, 1]` means to define.
+    fn is_no_word_defined(&mut self, statement: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Chain(left, links) = &statement.kind else { return Ok(()) };
+        let (Kind::Name(word), [link]) = (&left.kind, links.as_slice()) else { return Ok(()) };
+        let name = Symbol::new(word);
+        if link.rel != Rel::Eq || self.lookup(&name).is_some() {
+            return Ok(());
+        }
+        if (self.tools.function)(word).is_some() && word.len() > 1 && !matches!(link.expr.kind, Kind::Name(_))
+        {
+            return self.not_reserved(&name, left);
+        }
+        if !self.is_product_of_letters(word) || !self.is_a_factor_of(&link.expr, word) {
+            return Ok(());
+        }
+        let letters: Vec<String> = word.chars().map(String::from).collect();
+        Err(Diagnostic::error(Code::BadDefinition, format!("is '{word}' a new name or a product?"))
+            .at(left.span)
+            .reason("its letters stand on the right, too")
+            .hint(format!("write {word} := ... to define the name"))
+            .hint(format!("write {} = ... for a claim about the product", letters.join(" "))))
+    }
+
+    /// Whether a letter of a word stands for itself in an expression, also in another word.
+    pub(super) fn is_a_factor_of(&mut self, expr: &Expr, word: &str) -> bool {
+        match &expr.kind {
+            Kind::Name(other) if self.is_product_of_letters(other) => other.contains(|c| word.contains(c)),
+            Kind::Name(other) => other.chars().count() == 1 && word.contains(other.as_str()),
+            Kind::Subscript(..) | Kind::Upper(..) => false,
+            _ => {
+                let mut children = Vec::new();
+                expr.for_each_child(&mut |child| children.push(child));
+                children.into_iter().any(|child| self.is_a_factor_of(child, word))
+            }
         }
     }
 
@@ -117,6 +158,40 @@ impl Machine {
             );
         }
     }
+}
+
+/// Refuses formulas with words between them, but for "and": they may be conditions. A choice has an error of
+/// its own.
+fn is_without_words(statement: &Expr) -> Result<(), Diagnostic> {
+    let Kind::Sequence(items) = &statement.kind else { return Ok(()) };
+    let word = items.iter().find_map(|item| match &item.kind {
+        Kind::Text(word) if !words::joins_statements(word) && word != "or" => Some((word, item.span)),
+        _ => None,
+    });
+    let Some((word, span)) = word else { return Ok(()) };
+    Err(Diagnostic::error(Code::UnknownName, format!("'{word}' is a word, not a formula"))
+        .at(span)
+        .reason("words are not read")
+        .hint("write one formula; a name gets its value before, in a statement of its own: t := 2")
+        .hint("conditions of a claim: polarform check \"x^2 >= x\" --given \"x >= 1\""))
+}
+
+/// Whether an exponent is a letter such as r.
+fn is_letter(exponent: &Expr) -> bool {
+    matches!(&exponent.kind, Kind::Name(name) if name.len() == 1)
+}
+
+/// Whether powers of other members of the family of `member` stand in an expression: b_{i+1}^{r-1} beside b_i.
+fn has_other_powers(expr: &Expr, member: &Expr) -> bool {
+    if let (Kind::Pow(base, _), Kind::Subscript(letter, _)) = (&expr.kind, &member.kind)
+        && matches!(&base.kind, Kind::Subscript(other, _) if other.same_as(letter))
+        && !base.same_as(member)
+    {
+        return true;
+    }
+    let mut found = false;
+    expr.for_each_child(&mut |child| found = found || has_other_powers(child, member));
+    found
 }
 
 fn ends_in_number(expr: &Expr) -> bool {

@@ -73,6 +73,17 @@ impl Machine {
             }
             let Kind::Chain(left, links) = &piece.kind else { return Err(no_bounds().at(piece.span)) };
             let link = &links[0];
+            // i ≥ a and, elsewhere, i ≤ b
+            if let Some((name, from, to)) = self.ends_of(piece, lower, upper) {
+                if assignments.iter().all(|names| names.iter().all(|(known, _)| *known != name)) {
+                    let count = to.saturating_sub(from).saturating_add(1).max(0) as u64;
+                    crate::budget::charge_terms(count.saturating_mul(assignments.len() as u64));
+                    let values: Vec<Value> = (from..=to).map(Value::int).collect();
+                    assignments = extended(assignments, &name, &values);
+                    bound_any = true;
+                }
+                continue;
+            }
             match (link.rel, links.len()) {
                 // i = a, with the upper bound above the sign, or i = a..b
                 (Rel::Eq, 1) if name_of(left, self).is_some() && !mentions_enclosed(left) => {
@@ -186,6 +197,56 @@ impl Machine {
             assignments = kept;
         }
         Ok(assignments)
+    }
+
+    /// The name that an inequality bounds, and its least and largest values by all of the conditions; `None` if
+    /// they leave an end open or bind the name otherwise.
+    fn ends_of(&mut self, piece: &Expr, lower: &[Expr], upper: Option<&Expr>) -> Option<(Symbol, i64, i64)> {
+        let (name, ..) = self.end(piece)?;
+        let (mut from, mut to) = (None, None);
+        for other in lower {
+            match (self.end(other), &other.kind) {
+                (Some((known, true, value)), _) if known == name => {
+                    from = Some(from.map_or(value, |old: i64| old.max(value)));
+                }
+                (Some((known, false, value)), _) if known == name => {
+                    to = Some(to.map_or(value, |old: i64| old.min(value)));
+                }
+                (None, Kind::Chain(left, links)) if links[0].rel == Rel::Eq || links.len() > 1 => {
+                    let mut sides = std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr));
+                    if sides.any(|side| name_of(side, self).as_ref() == Some(&name)) {
+                        return None;
+                    }
+                }
+                _ => {}
+            }
+        }
+        let to = to.or_else(|| upper.and_then(|upper| self.eval_int(upper).ok()));
+        Some((name, from?, to?))
+    }
+
+    /// The end that `i > a` or `a > i` gives a free name i: whether it is the lower one, and the first integer
+    /// that is allowed.
+    fn end(&mut self, piece: &Expr) -> Option<(Symbol, bool, i64)> {
+        let Kind::Chain(left, links) = &piece.kind else { return None };
+        let [link] = links.as_slice() else { return None };
+        let (larger, strict) = match link.rel {
+            Rel::Gt => (true, 1),
+            Rel::Ge => (true, 0),
+            Rel::Lt => (false, 1),
+            Rel::Le => (false, 0),
+            _ => return None,
+        };
+        let sides = [(left.as_ref(), &link.expr, larger), (&link.expr, left.as_ref(), !larger)];
+        sides.into_iter().find_map(|(name, value, lower)| {
+            let name = name_of(name, self).filter(|name| self.lookup(name).is_none())?;
+            let value = self.eval_int(value).ok()?;
+            Some((
+                name,
+                lower,
+                if lower { value.saturating_add(strict) } else { value.saturating_sub(strict) },
+            ))
+        })
     }
 
     /// The names of `i + j + k`.

@@ -170,7 +170,9 @@ impl Machine {
         let letters = one_by_one(word, callee.span);
         let functions: Vec<bool> = letters.iter().map(|letter| self.is_function(letter)).collect();
         let mut functions = functions.into_iter();
-        let last = functions.next_back().unwrap_or(false);
+        let family = letters.last().map(|letter| with_innermost(callee, letter));
+        let last = functions.next_back().unwrap_or(false)
+            || family.is_some_and(|member| matches!(self.indexed_callee(&member), Ok(Some(_))));
         let before = functions.any(|function| function);
         let spaced: Vec<String> = word.chars().map(String::from).collect();
         match (before, last) {

@@ -154,6 +154,11 @@ impl Callable for Builtin {
         parameter.is_some_and(|parameter| parameter.kind == Takes::Polynomial)
     }
 
+    fn takes_coordinates(&self) -> bool {
+        let first = self.parameters.iter().find(|parameter| parameter.has_place());
+        first.is_none_or(|parameter| parameter.kind != Takes::Any)
+    }
+
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =

@@ -49,7 +49,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "map",
         parameters: &[
-            required("F", Takes::Function, "the function, such as i -> i^2"),
+            required("F", Takes::Any, "the function, such as i -> i^2"),
             required("list", Takes::List, "what it is applied to, also a range such as 0..3"),
         ],
         summary: "the list of the values of a function; [i^2 for i = 0..3] is the same",

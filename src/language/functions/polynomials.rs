@@ -8,6 +8,7 @@ use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::ops::{calculus, formula};
 use crate::language::value::Value;
+use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly};
 use crate::math::ring::Ring;
 use num_traits::Zero;
@@ -178,20 +179,13 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "gcd",
-        parameters: &[many("a, b, ...", Takes::Scalar, 2, "integers or polynomials")],
-        summary: "the greatest common divisor of integers or polynomials",
+        parameters: &[many("a, b, ...", Takes::Scalar, 2, "numbers or polynomials")],
+        summary: "the greatest common divisor of numbers or polynomials, with that of their coefficients",
         example: "gcd(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {
             let mut common = polynomial(args, 0)?;
             for at in 1..args.len() {
-                let b = polynomial(args, at)?;
-                common = match (common.as_constant(), b.as_constant()) {
-                    (Some(x), Some(y)) if x.is_integer() && y.is_integer() => {
-                        let g = num_integer::Integer::gcd(x.numer(), y.numer());
-                        MultiPoly::constant(crate::math::number::Rational::from_integer(g))
-                    }
-                    _ => common.gcd(&b),
-                };
+                common = with_contents(&common, &polynomial(args, at)?);
             }
             Ok(Value::Scalar(Fraction::from(common)))
         },
@@ -224,8 +218,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "count_roots(t^3 - t, 0, 2)",
         call: |_, args| {
             let given = args.univariate(0)?;
-            let list: Option<Vec<crate::math::number::Rational>> =
-                given.coefficients.iter().map(Fraction::as_rational).collect();
+            let list: Option<Vec<Rational>> = given.coefficients.iter().map(Fraction::as_rational).collect();
             let list = list.ok_or_else(|| {
                 Diagnostic::error(Code::Type, "roots are counted for numbers as coefficients only")
                     .at(args.span(0))
@@ -275,6 +268,14 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+/// The gcd of two polynomials as those over the integers have it, extended to fractions: gcd(c a, c b) =
+/// |c| gcd(a, b). The quotients by it have integer coefficients without a common divisor.
+fn with_contents(a: &MultiPoly, b: &MultiPoly) -> MultiPoly {
+    let (x, y) = (a.content(), b.content());
+    let numerator = num_integer::Integer::gcd(&(x.numer() * y.denom()), &(y.numer() * x.denom()));
+    a.gcd(b).scaled(&Rational::new(numerator, x.denom() * y.denom()))
+}
+
 fn polynomial(args: &Arguments, i: usize) -> Result<MultiPoly> {
     let formula = args.scalar(i)?;
     formula
@@ -287,7 +288,7 @@ fn polynomial(args: &Arguments, i: usize) -> Result<MultiPoly> {
 fn part(f: &Fraction, numerator: bool) -> Value {
     let content = f.numerator().content();
     let scale = |p: &MultiPoly, by: &crate::math::number::Int| {
-        Value::Scalar(Fraction::from(p.scaled(&crate::math::number::Rational::from_integer(by.clone()))))
+        Value::Scalar(Fraction::from(p.scaled(&Rational::from_integer(by.clone()))))
     };
     if numerator { scale(f.numerator(), content.denom()) } else { scale(f.denominator(), content.denom()) }
 }
@@ -302,4 +303,47 @@ fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let (quotient, rest) = dividend.div_rem(&divisor).ok_or_else(|| division_by_zero().at(args.span(1)))?;
     let t = Fraction::from(MultiPoly::symbol(variable));
     Ok((quotient.value(&t), rest.value(&t)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::rational;
+    use crate::math::poly::Symbol;
+
+    /// Of numbers by Euclid's algorithm on fractions; of polynomials by its laws: it divides both, the quotients
+    /// have integer coefficients without a common divisor, and factors come out.
+    #[test]
+    fn common_divisors_include_those_of_the_coefficients() {
+        let euclid = |mut a: Rational, mut b: Rational| {
+            while !b.is_zero() {
+                let rest = &a - &b * (&a / &b).floor();
+                (a, b) = (b, rest);
+            }
+            num_traits::Signed::abs(&a)
+        };
+        let x = MultiPoly::symbol(Symbol::new("x"));
+        let y = MultiPoly::symbol(Symbol::new("y"));
+        for i in -6..7_i64 {
+            for j in -6..7_i64 {
+                let (p, q) = (rational(i, 1 + j * j % 4), rational(3 * j, 1 + i * i % 5));
+                let (a, b) = (MultiPoly::constant(p.clone()), MultiPoly::constant(q.clone()));
+                assert_eq!(
+                    with_contents(&a, &b),
+                    MultiPoly::constant(euclid(p.clone(), q.clone())),
+                    "{p}, {q}"
+                );
+                let a = (x.clone() + a.clone()) * (x.clone() + y.clone()).scaled(&rational(i, 4));
+                let b = (y.clone() + b.clone()) * (x.clone() + y.clone()).scaled(&rational(5, 6));
+                let g = with_contents(&a, &b);
+                assert_eq!(with_contents(&b, &a), g);
+                let c = rational(-7, 3);
+                assert_eq!(with_contents(&a.scaled(&c), &b.scaled(&c)), g.scaled(&rational(7, 3)));
+                let quotients = [a, b].map(|p| p.div_exact(&g).expect("it divides both"));
+                let contents = quotients.map(|q| q.content());
+                assert!(contents.iter().all(Rational::is_integer), "{contents:?}");
+                assert_eq!(euclid(contents[0].clone(), contents[1].clone()), rational(1, 1));
+            }
+        }
+    }
 }

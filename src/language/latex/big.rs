@@ -110,6 +110,7 @@ impl Reader<'_> {
         {
             return Ok(function);
         }
+        self.is_no_sum_in_braces()?;
         let body = self.big_body(sign)?;
         let (body, rest) = match op {
             BigOp::Product => up_to_index(body, &lower),
@@ -156,6 +157,35 @@ impl Reader<'_> {
                 Err(Box::new(problem))
             }
         }
+    }
+
+    /// Refuses `\sum_i {a + b}` in a query: print does not show the braces, so that b stands outside.
+    fn is_no_sum_in_braces(&self) -> Result<()> {
+        let brace = |at: usize, sign: &str| self.tokens[at].kind == Tok::Skip && self.text_at(at) == sign;
+        let open = (0..self.pos)
+            .rev()
+            .take_while(|&at| matches!(self.tokens[at].kind, Tok::Skip | Tok::Gap))
+            .find(|&at| brace(at, "{"));
+        let Some(open) = open.filter(|_| self.query) else { return Ok(()) };
+        let (mut depth, mut at, mut begun) = (1_u32, open + 1, false);
+        while at < self.end && depth > 0 {
+            match self.tokens[at].kind {
+                Tok::Plus | Tok::Minus if begun => {
+                    return Err(Box::new(
+                        Diagnostic::error(Code::AmbiguousProduct, "how far does this operator reach?")
+                            .at(self.span_at(open).to(self.span_at(at)))
+                            .reason("these braces do not show in print")
+                            .hint("write \\left( … \\right) around all that it applies to, or no braces"),
+                    ));
+                }
+                _ if brace(at, "{") => depth += 1,
+                _ if brace(at, "}") => depth -= 1,
+                Tok::Skip => {}
+                _ => begun = true,
+            }
+            at = self.after(at);
+        }
+        Ok(())
     }
 
     /// `\int_a^b f(t)\,dt`: reads up to the differential.

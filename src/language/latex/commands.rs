@@ -408,6 +408,8 @@ const OTHERS: &[Command] = table! {
     "pmatrix" "matrix in ( )" Role::Plain(Env::Matrix(Delimiter::Paren));
 
     "left" "opening bracket" Role::Left;
+    "mleft" "opening bracket" Role::Left;
+    "mright" "closing bracket" Role::Right;
     "right" "closing bracket; |_{t=0} evaluates" Role::Right;
     "middle" "the bar of a set" Role::Middle;
     "mid" "the bar of a set" Role::Mid;

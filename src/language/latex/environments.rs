@@ -23,6 +23,7 @@ const ENVIRONMENTS: &[(&str, &str, Env)] = &[
     ("smallmatrix", "matrix without brackets", Env::Matrix(Delimiter::None)),
     ("pmatrix", "matrix in ( )", Env::Matrix(Delimiter::Paren)),
     ("bmatrix", "matrix in [ ]", Env::Matrix(Delimiter::Bracket)),
+    ("Bmatrix", "matrix in { }", Env::Matrix(Delimiter::None)),
     ("vmatrix", "matrix in | |", Env::Matrix(Delimiter::Bar)),
     ("array", "matrix; aligned rows if its cells hold relations", Env::Array),
     ("subarray", "lines below a sum", Env::Array),

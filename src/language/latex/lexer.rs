@@ -187,12 +187,24 @@ impl Lexer<'_> {
             match self.meaning(length) {
                 Word::Name => return self.push(Tok::Word(content.0, content.1), length),
                 Word::Letters => {}
+                // x_{max}
+                Word::Refused(_) if self.is_whole_index(length) => {
+                    return self.push(Tok::Text(content.0, content.1), length);
+                }
                 Word::Refused(problem) => return self.bad(start, end, *problem),
             }
         }
         for (offset, letter) in word.to_owned().char_indices() {
             self.push_from(start + offset, Tok::Letter(letter), start + offset + 1);
         }
+    }
+
+    /// Whether the word of `length` bytes here is all of an index.
+    fn is_whole_index(&self, length: usize) -> bool {
+        let mut before = self.tokens.iter().rev().map(|token| token.kind);
+        before.next() == Some(Tok::OpenBrace)
+            && before.next() == Some(Tok::Sub)
+            && self.rest()[length..].trim_start().starts_with('}')
     }
 
     /// What the letters here are.
@@ -265,7 +277,14 @@ impl Lexer<'_> {
         let end = start + 1 + length;
         // a line break after a backslash is a space to TeX
         let name = if name.len() == 1 && name.trim().is_empty() { " ".to_owned() } else { name };
-        let Some(command) = commands::lookup(&name) else { return self.unknown(start, end, &name) };
+        let Some(command) = commands::lookup(&name) else {
+            // \polar(F): the name of a function
+            let called = self.text[end..self.end].trim_start().starts_with('(');
+            return match (self.words)(&name, called) {
+                Word::Name if called => self.push_from(start, Tok::Word(start as u32 + 1, end as u32), end),
+                _ => self.unknown(start, end, &name),
+            };
+        };
         self.at = end;
         if self.peek() == Some('*') && matches!(name.as_str(), "operatorname" | "tag" | "hspace" | "vspace") {
             self.at += 1;
@@ -532,7 +551,8 @@ impl Lexer<'_> {
         match env {
             Env::Matrix(_) if environment.ends_with('*') => self.optional_position(&["l", "c", "r"]),
             Env::Array | Env::Rows => self.optional_position(&["t", "c", "b"]),
-            Env::Matrix(_) | Env::Cases => {}
+            Env::Matrix(_) => self.columns(),
+            Env::Cases => {}
         }
         if takes_columns {
             let before = self.at;
@@ -547,6 +567,15 @@ impl Lexer<'_> {
             }
         }
         self.push_from(start, Tok::Begin(env), self.at);
+    }
+
+    /// The alignment of columns in brackets, as some packages have it: `[ll]`.
+    fn columns(&mut self) {
+        let Some(tail) = self.rest().strip_prefix('[') else { return };
+        let columns = tail.bytes().take_while(|byte| matches!(byte, b'l' | b'c' | b'r')).count();
+        if columns > 0 && tail[columns..].starts_with(']') {
+            self.at += columns + 2;
+        }
     }
 
     /// One of the `positions`, in brackets.

@@ -77,7 +77,9 @@ impl Lexer<'_> {
             return Some((end, Some(problem)));
         }
         if parts > 1 {
-            return None;
+            let end =
+                self.decimals_in_groups(length, number.rfind('.').map_or(0, |point| length - point - 1));
+            return (end > length).then_some((end, None));
         }
         // 2,5 where the side of a relation begins: a decimal, or two numbers?
         if let Some(fraction) = tail.strip_prefix(',')
@@ -117,6 +119,13 @@ impl Lexer<'_> {
         {
             end += more;
         }
+        // 10\,000.123\,456
+        if end > length
+            && let Some(fraction) = rest[end..].strip_prefix('.')
+            && let count @ 1.. = digits(fraction)
+        {
+            return Some((self.decimals_in_groups(end + 1 + count, count), None));
+        }
         // 12\,34 is neither one number nor clearly two; of x^2 and \frac12 TeX takes single digits
         let is_argument = matches!(self.last(), Some(Tok::Sup | Tok::Sub | Tok::Command(_)));
         let more = ["\\,", "~"].into_iter().find_map(|blank| rest[end..].strip_prefix(blank));
@@ -128,6 +137,21 @@ impl Lexer<'_> {
             return Some((end, Some(problem)));
         }
         (end > length).then_some((end, None))
+    }
+
+    /// The end of the decimals that end at `end`, of which `last` stand in the last group: each group but the
+    /// last has three digits.
+    fn decimals_in_groups(&self, end: usize, last: usize) -> usize {
+        let (mut end, mut last) = (end, last);
+        while last == 3
+            && let Some(more) =
+                ["\\,", "~"].into_iter().find_map(|blank| self.rest()[end..].strip_prefix(blank))
+            && let count @ 1..=3 = more.bytes().take_while(u8::is_ascii_digit).count()
+        {
+            end = self.rest().len() - more.len() + count;
+            last = count;
+        }
+        end
     }
 
     /// Whether the side of a relation begins here, perhaps with a sign.

@@ -77,6 +77,7 @@ impl Reader<'_> {
     fn goes_on(&self, kind: Tok) -> bool {
         match kind {
             Tok::Dot | Tok::Star | Tok::Slash => true,
+            Tok::Period => self.is_lowered_dot(),
             Tok::Bar | Tok::DoubleBar if self.closes_bar(kind) => false,
             Tok::Bar | Tok::Mid if self.is_evaluation() => true,
             Tok::Bar if self.in_set => false,
@@ -91,7 +92,7 @@ impl Reader<'_> {
         let mut layers = 0;
         while let Some(kind) = self.peek().filter(|&kind| self.goes_on(kind)) {
             let next = match kind {
-                Tok::Dot | Tok::Star => {
+                Tok::Dot | Tok::Star | Tok::Period => {
                     self.bump();
                     self.skip_gaps();
                     self.signed_operand()
@@ -111,6 +112,7 @@ impl Reader<'_> {
                     let next = self.operand();
                     if let (Some(last), Ok(next)) = (factors.last(), &next) {
                         self.refuse_mixed_number(last, next)?;
+                        self.refuse_two_numbers(&factors, next)?;
                     }
                     next
                 }
@@ -131,6 +133,51 @@ impl Reader<'_> {
                 .hint(format!("write {number} + {fraction} for the mixed number"))
                 .at(before.span.to(after.span)),
         ))
+    }
+
+    /// Refuses `2 3`, which is 23 in print, and `2 x 3` in a query, where the x may be a sign.
+    fn refuse_two_numbers(&self, before: &[Expr], after: &Expr) -> Result<()> {
+        let Some(last) = before.last() else { return Ok(()) };
+        let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
+        let leads = match &after.kind {
+            Kind::Pow(base, _) | Kind::Factorial(base) => number(base),
+            _ => number(after),
+        };
+        let cross = self.query
+            && before.len() > 1
+            && matches!(&last.kind, Kind::Name(x) if x == "x" || x == "X")
+            && number(&before[before.len() - 2]);
+        if !leads || !number(last) && !cross {
+            return Ok(());
+        }
+        let text = |expr: &Expr| &self.text[expr.span.range()];
+        let problem = match cross {
+            false => Diagnostic::error(Code::UnexpectedToken, "two numbers side by side")
+                .reason("a product, or one number?")
+                .hint(format!(
+                    "write {0} \\cdot {1} for the product, {0}{1} for one number",
+                    text(last),
+                    text(after)
+                )),
+            true => Diagnostic::error(Code::AmbiguousProduct, "a sign of multiplication or the letter x?")
+                .hint(format!(
+                    "write {0} \\cdot {1} for the product, {0} \\cdot {2} \\cdot {1} for one with the letter",
+                    text(&before[before.len() - 2]),
+                    text(after),
+                    text(last)
+                )),
+        };
+        let first = if cross { &before[before.len() - 2] } else { last };
+        Err(Box::new(problem.at(first.span.to(after.span))))
+    }
+
+    /// Whether the period here stands between two thin spaces, as some write a product: `2\,.\,t`.
+    fn is_lowered_dot(&self) -> bool {
+        let span = self.span_at(self.pos);
+        self.query
+            && self.text[..span.start].trim_end().ends_with("\\,")
+            && self.text[span.end..].trim_start().starts_with("\\,")
+            && self.look(self.pos + 1).is_some_and(|(_, kind)| self.begins_operand(kind))
     }
 
     fn quotient(&mut self, left: Expr, start: usize, layers: u32) -> Result<Expr> {

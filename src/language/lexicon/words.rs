@@ -42,6 +42,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("save", "a session is saved by :save FILE at the prompt"),
     ("load", "a script is run by :load FILE at the prompt, or by polarform run FILE"),
     ("draw", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
+    ("inner", "the scalar product is dot([1, 2], [3, 4])"),
     ("mean", "the mean of two points is (a + b)/2"),
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
     ("lcm", "the least common multiple is a*b/gcd(a, b)"),
@@ -95,7 +96,13 @@ const TOPICS: &[(&str, &str)] = &[
 
 /// What to write instead of a word of prose; empty if the words beside it have to tell.
 pub(crate) fn prose(word: &str) -> Option<&'static str> {
+    let word = without_capital(word);
     PROSE.iter().find(|(known, _)| *known == word).map(|(_, advice)| *advice)
+}
+
+/// Whether a word only stands between two statements.
+pub(crate) fn joins_statements(word: &str) -> bool {
+    ["and", "und", "et", "且", "和", "及"].contains(&word.trim())
 }
 
 /// The function that a word of a question is about.
@@ -143,7 +150,14 @@ pub fn elsewhere(word: &str) -> Option<&'static str> {
     if is_foreign_function(word) {
         return Some("only polynomials and rational functions with rational coefficients are exact here");
     }
+    let word = without_capital(word);
     ELSEWHERE.iter().find(|(known, _)| *known == word).map(|(_, advice)| *advice)
+}
+
+/// A word at the beginning of a sentence: Let, Set. Two letters are more likely names: Of, At.
+fn without_capital(word: &str) -> String {
+    let small = word.chars().skip(1).all(|c| c.is_ascii_lowercase());
+    if small && word.len() > 2 { word.to_ascii_lowercase() } else { word.to_owned() }
 }
 
 /// Whether a word is a function that has no exact rational values.

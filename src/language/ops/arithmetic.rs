@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
-use super::errors::{division_by_zero, linalg_error, mismatch};
+use super::errors::{division_by_zero, linalg_error, mismatch, wrong_kind};
 use super::function::pointwise;
 use super::{geometry, polar};
 use crate::budget;
@@ -358,9 +358,7 @@ pub(crate) fn factorial(n: &Value) -> Result<Value> {
             budget::charge_bits(bits);
             Ok(Value::number(Rational::from_integer(crate::math::number::factorial(n as usize))))
         }
-        _ => Err(Diagnostic::error(
-            Code::Type,
-            format!("a factorial needs a nonnegative integer, not {}", n.kind()),
-        )),
+        Some(_) => Err(Diagnostic::error(Code::Domain, "a factorial needs an integer that is 0 or more")),
+        None => Err(wrong_kind("an integer that is 0 or more under the factorial", n)),
     }
 }

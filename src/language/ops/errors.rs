@@ -13,7 +13,10 @@ pub(crate) fn wrong_kind(expected: &str, found: &Value) -> Diagnostic {
     let error = Diagnostic::error(Code::Type, format!("expected {expected}, found {}", found.kind()))
         .reason(format!("this is {}", found.kind()));
     match found {
-        Value::Scalar(formula) if expected.starts_with("an integer") && formula.as_rational().is_none() => {
+        Value::Scalar(formula)
+            if (expected.starts_with("an integer") || expected == "a number")
+                && formula.as_rational().is_none() =>
+        {
             let names: Vec<String> = formula.variables().iter().map(ToString::to_string).collect();
             error.hint(format!("give {} a value first, for example {} := 3", names.join(", "), names[0]))
         }

@@ -340,6 +340,9 @@ impl<'a> Parser<'a> {
     /// The operator at this place, a product if an operand follows directly.
     fn infix(&self) -> Parsed<Option<Op>> {
         let token = self.peek();
+        if let Some(problem) = self.x_for_times() {
+            return Err(problem);
+        }
         Ok(Some(match token.kind {
             TokenKind::Plus => Op::Add(Sign::Plus),
             TokenKind::Minus => Op::Add(Sign::Minus),
@@ -350,23 +353,24 @@ impl<'a> Parser<'a> {
             TokenKind::DotDot => Op::Range,
             TokenKind::Arrow => Op::Lambda,
             TokenKind::Relation(rel) => Op::Relation(rel),
-            // 0^3 1^2 is a product
             TokenKind::Number
-                if self.last.is_some_and(|last| last.kind == TokenKind::Number)
-                    && !(self
-                        .at
-                        .checked_sub(2)
-                        .is_some_and(|at| self.tokens[at].kind == TokenKind::Caret)
-                        && self
-                            .tokens
-                            .get(self.at + 1)
-                            .is_some_and(|next| next.kind == TokenKind::Caret)) =>
+                if self.last.is_some_and(|last| last.kind == TokenKind::Number) && !self.after_power() =>
             {
                 return Err(self.two_numbers());
             }
             _ if self.at_operand() => Op::Mul,
             _ => return Ok(None),
         }))
+    }
+
+    /// Whether a number here begins a further factor: 0^3 1^2, and f(0^2 1) among the arguments of a call.
+    fn after_power(&self) -> bool {
+        let kind = |at: Option<usize>| at.and_then(|at| self.tokens.get(at)).map(|token| token.kind);
+        let exponent = kind(self.at.checked_sub(2)) == Some(TokenKind::Caret);
+        let called =
+            |open: usize| !self.tokens[open].spaced && kind(open.checked_sub(1)) == Some(TokenKind::Name);
+        exponent
+            && (kind(Some(self.at + 1)) == Some(TokenKind::Caret) || self.enclosing().is_some_and(called))
     }
 
     /// Refuses left operands that an operator cannot have.

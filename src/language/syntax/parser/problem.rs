@@ -66,9 +66,10 @@ impl Parser<'_> {
                 .hint("write := to define a name, / to divide, 0..3 for a range"),
             TokenKind::For => unexpected(format!("{text} stands outside a list"))
                 .reason("only a list is made for several values")
-                .hint("write [i^2 for i = 0..3]"),
+                .hint("write [i^2 for i = 0..3]")
+                .hint("a function by cases is cases(t^2 if t < 1, 2t - 1 otherwise)"),
             TokenKind::If | TokenKind::Otherwise => unexpected(format!("{text} stands outside cases(…)"))
-                .hint("write cases(1 if i = 0, t otherwise)"),
+                .hint("write cases(t^2 if t < 1, 2t - 1 otherwise)"),
             TokenKind::Open(Bracket::Brace) => unexpected("'{' cannot follow here".into())
                 .reason("braces make a set, or hold an index after '_' or an exponent after '^'")
                 .hint("write ( ) to group, or put an operator before the set"),
@@ -235,18 +236,63 @@ impl Parser<'_> {
     pub(super) fn two_numbers(&self) -> Problem {
         let token = self.peek();
         let span = self.last.map_or(token.span(), |last| last.span().to(token.span()));
-        let hint = match self.last {
-            Some(last) if span.len() <= QUOTE => {
-                let (a, b) = (self.text_of(last), self.text_of(token));
-                format!("write {a}*{b} for the product, {a}{b} for one number")
-            }
-            _ => "write * for the product".to_owned(),
+        let problem = error(Code::UnexpectedToken, "two numbers side by side", span);
+        let Some(last) = self.last.filter(|_| span.len() <= QUOTE) else {
+            return Box::new(problem.reason("a product, or one number?").hint("write * for the product"));
         };
-        Box::new(
-            error(Code::UnexpectedToken, "two numbers side by side", span)
-                .reason("a product, or one number?")
-                .hint(hint),
-        )
+        let (a, b) = (self.text_of(last), self.text_of(token));
+        let after = |at: usize| self.tokens.get(self.at + at).filter(|token| !token.spaced);
+        if let (Some(slash), Some(below)) = (after(1), after(2))
+            && slash.kind == TokenKind::Slash
+            && below.kind == TokenKind::Number
+        {
+            let fraction = format!("{b}/{}", self.text_of(*below));
+            return Box::new(problem.reason("a mixed number, or a product?").hint(format!(
+                "write {a} + {fraction} for the mixed number, {a}*{fraction} for the product"
+            )));
+        }
+        let problem = problem
+            .reason("a product, or one number?")
+            .hint(format!("write {a}*{b} for the product, {a}{b} for one number"));
+        Box::new(match self.enclosing() {
+            Some(_) => problem.hint(format!("write a comma between two items: {a}, {b}")),
+            None => problem,
+        })
+    }
+
+    /// The bracket that is open here, looked for among the last tokens.
+    pub(super) fn enclosing(&self) -> Option<usize> {
+        const FAR: usize = 100;
+        let mut closed = 0_usize;
+        for at in (self.at.saturating_sub(FAR)..self.at).rev() {
+            match self.tokens[at].kind {
+                TokenKind::Close(_) => closed += 1,
+                TokenKind::Open(_) if closed == 0 => return Some(at),
+                TokenKind::Open(_) => closed -= 1,
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// Whether a letter x between numbers may be meant as a sign: `2 x 3`.
+    pub(super) fn x_for_times(&self) -> Option<Problem> {
+        let [number, x] = [2, 1].map(|back| self.at.checked_sub(back).and_then(|at| self.tokens.get(at)));
+        let (number, x, next) = (*number?, *x?, self.peek());
+        let sign =
+            x.kind == TokenKind::Name && x.spaced && next.spaced && matches!(self.text_of(x), "x" | "X");
+        if !sign || number.kind != TokenKind::Number || next.kind != TokenKind::Number {
+            return None;
+        }
+        let (a, x, b) = (self.text_of(number), self.text_of(x), self.text_of(next));
+        Some(Box::new(
+            error(
+                Code::AmbiguousProduct,
+                "a sign of multiplication or the letter x?",
+                number.span().to(next.span()),
+            )
+            .hint(format!("write {a}*{b} for the product, {a}*{x}*{b} for one with the letter")),
+        ))
     }
 
     pub(super) fn bad_definition(&self, left: &Node, token: Token) -> Problem {
@@ -371,7 +417,11 @@ impl Parser<'_> {
         Box::new(
             error(Code::UnexpectedToken, format!("{text} cannot have an index"), base.extent)
                 .reason("not a name")
-                .hint("put the index on a name, as in c_0"),
+                .hint(match self.text_at(base.extent).bytes().all(|byte| byte.is_ascii_digit()) {
+                    true => "put the index on a name, as in c_0; digits are written without signs between"
+                        .to_owned(),
+                    false => "put the index on a name, as in c_0".to_owned(),
+                }),
         )
     }
 
@@ -380,9 +430,12 @@ impl Parser<'_> {
         let code = if token.kind == TokenKind::End { Code::UnexpectedEnd } else { Code::UnexpectedToken };
         let span = self.last.map_or(token.span(), Token::span);
         Box::new(
-            error(code, "no index follows '_'", span)
-                .reason("a number, a word or braces must follow")
-                .hint("write t_1, p_{i,j} or t_{-1}"),
+            error(code, "no index follows '_'", span).reason("a number, a word or braces must follow").hint(
+                match token.kind {
+                    TokenKind::Plus => "a truncated power is written cases((t - 1)^2 if t > 1, 0 otherwise)",
+                    _ => "write t_1, p_{i,j} or t_{-1}",
+                },
+            ),
         )
     }
 
