@@ -22,8 +22,8 @@ fn main() -> Result<(), InterpolationError> {
     assert_eq!(lagrange.value(&integer(2)), *tableau.value());
     assert_eq!(table.newton_form().value(&integer(2)), *tableau.value());
     println!("p(2) = {}", tableau.value());
-    for row in table.rows() {
-        println!("  {}", list(row));
+    for (k, column) in table.columns().iter().enumerate() {
+        println!("  differences over {} nodes: {}", k + 1, list(column));
     }
 
     // A further node adds a row; the other coefficients stay.
@@ -45,7 +45,7 @@ fn main() -> Result<(), InterpolationError> {
     for moment in spline.moments() {
         println!("  ({})", list(moment));
     }
-    assert_eq!(spline.system().matrix.product(spline.moments()), spline.system().right);
+    assert_eq!(spline.system().solve()?, spline.moments());
 
     // The straight line closest to four points, by its Bézier ordinates over [0, 3].
     let options =

@@ -117,6 +117,29 @@ fn facts_of_the_subject() {
         "convert(cubic_spline([0, 1, 2], [0, 1, 0]), bspline)(1/2) = cubic_spline([0, 1, 2], [0, 1, 0])(1/2)",
         "insert_knots(bspline(1, [t_0, t_1, t_2, t_3], [d_0, d_1]), t, span=1)(t_2) = d_1",
         "derivatives_at(sphere_octant([0, 0, 0], 1), 0, 0, 1) = [[[1, 0, 0], [0, 0, 2]], [[0, 2, 0]]]",
+        // parts of splines, also rational and over several intervals
+        "part(bspline(1, [0, 0, 1, 2, 2], [d_0, d_1, d_2]), 1/2, 2) = bspline(1, [1/2, 1/2, 1, 2, 2], [(d_0 + d_1)/2, d_1, d_2])",
+        "subdivide(bspline(2, [0, 0, 0, 1, 1, 1], [b_0, b_1, b_2]), 1/2)[0] = subdivide(bezier([b_0, b_1, b_2]), 1/2)[0]",
+        "length(subdivide(bspline(2, [0, 0, 0, 1, 2, 2, 2], [1, 3, 5, 7]), 3/2, 1/2, 1)) = 4",
+        "subdivide(bspline(1, [0, 0, 1, 2, 2], [1, 3, 2], weights=[1, 1, 3]), 1/2)[1](3/2) = bspline(1, [0, 0, 1, 2, 2], [1, 3, 2], weights=[1, 1, 3])(3/2)",
+        "pieces(part(spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[a, b], [c, d], [e, f]]), [0, 1], [0, 1]))[0][0] = patch([[a, b], [c, d]])",
+        "subdivide(spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[a, b], [c, d], [e, f]]), u=1)[1](3/2, 0) = (c + e)/2",
+        "subdivide(spline_surface(1, 1, [0, 0, 1, 2, 2], [0, 0, 1, 1], [[a, b], [c, d], [e, f]], weights=[[1, 1], [1, 2], [1, 1]]), 1/2, 1/2)[1][0](1, 1/4) = (3c/4 + d/2)/(5/4)",
+        // derivatives of polar forms in two variables
+        "derivative(polar_tensor(u^3 v^2, u, v), 1, 1) = polar_tensor(6 u^2 v, u, v)",
+        "derivative(polar_tensor(u^3 v^2, u, v), 2) = polar_tensor(6 u v^2, u, v)",
+        "derivative(polar_total(u^3 v + v^2, [u, v]), 1, 1) = polar_total(3 u^2, [u, v])",
+        "derivative(polar_total(u v + u^2, [u, v]), [1, 2]) = polar_total(4 u + v, [u, v])",
+        "derivative(polar_total(u v w, [u, v, w]), 0, 1, 1) = polar_total(u, [u, v, w])",
+        "derivative(polar_total(u v, [u, v]), 0, 0) = polar_total(u v, [u, v])",
+        "derivative(polar_total(u v, [u, v]), 2, 1)() = 0",
+        // the best solution of too many equations
+        "least_squares_solution([1, 0; 1, 1; 1, 2], [1, 2, 6]) = coefficients(least_squares([0, 1, 2], [1, 2, 6], 1))",
+        "least_squares_solution([1; 1], [x, y], weights=[1, 3]) = [(x + 3y)/4]",
+        "least_squares_solution([1, 2; 3, 5], [a, b]) = solve([1, 2; 3, 5], [a, b])",
+        // both ways to a product and to a composition
+        "polar_product(t^2 + 2t, t^3 + 1, method=symmetrize) = polar_product(t^2 + 2t, t^3 + 1)",
+        "polar_compose(a t^2 + 2t, t^3 + b, method=symmetrize) = polar_compose(a t^2 + 2t, t^3 + b)",
     ] {
         assert_eq!(verdict(claim), Verdict::Proved, "{claim}");
     }

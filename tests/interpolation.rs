@@ -101,8 +101,12 @@ proptest! {
                 prop_assert_eq!(Value::Scalar(first.value(at).unwrap()), slopes[i].clone());
                 prop_assert_eq!(Value::Scalar(second.value(at).unwrap()), moments[i].clone());
                 if i > 0 && i + 1 < nodes.len() {
-                    let smooth = spline.function.smoothness(i);
-                    prop_assert!(smooth >= Some(2.min(spline.function.degree())), "{} {:?}", ends, smooth);
+                    let pieces = spline.function.pieces();
+                    let (mut left, mut right) = (pieces[i - 1].clone(), pieces[i].clone());
+                    for order in 0..=2 {
+                        prop_assert_eq!(left.value(at), right.value(at), "{} order {}", ends, order);
+                        (left, right) = (left.derivative(), right.derivative());
+                    }
                 }
             }
             match ends {

@@ -55,7 +55,9 @@ fn kept(finding: &Finding, word: &str) -> bool {
     match word {
         "false" => finding.is_suspicious(),
         "open" => finding.verdict != Verdict::Refuted,
-        "true" | "definition" => finding.verdict.is_judged() && finding.verdict != Verdict::Refuted,
+        "true" | "definition" => {
+            matches!(finding.verdict, Verdict::Definition | Verdict::Proved | Verdict::Sampled)
+        }
         other => panic!("no verdict is called {other}"),
     }
 }

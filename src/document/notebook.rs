@@ -35,8 +35,6 @@ pub(super) fn scan(text: &str, out: &mut Collector) {
 /// A Markdown cell of a notebook.
 #[derive(Clone, Debug)]
 pub struct Cell {
-    /// The bytes of its source in the file: a string of JSON or a list of them.
-    pub span: Span,
     /// Its text.
     pub text: String,
     /// From bytes of the text to bytes of the file.
@@ -50,7 +48,7 @@ pub struct Cell {
 pub fn markdown_cells(text: &str) -> Result<Vec<Cell>, Diagnostic> {
     let decoded = |source: &RawValue| {
         let Text { text: decoded, places } = cell(text, source)?;
-        Ok(Cell { span: span_of(text, source), text: decoded, places })
+        Ok(Cell { text: decoded, places })
     };
     sources(text)?.into_iter().map(decoded).collect()
 }

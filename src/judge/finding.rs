@@ -42,11 +42,6 @@ impl Verdict {
             Verdict::Unread => "unread",
         }
     }
-
-    /// Whether the relation was judged: neither undecided nor unread.
-    pub fn is_judged(self) -> bool {
-        !matches!(self, Verdict::Undecided | Verdict::Unread)
-    }
 }
 
 /// One relation of a file with its verdict. A formula without a relation has one finding.

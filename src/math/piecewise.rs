@@ -107,7 +107,6 @@ impl<C: Ring> Piecewise<C> {
     /// let hat = Piecewise::new(vec![z(0), z(1), z(2)], pieces, Outside::Zero)?;
     /// assert_eq!(hat.value(&z(1)), Ok(z(1)));
     /// assert_eq!(hat.value(&z(5)), Ok(z(0)));
-    /// assert_eq!(hat.smoothness(1), Some(0));
     /// # Ok::<(), polarform::piecewise::PiecewiseError>(())
     /// ```
     pub fn new(
@@ -214,10 +213,8 @@ impl<C: Ring> Piecewise<C> {
 
     /// The largest k ≤ degree such that the pieces meet with equal derivatives of order 0, …, k
     /// at the inner breakpoint x_i; `None` if not even the values agree.
-    ///
-    /// # Panics
-    /// If i is not in 1..m.
-    pub fn smoothness(&self, i: usize) -> Option<usize> {
+    #[cfg(test)]
+    pub(crate) fn smoothness(&self, i: usize) -> Option<usize> {
         assert!(i >= 1 && i < self.pieces.len(), "an inner breakpoint");
         let mut rest = self.pieces[i].minus(&self.pieces[i - 1]);
         let mut order = None;

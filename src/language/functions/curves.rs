@@ -2,7 +2,7 @@
 
 use crate::language::eval::Arguments;
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list};
+use crate::language::ops::geometry::{bezier, point_of, points_of, scalar_list, spline};
 use std::sync::Arc;
 
 use super::parameter::{
@@ -17,6 +17,7 @@ use crate::math::curve::{self, BezierCurve, Interval, Point, Tableau, affine};
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
+use crate::math::spline::BSpline;
 use num_traits::{One, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -150,8 +151,11 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "subdivide(bezier([0, 1, 4]), 1/2)",
         on_surface: on_surface::SUBDIVIDE,
         call: |_, args| {
-            let (curve, form) = args.bezier(0)?;
             let mut places = args.scalars_or_list(1)?;
+            if let Some((s, form)) = given_spline(args)? {
+                return spline_parts(args, s, places, form);
+            }
+            let (curve, form) = args.bezier(0)?;
             if let Some(k) = places.iter().position(|t| curve.contains(t) == Some(false)) {
                 let (a, b) = curve.interval().ends();
                 return Err(curve_error(crate::math::curve::CurveError::OutsideDomain)
@@ -176,10 +180,14 @@ pub(super) const TABLE: &[Builtin] = &[
             required("r", Takes::Scalar, "where the part starts"),
             required("s", Takes::Scalar, "where it ends"),
         ],
-        summary: "the part of a curve over [r, s], also outside of its interval",
+        summary: "the part of a curve over [r, s]; of a Bézier curve also outside of its interval",
         example: "part(bezier([0, 1, 4]), 1/2, 1)",
         on_surface: on_surface::PART,
         call: |_, args| {
+            if let Some((s, form)) = given_spline(args)? {
+                let part = s.part(&args.scalar(1)?, &args.scalar(2)?).map_err(spline_error);
+                return part.map(|part| spline(part, form)).at(args.span(1));
+            }
             let (curve, form) = args.bezier(0)?;
             let part = curve.part(&args.scalar(1)?, &args.scalar(2)?).map_err(curve_error).at(args.span(2))?;
             Ok(bezier(part, form))
@@ -436,6 +444,31 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// The first argument, if it is a B-spline curve.
+fn given_spline(args: &Arguments) -> Result<Option<(BSpline<Fraction>, Form)>> {
+    let Value::Geometry(geometry) = args.value(0)? else { return Ok(None) };
+    Ok(if let Geometry::Spline(s, form) = &**geometry { Some((s.clone(), *form)) } else { None })
+}
+
+/// A spline cut at parameters inside of its domain.
+fn spline_parts(
+    args: &Arguments,
+    s: BSpline<Fraction>,
+    mut places: Vec<Fraction>,
+    form: Form,
+) -> Result<Value> {
+    places.sort_by(|x, y| crate::math::piecewise::compare(x, y).unwrap_or(std::cmp::Ordering::Equal));
+    let mut parts = Vec::with_capacity(places.len() + 1);
+    let mut rest = s;
+    for t in &places {
+        let (before, after) = rest.subdivide(t).map_err(spline_error).at(args.span(1))?;
+        parts.push(spline(before, form));
+        rest = after;
+    }
+    parts.push(spline(rest, form));
+    Ok(Value::List(parts))
+}
 
 /// The interval with its ends at the second and third place; 0 and the number after the start if not
 /// given.

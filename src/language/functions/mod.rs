@@ -9,6 +9,7 @@ mod interpolation;
 mod joins;
 mod matrices;
 mod numbers;
+mod on_form;
 mod on_geometry;
 mod on_surface;
 mod parameter;

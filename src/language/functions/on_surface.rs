@@ -13,10 +13,11 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Polar, PolarKind, Table, Value, polynomial_expr};
 use crate::math::blossom::{TensorPolarForm, TotalDegreePolarForm};
 use crate::math::curve::{
-    CurveError, Direction, Point, RationalPatch, Scheme, TensorPatch, TrianglePatch, Vector, indices,
+    Direction, Point, RationalPatch, RationalTriangle, Scheme, TensorPatch, TrianglePatch, Vector, indices,
 };
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
+use crate::math::spline::{RationalSplineSurface, SplineSurface};
 
 /// u, v, or both at once.
 const DIRECTIONS: Takes = Takes::Word(&["u", "v", "bilinear"]);
@@ -198,10 +199,8 @@ fn derivative(args: &Arguments) -> Evaluated {
     let form = geometry.form();
     polynomial_only(form, args)?;
     if let Geometry::Triangle(patch, _) = &*geometry
-        && matches!(args.value(1)?, Value::List(_))
+        && let Some(directions) = directions(args)?
     {
-        let directions =
-            (1..args.len()).map(|i| Ok(args.point(i)?.position())).collect::<Result<Vec<_>, _>>()?;
         return patch
             .derivative(&directions)
             .map(|p| triangular(p, form))
@@ -217,6 +216,14 @@ fn derivative(args: &Arguments) -> Evaluated {
         }
         other => Err(not_for(other, args)),
     }
+}
+
+/// The directions given after the first argument; `None` if numbers are given.
+pub(super) fn directions(args: &Arguments) -> Result<Option<Vec<Vector<Fraction>>>, Diagnostic> {
+    if !matches!(args.value(1)?, Value::List(_)) {
+        return Ok(None);
+    }
+    (1..args.len()).map(|i| Ok(args.point(i)?.position())).collect::<Result<_, _>>().map(Some)
 }
 
 /// The integral over the domain.
@@ -310,22 +317,17 @@ fn plane_point(args: &Arguments) -> Result<Point<Fraction>, Diagnostic> {
     }
 }
 
-/// A patch at u and v in four, at u=t or v=t in two; a triangular one at a point in three.
+/// At u and v in four, at u=t or v=t in two; a triangular patch at a point in three.
 fn subdivide(args: &Arguments) -> Evaluated {
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => {
-            let pair = |direction, t: &Fraction| {
-                let parts = patch.subdivide(direction, t).map_err(curve_error)?;
-                Ok(Value::List(vec![tensor(parts.0, *form), tensor(parts.1, *form)]))
-            };
-            match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
-                (Some(u), None) => pair(Direction::U, &u),
-                (None, Some(v)) => pair(Direction::V, &v),
-                (Some(u), Some(v)) => quarters(patch, &u, &v, *form),
-                (None, None) => Err(Diagnostic::error(Code::Arity, "where is the patch cut?")
-                    .at(args.span(0))
-                    .hint("subdivide(s, u, v) cuts it in four, subdivide(s, u=t) in two")),
-            }
+            let rule = |p: &TensorPatch<_>, direction, t: &_| p.subdivide(direction, t).map_err(curve_error);
+            cut(args, patch, rule, |part| tensor(part, *form))
+        }
+        Geometry::Surface(s, form) => {
+            let rule =
+                |s: &SplineSurface<_>, direction, t: &_| s.subdivide(direction, t).map_err(spline_error);
+            cut(args, s, rule, |part| surface(part, *form))
         }
         Geometry::Triangle(patch, form) => {
             let p = plane_point(args)?;
@@ -336,10 +338,30 @@ fn subdivide(args: &Arguments) -> Evaluated {
     }
 }
 
-fn quarters(patch: &TensorPatch<Fraction>, u: &Fraction, v: &Fraction, form: Form) -> Evaluated {
-    let parts = patch.quarters(u, v).map_err(curve_error)?;
-    let row = |row: [TensorPatch<Fraction>; 2]| Value::List(row.map(|part| tensor(part, form)).to_vec());
-    Ok(Value::List(parts.map(row).to_vec()))
+/// In four at u and v, by rows; in two at one of them.
+fn cut<S>(
+    args: &Arguments,
+    s: &S,
+    rule: impl Fn(&S, Direction, &Fraction) -> Result<(S, S), Diagnostic>,
+    value: impl Fn(S) -> Value,
+) -> Evaluated {
+    let pair = |s: &S, direction, t: &Fraction, i: usize| {
+        let (before, after) = rule(s, direction, t).at(args.span(i))?;
+        Ok([before, after])
+    };
+    let list = |parts: [S; 2]| Value::List(parts.map(&value).to_vec());
+    match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
+        (Some(u), None) => pair(s, Direction::U, &u, 1).map(list),
+        (None, Some(v)) => pair(s, Direction::V, &v, 2).map(list),
+        (Some(u), Some(v)) => {
+            let [before, after] = pair(s, Direction::U, &u, 1)?;
+            let halves = |half: &S| pair(half, Direction::V, &v, 2).map(list);
+            Ok(Value::List(vec![halves(&before)?, halves(&after)?]))
+        }
+        (None, None) => Err(Diagnostic::error(Code::Arity, "where is the surface cut?")
+            .at(args.span(0))
+            .hint("subdivide(s, u, v) cuts it in four, subdivide(s, u=t) in two")),
+    }
 }
 
 /// Over a rectangle, or over a triangle.
@@ -347,6 +369,10 @@ fn part(args: &Arguments) -> Evaluated {
     match &*args.geometry(0)? {
         Geometry::Patch(patch, form) => Ok(tensor(patch.part(args.interval(1)?, args.interval(2)?), *form)),
         Geometry::Triangle(patch, form) => Ok(triangular(patch.over(args.triangle(1)?), *form)),
+        Geometry::Surface(s, form) => {
+            let part = s.part(args.interval(1)?, args.interval(2)?).map_err(spline_error);
+            part.map(|part| surface(part, *form)).at(args.span(1))
+        }
         other => Err(not_for(other, args)),
     }
 }
@@ -363,23 +389,8 @@ pub(super) fn pieces(args: &Arguments) -> Evaluated {
     }
 }
 
-/// Row r, entry s: the derivative r times by u and s times by v, for r + s up to k.
-/// Entry (r, s) is the derivative of order r in u and s in v.
+/// Entry (r, s) is the derivative of order r in u and s in v, for r + s up to k.
 type Jet = Vec<Vec<Vector<Fraction>>>;
-
-fn patch_derivatives(
-    patch: &TensorPatch<Fraction>,
-    form: Form,
-    u: &Fraction,
-    v: &Fraction,
-    k: usize,
-) -> Result<Jet, CurveError> {
-    if form.rational {
-        return RationalPatch::from_homogeneous(patch.clone())?.derivatives(u, v, k);
-    }
-    let row = |r: usize| (0..=k - r).map(|s| patch.derivative_at(r, s, u, v)).collect();
-    Ok((0..=k).map(row).collect())
-}
 
 /// All partial derivatives of order at most k of a surface at (u, v), and how they are shown.
 pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
@@ -387,19 +398,25 @@ pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Fo
     let form = geometry.form();
     let (u, v) = (args.scalar(1)?, args.scalar(2)?);
     crate::budget::charge_terms((k as u64 + 1).saturating_mul(k as u64 + 1));
-    let grid = match &*geometry {
-        Geometry::Triangle(patch, _) if form.rational => {
-            crate::math::curve::RationalTriangle::from_homogeneous(patch.clone())
-                .and_then(|p| p.derivatives(&[u, v], k))
-        }
-        Geometry::Surface(s, _) => {
-            let patch = s.patch_at(&u, &v).map_err(spline_error).at(args.span(1))?;
-            patch_derivatives(&patch, form, &u, &v, k)
-        }
-        Geometry::Patch(patch, _) => patch_derivatives(patch, form, &u, &v, k),
+    let polynomial = |patch: &TensorPatch<Fraction>| -> Jet {
+        let row = |r: usize| (0..=k - r).map(|s| patch.derivative_at(r, s, &u, &v)).collect();
+        (0..=k).map(row).collect()
+    };
+    let jet = match &*geometry {
+        Geometry::Triangle(patch, _) if form.rational => RationalTriangle::from_homogeneous(patch.clone())
+            .and_then(|patch| patch.derivatives(&[u, v], k))
+            .map_err(curve_error),
+        Geometry::Patch(patch, _) if form.rational => RationalPatch::from_homogeneous(patch.clone())
+            .and_then(|patch| patch.derivatives(&u, &v, k))
+            .map_err(curve_error),
+        Geometry::Surface(s, _) if form.rational => RationalSplineSurface::from_homogeneous(s.clone())
+            .and_then(|s| s.derivatives(&u, &v, k))
+            .map_err(spline_error),
+        Geometry::Surface(s, _) => s.patch_at(&u, &v).map(|patch| polynomial(&patch)).map_err(spline_error),
+        Geometry::Patch(patch, _) => Ok(polynomial(patch)),
         other => return Err(not_for(other, args)),
     };
-    Ok((grid.map_err(curve_error).at(args.span(1))?, Form { rational: false, ..form }))
+    Ok((jet.at(args.span(1))?, Form { rational: false, ..form }))
 }
 
 fn derivatives_at(args: &Arguments) -> Evaluated {

@@ -1,6 +1,7 @@
 //! Polar forms: making, elevating, combining, writing out.
 
 use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula;
@@ -8,7 +9,7 @@ use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::{laws_report, point_argument};
 use std::sync::Arc;
 
-use super::parameter::{METHOD, START, Takes, VARIABLE, many, optional, required, size};
+use super::parameter::{METHOD, Parameter, START, Takes, VARIABLE, many, named, optional, required, size};
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
@@ -77,6 +78,28 @@ fn names_a_polynomial(args: &Arguments) -> Result<()> {
         .reason("a polynomial, a constant or the parameter?")
         .hint(format!("define it first: {symbol} := t^2"))
         .hint(format!("or name the parameter: polar({symbol}, variable=t)")))
+}
+
+/// Both lead to the same form.
+const COMBINED: Parameter = named(
+    "method=diagonal",
+    Takes::Word(&["diagonal", "symmetrize"]),
+    "diagonal",
+    "from the polynomials, or from the polar forms with distinct arguments and their mean",
+);
+
+type Operation = fn(&PolarForm<Fraction>, &PolarForm<Fraction>) -> PolarForm<Fraction>;
+
+/// The way that was asked for.
+fn ways(args: &Arguments, diagonal: Operation, symmetrize: Operation) -> Result<Operation> {
+    match args.named("method") {
+        None => Ok(diagonal),
+        Some((value, span)) => match word_of(value) {
+            Some("diagonal") => Ok(diagonal),
+            Some("symmetrize") => Ok(symmetrize),
+            _ => Err(wrong_kind("diagonal or symmetrize", value).at(span)),
+        },
+    }
 }
 
 pub(super) const TABLE: &[Builtin] = &[
@@ -314,9 +337,13 @@ pub(super) const TABLE: &[Builtin] = &[
             required("F", Takes::Polynomial, "a polynomial or polar form"),
             required("G", Takes::Polynomial, "another one"),
         ],
+        common: &[COMBINED],
         summary: "the polar form of F G: multiply with distinct arguments and symmetrise",
         example: "polar_product(t^2 + 2t, t^3 + 1)",
-        call: |_, args| combine(args, PolarForm::product).map(polar_value),
+        call: |_, args| {
+            let operation = ways(args, PolarForm::product, PolarForm::product_by_symmetrizing)?;
+            combine(args, operation).map(polar_value)
+        },
         ..NEW
     },
     Builtin {
@@ -325,9 +352,13 @@ pub(super) const TABLE: &[Builtin] = &[
             required("F", Takes::Polynomial, "the outer polynomial or polar form"),
             required("G", Takes::Polynomial, "the inner one"),
         ],
+        common: &[COMBINED],
         summary: "the polar form of F(G(t))",
         example: "polar_compose(t^2 + 2t, t^3 + 1)",
-        call: |_, args| combine(args, PolarForm::compose).map(polar_value),
+        call: |_, args| {
+            let operation = ways(args, PolarForm::compose, PolarForm::compose_by_symmetrizing)?;
+            combine(args, operation).map(polar_value)
+        },
         ..NEW
     },
     Builtin {

@@ -1,7 +1,7 @@
 //! Polynomials and rational functions: parts, division, calculus.
 
 use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
-use super::{Builtin, on_geometry, on_surface};
+use super::{Builtin, on_form, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
@@ -109,6 +109,7 @@ pub(super) const TABLE: &[Builtin] = &[
         each: true,
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
+        on_form: on_form::DERIVATIVE,
         call: |_, args| {
             let order = args.optional_size(2)?.unwrap_or(1);
             match args.value(0)? {
@@ -133,6 +134,7 @@ pub(super) const TABLE: &[Builtin] = &[
         each: true,
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
+        on_form: on_form::DERIVATIVE,
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))

@@ -7,7 +7,7 @@ use crate::language::ops::polar::levelled;
 
 use super::parameter::{Need, Parameter};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::value::Value;
+use crate::language::value::{PolarKind, Value};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -31,6 +31,8 @@ pub struct Builtin {
     pub on_curve: Option<Variant>,
     /// What it does when its first argument is a surface, if that differs.
     pub on_surface: Option<Variant>,
+    /// What it does when its first argument is the polar form of a surface, if that differs.
+    pub on_form: Option<Variant>,
     /// The functions that the word at its first place names, as in `derive(sum, F, G)`. If it names
     /// none of them, `call` says so.
     pub subjects: &'static [Builtin],
@@ -77,6 +79,7 @@ impl Builtin {
             each: false,
             on_curve: None,
             on_surface: None,
+            on_form: None,
             subjects: &[],
             subject_of: None,
             call: |_, _| Err(Diagnostic::error(Code::Internal, "a function of the program is missing")),
@@ -90,8 +93,7 @@ impl Builtin {
 
     /// How it is called with other kinds of first arguments.
     pub fn other_forms(&self) -> impl Iterator<Item = (String, &'static [Parameter])> {
-        let variants = [&self.on_curve, &self.on_surface].into_iter().flatten();
-        variants.map(|variant| (self.form(variant.parameters), variant.parameters))
+        self.variants().map(|variant| (self.form(variant.parameters), variant.parameters))
     }
 
     /// All about it, for a terminal: its forms, what it does, its parameters and an example.
@@ -118,8 +120,13 @@ impl Builtin {
         format!("{}({})", self.subject_of.unwrap_or(self.name), shown.join(", "))
     }
 
+    fn variants(&self) -> impl Iterator<Item = &Variant> {
+        [&self.on_curve, &self.on_surface, &self.on_form].into_iter().flatten()
+    }
+
     fn variant(&self, first: &Value) -> Option<&Variant> {
         match first {
+            Value::Polar(polar) if !matches!(polar.kind, PolarKind::Univariate(_)) => self.on_form.as_ref(),
             Value::Geometry(geometry) if geometry.is_surface() => self.on_surface.as_ref(),
             Value::Geometry(_) | Value::Piecewise(_) => self.on_curve.as_ref(),
             _ => None,
@@ -128,8 +135,7 @@ impl Builtin {
 
     /// The lists of parameters of all its ways to be called.
     pub(super) fn parameter_lists(&self) -> impl Iterator<Item = &'static [Parameter]> {
-        let variants = [&self.on_curve, &self.on_surface].into_iter().flatten();
-        [self.parameters, self.common].into_iter().chain(variants.map(|variant| variant.parameters))
+        [self.parameters, self.common].into_iter().chain(self.variants().map(|variant| variant.parameters))
     }
 
     /// Whether a bare name as the argument at a place is a word that is not evaluated; `defined` says

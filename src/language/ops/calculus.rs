@@ -31,7 +31,7 @@ pub(crate) fn derivative(value: &Value, order: usize) -> Result<Value> {
                 variables: polar.variables.clone(),
             }))),
             _ => Err(Diagnostic::error(Code::Type, "say in which direction to differentiate")
-                .hint("use diff(f, ...) on the polynomial")),
+                .hint("derivative(f, 1, 0) counts for each variable")),
         },
         Value::Scalar(formula) => {
             let variable = variable_of(formula, None)?;

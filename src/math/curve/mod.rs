@@ -46,11 +46,14 @@ pub use join::{
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
 pub use point::{Point, PolarValue, Vector, combination, lerp};
-pub(in crate::math) use projective::{check_weight, lifted, parted, projected};
+pub(in crate::math) use projective::{check_weight, lifted, lifted_net, parted, projected};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
+pub(in crate::math) use traits::quartered;
+#[cfg(test)]
+pub(in crate::math) use traits::tests::check as check_surface;
 pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
 

@@ -220,16 +220,6 @@ impl<C: Field> TensorPatch<C> {
         Ok((part(left, start), part(right, end)))
     }
 
-    /// The four patches around (u, v): entry (i, j) has i = 0 before u and 1 after it.
-    ///
-    /// # Errors
-    /// As for [`TensorPatch::subdivide`].
-    pub fn quarters(&self, u: &C, v: &C) -> Result<[[Self; 2]; 2], CurveError> {
-        let (left, right) = self.subdivide(Direction::U, u)?;
-        let halves = |patch: Self| patch.subdivide(Direction::V, v).map(<[Self; 2]>::from);
-        Ok([halves(left)?, halves(right)?])
-    }
-
     /// The same surface over another rectangle. Cost: O(m n (m² + n²)).
     pub fn part(&self, u: Interval<C>, v: Interval<C>) -> Self {
         let ends = |whole: &Interval<C>, part: &Interval<C>| {

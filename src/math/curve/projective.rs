@@ -4,7 +4,7 @@
 //! infinity, a direction. A rational curve is the image of a polynomial one under the projection
 //! (x, w) ↦ x / w.
 
-use super::{CurveError, Point, Vector};
+use super::{CurveError, Net, Point, Vector};
 use crate::math::number::{Rational, binomial};
 use crate::math::ring::Field;
 
@@ -26,6 +26,31 @@ pub(in crate::math) fn lifted<C: Field>(
         point.iter().map(|x| x.times(weight)).chain([weight.clone()]).collect()
     };
     Ok(points.iter().zip(weights).map(lift).collect())
+}
+
+/// The vectors (w p, w) of a net; a weight is told by its place along the rows.
+///
+/// # Errors
+/// [`CurveError::WeightCount`] of all points, or of the first row that differs;
+/// [`CurveError::ZeroWeight`].
+pub(in crate::math) fn lifted_net<C: Field>(
+    net: &[Vec<Point<C>>],
+    weights: &[Vec<C>],
+) -> Result<Net<C>, CurveError> {
+    if net.len() != weights.len() {
+        let (weights, points) = (weights.iter().map(Vec::len).sum(), net.iter().map(Vec::len).sum());
+        return Err(CurveError::WeightCount { weights, points });
+    }
+    let mut before = 0;
+    let lift = |(row, weights): (&Vec<Point<C>>, &Vec<C>)| {
+        let place = before;
+        before += row.len();
+        lifted(row, weights).map_err(|error| match error {
+            CurveError::ZeroWeight { index } => CurveError::ZeroWeight { index: place + index },
+            other => other,
+        })
+    };
+    net.iter().zip(weights).map(lift).collect()
 }
 
 /// x and w of a vector (x, w).

@@ -9,8 +9,8 @@
 //! L. Piegl, W. Tiller, *The NURBS Book* (1997), section 4.5.
 
 use super::domain::{Corner, Interval, Triangle};
-use super::patch::{Direction, Net, Side, TensorPatch, minus};
-use super::projective::{check_weight, lifted, parted, projected, quotient_derivatives};
+use super::patch::{Direction, Side, TensorPatch, minus};
+use super::projective::{check_weight, lifted, lifted_net, parted, projected, quotient_derivatives};
 use super::rational::RationalCurve;
 use super::triangle::TrianglePatch;
 use super::{BezierCurve, CurveError, Point, Vector, polygon};
@@ -49,23 +49,7 @@ impl<C: Field> RationalPatch<C> {
         v: Interval<C>,
     ) -> Result<Self, CurveError> {
         let plain = TensorPatch::new(points, u.clone(), v.clone())?;
-        if plain.net().len() != weights.len() {
-            let count = |rows: &mut dyn Iterator<Item = usize>| rows.sum();
-            return Err(CurveError::WeightCount {
-                weights: count(&mut weights.iter().map(Vec::len)),
-                points: count(&mut plain.net().iter().map(Vec::len)),
-            });
-        }
-        let along = plain.degrees().1 + 1;
-        let lift = |(i, (row, weights)): (usize, (&Vec<Point<C>>, &Vec<C>))| {
-            lifted(row, weights).map_err(|error| match error {
-                CurveError::ZeroWeight { index } => CurveError::ZeroWeight { index: i * along + index },
-                other => other,
-            })
-        };
-        let net: Result<Net<C>, CurveError> =
-            plain.net().iter().zip(&weights).enumerate().map(lift).collect();
-        Ok(RationalPatch { homogeneous: TensorPatch::new(net?, u, v)? })
+        Ok(RationalPatch { homogeneous: TensorPatch::new(lifted_net(plain.net(), &weights)?, u, v)? })
     }
 
     /// The image of a polynomial patch, its last coordinate being the weight. Control vectors may
@@ -458,7 +442,7 @@ mod tests {
         let zero = RationalTriangle::new(points.clone(), vec![z(0); 6], Triangle::unit());
         assert_eq!(zero, Err(CurveError::ZeroWeight { index: 0 }));
 
-        let net: Net<Rational> = points.chunks(3).map(<[_]>::to_vec).collect();
+        let net: Vec<Vec<Point<Rational>>> = points.chunks(3).map(<[_]>::to_vec).collect();
         let rows: Vec<Vec<Rational>> = weights.chunks(3).map(<[_]>::to_vec).collect();
         let unit = Interval::unit;
         let patch = RationalPatch::new(net.clone(), rows.clone(), unit(), unit()).unwrap();

@@ -46,19 +46,9 @@ impl<C: Field, V: Datum<C>> LagrangeForm<C, V> {
         Ok(LagrangeForm { nodes: nodes.to_vec(), weights: weights_of(nodes), values: values.to_vec() })
     }
 
-    /// x_0, …, x_n
-    pub fn nodes(&self) -> &[C] {
-        &self.nodes
-    }
-
     /// w_0, …, w_n
     pub fn weights(&self) -> &[C] {
         &self.weights
-    }
-
-    /// y_0, …, y_n
-    pub fn values(&self) -> &[V] {
-        &self.values
     }
 
     /// L_0(t), …, L_n(t); their sum is 1. Cost: 4n products, no quotient.

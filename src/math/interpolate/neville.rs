@@ -43,7 +43,7 @@ impl Scheme {
 /// use polarform::interpolate::{Scheme, Tableau};
 /// use polarform::number::{integer as z, rational as q};
 /// let tableau = Tableau::new(Scheme::Neville, &[0, 1, 3].map(z), &[1, 3, 2].map(z), &z(2))?;
-/// assert_eq!(tableau.level(1), [z(5), q(5, 2)]);
+/// assert_eq!(tableau.levels()[1], [z(5), q(5, 2)]);
 /// assert_eq!(tableau.value(), &q(10, 3));
 /// assert_eq!(tableau.weights(2, 0), Some((q(1, 3), q(2, 3))));
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
@@ -86,15 +86,7 @@ impl<C: Field, V: Datum<C>> Tableau<C, V> {
         &self.at
     }
 
-    /// The n + 1 − k values of level k; level 0 is the data.
-    ///
-    /// # Panics
-    /// If k is larger than the degree n.
-    pub fn level(&self, k: usize) -> &[V] {
-        &self.levels[k]
-    }
-
-    /// All levels, from the data to the value.
+    /// All levels, from the data to the value; level k has n + 1 − k values.
     pub fn levels(&self) -> &[Vec<V>] {
         &self.levels
     }

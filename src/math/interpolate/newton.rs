@@ -178,16 +178,6 @@ impl<C: Field, V: Datum<C>> DividedDifferences<C, V> {
         &self.columns[k]
     }
 
-    /// f[x_i, …, x_{i+k}], if there are so many nodes.
-    pub fn difference(&self, i: usize, k: usize) -> Option<&V> {
-        self.columns.get(k)?.get(i)
-    }
-
-    /// The table as it is written down: row i has f\[x_i\], f[x_{i−1}, x_i], …, f[x_0, …, x_i].
-    pub fn rows(&self) -> Vec<Vec<&V>> {
-        (0..self.nodes.len()).map(|i| (0..=i).map(|k| &self.columns[k][i - k]).collect()).collect()
-    }
-
     /// f\[x_0\], f[x_0, x_1], …, f[x_0, …, x_n]: the coefficients of Newton's form.
     pub fn coefficients(&self) -> Vec<V> {
         self.columns.iter().map(|column| column[0].clone()).collect()

@@ -158,18 +158,6 @@ impl<C: Ring> Coefficients<C> {
         Coefficients::new(self.0.iter().map(|x| x.times(c)).collect())
     }
 
-    /// p^exponent by repeated squaring.
-    pub fn powered(&self, exponent: u32) -> Self {
-        let mut power = Coefficients::constant(C::one());
-        for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
-            power = power.times(&power);
-            if exponent >> bit & 1 == 1 {
-                power = power.times(self);
-            }
-        }
-        power
-    }
-
     /// p ∘ inner. Cost: by Horner's rule one product with inner for each degree, for numbers that of
     /// [`Poly::compose`].
     ///
@@ -326,7 +314,6 @@ mod tests {
             prop_assert_eq!(p.plus(&q).value(&x), &a + &b);
             prop_assert_eq!(p.minus(&q).value(&x), &a - &b);
             prop_assert_eq!(p.times(&q).value(&x), &a * &b);
-            prop_assert_eq!(p.powered(3).value(&x), &a * &a * &a);
             prop_assert_eq!(p.compose(&q).value(&x), p.value(&b));
             prop_assert_eq!(p.antiderivative().derivative(), p.clone());
             let (quotient, rest) = p.divided_by_root(&x);

@@ -22,6 +22,7 @@ mod integers;
 mod knots;
 mod parts;
 mod rational;
+mod rational_surface;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -34,6 +35,7 @@ pub use bspline::{BSpline, DeBoor};
 pub use insertion::Defect;
 pub use knots::KnotVector;
 pub use rational::RationalSpline;
+pub use rational_surface::RationalSplineSurface;
 pub use surface::SplineSurface;
 
 /// Why a spline cannot be made or changed.

@@ -8,7 +8,10 @@
 use super::{BSpline, KnotVector, SplineError};
 use crate::math::blossom::Argument;
 use crate::math::curve::transposed;
-use crate::math::curve::{CurveError, Direction, Interval, Net, Point, PolarValue, TensorPatch};
+use crate::math::curve::{
+    BezierCurve, CurveError, Direction, Interval, Net, Point, PolarValue, Surface, TensorPatch, Vector,
+    quartered,
+};
 use crate::math::ring::Field;
 
 /// A spline surface by its knots and control net.
@@ -83,15 +86,16 @@ impl<C: Field> SplineSurface<C> {
         self.net[0][0].len()
     }
 
-    /// Does something to the curves in u. The rule may change knots and the number of points.
-    fn along_u(
-        &self,
-        rule: impl Fn(&BSpline<C>) -> Result<BSpline<C>, SplineError>,
-    ) -> Result<Self, SplineError> {
+    /// The curve in u whose points are the rows.
+    fn rows(&self) -> BSpline<C> {
         let rows = self.net.iter().map(|row| flat(row)).collect();
-        let changed = rule(&BSpline::new(self.u.clone(), rows)?)?;
-        let net = changed.points().iter().map(|row| unflat(row, self.dimension())).collect();
-        SplineSurface::new(changed.knots().clone(), self.v.clone(), net)
+        BSpline::new(self.u.clone(), rows).expect("the net fits its knots")
+    }
+
+    /// The surface with other rows, over other knots in u.
+    fn with_rows(&self, rows: &BSpline<C>) -> Result<Self, SplineError> {
+        let net = rows.points().iter().map(|row| unflat(row, self.dimension())).collect();
+        SplineSurface::new(rows.knots().clone(), self.v.clone(), net)
     }
 
     /// The surface with u and v exchanged.
@@ -99,14 +103,16 @@ impl<C: Field> SplineSurface<C> {
         SplineSurface { u: self.v.clone(), v: self.u.clone(), net: transposed(&self.net) }
     }
 
+    /// Does something to the curves in one direction. The rule may change knots and the number of
+    /// points.
     fn along(
         &self,
         direction: Direction,
-        rule: impl Fn(&BSpline<C>) -> Result<BSpline<C>, SplineError>,
+        rule: impl FnOnce(&BSpline<C>) -> Result<BSpline<C>, SplineError>,
     ) -> Result<Self, SplineError> {
         match direction {
-            Direction::U => self.along_u(rule),
-            Direction::V => Ok(self.transposed().along_u(rule)?.transposed()),
+            Direction::U => self.with_rows(&rule(&self.rows())?),
+            Direction::V => Ok(self.transposed().along(Direction::U, rule)?.transposed()),
         }
     }
 
@@ -115,8 +121,7 @@ impl<C: Field> SplineSurface<C> {
     /// # Errors
     /// As [`KnotVector::span_of`].
     pub fn value(&self, u: &C, v: &C) -> Result<Point<C>, SplineError> {
-        let rows = self.net.iter().map(|row| flat(row)).collect();
-        let row = BSpline::new(self.u.clone(), rows)?.value(u)?;
+        let row = self.rows().value(u)?;
         BSpline::new(self.v.clone(), unflat(&row, self.dimension()))?.value(v)
     }
 
@@ -130,8 +135,7 @@ impl<C: Field> SplineSurface<C> {
         u: &[Argument<C>],
         v: &[Argument<C>],
     ) -> Result<PolarValue<C>, SplineError> {
-        let rows = self.net.iter().map(|row| flat(row)).collect();
-        let row = BSpline::new(self.u.clone(), rows)?.blossom(spans.0, u)?;
+        let row = self.rows().blossom(spans.0, u)?;
         let column = BSpline::new(self.v.clone(), unflat(row.coordinates(), self.dimension()))?;
         Ok(PolarValue::of(column.blossom(spans.1, v)?.into_point(), &[u, v].concat()))
     }
@@ -169,6 +173,45 @@ impl<C: Field> SplineSurface<C> {
             .along(Direction::V, |spline| spline.nth_derivative(s))
     }
 
+    /// The two surfaces on both sides of u = t, or of v = t.
+    ///
+    /// # Errors
+    /// As [`BSpline::subdivide`].
+    ///
+    /// ```
+    /// use polarform::curve::Direction;
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::{KnotVector, SplineSurface};
+    /// let knots = KnotVector::clamped(1, &z(0), &[], &z(1))?;
+    /// let net = [[0, 2], [4, 6]].map(|row| row.map(|h| vec![z(h)]).to_vec()).to_vec();
+    /// let s = SplineSurface::new(knots.clone(), knots, net)?;
+    /// let (left, right) = s.subdivide(Direction::U, &q(1, 2))?;
+    /// assert_eq!(left.net(), [[[z(0)], [z(2)]], [[z(2)], [z(4)]]]);
+    /// assert_eq!(right.net(), [[[z(2)], [z(4)]], [[z(4)], [z(6)]]]);
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn subdivide(&self, direction: Direction, t: &C) -> Result<(Self, Self), SplineError> {
+        match direction {
+            Direction::U => {
+                let (left, right) = self.rows().subdivide(t)?;
+                Ok((self.with_rows(&left)?, self.with_rows(&right)?))
+            }
+            Direction::V => {
+                let (left, right) = self.transposed().subdivide(Direction::U, t)?;
+                Ok((left.transposed(), right.transposed()))
+            }
+        }
+    }
+
+    /// The part over a smaller rectangle.
+    ///
+    /// # Errors
+    /// As [`BSpline::part`].
+    pub fn part(&self, u: Interval<C>, v: Interval<C>) -> Result<Self, SplineError> {
+        self.along(Direction::U, |spline| spline.part(u.start(), u.end()))?
+            .along(Direction::V, |spline| spline.part(v.start(), v.end()))
+    }
+
     /// The Bézier patch of the knot intervals of (u, v).
     ///
     /// # Errors
@@ -185,45 +228,59 @@ impl<C: Field> SplineSurface<C> {
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
     pub fn patch_at(&self, u: &C, v: &C) -> Result<TensorPatch<C>, SplineError> {
-        let rows = self.net.iter().map(|row| flat(row)).collect();
-        let strip = BSpline::new(self.u.clone(), rows)?.bezier_piece(self.u.span_of(u)?)?;
-        let net: Net<C> = strip.points().iter().map(|row| unflat(row, self.dimension())).collect();
-        let columns = transposed(&net).iter().map(|column| flat(column)).collect();
-        let piece = BSpline::new(self.v.clone(), columns)?.bezier_piece(self.v.span_of(v)?)?;
-        let net: Net<C> = piece.points().iter().map(|column| unflat(column, self.dimension())).collect();
-        Ok(TensorPatch::new(transposed(&net), strip.interval().clone(), piece.interval().clone())?)
+        let strip = self.rows().bezier_piece(self.u.span_of(u)?)?;
+        let piece = self.columns(&strip).bezier_piece(self.v.span_of(v)?)?;
+        Ok(self.patch(&strip, &piece))
     }
 
     /// The Bézier patches of all pairs of knot intervals, by rows in u.
     pub fn patches(&self) -> Vec<Vec<TensorPatch<C>>> {
-        let in_u = |net: &[Vec<Point<C>>], knots: &KnotVector<C>| -> Vec<Net<C>> {
-            let rows = net.iter().map(|row| flat(row)).collect();
-            let spline = BSpline::new(knots.clone(), rows).expect("the net fits its knots");
-            let pieces = spline.bezier_pieces();
-            let dimension = self.dimension();
-            let piece = |curve: &crate::math::curve::BezierCurve<C>| {
-                curve.points().iter().map(|row| unflat(row, dimension)).collect()
-            };
-            pieces.iter().map(piece).collect()
+        let along_v = |strip: &BezierCurve<C>| {
+            let pieces = self.columns(strip).bezier_pieces();
+            pieces.iter().map(|piece| self.patch(strip, piece)).collect()
         };
-        let interval = |knots: &KnotVector<C>, j: usize| {
-            let (a, b) = (knots.knots()[j].clone(), knots.knots()[j + 1].clone());
-            Interval::new(a, b).expect("a span is not empty")
-        };
-        in_u(&self.net, &self.u)
-            .iter()
-            .zip(self.u.spans())
-            .map(|(strip, i)| {
-                in_u(&transposed(strip), &self.v)
-                    .iter()
-                    .zip(self.v.spans())
-                    .map(|(net, j)| {
-                        TensorPatch::new(transposed(net), interval(&self.u, i), interval(&self.v, j))
-                            .expect("all rows have one length")
-                    })
-                    .collect()
-            })
-            .collect()
+        self.rows().bezier_pieces().iter().map(along_v).collect()
+    }
+
+    /// The curve in v whose points are the columns over a knot interval of u.
+    fn columns(&self, strip: &BezierCurve<C>) -> BSpline<C> {
+        let net: Net<C> = strip.points().iter().map(|row| unflat(row, self.dimension())).collect();
+        let columns = transposed(&net).iter().map(|column| flat(column)).collect();
+        BSpline::new(self.v.clone(), columns).expect("the net fits its knots")
+    }
+
+    /// The patch over a knot interval of u with these columns.
+    fn patch(&self, strip: &BezierCurve<C>, columns: &BezierCurve<C>) -> TensorPatch<C> {
+        let net: Net<C> = columns.points().iter().map(|column| unflat(column, self.dimension())).collect();
+        TensorPatch::new(transposed(&net), strip.interval().clone(), columns.interval().clone())
+            .expect("all rows have one length")
+    }
+}
+
+impl<C: Field> Surface<C> for SplineSurface<C> {
+    type Domain = (Interval<C>, Interval<C>);
+    type Arguments = (Vec<Argument<C>>, Vec<Argument<C>>);
+    type Error = SplineError;
+    fn dimension(&self) -> usize {
+        self.dimension()
+    }
+    fn value(&self, [u, v]: &[C; 2]) -> Result<Point<C>, SplineError> {
+        self.value(u, v)
+    }
+    fn blossom(&self, [u, v]: &[C; 2], (us, vs): &Self::Arguments) -> Result<PolarValue<C>, SplineError> {
+        self.blossom((self.u.span_of(u)?, self.v.span_of(v)?), us, vs)
+    }
+    fn derivative(&self, r: usize, s: usize, [u, v]: &[C; 2]) -> Result<Vector<C>, SplineError> {
+        Ok(self.patch_at(u, v)?.derivative_at(r, s, u, v))
+    }
+    fn elevate(&self, by: usize) -> Result<Self, SplineError> {
+        self.elevate(Direction::U, by)?.elevate(Direction::V, by)
+    }
+    fn subdivide(&self, [u, v]: &[C; 2]) -> Result<Vec<Self>, SplineError> {
+        quartered(self, Self::subdivide, u, v)
+    }
+    fn part(&self, (u, v): Self::Domain) -> Result<Self, SplineError> {
+        self.part(u, v)
     }
 }
 
@@ -268,6 +325,18 @@ mod tests {
             prop_assert_eq!(s.blossom((a, b), &us, &vs).unwrap(), Argument::Point(value));
             let mixed = s.derivative(1, 1).unwrap();
             prop_assert_eq!(mixed.value(&u, &v).unwrap(), patch.derivative(1, 1).value(&u, &v));
+            // a third of what is behind (u/2, v/2)
+            let behind = |t: &Rational, end: i64| {
+                let start = t / z(2);
+                Interval::new(start.clone(), &start + (z(end) - &start) / z(3)).unwrap()
+            };
+            let (us, vs) = (behind(&u, 3), behind(&v, 1));
+            let part = s.part(us.clone(), vs.clone()).unwrap();
+            prop_assert_eq!((part.knots().0.domain(), part.knots().1.domain()), (Ok(us.ends()), Ok(vs.ends())));
+            let inside = |i: &Interval<Rational>| (i.start() + i.end() * z(2)) / z(3);
+            for (u, v) in [(us.start(), vs.end()), (us.end(), &inside(&vs)), (&inside(&us), &inside(&vs))] {
+                prop_assert_eq!(part.value(u, v), s.value(u, v));
+            }
         }
     }
 

@@ -96,11 +96,6 @@ impl Tally {
         self.count(Verdict::Definition)
     }
 
-    /// Claims whose verdict says whether they hold.
-    pub fn judged(&self) -> usize {
-        [Verdict::Refuted, Verdict::Proved, Verdict::Sampled].map(|verdict| self.count(verdict)).iter().sum()
-    }
-
     /// Formulas that state nothing.
     pub fn silent(&self) -> usize {
         self.silent

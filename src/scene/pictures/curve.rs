@@ -23,7 +23,9 @@ pub struct Curve {
     pub labels: Vec<Expr>,
     /// The name of the curve, for the legend.
     pub name: Option<Expr>,
-    /// Points of the curve that are marked: parameters in [0, 1], and what is written there.
+    /// Points of the curve that are marked: parameters in [0, 1], and what is written there. A curve
+    /// over another interval [a, b] is drawn like that over [0, 1]; its point at t is that at
+    /// (t − a)/(b − a), and what is written there says t.
     pub marks: Vec<(Rational, Expr)>,
 }
 
@@ -54,13 +56,6 @@ impl Curve {
     /// The same with a name.
     pub fn named(self, name: Expr) -> Self {
         Curve { name: Some(name), ..self }
-    }
-
-    /// The same with a marked point. A curve over another interval [a, b] is drawn like that over
-    /// [0, 1]; its point at t is that at (t − a)/(b − a), and what is written there says t.
-    pub fn marked(mut self, parameter: Rational, text: Expr) -> Self {
-        self.marks.push((parameter, text));
-        self
     }
 
     /// The point of the curve at t, exactly; `None` at infinity or without control points.

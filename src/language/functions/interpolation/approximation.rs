@@ -2,6 +2,7 @@
 
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::geometry::scalar_list;
 use std::sync::Arc;
 
 use super::NEW;
@@ -15,7 +16,8 @@ use crate::language::functions::parameter::{
 use crate::language::value::{Cell, Form, Table, Value};
 use crate::math::basis::Basis;
 use crate::math::interpolate::{
-    FitOptions, InterpolationError, Parameterization, PolynomialFit, Scale, fit_polynomial, parameters,
+    FitOptions, InterpolationError, Parameterization, PolynomialFit, Scale, fit_polynomial, least_squares,
+    parameters,
 };
 use crate::math::number::Rational;
 use crate::math::poly::Fraction;
@@ -50,6 +52,31 @@ pub(crate) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let (samples, fit) = fitted(args)?;
             Ok(polynomial(&fit.power, samples.form, &samples.variable(args)?))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "least_squares_solution",
+        parameters: &[
+            required("M", Takes::Matrix, "the matrix, its columns independent"),
+            required("b", Takes::Scalars, "the right side").shown("[b_1, ..., b_m]"),
+            named("weights=[w_1, ..., w_m]", Takes::Scalars, "all 1", "the weights of the rows"),
+        ],
+        summary: "the x with the least |M x - b|^2, which solves M^T M x = M^T b",
+        example: "least_squares_solution([1, 0; 1, 1; 1, 2], [1, 2, 6])",
+        call: |_, args| {
+            let weights = args.named_scalars("weights")?;
+            let fit = least_squares(&args.matrix(0)?, &args.scalars(1)?, weights.as_deref());
+            fit.map(|fit| scalar_list(fit.coefficients)).map_err(|error| match error {
+                InterpolationError::DependentColumns { column } => {
+                    let place = column + 1;
+                    let message = format!("column {place} of M is a combination of those before it");
+                    Diagnostic::error(Code::Singular, message)
+                        .at(args.span(0))
+                        .hint("several x are best; rank(M) tells how many columns are independent")
+                }
+                other => interpolation_error(other).at(args.span(1)),
+            })
         },
         ..NEW
     },

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::math::blossom::PolarForm;
+use crate::math::curve::Surface;
 use crate::math::number::{integer as z, rational as q};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
@@ -116,12 +117,11 @@ proptest! {
                 }
             }
         }
-        if let Ok(quarters) = patch.quarters(&u, &v) {
+        if let Ok(quarters) = Surface::subdivide(&patch, &[u, v]) {
             let (m, n) = patch.degrees();
-            prop_assert_eq!(&quarters[0][0].net[m][n], &value);
-            prop_assert_eq!(&quarters[1][0].net[0][n], &value);
-            prop_assert_eq!(&quarters[0][1].net[m][0], &value);
-            prop_assert_eq!(&quarters[1][1].net[0][0], &value);
+            for (quarter, (i, j)) in quarters.iter().zip([(m, n), (m, 0), (0, n), (0, 0)]) {
+                prop_assert_eq!(&quarter.net[i][j], &value);
+            }
         }
     }
 

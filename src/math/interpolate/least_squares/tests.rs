@@ -52,7 +52,7 @@ fn by_orthogonal_polynomials(
     let mut basis: Vec<Coefficients<Rational>> = Vec::new();
     let mut sum = Coefficients::zero();
     for k in 0..=degree {
-        let mut next = Coefficients::new(vec![z(0), z(1)]).powered(k as u32);
+        let mut next = Coefficients::new([vec![z(0); k], vec![z(1)]].concat());
         let column = at(&next);
         for p in &basis {
             let factor = dot(&column, &at(p)) / dot(&at(p), &at(p));

@@ -60,20 +60,6 @@ pub struct SplineSystem<C, V = C> {
 }
 
 impl<C: Field, V: Datum<C>> SplineSystem<C, V> {
-    /// The system for nodes, values and ends.
-    ///
-    /// # Errors
-    /// [`InterpolationError`] when there are fewer than two nodes, they do not increase (where
-    /// they are numbers), the values do not fit, or those of a periodic spline do not close.
-    pub fn new(
-        unknowns: Unknowns,
-        nodes: &[C],
-        values: &[V],
-        ends: &Ends<V>,
-    ) -> Result<Self, InterpolationError> {
-        Steps::new(nodes, values, ends)?.system(unknowns, ends)
-    }
-
     /// The unknowns. Cost: O(n).
     ///
     /// # Errors
@@ -214,7 +200,8 @@ impl<C: Field, V: Datum<C>> CubicSpline<C, V> {
     /// The spline by its moments: second derivatives are the unknowns. Cost: O(n).
     ///
     /// # Errors
-    /// As [`SplineSystem::new`].
+    /// [`InterpolationError`] when there are fewer than two nodes, they do not increase (where
+    /// they are numbers), the values do not fit, or those of a periodic spline do not close.
     pub fn by_moments(nodes: &[C], values: &[V], ends: Ends<V>) -> Result<Self, InterpolationError> {
         Self::new(Unknowns::Moments, nodes, values, ends)
     }
@@ -222,7 +209,7 @@ impl<C: Field, V: Datum<C>> CubicSpline<C, V> {
     /// The same spline by its slopes: first derivatives are the unknowns. Cost: O(n).
     ///
     /// # Errors
-    /// As [`SplineSystem::new`].
+    /// As [`CubicSpline::by_moments`].
     pub fn by_slopes(nodes: &[C], values: &[V], ends: Ends<V>) -> Result<Self, InterpolationError> {
         Self::new(Unknowns::Slopes, nodes, values, ends)
     }

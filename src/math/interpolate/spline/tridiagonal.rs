@@ -99,10 +99,8 @@ impl<C: Field> Tridiagonal<C> {
     }
 
     /// The product with a column of numbers or points. Cost: 3n products.
-    ///
-    /// # Panics
-    /// If there are fewer than n entries.
-    pub fn product<V: Datum<C>>(&self, x: &[V]) -> Vec<V> {
+    #[cfg(test)]
+    pub(super) fn product<V: Datum<C>>(&self, x: &[V]) -> Vec<V> {
         let entry = |i: usize| {
             self.row(i).fold(x[i].origin(), |sum, (j, entry)| {
                 budget::step();
