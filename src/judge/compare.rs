@@ -4,6 +4,7 @@ use super::roots;
 use super::values::judge;
 pub use super::values::symbols;
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::roles;
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Poly, Symbol};
@@ -204,9 +205,7 @@ fn inequality(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], domain
     }
     // Barycentric coordinates are not negative.
     let nonnegative = polynomial.terms(MonomialOrder::Lex).iter().all(|(_, c)| !c.is_negative());
-    let coordinates = variables.iter().all(|v| {
-        v.is_plain() && matches!(v.base(), "u" | "v" | "w" | "r" | "s" | "t" | "alpha" | "beta" | "gamma")
-    });
+    let coordinates = variables.iter().all(|v| v.is_plain() && roles::is_barycentric(v.base()));
     if nonnegative && coordinates && domain == Domain::Unit && !strict {
         return Outcome::Holds;
     }

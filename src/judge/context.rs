@@ -9,6 +9,8 @@ use super::object::Declared;
 use super::statement::{Place, Said, Statement};
 use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::roles;
+pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
 
 /// What a name stands for.
@@ -93,24 +95,6 @@ pub struct Letters {
     degrees: [bool; 2],
 }
 
-/// Letters for functions even if nothing else shows it.
-const FUNCTIONS: &[&str] = &["f", "g", "h", "F", "G", "H", "phi", "psi", "varphi", "Phi", "Psi"];
-
-/// Letters for variables.
-const VARIABLES: &[&str] = &["t", "u", "v", "w", "x", "y", "z", "s", "r", "tau", "xi", "theta", "lambda"];
-
-/// Letters that are numbers even before a parenthesis.
-const NUMBERS: &[&str] =
-    &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
-
-/// Letters for degrees and other sizes.
-const SIZES: &[&str] = &["n", "m", "d", "N"];
-
-/// Whether a name is usual for a variable.
-pub fn is_variable(name: &str) -> bool {
-    VARIABLES.contains(&name)
-}
-
 impl Definition {
     /// The number that it gives to a name without indices: n = 3.
     pub fn number(&self) -> Option<&Expr> {
@@ -138,7 +122,7 @@ impl Letters {
     /// Looks through all formulas.
     pub fn of(statements: &[Statement]) -> Self {
         let mut letters = Letters {
-            functions: FUNCTIONS.iter().map(|name| (*name).to_owned()).collect(),
+            functions: roles::NAMED_FUNCTIONS.iter().map(|name| (*name).to_owned()).collect(),
             ..Letters::default()
         };
         let mut look = |expr: &Expr| {
@@ -158,7 +142,7 @@ impl Letters {
         match &expr.kind {
             Kind::Apply(callee, groups) => {
                 let Some(head) = Head::of(callee) else { return };
-                if NUMBERS.contains(&head.base.as_str()) && head.lower.is_empty() {
+                if roles::is_factor(&head.base) && head.lower.is_empty() {
                     return;
                 }
                 let flat: Vec<&Expr> = groups.iter().flatten().collect();
@@ -176,7 +160,7 @@ impl Letters {
                 if let (Kind::Name(letter), [first, second]) = (&base.kind, lower.as_slice())
                     && families::notation(letter, 2, 0).is_some_and(|known| known.family == Family::Bernstein)
                 {
-                    let size = |index: &Expr| bases(index).iter().any(|name| SIZES.contains(&name.as_str()));
+                    let size = |index: &Expr| bases(index).iter().any(|name| roles::is_degree(name));
                     match (size(first), size(second)) {
                         (true, false) => self.degrees[0] = true,
                         (false, true) => self.degrees[1] = true,

@@ -1,5 +1,6 @@
 //! The integers of a chain: which names are some, and which values are tried.
 
+use crate::language::lexicon::roles;
 use std::collections::BTreeSet;
 
 use super::context::Body;
@@ -37,11 +38,11 @@ impl Trial<'_> {
                 if let (Body::Formula(body), true) = (&definition.body, near) {
                     let own: Vec<String> =
                         definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).collect();
-                    names.extend(integer_names(body).into_iter().filter(|name| {
-                        matches!(name.as_str(), "n" | "d" | "m" | "N")
-                            && used.contains(name)
-                            && !own.contains(name)
-                    }));
+                    names.extend(
+                        integer_names(body).into_iter().filter(|name| {
+                            roles::is_degree(name) && used.contains(name) && !own.contains(name)
+                        }),
+                    );
                 }
             }
         }
@@ -123,18 +124,20 @@ fn equated_index(condition: &Expr) -> Option<&String> {
 /// Whether no index is at an end of its range, as far as names tell: sizes at least 2, indices
 /// between 1 and the least size minus 1.
 pub(super) fn is_inner(bound: &[(String, i64)]) -> bool {
-    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
-    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
+    let least = bound.iter().filter(|(name, _)| roles::is_size(name)).map(|(_, value)| *value).min();
     bound.iter().all(|(name, value)| {
-        if size(name) { *value >= 2 } else { *value >= 1 && least.is_none_or(|least| *value < least.max(2)) }
+        if roles::is_size(name) {
+            *value >= 2
+        } else {
+            *value >= 1 && least.is_none_or(|least| *value < least.max(2))
+        }
     })
 }
 
 /// Whether an index is greater than the least size.
 pub(super) fn is_outside(bound: &[(String, i64)]) -> bool {
-    let size = |name: &str| matches!(name, "n" | "m" | "d" | "N" | "M");
-    let least = bound.iter().filter(|(name, _)| size(name)).map(|(_, value)| *value).min();
-    least.is_some_and(|least| bound.iter().any(|(name, value)| !size(name) && *value > least))
+    let least = bound.iter().filter(|(name, _)| roles::is_size(name)).map(|(_, value)| *value).min();
+    least.is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
 }
 
 /// The next combination of values, the last one fastest; false after the last combination.

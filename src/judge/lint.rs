@@ -1,5 +1,6 @@
 //! What is suspicious in a definition, and equations that define coefficients.
 
+use crate::language::lexicon::roles;
 use std::collections::BTreeSet;
 
 use super::compare;
@@ -69,13 +70,11 @@ pub fn joins(context: &Context, chain: &Chain, place: &Place) -> Option<String> 
         .then(|| format!("a condition on {} and {}", left.0, right.0))
 }
 
-const RUNNING: &[&str] = &["i", "j", "k", "l"];
-
 /// a_i x^k under a sum over k: the index i belongs to nothing.
 fn unbound_index(head: &Head, body: &Expr, given: &BTreeSet<String>) -> Option<String> {
     let free: BTreeSet<String> = integer_names(body)
         .into_iter()
-        .filter(|name| RUNNING.contains(&name.as_str()) && !given.contains(name))
+        .filter(|name| roles::is_running(name) && !given.contains(name))
         .collect();
     let mut warning = None;
     // Within a sum: a factor with an index, none of whose indices is that of the sum.
@@ -103,7 +102,7 @@ fn unbound_index(head: &Head, body: &Expr, given: &BTreeSet<String>) -> Option<S
         for piece in &lower[1.min(lower.len())..] {
             if let Some(other) = integer_names(piece)
                 .iter()
-                .find(|name| free.contains(*name) && !own.contains(name) && RUNNING.contains(&name.as_str()))
+                .find(|name| free.contains(*name) && !own.contains(name) && roles::is_running(name))
                 && warning.is_none()
             {
                 warning = Some(format!(

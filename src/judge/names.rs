@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family, Notation};
 use crate::language::lexicon::roles;
+pub(crate) use crate::language::lexicon::roles::is_index_letter;
 
 /// A name with its indices and arguments, as it stands on the left of a definition or in a call.
 #[derive(Clone, Debug)]
@@ -115,15 +116,6 @@ fn zeros(factor: &Expr) -> Option<usize> {
         Kind::Name(word) if word.bytes().all(|b| b == b'0') => Some(word.len()),
         _ => None,
     }
-}
-
-/// Letters that stand for integers when they are indices.
-const INDEX_LETTERS: &[&str] =
-    &["i", "j", "k", "l", "m", "n", "d", "r", "s", "q", "p", "N", "M", "ell", "nu", "mu"];
-
-/// Whether a name is one of the letters used for indices.
-pub fn is_index_letter(name: &str) -> bool {
-    INDEX_LETTERS.contains(&name)
 }
 
 /// The names of an expression that must be integers for it to make sense: in bounds, binomials,

@@ -17,6 +17,7 @@ use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::roles;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Index, Symbol};
@@ -589,10 +590,7 @@ fn without_argument(side: &Expr) -> Option<String> {
 /// A running index that is free on one side only.
 fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String> {
     let running = |side: &Expr| -> BTreeSet<String> {
-        super::names::integer_names(side)
-            .into_iter()
-            .filter(|name| matches!(name.as_str(), "i" | "j" | "k" | "l"))
-            .collect()
+        super::names::integer_names(side).into_iter().filter(|name| roles::is_running(name)).collect()
     };
     let (a, b) = (running(left), running(right));
     let said: BTreeSet<String> = conditions.iter().flat_map(bases).collect();

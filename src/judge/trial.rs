@@ -4,6 +4,7 @@
 //! not defined). In an instance each side is evaluated exactly; a side that makes no sense there,
 //! such as a binomial of a negative number, makes the instance invalid for its relations only.
 
+use crate::language::lexicon::roles;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
@@ -315,7 +316,7 @@ impl<'a> Trial<'a> {
         if let Some(&least) = arities.first() {
             degrees = vec![Some(least)];
         } else if wanted {
-            let size = ["n", "d", "m", "N"]
+            let size = roles::DEGREES
                 .iter()
                 .find_map(|name| bound.iter().find(|(own, _)| own == name).map(|(_, value)| *value));
             degrees = match size {
@@ -440,7 +441,7 @@ impl<'a> Trial<'a> {
         if own.is_empty() || own.len() > 2 {
             return vec![bound.to_vec()];
         }
-        let size = bound.iter().find(|(name, _)| matches!(name.as_str(), "n" | "m" | "N" | "d"));
+        let size = bound.iter().find(|(name, _)| roles::is_degree(name));
         let last =
             size.map(|(_, value)| *value).or(degree.map(|degree| degree as i64)).unwrap_or(3).clamp(0, 4);
         let mut all = Vec::new();

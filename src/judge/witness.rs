@@ -5,6 +5,7 @@ use super::hypotheses::is_coefficient;
 use super::statement::Chain;
 use super::tally::{Failure, Outcomes, Tally};
 use crate::formula::{Kind, Rel};
+use crate::language::lexicon::roles;
 use crate::language::write;
 
 /// The failure that shows the slip best: nothing extreme, small numbers. `None` if the failures are
@@ -30,10 +31,7 @@ pub(super) fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) ->
             failure.inner
                 || cases
                     && !failure.outside
-                    && failure
-                        .integers
-                        .iter()
-                        .all(|(name, value)| !matches!(name.as_str(), "n" | "d") || *value >= 2)
+                    && failure.integers.iter().all(|(name, value)| !roles::is_degree(name) || *value >= 2)
         })
         .collect();
     let holds = tally.holds_inner;

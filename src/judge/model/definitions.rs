@@ -6,6 +6,7 @@ use crate::judge::context::{Body, Definition};
 use crate::judge::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
+use crate::language::lexicon::roles;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -117,7 +118,7 @@ impl Model {
         let mut bound = bound;
         for name in integer_names(body) {
             let symbol = Symbol::new(&name);
-            if matches!(name.as_str(), "n" | "d" | "m" | "N")
+            if roles::is_degree(&name)
                 && !bound.iter().any(|(known, _)| *known == symbol)
                 && machine.lookup(&symbol).is_none()
                 && self.context.number_in(&name, &self.place).is_none()

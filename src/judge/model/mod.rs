@@ -28,7 +28,7 @@ use super::statement::Place;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, roles};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::number::Rational;
@@ -403,7 +403,7 @@ impl Model {
                 let [group] = groups.as_slice() else { return None };
                 let [place] = group.as_slice() else { return None };
                 let place = machine.eval(place).ok()?.as_int()?;
-                let alone = ["n", "d", "m"].iter().any(|name| {
+                let alone = roles::DEGREES.iter().any(|name| {
                     machine.lookup(&Symbol::new(*name)).and_then(Value::as_int).is_some_and(|size| size < 2)
                 });
                 Some(Index::Number(match place {

@@ -10,7 +10,7 @@ use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Declared, Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
-use crate::language::lexicon::families;
+use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::blossom::{Argument, PolarForm};
@@ -234,7 +234,7 @@ impl Model {
                 }
                 let ([a, b], [p, _]) = (indices.as_slice(), patterns.as_slice()) else { return None };
                 let first = object.degree.as_ref().map_or_else(
-                    || bases(p).iter().any(|name| matches!(name.as_str(), "n" | "m" | "d" | "N")),
+                    || bases(p).iter().any(|name| roles::is_degree(name)),
                     |degree| degree.same_as(p),
                 );
                 let (i, n) = if first && head.upper.is_empty() { (b, a) } else { (a, b) };

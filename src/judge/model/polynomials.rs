@@ -404,10 +404,8 @@ impl Model {
 /// The letter of the function whose polar form is called by a small letter.
 pub fn capital_of(base: &str) -> String {
     let mut letters = base.chars();
-    match (letters.next(), letters.as_str()) {
-        (Some(first), "") => first.to_uppercase().collect(),
-        _ => format!("{}{}", base[..1].to_uppercase(), &base[1..]),
-    }
+    let first = letters.next();
+    first.into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
 
 fn zero() -> Fraction {

@@ -16,6 +16,7 @@ use super::term::{Indexed, Term, collected};
 use crate::budget;
 use crate::formula::{Accent, BigOp, Expr, Kind, Sign};
 use crate::language::lexicon::families::FORWARD_DIFFERENCE;
+use crate::language::lexicon::roles;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Index, Symbol};
 
@@ -373,7 +374,7 @@ impl<'a> Reader<'a> {
                 let mut forms = self.indices(indices)?;
                 let power = self.linear(exponent)?;
                 let number = power.as_constant().is_some() && forms.iter().all(|f| f.as_constant().is_some());
-                if number && is_variable(head.base()) {
+                if number && roles::is_parameter(head.base()) {
                     let base = [indexed_term(&head, forms)];
                     return self.powered(&base, &power);
                 }
@@ -459,11 +460,11 @@ impl<'a> Reader<'a> {
                 self.is_bound(expr)
                     || self.is_integer(name)
                     || (name.chars().all(char::is_lowercase)
-                        && !matches!(name.as_str(), "f" | "g" | "h")
+                        && !roles::FUNCTIONS.contains(&name.as_str())
                         && !self.names.is_called(name))
             }
             Kind::Subscript(base, _) => {
-                matches!(&base.kind, Kind::Name(name) if names::is_constant_family(name) || is_variable(name))
+                matches!(&base.kind, Kind::Name(name) if names::is_constant_family(name) || roles::is_parameter(name))
             }
             Kind::Number(_)
             | Kind::Add(_)
@@ -572,11 +573,6 @@ pub fn opaque_term(head: &str, indices: Vec<Linear>) -> Term {
     let mut term = Term::new(Fraction::one());
     term.symbols.insert(Indexed { head: head.to_owned(), indices }, 1);
     term
-}
-
-/// Letters whose indexed forms are numbers rather than points or functions.
-fn is_variable(letter: &str) -> bool {
-    matches!(letter, "s" | "t" | "u" | "v" | "w" | "x" | "y" | "z")
 }
 
 fn bounded(terms: Vec<Term>) -> Option<Vec<Term>> {

@@ -20,6 +20,73 @@ const PARAMETERS: &[&str] = &["r", "s", "t", "u", "v", "x", "y", "z"];
 /// Numbers that depend on no parameter.
 const CONSTANTS: &[&str] = &["a", "b", "c", "h", "k", "alpha", "beta", "lambda", "mu", "omega"];
 
+/// What a degree or an order is called; the usual ones first.
+pub(crate) const DEGREES: &[&str] = &["n", "d", "m", "N"];
+
+/// Integers when they are indices.
+const INDICES: &[&str] =
+    &["i", "j", "k", "l", "m", "n", "d", "r", "s", "q", "p", "N", "M", "ell", "nu", "mu"];
+
+/// What runs under a sum.
+const RUNNING: &[&str] = &["i", "j", "k", "l"];
+
+/// Curves and functions on a page.
+pub(crate) const NAMED_FUNCTIONS: &[&str] =
+    &["f", "g", "h", "F", "G", "H", "phi", "psi", "varphi", "Phi", "Psi"];
+
+/// Variables that values may be put in for.
+const VARIABLES: &[&str] = &["t", "u", "v", "w", "x", "y", "z", "s", "r", "tau", "xi", "theta", "lambda"];
+
+/// Variables of a formula that names none; t comes before them.
+const OTHER_VARIABLES: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
+
+/// Numbers even before a parenthesis.
+const FACTORS: &[&str] =
+    &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
+
+/// Barycentric coordinates, and parameters in [0, 1].
+const BARYCENTRIC: &[&str] = &["u", "v", "w", "r", "s", "t", "alpha", "beta", "gamma"];
+
+/// Whether it usually is a degree.
+pub(crate) fn is_degree(letter: &str) -> bool {
+    DEGREES.contains(&letter)
+}
+
+/// Whether it usually is the last value of an index.
+pub(crate) fn is_size(letter: &str) -> bool {
+    is_degree(letter) || letter == "M"
+}
+
+/// Whether it stands for an integer when it is an index.
+pub(crate) fn is_index_letter(letter: &str) -> bool {
+    INDICES.contains(&letter)
+}
+
+/// Whether it usually runs under a sum.
+pub(crate) fn is_running(letter: &str) -> bool {
+    RUNNING.contains(&letter)
+}
+
+/// Whether it usually is a variable.
+pub(crate) fn is_variable(letter: &str) -> bool {
+    VARIABLES.contains(&letter)
+}
+
+/// Whether a formula with this letter and others that are no variables is one in this letter.
+pub(crate) fn is_variable_of_formulas(letter: &str) -> bool {
+    OTHER_VARIABLES.contains(&letter)
+}
+
+/// Whether it is a factor even before a parenthesis.
+pub(crate) fn is_factor(letter: &str) -> bool {
+    FACTORS.contains(&letter)
+}
+
+/// Whether it usually is a barycentric coordinate.
+pub(crate) fn is_barycentric(letter: &str) -> bool {
+    BARYCENTRIC.contains(&letter)
+}
+
 /// Whether it usually takes an argument.
 pub(crate) fn is_function(letter: &str) -> bool {
     FUNCTIONS.contains(&letter) || POLYNOMIALS.contains(&letter) || families::is_family(letter)
@@ -48,6 +115,9 @@ mod tests {
     fn letters_have_their_usual_roles() {
         assert!(is_function("f") && is_function("sigma") && is_function("p") && !is_function("b"));
         assert!(is_constant("lambda") && !is_constant("t"));
+        assert!(is_degree("n") && is_size("M") && !is_degree("M") && !is_size("i"));
+        assert!(RUNNING.iter().chain(DEGREES).all(|letter| is_index_letter(letter)));
+        assert!(OTHER_VARIABLES.iter().chain(PARAMETERS).all(|letter| is_variable(letter)));
         assert!(is_indexed_constant("p") && !is_indexed_constant("B") && !is_indexed_constant("t"));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::errors::{division_by_zero, wrong_kind};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::roles;
 use crate::language::value::{Function, PolarKind, Value};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Field;
@@ -15,12 +16,9 @@ pub(crate) fn symbol_of(value: &Value) -> Option<Symbol> {
     (*poly == MultiPoly::symbol(variable.clone())).then(|| variable.clone())
 }
 
-/// Letters that usually stand for the parameter of a curve, not for a coefficient.
-const PARAMETERS: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
-
 /// Whether a symbol usually stands for a parameter: t, u, x and the like.
 pub(crate) fn is_parameter(symbol: &Symbol) -> bool {
-    symbol.is_plain() && (symbol.base() == "t" || PARAMETERS.contains(&symbol.base()))
+    symbol.is_plain() && (symbol.base() == "t" || roles::is_variable_of_formulas(symbol.base()))
 }
 
 /// The variable of a formula: the one asked for, the only one, t, or the only letter that
@@ -35,7 +33,7 @@ pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
         return Ok(t);
     }
     let usual: Vec<&Symbol> =
-        variables.iter().filter(|s| s.is_plain() && PARAMETERS.contains(&s.base())).collect();
+        variables.iter().filter(|s| s.is_plain() && roles::is_variable_of_formulas(s.base())).collect();
     if let [one] = usual.as_slice() {
         return Ok((*one).clone());
     }
@@ -43,7 +41,7 @@ pub(crate) fn variable_of(formula: &Fraction, given: Option<Symbol>) -> Result<S
     match (plain.as_slice(), variables.as_slice()) {
         ([one], _) => Ok((*one).clone()),
         ([], []) => Ok(Symbol::new("t")),
-        ([], [one]) if one.base() == "t" || PARAMETERS.contains(&one.base()) => Ok(one.clone()),
+        ([], [one]) if one.base() == "t" || roles::is_variable_of_formulas(one.base()) => Ok(one.clone()),
         ([], _) if variables.iter().all(|symbol| !symbol.is_plain()) => Ok(Symbol::new("t")),
         _ => {
             let names: Vec<String> = variables.iter().map(Symbol::to_string).collect();

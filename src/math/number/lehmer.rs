@@ -9,6 +9,7 @@
 //! J. Sorenson, "An analysis of Lehmer's Euclidean GCD algorithm", ISSAC 1995, for the condition.
 
 use num_bigint::BigUint;
+use num_integer::Integer;
 
 /// The greatest common divisor.
 pub(super) fn gcd(x: &BigUint, y: &BigUint) -> BigUint {
@@ -19,7 +20,7 @@ pub(super) fn gcd(x: &BigUint, y: &BigUint) -> BigUint {
             std::mem::swap(&mut a, &mut b);
         }
         if a.len() <= 2 {
-            return BigUint::from(gcd_of_two_words(double(&a), double(&b)));
+            return BigUint::from(double(&a).gcd(&double(&b)));
         }
         if b.is_empty() {
             return from_words(&a);
@@ -50,28 +51,6 @@ fn is_less(a: &[u64], b: &[u64]) -> bool {
 fn double(words: &[u64]) -> u128 {
     let word = |k: usize| u128::from(words.get(k).copied().unwrap_or(0));
     word(0) | word(1) << 64
-}
-
-/// Stein's binary algorithm.
-fn gcd_of_two_words(mut a: u128, mut b: u128) -> u128 {
-    if a == 0 || b == 0 {
-        return a | b;
-    }
-    let shift = (a | b).trailing_zeros();
-    a >>= a.trailing_zeros();
-    loop {
-        b >>= b.trailing_zeros();
-        if a > b {
-            std::mem::swap(&mut a, &mut b);
-        }
-        if b <= u128::from(u64::MAX) {
-            return u128::from(super::gcd_word(a as u64, b as u64)) << shift;
-        }
-        b -= a;
-        if b == 0 {
-            return a << shift;
-        }
-    }
 }
 
 /// Steps of Euclid's algorithm: (a, b) becomes (±(u0 a − v0 b), ±(v1 b − u1 a)), + if `even`.
