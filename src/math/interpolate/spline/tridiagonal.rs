@@ -23,7 +23,7 @@ use crate::math::ring::Field;
 /// use polarform::number::{integer as z, rational as q};
 /// let matrix = Tridiagonal::new([0, 1, 1].map(z).to_vec(), vec![z(2); 3], [1, 1, 0].map(z).to_vec(), false)?;
 /// assert_eq!(matrix.solve(&[z(3), z(4), z(3)])?, [1, 1, 1].map(z));
-/// assert_eq!(matrix.product(&[z(1), z(0), q(1, 2)]), [z(2), q(3, 2), z(1)]);
+/// assert_eq!(matrix.solve(&[z(2), q(3, 2), z(1)])?, [z(1), z(0), q(1, 2)]);
 /// # Ok::<(), polarform::interpolate::InterpolationError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
