@@ -11,7 +11,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Quotient, Sign, Term};
 use crate::judge::{asked, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::{Env, Equals, Outcome};
+use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::lexicon::words;
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax};
@@ -125,9 +125,7 @@ impl Session {
             // What exceeds a limit has no place of its own; the statement will do.
             match self.evaluate(&mut statement, equals) {
                 Ok(mut outcome) => {
-                    if latex {
-                        products_in_latex(&statement, &mut outcome.notes);
-                    }
+                    doubtful_products(&statement, latex, &mut outcome.notes);
                     answers.push(Answer { statement, outcome, file: file.clone() });
                 }
                 Err(problem) => {
@@ -147,7 +145,9 @@ impl Session {
         let parts: Vec<&Expr> = items.iter().filter(|item| !joins(item)).collect();
         let mut machine = evaluator::machine_in(&self.env);
         let definitions = parts.iter().take_while(|item| machine.defines(item)).count();
-        if equals == Equals::DefinesUnbound && definitions > 0 && definitions + 1 >= parts.len() {
+        // x = 1,5
+        let decimal = parts.windows(2).any(|pair| eval::is_decimal_comma(pair[0], pair[1]));
+        if equals == Equals::DefinesUnbound && definitions > 0 && definitions + 1 >= parts.len() && !decimal {
             return parts.into_iter().cloned().collect();
         }
         vec![statement]
@@ -160,16 +160,36 @@ impl Session {
     pub fn evaluate(&mut self, statement: &mut Expr, equals: Equals) -> Result<Outcome, Diagnostic> {
         let mut env = self.env.clone();
         let limits = self.limits.clone();
-        let outcome = guarded(&limits, || {
+        let mut outcome = guarded(&limits, || {
             let outcome = evaluator::evaluate(statement, &mut env, equals);
             asked::refined(statement, &self.env, outcome)
         })
         .map_err(|problem| complete(problem, statement.span))?;
+        self.symbols_of_before(&mut outcome, statement.span);
         if outcome.defined.is_none() {
             env.set(Symbol::new("ans"), outcome.value.clone().plain());
         }
         self.env = env;
         Ok(outcome)
+    }
+
+    /// A remark on an answer with a symbol that has got a value since: y = 2x, x = 3, y.
+    fn symbols_of_before(&self, outcome: &mut Outcome, span: Span) {
+        let (Value::Scalar(formula), None) = (&outcome.value, &outcome.defined) else { return };
+        let value = |name: &Symbol| self.env.get(name).and_then(Value::as_rational);
+        let Some((name, value)) =
+            formula.variables().into_iter().find_map(|name| value(&name).map(|value| (name, value)))
+        else {
+            return;
+        };
+        outcome.notes.push(
+            Diagnostic::note(
+                Code::AmbiguousVariable,
+                format!("{name} is a symbol here, from before it got a value"),
+            )
+            .at(span)
+            .hint(format!("put the value in with subs(..., {name}={value})")),
+        );
     }
 
     /// Runs all statements of a file, one after the other, calling `each` after every one.
@@ -242,20 +262,27 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     }
 }
 
-/// Remarks about products that print reads in two ways: `3/7 t`, `d/dt F d/dt G`.
-fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
+/// Remarks about products that are read in two ways: `3/7 t` and `d/dt F d/dt G` in print, `a/2b` in plain notation.
+fn doubtful_products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
     if let Kind::Mul(factors) = &expr.kind {
         for pair in factors.windows(2) {
-            if let Kind::Div(_, below, Quotient::Slash) = &pair[0].kind
-                && !matches!(&pair[1].kind, Kind::Group(_))
-                && !matches!(&below.kind, Kind::Name(d) if d == "d")
-            {
+            let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
+            let touches = pair[0].span.end == pair[1].span.start;
+            let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
+            let doubtful = match latex {
+                true => !matches!(&pair[1].kind, Kind::Group(_)),
+                // 1/2t is half of t, but a/2b and 1/xy?
+                false => touches && !(number(above) && number(below)),
+            };
+            if doubtful && !matches!(&below.kind, Kind::Name(d) if d == "d") {
+                let hint =
+                    if latex { "write \\frac{3}{7} t, or 3/(7 t)" } else { "write (a/2) b, or a/(2b)" };
                 notes.push(
                     Diagnostic::note(
                         Code::AmbiguousProduct,
                         "the quotient is read as a factor of what follows it",
                     )
-                    .hint("write \\frac{3}{7} t, or 3/(7 t)")
+                    .hint(hint)
                     .at(pair[0].span.to(pair[1].span)),
                 );
             }
@@ -272,7 +299,7 @@ fn products_in_latex(expr: &Expr, notes: &mut Vec<Diagnostic>) {
                 .at(expr.span.to(second.span)),
         );
     }
-    expr.for_each_child(&mut |child| products_in_latex(child, notes));
+    expr.for_each_child(&mut |child| doubtful_products(child, latex, notes));
 }
 
 /// The letters that stand by themselves in a formula in LaTeX.

@@ -147,13 +147,18 @@ def value(text):
     return sp.sympify(text, locals={word: sp.Symbol(canonical(word)) for word in words})
 
 
+def exact(expr):
+    """The decimals of an expression as fractions."""
+    return expr.xreplace({atom: sp.nsimplify(atom, rational=True) for atom in expr.atoms(sp.Float)})
+
+
 def at_point(expr, seed):
     """An expression at a point that depends on the names only."""
     def place(symbol):
         draw = random.Random(f"{seed} {canonical(symbol.name)}")
         return sp.Rational(draw.randint(2, 99), draw.choice([7, 11, 13, 17]))
 
-    expr = expr.xreplace({atom: sp.nsimplify(atom, rational=True) for atom in expr.atoms(sp.Float)}).doit()
+    expr = exact(expr).doit()
     return expr.xreplace({symbol: place(symbol) for symbol in expr.free_symbols})
 
 
@@ -197,7 +202,7 @@ def judge(expected, answer):
         alike = isinstance(found, (list, tuple, sp.Tuple)) and len(found) == len(expected)
         return "right" if alike and not any(map(differs, expected, found)) else "different"
     if isinstance(expected, (sp.MatrixBase, sp.MatMul)):
-        expected = sp.Matrix(expected.doit())
+        expected = sp.Matrix(exact(expected).doit())
         if not isinstance(found, sp.MatrixBase):
             return "different"
         alike = found.shape == expected.shape

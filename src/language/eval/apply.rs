@@ -6,6 +6,7 @@ use super::arguments::{Arguments, named};
 use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::{name_of, stands_for_itself};
+use super::products::without_power;
 use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
@@ -14,6 +15,7 @@ use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::is_parameter;
+use crate::language::ops::function::formula_function;
 use crate::language::ops::lists::is_curve;
 use crate::language::value::{Function, PolarKind, Value};
 use crate::math::poly::Symbol;
@@ -197,6 +199,14 @@ impl Machine {
 
     /// Finds out what stands before a bracket.
     fn callee(&mut self, callee: &Expr) -> Result<Callee, Diagnostic> {
+        // B_1^3'(t): the prime stands behind the index above
+        if let Kind::Pow(base, upper) = &callee.kind
+            && let (Kind::Subscript(..), Kind::Prime(index, order)) = (&base.kind, &upper.kind)
+            && let Some(member) =
+                self.member(&Expr::new(Kind::Pow(base.clone(), index.clone()), callee.span))?
+        {
+            return self.derivative_of(&member, *order as usize, callee.span).map(Callee::Value);
+        }
         // N_0 may have a definition of its own beside those of the family N_i.
         let symbol = name_of(callee, self);
         if let Some(symbol) = &symbol
@@ -209,7 +219,7 @@ impl Machine {
         }
         let Some(symbol) = symbol else {
             self.is_no_unknown_member(callee)?;
-            return self.eval(callee).map(Callee::Value);
+            return self.eval_called(callee).map(Callee::Value);
         };
         if symbol.is_plain() {
             let name = symbol.base();
@@ -247,6 +257,9 @@ impl Machine {
             .reason("not defined");
             if symbol.base() == "B" {
                 error = error.hint("the Bernstein polynomial is written B_i^n(t), or bernstein(n, i, t)");
+            }
+            if symbol.base() == "N" {
+                error = error.hint("a B-spline is bspline_basis(n, knots, i)(t)");
             }
             return Err(error.hint(format!("define it first, or write {symbol} * (...) for the product")));
         }
@@ -316,6 +329,39 @@ impl Machine {
                 Ok(Some(Callee::Family(function, values)))
             }
         }
+    }
+
+    /// The value of what stands before a parenthesis.
+    pub(super) fn eval_called(&mut self, expr: &Expr) -> Evaluated {
+        let before = std::mem::replace(&mut self.called, matches!(without_power(expr).kind, Kind::Group(_)));
+        let value = self.eval(expr);
+        self.called = before;
+        value
+    }
+
+    /// The function that a member of a family is, such as B_1^3; `None` for anything else.
+    pub(super) fn member(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
+        let Kind::Pow(base, upper) = &expr.kind else { return Ok(None) };
+        if self.reading.is_some() || !matches!(base.kind, Kind::Subscript(..)) {
+            return Ok(None);
+        }
+        let variable = Symbol::new("t");
+        let argument = (Value::symbol(variable.clone()), expr.span);
+        let value = match self.indexed_callee(expr)? {
+            Some(Callee::Indexed(function, mut values)) if function.shape.inner == 1 => {
+                values.push(argument);
+                self.call(&function, values, expr.span)?
+            }
+            Some(Callee::Family(name, indices)) => {
+                let mut all = Arguments::default();
+                for (value, span) in indices.into_iter().chain([argument]) {
+                    all.push(value, span);
+                }
+                self.function(name)?.run(self, all).at(upper.span)?
+            }
+            _ => return Ok(None),
+        };
+        Ok(value.as_scalar().map(|formula| formula_function(variable, formula.clone())))
     }
 
     /// The arguments of a call, groups run together.

@@ -6,9 +6,9 @@ use super::names::name_of;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::ops::calculus;
 use crate::language::ops::errors::{division_by_zero, unsupported, wrong_kind};
 use crate::language::ops::formula::{symbol_of, variable_of};
+use crate::language::ops::{calculus, function};
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -123,6 +123,11 @@ impl Machine {
                 .at(body.span)
                 .reason("what is differentiated?")
                 .hint(format!("define it first: {symbol}(t) := ...")));
+        }
+        if let Value::Function(function) = &value
+            && let Some(partial) = function::partial(function, &orders)
+        {
+            return Ok(partial);
         }
         if let (Value::Function(_) | Value::Polar(_), [(_, order)]) = (&value, orders.as_slice()) {
             return calculus::derivative(&value, *order).at(body.span);

@@ -62,7 +62,10 @@ impl Machine {
         let bracket = matches!(&head.kind, Kind::Subscript(_, indices) if is_bracketed(indices));
         let known = self.lookup(&name).is_some()
             || (name.is_plain() && (self.tools.function)(name.base()).is_some())
-            || self.lookup(&Symbol::new(name.base())).is_some_and(|value| bracket || has_members(value));
+            || self.lookup(&Symbol::new(name.base())).is_some_and(|value| {
+                let called = matches!((&left.kind, value), (Kind::Apply(..), Value::Function(_)));
+                bracket || called || has_members(value)
+            });
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
             Kind::Apply(..) => calls(right, &name, self),

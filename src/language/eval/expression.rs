@@ -6,10 +6,12 @@ use nalgebra::DMatrix;
 
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
+use super::products::without_power;
 use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Sign};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::lexicon::families::BINOMIAL_COEFFICIENT;
+use crate::language::lexicon::roles;
 use crate::language::ops::errors::{linalg_error, unsupported, wrong_kind};
 use crate::language::ops::formula::symbol_of;
 use crate::language::ops::{arithmetic, lists};
@@ -90,6 +92,9 @@ impl Machine {
                 Ok(result)
             }
             Kind::Prime(body, order) => {
+                if let Some(member) = self.member(without_group(body))? {
+                    return self.derivative_of(&member, *order as usize, body.span);
+                }
                 let value = self.eval(body)?;
                 if value.as_rational().is_some() {
                     return Err(Diagnostic::error(Code::Type, "a number has no derivative")
@@ -98,8 +103,12 @@ impl Machine {
                         .hint("write (t^2)' or diff(t^2, t) for the derivative of a power"));
                 }
                 // The derivative of an undefined F is not that of a variable F.
-                if let Some(symbol) = name_of(body, self).filter(|_| self.reading.is_none())
-                    && symbol_of(&value).is_some_and(|found| found == symbol)
+                let power = without_power(without_group(body));
+                let member = matches!(power.kind, Kind::Subscript(..)) && power.span != body.span;
+                if let Some(symbol) = name_of(if member { power } else { body }, self).filter(|symbol| {
+                    self.reading.is_none() && !(member && roles::is_parameter(symbol.base()))
+                }) && (member && self.lookup(&symbol).is_none()
+                    || symbol_of(&value).is_some_and(|found| found == symbol))
                 {
                     return Err(Diagnostic::error(Code::UnknownName, format!("'{symbol}' is not defined"))
                         .at(body.span)
@@ -275,5 +284,13 @@ impl Machine {
             }
         }
         Err(Diagnostic::error(Code::Domain, "no case applies").at(span))
+    }
+}
+
+/// What stands in parentheses.
+fn without_group(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Group(inner) => without_group(inner),
+        _ => expr,
     }
 }

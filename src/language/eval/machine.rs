@@ -37,6 +37,8 @@ pub struct Machine {
     pub(super) locals: Vec<(Symbol, Value)>,
     pub(super) depth: usize,
     pub(super) notes: Vec<Diagnostic>,
+    /// Whether what is evaluated is called, so that members of families in it are functions: (B_0^2 + B_1^2)(t).
+    pub(super) called: bool,
     /// Values of functions of numbers already computed in this statement.
     pub(super) memo: BTreeMap<(Symbol, Vec<Rational>), Value>,
 }
@@ -51,6 +53,7 @@ impl Machine {
             locals: Vec::new(),
             depth: 0,
             notes: Vec::new(),
+            called: false,
             memo: BTreeMap::new(),
         }
     }

@@ -4,7 +4,8 @@ use super::machine::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::lexicon::{letters, words};
-use crate::language::value::Value;
+use crate::language::ops::function;
+use crate::language::value::{Function, Value};
 use crate::math::poly::{Index, Symbol};
 
 /// Longer words are not likely to be meant as products of their letters.
@@ -206,6 +207,11 @@ impl Machine {
                 _ => Ok(None),
             };
         }
+        if let Value::Function(function) = &value
+            && let Some(partial) = self.partial_by_index(function, indices)
+        {
+            return Ok(Some(partial));
+        }
         if let (Value::Function(function), [Expr { kind: Kind::List(nodes), .. }]) =
             (&value, indices.as_slice())
         {
@@ -213,6 +219,20 @@ impl Machine {
         }
         // The parameter of a function may have members of its own: in b(b_0) it is no list.
         self.entry(&value, indices, expr)
+    }
+
+    /// `F_u` and `F_{uv}` of a function of u and v.
+    fn partial_by_index(&mut self, function: &Function, indices: &[Expr]) -> Option<Value> {
+        let mut names = Vec::new();
+        for index in indices {
+            match letters_side_by_side(index, self) {
+                Some(letters) => names.extend(letters),
+                None => names.push(index.clone()),
+            }
+        }
+        let names: Option<Vec<(Symbol, usize)>> =
+            names.iter().map(|name| name_of(name, self).map(|name| (name, 1))).collect();
+        function::partial(function, &names?)
     }
 
     /// The error for a word without meaning, with the nearest known one.

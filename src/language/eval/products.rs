@@ -48,9 +48,9 @@ impl Machine {
 
     /// The value of a factor, together with the one after it where the two belong together.
     fn eval_factor(&mut self, factor: &Expr, rest: &mut Peekable<Iter<'_, Expr>>) -> Evaluated {
-        if let Some(order) = self.difference_order(factor)?
+        if let Some((order, back)) = self.difference_order(factor)?
             && let Some(next) = rest.peek()
-            && let Some(value) = self.forward_difference(order, next)?
+            && let Some(value) = self.difference(order, back, next)?
         {
             rest.next();
             return Ok(value);
@@ -68,6 +68,9 @@ impl Machine {
         let value = match &factor.kind {
             // In a product, square brackets around one formula are parentheses: 3 [a - b].
             Kind::List(items) if items.len() == 1 => self.eval(&items[0])?,
+            _ if is_group(factor) && rest.peek().is_some_and(|next| is_group(next)) => {
+                self.eval_called(factor)?
+            }
             _ => self.eval(factor)?,
         };
         if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
@@ -98,29 +101,23 @@ impl Machine {
         }
     }
 
-    /// k for an undefined Δ or Δ^k.
-    fn difference_order(&mut self, factor: &Expr) -> Result<Option<i64>, Diagnostic> {
-        let delta = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == FORWARD_DIFFERENCE);
-        if matches!(&factor.kind, Kind::Name(name) if name == BACKWARD_DIFFERENCE) {
-            return Err(Diagnostic::error(Code::Unsupported, "backward differences are not evaluated")
-                .at(factor.span)
-                .hint("write b_i - b_{i-1}, or use the forward difference \\Delta b_{i-1}"));
-        }
-        let order = match &factor.kind {
-            Kind::Pow(base, exponent) if delta(base) => exponent,
-            _ if delta(factor) => {
-                return Ok(self.lookup(&Symbol::new(FORWARD_DIFFERENCE)).is_none().then_some(1));
-            }
-            _ => return Ok(None),
+    /// k for an undefined Δ^k or ∇^k, and whether it goes back.
+    fn difference_order(&mut self, factor: &Expr) -> Result<Option<(i64, bool)>, Diagnostic> {
+        let (sign, order) = match &factor.kind {
+            Kind::Pow(base, exponent) => (base.as_ref(), Some(exponent)),
+            _ => (factor, None),
         };
-        if self.lookup(&Symbol::new(FORWARD_DIFFERENCE)).is_some() {
+        let Kind::Name(name) = &sign.kind else { return Ok(None) };
+        let back = name == BACKWARD_DIFFERENCE;
+        if !back && name != FORWARD_DIFFERENCE || self.lookup(&Symbol::new(name)).is_some() {
             return Ok(None);
         }
-        self.eval_int(order).map(Some)
+        let order = order.map_or(Ok(1), |order| self.eval_int(order))?;
+        Ok(Some((order, back)))
     }
 
-    /// The forward difference Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j}, in the first index.
-    fn forward_difference(&mut self, order: i64, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
+    /// The differences Δ^k b_i = Σ_j (−1)^{k−j} C(k, j) b_{i+j} and ∇^k b_i = Δ^k b_{i−k}, in the first index.
+    fn difference(&mut self, order: i64, back: bool, operand: &Expr) -> Result<Option<Value>, Diagnostic> {
         if let Kind::Apply(..) = &operand.kind {
             return Err(Diagnostic::error(Code::Unsupported, "differences are taken of indexed names only")
                 .at(operand.span)
@@ -134,9 +131,9 @@ impl Machine {
         let mut sum: Option<Value> = None;
         for (j, count) in crate::math::number::binomial_row(k).into_iter().enumerate() {
             let plus = |expr: Expr| crate::formula::Term { sign: crate::formula::Sign::Plus, expr };
-            let shifted = match j {
+            let shifted = match j as i64 - if back { k as i64 } else { 0 } {
                 0 => first.clone(),
-                _ => Expr::new(Kind::Add(vec![plus(first.clone()), plus(Expr::int(j as i64))]), first.span),
+                shift => Expr::new(Kind::Add(vec![plus(first.clone()), plus(Expr::int(shift))]), first.span),
             };
             let mut list = vec![shifted];
             list.extend_from_slice(others);
@@ -210,6 +207,12 @@ impl Machine {
             let power = arithmetic::power(inner, &exponent_value).at(span)?;
             return arithmetic::multiply(factor, power).at(span);
         }
+        if self.called {
+            let whole = Expr::new(Kind::Pow(Box::new(base.clone()), Box::new(exponent.clone())), span);
+            if let Some(member) = self.member(&whole)? {
+                return Ok(member);
+            }
+        }
         self.family_without_argument(base, span);
         let value = self.eval(base)?;
         self.is_one_factor(exponent, "exponent")?;
@@ -266,5 +269,18 @@ impl Machine {
         let numerator = self.eval(left)?;
         let denominator = self.eval(right)?;
         arithmetic::divide(numerator, denominator).at(right.span)
+    }
+}
+
+/// Whether an expression stands in parentheses, perhaps with a power.
+fn is_group(expr: &Expr) -> bool {
+    matches!(without_power(expr).kind, Kind::Group(_) | Kind::Tuple(_))
+}
+
+/// The base of a power, or what is none.
+pub(super) fn without_power(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Pow(base, _) => base,
+        _ => expr,
     }
 }

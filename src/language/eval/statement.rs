@@ -72,8 +72,10 @@ impl Machine {
         if equals == Equals::DefinesUnbound {
             self.is_no_power_defined(expr)?;
             self.is_no_word_defined(expr)?;
+            self.is_no_step_defined(expr)?;
         }
         is_without_words(expr)?;
+        is_no_decimal_defined(expr)?;
         let value = self.eval_as_written(expr)?;
         if let Kind::Chain(left, links) = &expr.kind
             && let (Kind::Name(name), [link], Equals::DefinesUnbound) = (&left.kind, links.as_slice(), equals)
@@ -130,6 +132,23 @@ impl Machine {
             .hint(format!("write {} = ... for a claim about the product", letters.join(" "))))
     }
 
+    /// `Δt = t_1 - t_0` defines something with a name of two letters, which names here do not have.
+    fn is_no_step_defined(&mut self, statement: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Chain(left, links) = &statement.kind else { return Ok(()) };
+        let (Kind::Mul(factors), [link]) = (&left.kind, links.as_slice()) else { return Ok(()) };
+        let [delta, letter] = factors.as_slice() else { return Ok(()) };
+        let (Kind::Name(delta), Kind::Name(letter)) = (&delta.kind, &letter.kind) else { return Ok(()) };
+        let step = delta == "Delta" && letter.chars().count() == 1 && link.rel == Rel::Eq;
+        if !step || self.lookup(&Symbol::new(delta)).is_some() {
+            return Ok(());
+        }
+        Err(Diagnostic::error(Code::BadDefinition, format!("is Delta {letter} a new name or a product?"))
+            .at(left.span)
+            .reason("read as a product")
+            .hint(format!("write the letter as an index to define a name: Delta_{letter} := ..."))
+            .hint(format!("write {letter} Delta = ... for a claim about the product")))
+    }
+
     /// Whether a letter of a word stands for itself in an expression, also in another word.
     pub(super) fn is_a_factor_of(&mut self, expr: &Expr, word: &str) -> bool {
         match &expr.kind {
@@ -146,11 +165,7 @@ impl Machine {
 
     /// `1,5` is a list of two numbers; somebody may mean one and a half.
     fn warn_of_commas(&mut self, items: &[Expr]) {
-        let touch = |pair: &&[Expr]| {
-            pair[0].span.end + 1 == pair[1].span.start
-                && ends_in_number(&pair[0])
-                && begins_with_number(&pair[1])
-        };
+        let touch = |pair: &&[Expr]| is_decimal_comma(&pair[0], &pair[1]);
         if let Some(pair) = items.windows(2).find(touch) {
             let warning = Diagnostic::warning(Code::BadNumber, "a list of numbers, not one decimal number");
             self.note(
@@ -192,6 +207,23 @@ fn has_other_powers(expr: &Expr, member: &Expr) -> bool {
     let mut found = false;
     expr.for_each_child(&mut |child| found = found || has_other_powers(child, member));
     found
+}
+
+/// Refuses `x = 1,5`.
+fn is_no_decimal_defined(statement: &Expr) -> Result<(), Diagnostic> {
+    let Kind::Sequence(items) = &statement.kind else { return Ok(()) };
+    let claims =
+        |pair: &&[Expr]| matches!(pair[0].kind, Kind::Chain(..)) && is_decimal_comma(&pair[0], &pair[1]);
+    let Some(pair) = items.windows(2).find(claims) else { return Ok(()) };
+    Err(Diagnostic::error(Code::BadNumber, "a decimal comma, or two statements?")
+        .at(pair[0].span.to(pair[1].span))
+        .hint("write a decimal with a point: 1.5")
+        .hint("write a blank after the comma between two statements"))
+}
+
+/// Whether the comma between two items stands between two numbers, as in 1,5.
+pub(crate) fn is_decimal_comma(before: &Expr, after: &Expr) -> bool {
+    before.span.end + 1 == after.span.start && ends_in_number(before) && begins_with_number(after)
 }
 
 fn ends_in_number(expr: &Expr) -> bool {

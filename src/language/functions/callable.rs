@@ -1,5 +1,6 @@
 //! The functions of the table as the evaluator calls them.
 
+use crate::language::diagnostic::Code;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -163,6 +164,13 @@ impl Callable for Builtin {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =
                 error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
+            // polar(F, x)
+            if error.code == Code::Type
+                && error.message == "expected an integer that is 0 or more, found a polynomial"
+                && self.parameters.iter().any(|parameter| parameter.name == "variable")
+            {
+                return error.hint("the variable goes by its name: variable=x");
+            }
             match unknown.filter(|_| error.hints.is_empty()).map(|argument| elsewhere(self, argument)) {
                 Some(advice) => error.hint(advice),
                 None => error,

@@ -4,9 +4,9 @@ use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
-use crate::language::ops::formula;
 use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::{laws_report, point_argument};
+use crate::language::ops::{formula, function};
 use std::sync::Arc;
 
 use super::parameter::{METHOD, Parameter, START, Takes, VARIABLE, many, named, optional, required, size};
@@ -102,6 +102,15 @@ fn ways(args: &Arguments, diagonal: Operation, symmetrize: Operation) -> Result<
     }
 }
 
+/// A formula, or a function of as many variables, in these.
+fn formula_in(args: &Arguments, variables: &[Symbol]) -> Result<Fraction> {
+    let function = match args.value(0)? {
+        Value::Function(function) => function::formula_in(function, variables),
+        _ => None,
+    };
+    function.map_or_else(|| args.scalar(0), Ok)
+}
+
 pub(super) const TABLE: &[Builtin] = &[
     POLAR,
     Builtin {
@@ -116,7 +125,8 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the tensor-product polar form of a polynomial of degrees m in u and n in v",
         example: "polar_tensor(u v, u, v, 2, 2)",
         call: |_, args| {
-            let (formula, u, v) = (args.scalar(0)?, args.symbol(1)?, args.symbol(2)?);
+            let (u, v) = (args.symbol(1)?, args.symbol(2)?);
+            let formula = formula_in(args, &[u.clone(), v.clone()])?;
             let rows = formula::coefficients_in(&formula, &u).at(args.span(0))?;
             let mut grid = Vec::with_capacity(rows.len());
             for row in &rows {
@@ -150,8 +160,8 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "polar_total(u v, [u, v], degree=2)",
         each: true,
         call: |_, args| {
-            let formula = args.scalar(0)?;
             let variables = symbols(args, 1)?;
+            let formula = formula_in(args, &variables)?;
             let terms = terms_in(&formula, &variables).at(args.span(0))?;
             let own = terms.iter().map(|(e, _)| e.iter().sum::<u32>()).max().unwrap_or(0) as usize;
             let degree = args.optional_size(2)?.unwrap_or(own);

@@ -6,7 +6,7 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
-use crate::language::ops::{calculus, formula};
+use crate::language::ops::{calculus, formula, function};
 use crate::language::value::Value;
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly};
@@ -118,7 +118,16 @@ pub(super) const TABLE: &[Builtin] = &[
                     let variable = formula::variable_of(formula, given).at(args.span(0))?;
                     Ok(Value::Scalar(calculus::nth_derivative(formula, &variable, order)))
                 }
-                other => calculus::derivative(other, order).at(args.span(0)),
+                other => {
+                    let given = args.optional_symbol(1)?;
+                    let partial = match (other, given) {
+                        (Value::Function(function), Some(name)) => {
+                            function::partial(function, &[(name, order)])
+                        }
+                        _ => None,
+                    };
+                    partial.map_or_else(|| calculus::derivative(other, order).at(args.span(0)), Ok)
+                }
             }
         },
         ..NEW

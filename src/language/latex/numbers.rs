@@ -4,6 +4,7 @@ use super::commands::Role;
 use super::lexer::{Lexer, MAX_DIGITS};
 use super::token::Tok;
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::math::number::{LiteralError, Rational, parse_decimal};
 
 impl Lexer<'_> {
     pub(super) fn number(&mut self) {
@@ -62,6 +63,12 @@ impl Lexer<'_> {
                     .hint(format!("write {number} \\cdot 10^{{{power}}} for the power of ten"));
                 return Some((length + 1 + sign + count, Some(problem)));
             }
+        }
+        // 0.1\overline{6}
+        if let Some(end) = repeating_end(rest, if parts == 1 { length + 1 } else { length })
+            && (parts > 1 || tail.starts_with('.'))
+        {
+            return Some((end, None));
         }
         // 0.(3)
         if let Some(period) = tail.strip_prefix(".(")
@@ -189,6 +196,25 @@ impl Lexer<'_> {
     fn kinds_before(&self) -> impl Iterator<Item = Tok> {
         self.tokens.iter().rev().map(|token| token.kind).filter(|kind| *kind != Tok::Skip)
     }
+}
+
+/// The end of the period that begins at `start`, as in `0.1\overline{6}`.
+fn repeating_end(text: &str, start: usize) -> Option<usize> {
+    let tail = text.get(start..)?.strip_prefix("\\overline{")?;
+    let count = tail.bytes().take_while(u8::is_ascii_digit).count();
+    (count > 0 && tail[count..].starts_with('}')).then(|| text.len() - tail.len() + count + 1)
+}
+
+/// The value of a decimal with a period: 0.1\overline{6}; `None` if it has none.
+pub(super) fn repeating(text: &str) -> Option<std::result::Result<Rational, LiteralError>> {
+    let (head, period) = text.strip_suffix('}')?.split_once("\\overline{")?;
+    let places = head.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let nines = "9".repeat(period.len()) + &"0".repeat(places);
+    let value = || {
+        let before = parse_decimal(head.trim_end_matches('.'))?;
+        Ok(before + parse_decimal(period)? / parse_decimal(&nines)?)
+    };
+    Some(value())
 }
 
 /// Whether more items of a list follow: `1,3,5`, `1,3, \dots, n`.

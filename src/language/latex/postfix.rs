@@ -6,6 +6,7 @@
 //! number above a name without index is a power; `B_i^3(t)` takes an argument.
 
 use super::commands::Role;
+use super::numbers::repeating;
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
 use crate::budget;
@@ -271,7 +272,7 @@ impl Reader<'_> {
     pub fn numeral(&self, span: Span) -> Result<Expr> {
         // Groups of digits are set apart by small spaces, decimals by a comma in some countries.
         let text = self.text[span.range()].replace("\\,", "").replace('~', "").replace("{,}", ".");
-        match parse_decimal(&text) {
+        match repeating(&text).unwrap_or_else(|| parse_decimal(&text)) {
             Ok(value) => Ok(Expr::new(Kind::Number(value), span)),
             Err(error) => Err(Box::new(Diagnostic::error(Code::BadNumber, error.to_string()).at(span))),
         }

@@ -42,6 +42,8 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("save", "a session is saved by :save FILE at the prompt"),
     ("load", "a script is run by :load FILE at the prompt, or by polarform run FILE"),
     ("draw", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
+    ("not", "claims are negated with !=, and with the other inequality"),
+    ("infty", "limits and infinite sums are not computed; put in a number"),
     ("inner", "the scalar product is dot([1, 2], [3, 4])"),
     ("mean", "the mean of two points is (a + b)/2"),
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),

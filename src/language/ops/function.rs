@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::calculus::nth_derivative;
 use super::errors::{division_by_zero, mismatch};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value};
@@ -39,13 +40,36 @@ pub(crate) fn pointwise(
     Ok(formula_function(variable, operation(a, b)?))
 }
 
+/// The formula of a function of several variables, in other variables.
+pub(crate) fn formula_in(function: &Function, variables: &[Symbol]) -> Option<Fraction> {
+    let (own, formula) = function.as_formula_of_many().filter(|(own, _)| own.len() == variables.len())?;
+    let places = own.into_iter().cloned();
+    let values = variables.iter().map(|name| Fraction::from(MultiPoly::symbol(name.clone())));
+    formula.substitute(&places.zip(values).collect::<Vec<_>>()).ok()
+}
+
+/// The partial derivatives of a function of several variables, of the given orders, as a function of them;
+/// `None` if it has no such variables.
+pub(crate) fn partial(function: &Function, orders: &[(Symbol, usize)]) -> Option<Value> {
+    let (own, formula) = function.as_formula_of_many()?;
+    if own.len() < 2 || !orders.iter().all(|(name, _)| own.contains(&name)) {
+        return None;
+    }
+    let derivative = orders.iter().fold(formula.clone(), |f, (name, order)| nth_derivative(&f, name, *order));
+    Some(function_of(own.into_iter().cloned().collect(), derivative))
+}
+
 /// The function variable ↦ formula.
 pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
+    function_of(vec![variable], formula)
+}
+
+fn function_of(variables: Vec<Symbol>, formula: Fraction) -> Value {
     Value::Function(Arc::new(Function {
         name: None,
-        shape: Shape::plain(1),
+        shape: Shape::plain(variables.len()),
         clauses: vec![Clause {
-            parameters: vec![Parameter::Name(variable)],
+            parameters: variables.into_iter().map(Parameter::Name).collect(),
             body: crate::language::value::polynomial_expr(&formula),
             written: false,
             formula: Some(formula),

@@ -73,10 +73,14 @@ const OF_SYMPY: &[&str] = &[
 /// The name as a Python identifier that is a symbol to SymPy: keywords and names that mean
 /// something to it get an underscore at their end, and what cannot stand in an identifier becomes one.
 pub(super) fn identifier(name: &str) -> String {
-    let mut text: String = name
-        .chars()
-        .map(|c| if c.is_alphabetic() || c.is_ascii_digit() || c == '_' { c } else { '_' })
-        .collect();
+    let mut text = String::new();
+    for c in name.chars() {
+        match c {
+            '\'' => text.push_str("_prime"),
+            '^' => text.push_str("_to_"),
+            _ => text.push(if c.is_alphabetic() || c.is_ascii_digit() { c } else { '_' }),
+        }
+    }
     if text.chars().next().is_none_or(|c| c.is_ascii_digit()) {
         text.insert(0, '_');
     }
