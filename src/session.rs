@@ -8,8 +8,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Quotient, Sign, Term};
-use crate::judge::{asked, evaluator};
+use crate::formula::{Expr, Kind, Sign, Term};
+use crate::judge::{asked, doubtful, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::lexicon::words;
@@ -125,7 +125,7 @@ impl Session {
             // What exceeds a limit has no place of its own; the statement will do.
             match self.evaluate(&mut statement, equals) {
                 Ok(mut outcome) => {
-                    doubtful_products(&statement, latex, &mut outcome.notes);
+                    doubtful::products(&statement, latex, &mut outcome.notes);
                     answers.push(Answer { statement, outcome, file: file.clone() });
                 }
                 Err(problem) => {
@@ -260,46 +260,6 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
             Err(problem)
         }
     }
-}
-
-/// Remarks about products that are read in two ways: `3/7 t` and `d/dt F d/dt G` in print, `a/2b` in plain notation.
-fn doubtful_products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
-    if let Kind::Mul(factors) = &expr.kind {
-        for pair in factors.windows(2) {
-            let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
-            let touches = pair[0].span.end == pair[1].span.start;
-            let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
-            let doubtful = match latex {
-                true => !matches!(&pair[1].kind, Kind::Group(_)),
-                // 1/2t is half of t, but a/2b and 1/xy?
-                false => touches && !(number(above) && number(below)),
-            };
-            if doubtful && !matches!(&below.kind, Kind::Name(d) if d == "d") {
-                let hint =
-                    if latex { "write \\frac{3}{7} t, or 3/(7 t)" } else { "write (a/2) b, or a/(2b)" };
-                notes.push(
-                    Diagnostic::note(
-                        Code::AmbiguousProduct,
-                        "the quotient is read as a factor of what follows it",
-                    )
-                    .hint(hint)
-                    .at(pair[0].span.to(pair[1].span)),
-                );
-            }
-        }
-    }
-    // d/dt F d/dt G
-    if let Kind::Derivative { body: Some(body), .. } = &expr.kind
-        && let Kind::Mul(factors) = &body.kind
-        && let Some(second) = factors.iter().find(|factor| matches!(factor.kind, Kind::Derivative { .. }))
-    {
-        notes.push(
-            Diagnostic::note(Code::AmbiguousProduct, "the first derivative is that of all that follows it")
-                .hint("write parentheses around the product of two derivatives: (d/dt F) (d/dt G)")
-                .at(expr.span.to(second.span)),
-        );
-    }
-    expr.for_each_child(&mut |child| doubtful_products(child, latex, notes));
 }
 
 /// The letters that stand by themselves in a formula in LaTeX.

@@ -183,10 +183,16 @@ impl Machine {
         {
             return Ok(());
         }
+        let named = match &callee.kind {
+            Kind::Pow(base, _) if matches!(base.kind, Kind::Subscript(..)) => base,
+            _ => callee,
+        };
         // t(t) can only be a product.
-        let lone = name_of(callee, self).filter(|_| !callee.same_as(inside));
-        let Some(name) = lone.filter(|name| self.lookup(name).is_none()) else { return Ok(()) };
-        let shown = super::super::write::text(&crate::language::value::symbol_expr(&name));
+        let lone = name_of(named, self).filter(|_| !callee.same_as(inside));
+        if lone.is_none_or(|name| self.lookup(&name).is_some()) {
+            return Ok(());
+        }
+        let shown = super::super::write::text(callee);
         Err(Diagnostic::error(
             Code::AmbiguousProduct,
             format!("'{shown}' has no value here: is this a value of {shown} or a product?"),
@@ -501,8 +507,13 @@ fn split_lower<'a>(inner: &'a Expr, upper: &'a Expr) -> (&'a Expr, &'a [Expr], O
 }
 
 fn not_a_function(value: &Value) -> Diagnostic {
-    Diagnostic::error(Code::Type, format!("{} cannot be applied to several arguments", value.kind()))
-        .reason(format!("this is {}", value.kind()))
+    let error =
+        Diagnostic::error(Code::Type, format!("{} cannot be applied to several arguments", value.kind()))
+            .reason(format!("this is {}", value.kind()));
+    match value {
+        Value::Matrix(_) => error.hint("an entry is written M_{1,2} or M[1, 2]"),
+        _ => error,
+    }
 }
 
 /// The error for a member of a family that nobody defined, such as N_1^2(t).

@@ -196,6 +196,10 @@ impl Machine {
             Kind::Chain(left, links) => (Some(self.binder(left)?), &links[links.len() - 1].expr),
             _ => (None, from),
         };
+        let upper = match &upper.kind {
+            Kind::Chain(_, links) => &links[links.len() - 1].expr,
+            _ => upper,
+        };
         let (a, b) = (self.eval_scalar(from)?, self.eval_scalar(upper)?);
         let own = given.iter().map(|name| (name.clone(), Value::symbol(name.clone())));
         let formula = self.with_locals(own.collect::<Vec<_>>(), |machine| machine.eval_scalar(body))?;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::DMatrix;
 
 use super::machine::{Evaluated, Machine};
-use super::names::name_of;
+use super::names::{name_of, stands_for_itself};
 use super::products::without_power;
 use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Sign};
@@ -84,6 +84,7 @@ impl Machine {
             Kind::At { body, lower, upper } => self.eval_at(body, lower, upper.as_deref(), span),
             Kind::Cases(cases) => self.eval_cases(cases, span),
             Kind::Compose(items) => {
+                self.is_no_unknown_composed(items)?;
                 let mut result = self.eval(&items[0])?;
                 for item in &items[1..] {
                     let inner = self.eval(item)?;
@@ -159,6 +160,25 @@ impl Machine {
             )
             .at(span)),
         }
+    }
+
+    /// Refuses f ∘ g for an f without a value: as a symbol it would be a constant.
+    fn is_no_unknown_composed(&mut self, items: &[Expr]) -> Result<(), Diagnostic> {
+        if self.has_reading() {
+            return Ok(());
+        }
+        for item in items {
+            let name = name_of(item, self).filter(|name| !roles::is_parameter(name.base()));
+            if let Some(name) = name.filter(|name| self.lookup(name).is_none())
+                && stands_for_itself(name.base())
+            {
+                return Err(Diagnostic::error(Code::UnknownName, format!("'{name}' has no value here"))
+                    .at(item.span)
+                    .reason("what is composed?")
+                    .hint(format!("define it first: {name}(t) := t^2")));
+            }
+        }
+        Ok(())
     }
 
     /// Whether `C_n^k` is a power: C, or C_n, has a value. Otherwise it is a binomial coefficient.

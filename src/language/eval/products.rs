@@ -207,6 +207,14 @@ impl Machine {
             let power = arithmetic::power(inner, &exponent_value).at(span)?;
             return arithmetic::multiply(factor, power).at(span);
         }
+        // [F(t)]_0^1
+        if let Kind::Subscript(list, lower) = &base.kind
+            && let Kind::List(items) = &list.kind
+            && items.len() == 1
+            && !super::entries::is_bracketed(lower)
+        {
+            return self.eval_at(&items[0], lower, Some(exponent), span);
+        }
         if self.called {
             let whole = Expr::new(Kind::Pow(Box::new(base.clone()), Box::new(exponent.clone())), span);
             if let Some(member) = self.member(&whole)? {

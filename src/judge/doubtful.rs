@@ -1,0 +1,103 @@
+//! Remarks on formulas that print, or a reader, takes in two ways.
+
+use super::names::own_names;
+use crate::formula::source::Span;
+use crate::formula::{BigOp, Expr, Kind, Quotient};
+use crate::language::diagnostic::{Code, Diagnostic};
+
+/// Remarks about products that are read in two ways: `3/7 t` and `d/dt F d/dt G` in print, `a/2b` in plain notation.
+pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
+    if let Kind::Mul(factors) = &expr.kind {
+        for pair in factors.windows(2) {
+            let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
+            let touches = pair[0].span.end == pair[1].span.start;
+            let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
+            let doubtful = match latex {
+                true => !matches!(&pair[1].kind, Kind::Group(_)),
+                // 1/2t is half of t, but a/2b and 1/xy?
+                false => touches && !(number(above) && number(below)),
+            };
+            if doubtful && !matches!(&below.kind, Kind::Name(d) if d == "d") {
+                let hint =
+                    if latex { "write \\frac{3}{7} t, or 3/(7 t)" } else { "write (a/2) b, or a/(2b)" };
+                notes.push(
+                    Diagnostic::note(
+                        Code::AmbiguousProduct,
+                        "the quotient is read as a factor of what follows it",
+                    )
+                    .hint(hint)
+                    .at(pair[0].span.to(pair[1].span)),
+                );
+            }
+        }
+    }
+    // \sum_k 2k + 3k
+    if let (Kind::Add(terms), true) = (&expr.kind, latex) {
+        for (at, term) in terms.iter().enumerate() {
+            let Some((own, span)) = bound_in(&term.expr) else { continue };
+            let outside =
+                terms[at + 1..].iter().find(|later| own.iter().any(|name| has_free(&later.expr, name)));
+            if let Some(outside) = outside {
+                notes.push(
+                    Diagnostic::note(
+                        Code::AmbiguousProduct,
+                        "the index of this sum or product stands outside of it, too",
+                    )
+                    .hint("write \\left( … \\right) around all that is summed")
+                    .at(span.to(outside.expr.span)),
+                );
+            }
+        }
+    }
+    // \prod_k k x
+    if let (Kind::Mul(factors), true) = (&expr.kind, latex)
+        && let Some(pair) =
+            factors.windows(2).find(|pair| matches!(&pair[0].kind, Kind::Big { op: BigOp::Product, .. }))
+    {
+        notes.push(
+            Diagnostic::note(
+                Code::AmbiguousProduct,
+                "the product ends with the last factor that has its index",
+            )
+            .hint("write \\left( … \\right) around all that is multiplied")
+            .at(pair[0].span.to(pair[1].span)),
+        );
+    }
+    // d/dt F d/dt G
+    if let Kind::Derivative { body: Some(body), .. } = &expr.kind
+        && let Kind::Mul(factors) = &body.kind
+        && let Some(second) = factors.iter().find(|factor| matches!(factor.kind, Kind::Derivative { .. }))
+    {
+        notes.push(
+            Diagnostic::note(Code::AmbiguousProduct, "the first derivative is that of all that follows it")
+                .hint("write parentheses around the product of two derivatives: (d/dt F) (d/dt G)")
+                .at(expr.span.to(second.span)),
+        );
+    }
+    expr.for_each_child(&mut |child| products(child, latex, notes));
+}
+
+/// The names that a sum or product at the end of a term runs over, and its place.
+fn bound_in(term: &Expr) -> Option<(Vec<String>, Span)> {
+    match &term.kind {
+        Kind::Big { lower, body, .. } => {
+            let inner = bound_in(body).map_or(Vec::new(), |(names, _)| names);
+            Some((own_names(lower).into_iter().chain(inner).collect(), term.span))
+        }
+        Kind::Mul(factors) => factors.last().and_then(bound_in),
+        _ => None,
+    }
+}
+
+/// Whether a name stands in an expression where nothing binds it.
+fn has_free(expr: &Expr, name: &str) -> bool {
+    match &expr.kind {
+        Kind::Name(other) => other == name,
+        Kind::Big { lower, .. } if own_names(lower).iter().any(|own| own == name) => false,
+        _ => {
+            let mut found = false;
+            expr.for_each_child(&mut |child| found = found || has_free(child, name));
+            found
+        }
+    }
+}
