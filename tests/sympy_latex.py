@@ -195,7 +195,9 @@ def judge(expected, answer):
         if found is None:
             return "open"
         if wanted is None:  # for some values only: neither proved nor, but for an equation, refuted
-            return "different" if found else "right"
+            difference = expected.lhs - expected.rhs
+            holds = all(expected.func(at_point(difference, seed), 0) == True for seed in range(20))  # noqa: E712
+            return "different" if found and not holds else "right"
         return "right" if found == wanted else "different"
     found = value(answer)
     if isinstance(expected, (list, tuple)):

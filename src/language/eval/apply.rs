@@ -129,6 +129,12 @@ impl Machine {
         Ok(match self.callee(callee)? {
             Callee::Value(scalar @ Value::Scalar(_)) => {
                 self.is_no_lone_call(callee, &groups[0][0])?;
+                let before = self.notes.len();
+                let value = self.value_of_result(&scalar, callee, &groups[0][0], expr.span)?;
+                self.notes.truncate(before);
+                if value.is_some() {
+                    return Ok(false);
+                }
                 self.called_formula(&scalar, callee)?.is_none()
             }
             Callee::Value(value) => {
@@ -168,6 +174,9 @@ impl Machine {
             return Err(super::entries::list_called(callee.span));
         }
         self.is_no_lone_call(callee, factor)?;
+        if let Some(value) = self.value_of_result(&scalar, callee, factor, span)? {
+            return Ok(value);
+        }
         if let Some(called) = self.called_formula(&scalar, callee)? {
             return self.call_formula(&called, &scalar, callee, factor, span);
         }
@@ -251,6 +260,9 @@ impl Machine {
                     _ => format!("or write {name} * (...) for the product"),
                 }));
             }
+        }
+        if let Some(value) = self.indexed_value(callee)? {
+            return Ok(Callee::Value(value));
         }
         if !symbol.indices().is_empty()
             && (roles::FAMILIES.contains(&symbol.base()) || roles::FUNCTIONS.contains(&symbol.base()))

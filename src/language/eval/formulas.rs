@@ -66,6 +66,84 @@ impl Machine {
         }
     }
 
+    /// The value at `argument` of a formula that something has computed: derivative(t^3)(2). `None` if the
+    /// parenthesis is a factor.
+    ///
+    /// # Errors
+    /// It may be either.
+    pub(super) fn value_of_result(
+        &mut self,
+        value: &Value,
+        callee: &Expr,
+        argument: &Expr,
+        span: Span,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let Some(formula) = value.as_scalar().filter(|_| self.reading.is_none()) else { return Ok(None) };
+        let by_function = self.is_call_of_function(callee);
+        if !by_function && !self.is_computed(callee) || formula.as_rational().is_some() {
+            return Ok(None);
+        }
+        let Ok(variable) = variable_of(formula, None) else { return Ok(None) };
+        if !is_parameter(&variable) || !formula.variables().contains(&variable) {
+            return Ok(None);
+        }
+        let alone = matches!(argument.kind, Kind::Name(_) | Kind::Subscript(..)) || is_numeric(argument);
+        if !alone && by_function {
+            return Err(Diagnostic::error(
+                Code::AmbiguousProduct,
+                "is this the value of the result or a product?",
+            )
+            .at(argument.span)
+            .reason(format!("the result is a formula in {variable}"))
+            .hint(format!("write subs(..., {variable}=...) for the value"))
+            .hint("or write * (...) for the product"));
+        }
+        if !alone {
+            return Ok(None);
+        }
+        let at = self.eval_scalar(argument)?;
+        self.note(
+            Diagnostic::note(Code::Called, format!("the result is called as a function of {variable}"))
+                .at(span)
+                .hint("write * (...) for the product"),
+        );
+        let value = formula.substitute(&[(variable, at)]).map_err(|_| division_by_zero()).at(span)?;
+        Ok(Some(Value::Scalar(value)))
+    }
+
+    /// A remark on (t^2 + 1)(3), which may be meant as a value.
+    pub(super) fn note_product_by_number(&mut self, value: &Value, span: Span) {
+        let Some(formula) = value.as_scalar().filter(|_| self.reading.is_none()) else { return };
+        if let Some(variable) = formula.variables().into_iter().find(is_parameter) {
+            self.note(
+                Diagnostic::note(Code::Called, "read as a product, not as a value")
+                    .at(span)
+                    .hint(format!("the value is subs(..., {variable}=...)")),
+            );
+        }
+    }
+
+    /// Whether an expression is a sum, an integral, a composition or a derivative, which may stand in parentheses.
+    fn is_computed(&mut self, expr: &Expr) -> bool {
+        let derivative = |machine: &mut Self, expr: &Expr| match &expr.kind {
+            Kind::Derivative { .. } => true,
+            Kind::Mul(factors) => machine.differential(factors, expr.span).is_some(),
+            _ => false,
+        };
+        match &expr.kind {
+            Kind::Group(inner) => derivative(self, inner),
+            Kind::Big { .. } | Kind::Integral { .. } | Kind::Compose(_) => true,
+            _ => derivative(self, expr),
+        }
+    }
+
+    /// Whether an expression is the call of a function of the program.
+    fn is_call_of_function(&self, expr: &Expr) -> bool {
+        let Kind::Apply(callee, _) = &expr.kind else { return false };
+        matches!(&callee.kind, Kind::Name(name)
+            if (self.tools.function)(name).is_some() && self.lookup(&Symbol::new(name)).is_none())
+    }
+
     /// The value of a formula at an argument.
     pub(super) fn call_formula(
         &mut self,
@@ -91,5 +169,15 @@ impl Machine {
             .map(Value::Scalar)
             .map_err(|_| division_by_zero())
             .at(span)
+    }
+}
+
+/// Whether an expression is a number as written: 2, 1/2, -3.
+fn is_numeric(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) => true,
+        Kind::Div(above, below, _) => is_numeric(above) && is_numeric(below),
+        Kind::Add(terms) => matches!(terms.as_slice(), [term] if is_numeric(&term.expr)),
+        _ => false,
     }
 }

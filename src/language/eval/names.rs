@@ -168,7 +168,7 @@ impl Machine {
     }
 
     /// `b_2` or `M_{1,2}` for a defined list or matrix, `F^{(2)}` for a function.
-    fn indexed_value(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
+    pub(super) fn indexed_value(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
         let (base, indices, upper) = match &expr.kind {
             Kind::Subscript(base, indices) => (base, indices, false),
             Kind::Upper(base, indices) => (base, indices, true),

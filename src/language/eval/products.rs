@@ -73,6 +73,19 @@ impl Machine {
             }
             _ => self.eval(factor)?,
         };
+        if let Some(Expr { kind: Kind::Group(inside), span }) = rest.peek()
+            && factor.span.end == span.start
+            && let Some(result) = self.value_of_result(&value, factor, inside, factor.span.to(*span))?
+        {
+            rest.next();
+            return Ok(result);
+        }
+        if let (Kind::Group(_), Some(Expr { kind: Kind::Group(inside), span })) = (&factor.kind, rest.peek())
+            && matches!(inside.kind, Kind::Number(_))
+            && factor.span.end == span.start
+        {
+            self.note_product_by_number(&value, factor.span.to(*span));
+        }
         if matches!(factor.kind, Kind::Group(_) | Kind::Pow(..))
             && let Some(next) = rest.peek()
             && let Some(result) = self.apply_to_group(&value, factor, next)?

@@ -52,7 +52,7 @@ pub(crate) fn formula_in(function: &Function, variables: &[Symbol]) -> Option<Fr
 /// `None` if it has no such variables.
 pub(crate) fn partial(function: &Function, orders: &[(Symbol, usize)]) -> Option<Value> {
     let (own, formula) = function.as_formula_of_many()?;
-    if own.len() < 2 || !orders.iter().all(|(name, _)| own.contains(&name)) {
+    if !orders.iter().all(|(name, _)| own.contains(&name)) {
         return None;
     }
     let derivative = orders.iter().fold(formula.clone(), |f, (name, order)| nth_derivative(&f, name, *order));
