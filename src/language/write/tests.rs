@@ -81,10 +81,10 @@ fn chains_in_chains_do_not_explode_in_sympy() {
 
 #[test]
 fn long_sums_are_linear() {
-    let terms: Vec<Expr> = (0..100_000).map(|i| mul([n(i), t(i), t(i + 1)])).collect();
+    let terms: Vec<Expr> = (0..20_000).map(|i| mul([n(i), t(i), t(i + 1)])).collect();
     let sum = add(terms);
     for output in [text(&sum), unicode(&sum), latex(&sum), sympy(&sum).unwrap()] {
-        assert!(output.len() > 1_000_000 && output.len() < 6_000_000);
+        assert!(output.len() > 200_000 && output.len() < 1_200_000);
     }
 }
 

@@ -35,18 +35,20 @@ const THROUGH: Parameter =
 
 const BASIS: Parameter = named("basis=power", Takes::Basis, "power", "the basis in which it is found");
 
+const FIT: &[Parameter] = &[
+    NODES.shown("[x_0, ..., x_m]"),
+    VALUES.shown("[y_0, ..., y_m]"),
+    FIT_DEGREE,
+    FIT_WEIGHTS,
+    THROUGH,
+    BASIS,
+    RESULT_VARIABLE,
+];
+
 pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "least_squares",
-        parameters: &[
-            NODES.shown("[x_0, ..., x_m]"),
-            VALUES.shown("[y_0, ..., y_m]"),
-            FIT_DEGREE,
-            FIT_WEIGHTS,
-            THROUGH,
-            BASIS,
-            RESULT_VARIABLE,
-        ],
+        parameters: FIT,
         summary: "the polynomial of degree n with the least sum of w_i (y_i - p(x_i))^2",
         example: "least_squares([0, 1, 2, 3], [0, 1, 1, 2], 1)",
         call: |_, args| {
@@ -82,15 +84,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "least_squares_report",
-        parameters: &[
-            NODES.shown("[x_0, ..., x_m]"),
-            VALUES.shown("[y_0, ..., y_m]"),
-            FIT_DEGREE,
-            FIT_WEIGHTS,
-            THROUGH,
-            BASIS,
-            RESULT_VARIABLE,
-        ],
+        parameters: FIT,
         summary: "its coefficients in a basis, residuals, their squared norm and the normal equations",
         example: "least_squares_report([-1, 0, 1, 2], [1, 0, 0, 2], 2)",
         call: |_, args| {
