@@ -42,6 +42,10 @@ fn exit_status_tells_how_it_went() {
         (&["check", "a = b", "--given", "a - b = 0"], 0),
         (&["check", "a F(1) = b", "--given", "a = b; F(t) := t", "--given", "a - b = 0"], 0),
         (&["check", "x = 0", "--given", "x > 5"], 2),
+        (&["check", "t >= 0", "--given", "0 <= t"], 0),
+        (&["check", "2t + 1 > 0", "--given", "0 <= t"], 0),
+        (&["check", "t > 0", "--given", "0 <= t"], 2),
+        (&["check", "x + y = 3", "--given", "x = 1 and y = 2"], 0),
         (&["check", "x = 1", "--given", "x < 5"], 1),
         (&["check", "x = 1", "--given", "x^2 = 1"], 2),
         (

@@ -13,11 +13,13 @@ use crate::language::value::{Claim, Judgement, Value, Verdict};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
 use crate::session::{Answer, Failure, Session};
+use num_traits::Signed;
 
 /// The conditions that are no equations.
 #[derive(Default)]
 pub(super) struct Conditions {
     files: Vec<SourceFile>,
+    judgements: Vec<Judgement>,
 }
 
 /// Runs the definitions, and solves the conditions that are equations.
@@ -37,7 +39,7 @@ pub(super) fn give(session: &mut Session, given: &[String]) -> Failed<Conditions
                 claims.push(file.clone());
             }
         }
-        let (mut found, mut others) = (None, Vec::new());
+        let (mut found, mut others, mut judgements) = (None, Vec::new(), Vec::new());
         for file in &claims {
             for answer in run(session, file)? {
                 let Value::Claim(claim) = &answer.outcome.value else { continue };
@@ -47,14 +49,17 @@ pub(super) fn give(session: &mut Session, given: &[String]) -> Failed<Conditions
                             found = Some(solution(judgement).ok_or_else(|| unused(&answer))?);
                         }
                         Rel::Eq | Rel::Equiv => {}
-                        _ => others.push(file.clone()),
+                        _ => {
+                            others.push(file.clone());
+                            judgements.push(judgement.clone());
+                        }
                     }
                 }
             }
         }
         match found {
             Some(value) => solved.push(value),
-            None => return Ok(Conditions { files: others }),
+            None => return Ok(Conditions { files: others, judgements }),
         }
     }
 }
@@ -63,6 +68,10 @@ impl Conditions {
     /// The claim, where conditions hold: a counterexample that they exclude is none.
     pub fn applied(&self, session: &Session, claim: &Claim) -> Claim {
         let judged = |judgement: &Judgement| {
+            if !holds(judgement) && self.judgements.iter().any(|condition| follows(judgement, condition)) {
+                let reasons = vec!["it follows from a condition".to_owned()];
+                return Judgement { verdict: Verdict::Proved, witness: None, reasons, ..judgement.clone() };
+            }
             let open = !holds(judgement) && judgement.witness.is_some();
             if self.files.is_empty() || !open || self.allow(session, judgement) {
                 return judgement.clone();
@@ -94,6 +103,32 @@ impl Conditions {
             })
         })
     }
+}
+
+/// What an inequality says is positive, or not negative (false).
+fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
+    let (Value::Scalar(left), Value::Scalar(right)) = (&judgement.left, &judgement.right) else {
+        return None;
+    };
+    Some(match judgement.rel {
+        Rel::Gt => (left.minus(right), true),
+        Rel::Ge => (left.minus(right), false),
+        Rel::Lt => (right.minus(left), true),
+        Rel::Le => (right.minus(left), false),
+        _ => return None,
+    })
+}
+
+/// Whether an inequality follows from another one: d = k c + m with k > 0 and m ≥ 0.
+fn follows(claim: &Judgement, condition: &Judgement) -> bool {
+    let (Some((d, strict)), Some((c, given))) = (positive(claim), positive(condition)) else { return false };
+    let Some(name) = c.variables().into_iter().next() else { return false };
+    let factor =
+        c.derivative(&name).inverse().and_then(|slope| d.derivative(&name).times(&slope).as_rational());
+    let Some(factor) = factor.filter(|factor| factor.is_positive()) else { return false };
+    d.minus(&c.scaled(&factor))
+        .as_rational()
+        .is_some_and(|rest| rest.is_positive() || num_traits::Zero::is_zero(&rest) && (given || !strict))
 }
 
 fn holds(judgement: &Judgement) -> bool {

@@ -432,7 +432,11 @@ impl Machine {
                     (None, _) => {
                         self.not_named_without_sign(item)?;
                         let place = all.len() + values.len();
-                        let value = self.eval_or_word(item, function, Slot::Place(place))?;
+                        // polar(B_1^3)
+                        let before = std::mem::replace(&mut self.called, function.takes_polynomial(place));
+                        let value = self.eval_or_word(item, function, Slot::Place(place));
+                        self.called = before;
+                        let value = value?;
                         if value.as_rational().is_some() && function.takes_polynomial(place) {
                             self.parameter_has_value(item);
                         }

@@ -152,7 +152,7 @@ impl Callable for Builtin {
 
     fn takes_polynomial(&self, place: usize) -> bool {
         let parameter = self.parameters.iter().filter(|parameter| parameter.has_place()).nth(place);
-        parameter.is_some_and(|parameter| parameter.kind == Takes::Polynomial)
+        parameter.is_some_and(|parameter| matches!(parameter.kind, Takes::Polynomial | Takes::Function))
     }
 
     fn takes_coordinates(&self) -> bool {

@@ -186,6 +186,7 @@ impl Lexer<'_> {
             "if" if !index => TokenKind::If,
             "for" if !index => TokenKind::For,
             "otherwise" if !index => TokenKind::Otherwise,
+            "and" if !index => TokenKind::And,
             _ => TokenKind::Name,
         };
         self.push(kind, start)

@@ -211,7 +211,7 @@ impl<'a> Parser<'a> {
         let mut rest = Vec::new();
         let mut height = first.height;
         let mut span = first.extent;
-        while self.peek().kind == TokenKind::Comma {
+        while matches!(self.peek().kind, TokenKind::Comma | TokenKind::And) {
             let comma = self.bump();
             if self.peek().kind == TokenKind::End {
                 return Err(self.missing_operand(Some(comma)));

@@ -102,6 +102,8 @@ pub(super) enum TokenKind {
     If,
     /// `for` in a list by a formula.
     For,
+    /// the word `and`
+    And,
     /// the word `otherwise`
     Otherwise,
     /// a character without meaning

@@ -75,6 +75,8 @@ impl Parser<'_> {
                 .hint("write ( ) to group, or put an operator before the set"),
             TokenKind::Dollar => unexpected("'$' stands inside a formula".into())
                 .hint("put the whole formula between two $, or remove the sign"),
+            TokenKind::And => unexpected(format!("{text} stands between two statements only"))
+                .hint("write a comma between items, and ';' between statements"),
             TokenKind::Semicolon => return self.stray_semicolon(token),
             TokenKind::Comma => return self.missing_item(token),
             _ => unexpected(format!("{text} cannot stand here"))
