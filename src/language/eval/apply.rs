@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::arguments::{Arguments, named};
 use super::curves;
 use super::machine::{Evaluated, Machine};
-use super::names::{name_of, stands_for_itself};
+use super::names::{name_of, spread, stands_for_itself};
 use super::products::without_power;
 use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
@@ -317,10 +317,11 @@ impl Machine {
         let Some(name) = name_of(base, self) else { return Ok(None) };
         match self.lookup(&name).cloned() {
             Some(Value::Function(function))
-                if function.shape.lower == lower.len()
+                if function.shape.lower == spread(lower, function.shape.lower, self).len()
                     && function.shape.upper == usize::from(upper.is_some())
                     && function.shape.lower + function.shape.upper > 0 =>
             {
+                let lower = spread(lower, function.shape.lower, self);
                 let mut values = Vec::with_capacity(lower.len() + 1);
                 for index in lower.iter().chain(upper) {
                     values.push((self.eval(index)?, index.span));

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::entries::{factor_or_index, is_bracketed};
 use super::machine::Machine;
-use super::names::{indices_in_brackets, name_of};
+use super::names::{indices_in_brackets, letters_side_by_side, name_of};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -77,6 +77,11 @@ impl Machine {
     /// Carries out `left := right (= further …)`.
     pub(super) fn define(&mut self, left: &Expr, links: &[Link]) -> Result<(Symbol, Value), Diagnostic> {
         let body = &links[0].expr;
+        if body.kind == Kind::Ellipsis {
+            return Err(Diagnostic::error(Code::BadDefinition, "dots define nothing")
+                .at(body.span)
+                .hint("write the formula, as in F(t) := t^2"));
+        }
         let (name, value) = match self.target(left)? {
             Target::Name(name) => {
                 self.not_reserved(&name, left)?;
@@ -192,12 +197,21 @@ impl Machine {
             _ => (callee, &[], None),
         };
         // Indices that are all numbers belong to the name (f_1), unless an upper index shows a family.
-        let numeric = lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        let numeric = lower.iter().all(|index| match &index.kind {
+            Kind::Number(_) => true,
+            Kind::Name(digits) => digits.bytes().all(|byte| byte.is_ascii_digit()), // b_{01}
+            _ => false,
+        });
         if upper.is_none() && numeric {
             let name = name_of(callee, self).ok_or_else(bad)?;
             return Ok(Target::Function { name, shape: Shape::plain(inner.len()), parameters: inner });
         }
         let name = name_of(base, self).ok_or_else(bad)?;
+        // b_{ij}(t) has two indices
+        let lower: Vec<Expr> = lower
+            .iter()
+            .flat_map(|index| letters_side_by_side(index, self).unwrap_or_else(|| vec![index.clone()]))
+            .collect();
         let shape = Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
         let parameters = lower.iter().chain(upper).cloned().chain(inner).collect();
         Ok(Target::Function { name, shape, parameters })

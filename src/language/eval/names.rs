@@ -48,6 +48,23 @@ pub(super) fn indices_in_brackets(indices: &[Expr]) -> &[Expr] {
     }
 }
 
+/// The indices of a member of a family that has `count` of them: `ij` and 12 are two indices each.
+pub(super) fn spread(indices: &[Expr], count: usize, machine: &Machine) -> Vec<Expr> {
+    let [index] = indices else { return indices.to_vec() };
+    if let Some(letters) = letters_side_by_side(index, machine).filter(|letters| letters.len() == count) {
+        return letters;
+    }
+    let digits = match &index.kind {
+        Kind::Number(number) if number.is_integer() => number.numer().to_string(),
+        Kind::Name(name) => name.clone(),
+        _ => return indices.to_vec(),
+    };
+    if digits.len() != count || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return indices.to_vec();
+    }
+    digits.bytes().map(|digit| Expr { span: index.span, ..Expr::int(i64::from(digit - b'0')) }).collect()
+}
+
 /// Indices as parts of a name. Letters side by side are several indices: for i = 0 and j = 1,
 /// `b_{ij}` is `b_{01}`.
 fn indices_of(indices: &[Expr], machine: &mut Machine) -> Option<Vec<Index>> {

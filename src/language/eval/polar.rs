@@ -148,7 +148,11 @@ fn explain_count(error: Diagnostic, callee: &Expr, degree: usize, given: usize) 
         Kind::Name(name) => name.clone(),
         _ => "f".to_owned(),
     };
-    if given < degree {
+    if given == 1 {
+        error.hint(format!("arguments are separated by commas: {name}(0, 0, 1)")).hint(format!(
+            "the polynomial itself is diagonal({name}), and partial({name}, ...) leaves arguments free"
+        ))
+    } else if given < degree {
         error.hint(format!("partial({name}, ...) puts in some arguments and leaves the others free"))
     } else {
         error.hint(format!("elevate({name}, {}) has as many arguments", given - degree))
