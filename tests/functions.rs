@@ -249,7 +249,10 @@ fn a_wrong_number_of_arguments_shows_the_form() {
         }
         if count(false) < 20 {
             let first = call.arguments.first().cloned().unwrap_or_default();
-            wrong.push(call.with(&vec![first; count(false) + 10], 0).0);
+            // Lists alone may be points one by one.
+            let mut many = vec![first; count(false) + 10];
+            many.push("0".to_owned());
+            wrong.push(call.with(&many, 0).0);
         }
         for text in wrong {
             let error = value(&text).expect_err(&text);

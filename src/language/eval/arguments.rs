@@ -121,6 +121,13 @@ impl Arguments {
         self.places.iter().flatten().map(|(value, _)| value)
     }
 
+    /// The arguments with a place as the items of one.
+    pub(crate) fn gathered(mut self, span: Span) -> Self {
+        let items = self.places.drain(..).flatten().map(|(value, _)| value).collect();
+        self.places.push(Some((Value::List(items), span)));
+        self
+    }
+
     /// The place of the i-th argument.
     pub fn span(&self, i: usize) -> Span {
         self.given(i).map_or_else(Span::default, |(_, span)| span)

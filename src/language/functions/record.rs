@@ -5,7 +5,7 @@ use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::polar::levelled;
 
-use super::parameter::{Need, Parameter};
+use super::parameter::{Need, Parameter, Takes};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::{PolarKind, Value};
 
@@ -167,7 +167,7 @@ impl Builtin {
 
     /// Checks the arguments and calls the function, as it works on its first argument.
     pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
-        let args = self.with_first_in_place(args);
+        let args = self.with_points_together(self.with_first_in_place(args));
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
@@ -189,6 +189,18 @@ impl Builtin {
             Some(variant) => (variant.call)(&self.checked(variant.parameters, args)?),
             None => (self.call)(machine, &self.checked(self.parameters, args)?),
         }
+    }
+
+    /// bezier((0, 0), (1, 1), (2, 0)): three lists and more, where one is expected and numbers follow, are its items.
+    fn with_points_together(&self, args: Arguments) -> Arguments {
+        let mut kinds = self.parameters.iter().filter(|parameter| parameter.has_place()).map(|p| p.kind);
+        let expected = kinds.next() == Some(Takes::Points) && kinds.next() == Some(Takes::Scalar);
+        let lists = args.values().all(|value| matches!(value, Value::List(_)));
+        if !expected || !lists || args.values().count() < 3 {
+            return args;
+        }
+        let span = args.span(0).to(args.span(args.len() - 1));
+        args.gathered(span)
     }
 
     /// The first argument decides how a function works, so it is needed before the others.
