@@ -11,6 +11,7 @@ use super::names::{Head, is_index_letter, is_range};
 use super::object::{Declared, Object};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
+use super::topic::Topic;
 use super::trial::Setting;
 use super::verdict::Judged;
 use crate::budget::{self, Limits};
@@ -28,6 +29,8 @@ pub struct Checker {
     pub(super) limits: Limits,
     /// How many of the next formulas are not to be judged.
     pub(super) ignored: usize,
+    /// What could not be judged, for formulas that come later.
+    pub(super) open: Vec<Condition>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -43,12 +46,13 @@ impl Checker {
             context: Rc::new(Context::new(letters)),
             limits: limits.clone(),
             ignored: 0,
+            open: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
         }
     }
 
-    fn line(&self, span: Span) -> usize {
+    pub(super) fn line(&self, span: Span) -> usize {
         self.file.line_column(span.start).0
     }
 
@@ -93,15 +97,23 @@ impl Checker {
                     }
                     return;
                 }
-                if let Some(findings) = self.unasserted(chain, statement) {
+                self.diagonal(chain, statement);
+                let limits = self.limits.clone();
+                let before = self.context.mark();
+                if let Some(mut findings) = self.unasserted(chain, statement) {
+                    // What two curves have to fulfil where they meet is known.
+                    let join = statement.role == Some(Role::Assumed) && statement.topics.has(Topic::Join);
+                    if join || statement.role == Some(Role::Equivalent) {
+                        self.by_the_field(chain, statement, &mut findings, before);
+                    }
                     self.findings.extend(findings);
                     return;
                 }
-                let limits = self.limits.clone();
-                let before = self.context.mark();
                 match budget::run(&limits, || self.chain(chain, statement)) {
                     Ok(mut findings) => {
+                        self.by_what_was_said(chain, statement, &mut findings, before);
                         self.by_the_field(chain, statement, &mut findings, before);
+                        self.remember(chain, statement, &findings);
                         self.findings.extend(findings);
                     }
                     Err(stop) => {
@@ -133,7 +145,7 @@ impl Checker {
     fn unasserted(&mut self, chain: &Chain, statement: &Statement) -> Option<Vec<Finding>> {
         let (verdict, reason) = match statement.role {
             Some(Role::Assumed) => (Verdict::Definition, "assumed here"),
-            Some(Role::Asked) => (Verdict::Undecided, "asked for, not claimed"),
+            Some(Role::Asked | Role::Equivalent) => (Verdict::Undecided, "asked for, not claimed"),
             _ if statement.is_case() => (Verdict::Definition, "a condition"),
             _ if chain.partial => (Verdict::Definition, "said of the other cases"),
             _ => return None,
@@ -142,16 +154,23 @@ impl Checker {
         let new = definable(&chain.sides[0].expr).filter(|head| {
             chain.relations.len() == 1 && !self.is_known(head, &chain.sides[1].expr, place, &None)
         });
-        if let (Some(Role::Assumed), Some(head), [(Rel::Eq | Rel::Define, span)]) =
-            (statement.role, new, chain.relations.as_slice())
+        // "The patch has the equation x(u, v) = …"
+        let formula = new.as_ref().is_some_and(|head| {
+            statement.role == Some(Role::Asked)
+                && !head.flat().is_empty()
+                && head.flat().iter().all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)))
+        });
+        let assumed = statement.role == Some(Role::Assumed);
+        if let (true, Some(head), [(Rel::Eq | Rel::Define, span)]) =
+            (assumed || formula, new, chain.relations.as_slice())
             && !chain.sides[1].is_unread()
         {
             let body = Body::Formula(chain.sides[1].expr.clone());
             self.define(head, body, &chain.conditions, place, *span);
             if let Some(definition) = Rc::make_mut(&mut self.context).definitions.last_mut() {
-                definition.assumed = true;
+                definition.assumed = assumed;
             }
-        } else if statement.role == Some(Role::Assumed) {
+        } else if assumed {
             for (at, (rel, span)) in chain.relations.iter().enumerate() {
                 let link = Link { rel: *rel, span: *span, expr: chain.sides[at + 1].expr.clone() };
                 let left = &chain.sides[at].expr;

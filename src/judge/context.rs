@@ -82,6 +82,18 @@ struct Seen {
 #[derive(Clone, Copy, Debug)]
 pub struct Mark([usize; 3]);
 
+impl Mark {
+    /// So many definitions were known.
+    pub fn definitions(self) -> usize {
+        self.0[0]
+    }
+
+    /// So many conditions were known.
+    pub fn conditions(self) -> usize {
+        self.0[1]
+    }
+}
+
 /// How letters are used in a document.
 #[derive(Clone, Debug, Default)]
 pub struct Letters {
@@ -91,6 +103,8 @@ pub struct Letters {
     pub pairs: BTreeSet<String>,
     /// Letters with an upper index that is no power: b_i^r.
     pub towers: BTreeSet<String>,
+    /// Whether some family is numbered from 0.
+    pub from_zero: bool,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
     degrees: [bool; 2],
 }
@@ -157,6 +171,9 @@ impl Letters {
                 }
             }
             Kind::Subscript(base, lower) => {
+                self.from_zero |= lower.iter().any(|index| {
+                    matches!(&index.kind, Kind::Number(q) if num_traits::Zero::is_zero(q))
+                });
                 if let (Kind::Name(letter), [first, second]) = (&base.kind, lower.as_slice())
                     && families::notation(letter, 2, 0).is_some_and(|known| known.family == Family::Bernstein)
                 {
@@ -260,6 +277,12 @@ impl Context {
     /// How much is known now.
     pub fn mark(&self) -> Mark {
         Mark([self.definitions.len(), self.conditions.len(), self.objects.len()])
+    }
+
+    /// Puts another formula into a definition.
+    pub fn replace(&mut self, number: usize, formula: Expr) {
+        self.seen.take();
+        self.definitions[number].body = Body::Formula(formula);
     }
 
     /// Forgets what was learnt since then.

@@ -11,7 +11,7 @@ use super::check::Checker;
 use super::context::{Body, Definition};
 use super::names::{Head, bases};
 use super::object::{Object, Sort};
-use super::statement::{Place, Statement};
+use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
@@ -39,6 +39,36 @@ impl Checker {
             let (names, of) = (vec![Expr::name(small)], Some(Expr::name(&head.base)));
             let object = Object { names, of, ..Object::new(Sort::PolarForm) };
             self.object(&object, &statement.place);
+        }
+    }
+
+    /// "There is one symmetric multiaffine f with f(t, …, t) = F(t)": f is the polar form of F.
+    pub(super) fn diagonal(&mut self, chain: &Chain, statement: &Statement) {
+        let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return };
+        let place = &statement.place;
+        let (one, other) = (&chain.sides[0].expr, &chain.sides[1].expr);
+        for (form, function) in [(one, other), (other, one)] {
+            let (Kind::Apply(f, all), Kind::Apply(of, own)) = (&form.kind, &function.kind) else { continue };
+            let ([all], [own]) = (all.as_slice(), own.as_slice()) else { continue };
+            let (Kind::Name(name), [argument @ Expr { kind: Kind::Name(_), .. }]) = (&f.kind, own.as_slice())
+            else {
+                continue;
+            };
+            let same = |item: &Expr| match &item.kind {
+                Kind::Brace(items, _) => items.iter().all(|item| item.same_as(argument) || item.kind == Kind::Ellipsis),
+                _ => item.same_as(argument) || item.kind == Kind::Ellipsis,
+            };
+            let open = matches!(all.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
+            let known = self.context.object_called(name, place).is_some_and(|d| d.object.is_function())
+                || self.context.visible(name, place).next().is_some();
+            if open || known || f.same_as(of) || !all.iter().all(same) || !statement.topics.has(Topic::PolarForm) {
+                continue;
+            }
+            let counted = all.iter().all(|item| matches!(item.kind, Kind::Name(_)));
+            let degree = counted.then(|| Expr::int(all.len() as i64));
+            let (names, of) = (vec![f.as_ref().clone()], Some(of.as_ref().clone()));
+            self.object(&Object { names, of, degree, ..Object::new(Sort::PolarForm) }, place);
+            return;
         }
     }
 

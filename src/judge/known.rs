@@ -154,7 +154,15 @@ impl Checker {
         let standard = match head.notation().map(|notation| notation.family).filter(|_| !own) {
             Some(Family::Bernstein | Family::Triangular) => true,
             Some(Family::SymmetricMean) => head.arguments.is_some(),
-            Some(Family::Spline) | None => false,
+            // N_{1,2} on the knots 0, 0, 0, 1, 1, 1
+            Some(Family::Spline) => {
+                let letters = self.context.knot_letters(place, &[]);
+                let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+                head.lower.iter().all(number)
+                    && self.context.visible(&head.base, place).next().is_none()
+                    && !self.context.given_knots(&letters, place).is_empty()
+            }
+            None => false,
         };
         let right = bases(body);
         let recursive = right.contains(&head.base);
@@ -287,7 +295,8 @@ impl Checker {
             self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
                 || self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
         });
-        !indexed && !given && self.context.stated_knots(place).is_empty()
+        let listed = !self.context.given_knots(&letters, place).is_empty();
+        !indexed && !given && !listed && self.context.stated_knots(place).is_empty()
     }
 
     /// Whether a hypothesis of the section speaks of a name.

@@ -37,6 +37,7 @@ mod refute;
 mod repair;
 mod roots;
 mod same_geometry;
+mod spoken;
 pub mod statement;
 mod tally;
 mod theorems;

@@ -42,7 +42,9 @@ pub enum Sort {
     Degree,
     /// The order of splines, which is their degree and one.
     Order,
-    /// Numbers, points, vectors, indices: symbols without properties.
+    /// Vectors, differences of points.
+    Vectors,
+    /// Numbers, points, indices: symbols without properties.
     Symbols,
     /// Something else, in these words: what is claimed of it cannot be wrong as far as is known here.
     Other(Cow<'static, str>),
@@ -286,9 +288,31 @@ impl Context {
                 }
             }
         }
+        if found.is_empty() && self.letters.from_zero {
+            found = self.unnamed_knots(place).into_iter().enumerate().map(|(at, q)| (at as i64, q)).collect();
+        }
         let knots: Vec<(&i64, &Rational)> = found.iter().collect();
         let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
         if whole && knots.len() > 2 { found } else { BTreeMap::new() }
+    }
+
+    /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1).
+    fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
+        let told = |declared: &&Declared| {
+            declared.object.sort == Sort::Knots
+                && place.in_reach(&declared.place, false)
+                && place.sees(&declared.place)
+        };
+        let Some(declared) = self.objects.iter().rev().find(told) else { return Vec::new() };
+        let items = match declared.object.names.as_slice() {
+            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => inside,
+            names => names,
+        };
+        let number = |item: &Expr| match &item.kind {
+            Kind::Number(q) => Some(q.clone()),
+            _ => None,
+        };
+        items.iter().map(number).collect::<Option<Vec<_>>>().unwrap_or_default()
     }
 
     /// The letters that the page itself gives to knots.

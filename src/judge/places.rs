@@ -2,16 +2,17 @@
 
 use std::rc::Rc;
 
-use super::context::Body;
+use super::context::{Body, is_variable};
 use super::evaluator;
 use super::features::has_splines;
-use super::names::{Head, has_members, is_index_letter};
+use super::names::{Head, has_members, is_index_letter, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
+use crate::math::ring::Ring;
 use num_traits::Zero;
 
 /// Knots that the page gives are tried up to this number.
@@ -23,7 +24,10 @@ const LAST_INTERVAL: i64 = 3;
 impl Trial<'_> {
     /// Whether it is about piecewise polynomials.
     pub(super) fn has_pieces(&self) -> bool {
-        has_splines(&self.sides) || self.defined_by_splines() || self.speaks_of_splines()
+        has_splines(&self.sides)
+            || self.sides.iter().any(|side| has_cases_of_variables(side))
+            || self.defined_by_splines()
+            || self.speaks_of_splines()
     }
 
     /// Whether a name in it was introduced as a B-spline or a curve of them.
@@ -68,8 +72,21 @@ impl Trial<'_> {
                 None => add(&[]),
             }
         }
+        // max(x - 2, 0)^3, |x| = x for x >= 0
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                let Kind::Cases(cases) = &part.kind else { return };
+                for condition in cases.iter().filter_map(|(_, condition)| condition.as_ref()) {
+                    found.extend(ends(condition));
+                }
+            });
+        }
         found.sort();
         found.dedup();
+        // One break alone has no interval.
+        if let [only] = found.as_slice() {
+            found = vec![only - integer(1), only.clone(), only + integer(1)];
+        }
         found
     }
 
@@ -121,11 +138,70 @@ impl Trial<'_> {
     pub(super) fn has_integer_knots(&self) -> bool {
         let defined = self.context.visible("N", self.place).next();
         let indexed = |expr: &Expr| has_members(expr, &self.facts.knot_letters);
+        if self.sides.iter().any(|side| has_cases_of_variables(side)) {
+            return !self.sides.iter().any(|side| indexed(side));
+        }
         match defined.map(|(_, definition, _)| &definition.body) {
             Some(Body::Formula(body)) => !indexed(body) && !self.sides.iter().any(|side| indexed(side)),
             _ => false,
         }
     }
+}
+
+/// Whether cases in a formula depend on where a variable lies.
+fn has_cases_of_variables(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| {
+        if let Kind::Cases(cases) = &part.kind {
+            let mut conditions = cases.iter().filter_map(|(_, condition)| condition.as_ref());
+            found |= conditions.any(|condition| {
+                is_order(condition) && own_variables(condition).iter().any(|name| is_variable(name))
+            });
+        }
+    });
+    found
+}
+
+fn is_order(condition: &Expr) -> bool {
+    matches!(&condition.kind, Kind::Chain(_, links)
+        if links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge)))
+}
+
+/// The names without an index in a condition.
+fn own_variables(condition: &Expr) -> Vec<String> {
+    let mut found = Vec::new();
+    fn collect(expr: &Expr, found: &mut Vec<String>) {
+        match &expr.kind {
+            Kind::Name(name) => found.push(name.clone()),
+            Kind::Subscript(..) => {}
+            _ => expr.for_each_child(&mut |child| collect(child, found)),
+        }
+    }
+    collect(condition, &mut found);
+    found
+}
+
+/// Where a variable, perhaps shifted by a number, meets the numbers of a condition: 2 in x - 2 >= 0.
+fn ends(condition: &Expr) -> Vec<Rational> {
+    let Kind::Chain(left, links) = &condition.kind else { return Vec::new() };
+    let sides: Vec<&Expr> = std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
+    let mut found = Vec::new();
+    for pair in sides.windows(2) {
+        let value = |expr: &Expr| match evaluator::machine().eval(expr) {
+            Ok(Value::Scalar(value)) => Some(value),
+            _ => None,
+        };
+        let (Some(a), Some(b)) = (value(pair[0]), value(pair[1])) else { continue };
+        let difference = a.minus(&b);
+        let Some(polynomial) = difference.as_polynomial() else { continue };
+        if let [variable] = polynomial.variables()
+            && let [constant, slope] = polynomial.coefficients_in(variable).as_slice()
+            && let (Some(constant), Some(slope)) = (constant.as_constant(), slope.as_constant())
+        {
+            found.push(-constant / slope);
+        }
+    }
+    found
 }
 
 /// The index of a family: i in N_i.

@@ -269,11 +269,27 @@ pub fn decide(
         {
             return Decision::Redefinition(None);
         }
+        let of_family = || {
+            let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+            !head.lower.is_empty()
+                && head.lower.iter().all(number)
+                && checker.context.visible(&head.base, &statement.place).any(|(_, definition, near)| {
+                    near && (claimed || definition.place.group == statement.place.group)
+                        && definition.head.lower.len() == head.lower.len()
+                        && definition.head.upper.len() == head.upper.len()
+                        && !definition.head.lower.iter().any(number)
+                })
+        };
         let again = checker.context.visible(&head.base, &statement.place).any(|(_, definition, _)| {
             definition.head.flat().len() == head.flat().len()
                 && definition.head.lower.len() == head.lower.len()
                 && definition.head.upper.len() == head.upper.len()
         });
+        // c_3 = 5, after c_i = …, where all that this is made of is known.
+        let member = of_family() && is_constant(&failure.left) && is_constant(&failure.right);
+        if member {
+            return refuted(failure);
+        }
         // n = 2, a_k = k^2: a name that is no function gets a new value, unless it has one in the same symbols.
         let value = head.arguments.is_none()
             && !(same && head.lower.is_empty())

@@ -71,6 +71,8 @@ pub enum Role {
     Even,
     /// Solve …, find …, it is wrong that …: nothing is asserted.
     Asked,
+    /// If and only if …: a condition that means the same as something else.
+    Equivalent,
 }
 
 /// One side of a relation.

@@ -2,7 +2,8 @@
 
 use super::speech::{self, Around};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::statement::Role;
+use crate::judge::names::Head;
+use crate::judge::statement::{Role, Said, Statement};
 use crate::language::latex;
 
 /// (−1)^n = −1 for an odd n, (−1)^n = 1 for an even one.
@@ -53,5 +54,30 @@ fn in_words(condition: &Expr) -> Option<Expr> {
         role @ (Role::Odd | Role::Even) => Some(parity(&formula, role == Role::Odd)),
         Role::Case | Role::All if matches!(formula.kind, Kind::Chain(..)) => Some(formula),
         _ => None,
+    }
+}
+
+/// "N(t) = 1 for 0 ≤ t < 1, and N(t) = 0 elsewhere": two cases of one formula.
+///
+/// `elsewhere` says which formula after a statement of the sentence holds in all other cases.
+pub(super) fn complete(statements: &mut [Statement], elsewhere: &dyn Fn(&[Statement], usize) -> Option<Expr>) {
+    for at in 0..statements.len() {
+        let Said::Chain(chain) = &statements[at].said else { continue };
+        let function = Head::of(&chain.sides[0].expr).is_some_and(|head| head.arguments.is_some());
+        let ([(Rel::Eq | Rel::Define, _)], [condition], true) =
+            (chain.relations.as_slice(), chain.conditions.as_slice(), function && !chain.partial)
+        else {
+            continue;
+        };
+        let order = matches!(&condition.kind, Kind::Chain(_, links)
+            if links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge | Rel::In)));
+        let Some(other) = elsewhere(statements, at).filter(|_| order) else { continue };
+        let condition = condition.clone();
+        if let Said::Chain(chain) = &mut statements[at].said {
+            let value = chain.sides[1].expr.clone();
+            let span = value.span;
+            chain.sides[1].expr = Expr::new(Kind::Cases(vec![(value, Some(condition)), (other, None)]), span);
+            chain.conditions.clear();
+        }
     }
 }

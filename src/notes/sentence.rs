@@ -5,7 +5,7 @@
 //! those after it when the sentence begins with a case, else to the claim before it. A case without a
 //! claim in its sentence says nothing that later claims need.
 
-use super::cases::parity;
+use super::cases::{self, parity};
 use super::speech::{self, Around};
 use crate::document::{Document, Item};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -124,6 +124,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     let mut found: Vec<Around> = Vec::new();
     for sentence in sentences {
         let (mut left, mut first) = (String::new(), true);
+        let ours = matches!(sentence.first(), Some(Piece::Words(words)) if speech::ours(words));
         for piece in sentence {
             match piece {
                 Piece::Words(words) => {
@@ -134,7 +135,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
                     left.push(' ');
                 }
                 Piece::Formula(_) => {
-                    found.push(Around { left: std::mem::take(&mut left), right: String::new(), first });
+                    found.push(Around { left: std::mem::take(&mut left), right: String::new(), first, ours });
                     first = false;
                 }
             }
@@ -210,7 +211,44 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             _ => None,
         };
     }
+    examples(around, statements);
     attach_cases(statements, &|statement| role_of(statement).1);
+    let last = formulas.last().copied().unwrap_or_default();
+    cases::complete(statements, &|statements, at| {
+        let Said::Chain(own) = &statements[at].said else { return None };
+        let rest = &statements[at + 1..];
+        let said = rest.iter().find_map(|statement| match &statement.said {
+            Said::Chain(chain) if chain.partial && chain.sides[0].expr.same_as(&own.sides[0].expr) => {
+                Some(chain.sides[1].expr.clone())
+            }
+            Said::Bare(side, _) if role_of(statement).0 == Some(Role::Elsewhere) => Some(side.expr.clone()),
+            _ => None,
+        });
+        let in_words = || {
+            let claim = |statement: &Statement| matches!(statement.said, Said::Chain(_)) && !statement.is_case();
+            let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words(last).right);
+            zero.then(|| Expr::int(0))
+        };
+        said.or_else(in_words)
+    });
+}
+
+/// "We know it for f(x) = x and f(x) = x^2": formulas for one function in a row are examples of it.
+fn examples(around: &[Around], statements: &mut [Statement]) {
+    let called = |statement: &Statement| match &statement.said {
+        Said::Chain(chain) if names_a_function(chain) => Some(chain.sides[0].expr.clone()),
+        _ => None,
+    };
+    for at in 1..statements.len() {
+        let (before, own) = (&statements[at - 1], &statements[at]);
+        let words = around.get(own.place.formula.wrapping_sub(1)).map_or("", |words| &words.left);
+        let same = matches!((called(before), called(own)), (Some(a), Some(b)) if a.same_as(&b));
+        let joined = words.chars().any(char::is_alphabetic) && speech::goes_on(words).is_some();
+        if same && joined && own.role != Some(Role::Claimed) {
+            statements[at - 1].role = Some(Role::Introduced);
+            statements[at].role = Some(Role::Introduced);
+        }
+    }
 }
 
 /// Whether a chain says what a function or a sequence is: f(x) = …, a_k = ….
@@ -230,7 +268,7 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
     let is_claim = |statement: &Statement| {
         !statement.is_case()
             && matches!(&statement.said, Said::Chain(chain) if !chain.given)
-            && !matches!(statement.role, Some(Role::Assumed | Role::Asked))
+            && !matches!(statement.role, Some(Role::Assumed | Role::Asked | Role::Equivalent))
     };
     let Some(begins) = statements.iter().position(|statement| statement.is_case() || is_claim(statement))
     else {

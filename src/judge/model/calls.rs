@@ -162,9 +162,23 @@ impl Model {
             return Ok(values);
         }
         if !items.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..))) {
-            return items.iter().map(|item| machine.eval(item)).collect();
+            return items.iter().map(|item| self.argument(machine, item)).collect();
         }
         self.dotted_arguments(machine, items, arity, expr)
+    }
+
+    /// The value of an argument: a name that words call a vector is one.
+    pub(super) fn argument(&self, machine: &mut Machine, item: &Expr) -> Evaluated {
+        let value = machine.eval(item)?;
+        let vector = || {
+            Head::of(item).is_some_and(|head| {
+                head.arguments.is_none() && self.object(&head).is_some_and(|d| d.object.sort == Sort::Vectors)
+            })
+        };
+        match value {
+            Value::Scalar(step) if vector() => Ok(Value::Vector(step)),
+            value => Ok(value),
+        }
     }
 
     fn repeated_by_powers(

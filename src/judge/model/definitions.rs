@@ -219,6 +219,8 @@ impl Model {
                     bound.push((symbol.clone(), Value::symbol(symbol)));
                 }
             }
+            // b_i^0 = b_i, where the page says b_i^r(t): it does not depend on t.
+            (None, Some(_)) if exact > 0 => {}
             (None, Some(_)) => return None,
         }
         Some((bound, exact))
@@ -230,7 +232,14 @@ impl Model {
         if self.asking.replace(true) {
             return true;
         }
-        let failed = definition.conditions.iter().any(|condition| {
+        // b_i^0 = b_i for 1 ≤ k ≤ n, 0 ≤ i ≤ n - k: the k is that of another formula beside it.
+        let own = |condition: &&Expr| {
+            bases(condition).iter().all(|name| {
+                !matches!(name.as_str(), "i" | "j" | "k" | "l" | "r" | "s")
+                    || bound.iter().any(|(known, _)| known.is_plain() && known.base() == name)
+            })
+        };
+        let failed = definition.conditions.iter().filter(own).any(|condition| {
             let held = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
             held == Ok(Some(false))
         });

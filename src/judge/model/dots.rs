@@ -38,11 +38,12 @@ impl Model {
     /// A product: dots in it are written out, f[x_0, x_1] is a divided difference.
     pub(super) fn product(&self, machine: &mut Machine, factors: &[Expr], expr: &Expr) -> Option<Evaluated> {
         if let Some(dots) = factors.iter().position(|factor| factor.kind == Kind::Ellipsis) {
-            // n(n-1) is read as a call; here it is two factors.
+            // n(n-1) is read as a call; here it is two factors. J_{n,k}(x) is one.
+            let number = |callee: &Expr| matches!(&callee.kind, Kind::Name(name) if !self.context.letters.is_function(name));
             let split = |list: &[Expr]| -> Vec<Expr> {
                 list.iter()
                     .flat_map(|factor| match &factor.kind {
-                        Kind::Apply(callee, groups) if groups.len() == 1 && groups[0].len() == 1 => {
+                        Kind::Apply(callee, groups) if groups.len() == 1 && groups[0].len() == 1 && number(callee) => {
                             vec![callee.as_ref().clone(), groups[0][0].clone()]
                         }
                         Kind::Group(inner) => vec![inner.as_ref().clone()],
@@ -328,7 +329,7 @@ impl Model {
                     if flexible.is_some() {
                         return Err(unclear("how many arguments the dots stand for", expr));
                     }
-                    let value = machine.eval(&item)?;
+                    let value = self.argument(machine, &item)?;
                     values.push(value.clone());
                     flexible = Some(values.len());
                     values.push(value);
@@ -351,7 +352,7 @@ impl Model {
                     if item.kind == Kind::Ellipsis {
                         return Err(unclear("what the dots stand for", expr));
                     }
-                    values.push(machine.eval(&item)?);
+                    values.push(self.argument(machine, &item)?);
                     at += 1;
                 }
             }

@@ -164,6 +164,11 @@ impl Checker {
             .or_else(|| held(&self.trial(setting, &[right, wanted], &[Rel::Eq], Choices::default())))
     }
 
+    /// Whether two formulas are equal, whatever their letters mean.
+    pub(super) fn agree(&self, setting: &Setting, one: &Expr, other: &Expr) -> bool {
+        held(&self.bare(setting, one, other)).is_some()
+    }
+
     /// Two formulas without anything that the page says of their letters.
     fn bare<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
         let facts =
@@ -214,19 +219,18 @@ impl Checker {
     fn said_as_order(&self, size: &Expr, place: &Place) -> Option<bool> {
         let Kind::Name(letter) = &size.kind else { return None };
         let spoken = self.context.sizes_of(letter).filter(|declared| place.in_reach(&declared.place, false));
-        let mut said = None;
+        let (mut said, mut less) = (None, false);
         for declared in spoken {
+            // "of degree n - 1": n is no degree.
+            let other = declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1)));
             match declared.object.sort {
+                _ if other => less = true,
                 Sort::Order => said = said.or(Some(true)),
                 Sort::Degree => said = said.or(Some(false)),
-                _ => continue,
-            }
-            // "of degree n - 1": n is something else.
-            if declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1))) {
-                return None;
+                _ => {}
             }
         }
-        said
+        said.filter(|order| *order || !less)
     }
 }
 

@@ -32,6 +32,7 @@ mod sequences;
 mod tables;
 mod terms;
 mod token;
+mod truncated;
 
 #[cfg(test)]
 mod tests;

@@ -9,6 +9,7 @@ use super::commands::Role;
 use super::numbers::repeating;
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
+use super::truncated::{may_be_truncated, truncated};
 use crate::budget;
 use crate::formula::source::Span;
 use crate::formula::{BinomialStyle, Expr, Kind, Sign};
@@ -33,6 +34,8 @@ struct Scripts {
     lower: Option<Vec<Expr>>,
     upper: Option<Raise>,
     primes: u32,
+    /// Whether + stands below: a truncated power.
+    positive: bool,
 }
 
 impl Scripts {
@@ -280,11 +283,11 @@ impl Reader<'_> {
 
     /// A run of scripts and primes in any order; applied as subscript, primes, superscript.
     pub fn scripts(&mut self, base: Expr, start: usize, first: usize) -> Result<Expr> {
-        let scripts = self.script_run()?;
+        let scripts = self.script_run(may_be_truncated(&base))?;
         Ok(self.attached(base, scripts, start, first))
     }
 
-    fn script_run(&mut self) -> Result<Scripts> {
+    fn script_run(&mut self, truncatable: bool) -> Result<Scripts> {
         let mut scripts = Scripts::default();
         while let Some(kind) = self.peek() {
             match kind {
@@ -296,6 +299,10 @@ impl Reader<'_> {
                 }
                 Tok::Sub => {
                     self.bump();
+                    if truncatable && self.positive_part() {
+                        scripts.positive = true;
+                        continue;
+                    }
                     scripts.lower = Some(self.subscript()?);
                 }
                 Tok::Raised(false) => {
@@ -323,7 +330,14 @@ impl Reader<'_> {
     }
 
     fn attached(&self, base: Expr, scripts: Scripts, start: usize, first: usize) -> Expr {
-        let Scripts { lower, upper, primes } = scripts;
+        let Scripts { lower, upper, primes, positive } = scripts;
+        if let (true, None | Some(Raise::Nothing | Raise::Power(_))) = (positive, &upper) {
+            let exponent = match upper {
+                Some(Raise::Power(exponent)) => Some(exponent),
+                _ => None,
+            };
+            return self.node(truncated(base, exponent), start);
+        }
         let square = matches!(self.tokens[first].kind, Tok::Open(Fence::Square) | Tok::Left(Fence::Square));
         let (lower, upper) = match (lower, upper) {
             (Some(mut lower), Some(Raise::Power(above))) if primes == 0 => {

@@ -90,6 +90,12 @@ impl<'a> Reader<'a> {
         let mut at = 0;
         while at < self.tokens.len() {
             match &self.tokens[at] {
+                // "a real polynomial"
+                Token::Word(Word::Noun(Sort::Symbols | Sort::Vectors))
+                    if matches!(self.tokens.get(at + 1), Some(Token::Word(Word::Noun(_)))) =>
+                {
+                    at += 1;
+                }
                 Token::Word(Word::Noun(sort)) => {
                     let phrase = self.phrase(at, sort.clone());
                     at = phrase.to.max(at + 1);
@@ -162,7 +168,7 @@ impl<'a> Reader<'a> {
         }
         let subject = match named {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
-            _ => self.subjects_before(from).or_else(|| self.subject_after(to)),
+            _ => self.subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors)).or_else(|| self.subject_after(to)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
@@ -182,6 +188,15 @@ impl<'a> Reader<'a> {
             return;
         }
         let Some((names, number)) = subject else { return };
+        // "Let N be the B-spline of degree 3: its knots are …"
+        if let (Sort::Knots, [owner]) = (&object.sort, of.as_slice())
+            && let Some(known) = self.known(owner)
+        {
+            self.taken = to;
+            let object = Object { knots: names.clone(), ..known };
+            self.found.entry(number).or_default().push(object);
+            return;
+        }
         let whole = |expr: &Expr| expr.kind != Kind::Ellipsis && name_in(expr).is_none();
         if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
             return;
@@ -223,6 +238,13 @@ impl<'a> Reader<'a> {
         object.names = names;
         object.of = of.into_iter().next();
         self.found.entry(number).or_default().push(object);
+    }
+
+    /// What was said last of a name.
+    fn known(&self, name: &Expr) -> Option<Object> {
+        let own = |object: &&Object| object.names.iter().any(|known| known.same_as(name));
+        let splines = |object: &&Object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve);
+        self.found.values().rev().flat_map(|list| list.iter().rev()).filter(splines).find(own).cloned()
     }
 
     /// "Of degree n", "k is the order": which letter a size is.

@@ -120,7 +120,9 @@ impl Reader<'_> {
         // Adjectives, what owns it, its degree before it.
         while let Some(before) = from.checked_sub(1) {
             match &self.tokens[before] {
-                Token::Word(Word::Filler | Word::Article | Word::Der) => closed = true,
+                Token::Word(
+                    Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Vectors),
+                ) => closed = true,
                 Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
                 Token::Word(Word::Uniform) => object.uniform = true,
                 Token::Word(Word::Piece) => piece = true,
@@ -157,7 +159,7 @@ impl Reader<'_> {
                 Token::Word(Word::Rational) => rational = true,
                 // An adjective that is not known here may change everything.
                 Token::Unknown(word)
-                    if object.sort != Sort::Symbols
+                    if !matches!(object.sort, Sort::Symbols | Sort::Vectors)
                         && !closed
                         && !word.contains(' ')
                         && (self.is(before.wrapping_sub(1), &Word::Filler)
@@ -204,17 +206,19 @@ impl Reader<'_> {
         {
             (object.names, at) = self.list(first);
         }
-        // The knots t_0, …, t_3 are 0, 0, 1, 1; the control points 0, 4, 8
-        if matches!(object.sort, Sort::Knots | Sort::Nodes | Sort::ControlPoints) {
-            let named = number_of_name.is_some();
-            let start = self.skip_fillers(if self.is(at, &Word::Be) { at + 1 } else { at });
+        // Its knots are 0, 1, 2
+        if matches!(object.sort, Sort::Knots | Sort::Nodes) && number_of_name.is_none() && self.is(at, &Word::Be) {
+            let start = self.skip_fillers(at + 1);
             let (items, end) = self.list(start);
-            let constant = items.iter().all(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis);
-            let owned = object.sort == Sort::ControlPoints || named && start > at;
-            if items.len() > 1 && constant && owned {
-                object.values = items;
+            if !items.is_empty() {
+                object.names = items;
+                number_of_name = self.formula_at(start);
                 at = end;
             }
+        }
+        let named = number_of_name.is_some();
+        if let Some(end) = self.values(&mut object, at, named) {
+            at = end;
         }
         let mut phrase = Phrase {
             object,
@@ -235,6 +239,22 @@ impl Reader<'_> {
             let Some(end) = self.attribute(next, &mut phrase) else { break };
             phrase.to = end;
         }
+        // A spline on the knots t_0, …, t_3, namely 0, 0, 1, 1
+        if !phrase.object.knots.is_empty() {
+            let mut knots = Object { names: phrase.object.knots.clone(), ..Object::new(Sort::Knots) };
+            if let Some(end) = self.values(&mut knots, phrase.to, true) {
+                let named = (noun..end).find_map(|at| self.formula_at(at));
+                let (from, to) = (phrase.to, end);
+                phrase.inner.push(Phrase { object: knots, of: Vec::new(), piece: false, anonymous: false, from, to, named, inner: Vec::new() });
+                phrase.to = end;
+            }
+        }
+        // The knots t_0, …, t_3 of a quadratic spline are 0, 0, 1, 1
+        if phrase.object.values.is_empty()
+            && let Some(end) = self.values(&mut phrase.object, phrase.to, named)
+        {
+            phrase.to = end;
+        }
         let object = &mut phrase.object;
         // The Lagrange polynomials of x_0, …, x_n
         if object.sort == Sort::Lagrange && object.knots.is_empty() {
@@ -248,6 +268,28 @@ impl Reader<'_> {
             object.sort = Sort::Other("rational".into());
         }
         phrase
+    }
+
+    /// Reads the values of what was named: the knots t_0, …, t_3 are 0, 0, 1, 1; the control points 0, 4, 8.
+    fn values(&self, object: &mut Object, at: usize, named: bool) -> Option<usize> {
+        if !matches!(object.sort, Sort::Knots | Sort::Nodes | Sort::ControlPoints) {
+            return None;
+        }
+        let comma = usize::from(matches!(self.tokens.get(at), Some(Token::Comma)));
+        let linked = self.is(at + comma, &Word::Be);
+        let start = self.skip_fillers(if linked { at + comma + 1 } else { at });
+        let (items, end) = self.list(start);
+        let items: Vec<Expr> = match items.as_slice() {
+            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => inside.clone(),
+            _ => items,
+        };
+        let constant = items.iter().all(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis);
+        let owned = object.sort == Sort::ControlPoints || named && linked;
+        let given = items.len() > 1 && constant && owned;
+        given.then(|| {
+            object.values = items;
+            end
+        })
     }
 
     /// A number or formula that says a degree.

@@ -7,8 +7,9 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::Head;
 
 impl Reader<'_> {
-    /// The formulas right before a token that a phrase can be said of, and the number of the first one.
-    pub(super) fn subjects_before(&self, from: usize) -> Option<(Vec<Expr>, usize)> {
+    /// The formulas right before a token that a phrase can be said of, without values if it is said of `plain`
+    /// symbols, and the number of the first one.
+    pub(super) fn subjects_before(&self, from: usize, plain: bool) -> Option<(Vec<Expr>, usize)> {
         let mut at = from;
         while let Some(before) = at.checked_sub(1) {
             match &self.tokens[before] {
@@ -28,7 +29,9 @@ impl Reader<'_> {
             let range = matches!(own, [Expr { kind: Kind::Chain(_, links), .. }]
                 if links.iter().all(|link| !matches!(link.rel, Rel::Eq | Rel::Define)));
             if !range {
-                let names: Vec<Expr> = own.iter().filter_map(name_in).collect();
+                // "f(a, a, b) is a point" does not say what f is.
+                let named = |item: &&Expr| !plain || !matches!(left_side(item).kind, Kind::Apply(..));
+                let names: Vec<Expr> = own.iter().filter(named).filter_map(name_in).collect();
                 if names.len() != own.len() {
                     break;
                 }

@@ -36,7 +36,12 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
         if c == ' ' {
             rest = &rest[1..];
         } else if let Some((length, word)) = speech::word(rest) {
-            found.push(Token::Word(word.clone()));
+            let size = matches!(found.last(), Some(Token::Word(Word::Degree | Word::Order)));
+            found.push(match word {
+                Word::Count(count) if size => Token::Number(*count),
+                Word::Count(_) => Token::Word(Word::Filler),
+                word => Token::Word(word.clone()),
+            });
             rest = &rest[length..];
         } else if matches!(c, ',' | '，' | '、') {
             found.push(Token::Comma);

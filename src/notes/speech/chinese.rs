@@ -17,6 +17,18 @@ pub(super) const CUES: &[Cue] = &[
     Before("即", Role::Claimed),
     Before("得", Role::Claimed),
     Before("得到", Role::Claimed),
+    Before("得出", Role::Claimed),
+    Before("推出", Role::Claimed),
+    Before("可得", Role::Claimed),
+    Before("推得", Role::Claimed),
+    Before("便得", Role::Claimed),
+    Before("化为", Role::Claimed),
+    Before("由此得", Role::Claimed),
+    Before("由此可得", Role::Claimed),
+    Before("整理得", Role::Claimed),
+    Before("计算得", Role::Claimed),
+    Before("我们有", Role::Claimed),
+    Before("我们得到", Role::Claimed),
     Before("有", Role::Claimed),
     Before("可知", Role::Claimed),
     Before("则", Role::Claimed),
@@ -72,9 +84,12 @@ pub(super) const CUES: &[Cue] = &[
     Before("求", Role::Asked),
     Before("求解", Role::Asked),
     Before("解方程", Role::Asked),
-    Before("当且仅当", Role::Asked),
+    Before("当且仅当", Role::Equivalent),
     Before("是否", Role::Asked),
 ];
+
+/// Words that say 0.
+pub(super) const ZERO: &[&str] = &["0", "零"];
 
 pub(super) const FILLERS: &[&str] = &["时", "都", "也", "又", "再", "任意", "所有", "一切"];
 
@@ -154,6 +169,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("伯恩斯坦多项式", Noun(Sort::Bernstein)),
     ("伯恩斯坦基", Noun(Sort::Bernstein)),
     ("节点", Noun(Sort::Knots)),
+    ("整数节点", Noun(Sort::Knots)),
     ("节点向量", Noun(Sort::Knots)),
     ("结点", Noun(Sort::Knots)),
     ("节点序列", Noun(Sort::Knots)),
@@ -165,7 +181,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("自然数", Noun(Sort::Symbols)),
     ("数", Noun(Sort::Symbols)),
     ("点", Noun(Sort::Symbols)),
-    ("向量", Noun(Sort::Symbols)),
+    ("向量", Noun(Sort::Vectors)),
     ("常数", Noun(Sort::Symbols)),
     ("系数", Noun(Sort::Symbols)),
     ("参数", Noun(Sort::Symbols)),
@@ -245,6 +261,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("多仿射", Topic::PolarForm),
+    ("对称仿射", Topic::PolarForm),
+    ("对每个变量仿射", Topic::PolarForm),
+    ("关于每个变量", Topic::PolarForm),
     ("贝塞尔曲线", Topic::BezierCurve),
     ("bezier曲线", Topic::BezierCurve),
     ("bézier曲线", Topic::BezierCurve),

@@ -1,6 +1,6 @@
 //! English.
 
-use super::Cue::{After, Before};
+use super::Cue::{After, Before, Command};
 use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
 use crate::judge::object::Sort;
@@ -28,6 +28,27 @@ pub(super) const CUES: &[Cue] = &[
     Before("note that", Role::Claimed),
     Before("observe that", Role::Claimed),
     Before("recall that", Role::Claimed),
+    Before("arrive at", Role::Claimed),
+    Before("arrives at", Role::Claimed),
+    Before("arrived at", Role::Claimed),
+    Before("we infer", Role::Claimed),
+    Before("one infers", Role::Claimed),
+    Before("we infer that", Role::Claimed),
+    Before("we deduce", Role::Claimed),
+    Before("we deduce that", Role::Claimed),
+    Before("one deduces", Role::Claimed),
+    Before("leads to", Role::Claimed),
+    Before("leading to", Role::Claimed),
+    Before("led to", Role::Claimed),
+    Before("there results", Role::Claimed),
+    Before("results in", Role::Claimed),
+    Before("turns out to be", Role::Claimed),
+    Before("we read off", Role::Claimed),
+    Before("amounts to", Role::Claimed),
+    Before("simplifies to", Role::Claimed),
+    Before("reduces to", Role::Claimed),
+    Before("becomes", Role::Claimed),
+    Before("reads", Role::Claimed),
     Before("gives", Role::Claimed),
     Before("yields", Role::Claimed),
     Before("show that", Role::Claimed),
@@ -111,10 +132,10 @@ pub(super) const CUES: &[Cue] = &[
     After("is even", Role::Even),
     After("even", Role::Even),
     // What asserts nothing.
-    Before("solve", Role::Asked),
+    Command("solve", Role::Asked),
     Before("solving", Role::Asked),
-    Before("find", Role::Asked),
-    Before("determine", Role::Asked),
+    Command("find", Role::Asked),
+    Command("determine", Role::Asked),
     Before("we want", Role::Asked),
     Before("we want that", Role::Asked),
     Before("we need", Role::Assumed),
@@ -135,12 +156,21 @@ pub(super) const CUES: &[Cue] = &[
     Before("it is false that", Role::Asked),
     Before("it is not the case that", Role::Asked),
     Before("a common mistake is", Role::Asked),
-    Before("iff", Role::Asked),
-    Before("if and only if", Role::Asked),
-    Before("only if", Role::Asked),
+    Before("iff", Role::Equivalent),
+    Before("if and only if", Role::Equivalent),
+    Before("only if", Role::Equivalent),
+    Before("exactly if", Role::Equivalent),
+    Before("precisely if", Role::Equivalent),
+    Before("exactly when", Role::Equivalent),
+    Before("precisely when", Role::Equivalent),
+    Before("just when", Role::Equivalent),
+    Before("if and only if moreover", Role::Equivalent),
     After("holds", Role::Claimed),
     After("is true", Role::Claimed),
 ];
+
+/// Words that say 0.
+pub(super) const ZERO: &[&str] = &["0", "zero", "vanishes", "vanish"];
 
 pub(super) const FILLERS: &[&str] = &[
     "the",
@@ -204,6 +234,9 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("mean", Be),
+    ("means", Be),
+    ("namely", Be),
     ("from", Preposition),
     ("to", Preposition),
     ("between", Preposition),
@@ -229,6 +262,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("parabola", OfDegree(2)),
     ("linear", OfDegree(1)),
     ("affine", OfDegree(1)),
+    ("affine in", Preposition),
+    ("affine with respect to", Preposition),
+    ("linear in", Preposition),
     ("cubic", OfDegree(3)),
     ("cubics", OfDegree(3)),
     ("quartic", OfDegree(4)),
@@ -292,6 +328,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("bernstein basis polynomials", Noun(Sort::Bernstein)),
     ("bernstein basis functions", Noun(Sort::Bernstein)),
     ("knots", Noun(Sort::Knots)),
+    ("integer knots", Noun(Sort::Knots)),
+    ("simple knots", Noun(Sort::Knots)),
     ("knot vector", Noun(Sort::Knots)),
     ("knot sequence", Noun(Sort::Knots)),
     ("nodes", Noun(Sort::Nodes)),
@@ -306,8 +344,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("reals", Noun(Sort::Symbols)),
     ("point", Noun(Sort::Symbols)),
     ("points", Noun(Sort::Symbols)),
-    ("vector", Noun(Sort::Symbols)),
-    ("vectors", Noun(Sort::Symbols)),
+    ("vector", Noun(Sort::Vectors)),
+    ("vectors", Noun(Sort::Vectors)),
     ("scalar", Noun(Sort::Symbols)),
     ("scalars", Noun(Sort::Symbols)),
     ("constant", Noun(Sort::Symbols)),
@@ -382,6 +420,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("and", And),
     ("or", And),
     ("uniform", Uniform),
+    ("cardinal", Uniform),
     ("equidistant", Uniform),
     ("equally spaced", Uniform),
     ("segment", Piece),
@@ -393,15 +432,18 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("the", Filler),
     ("a", Article),
     ("an", Article),
-    ("one", Filler),
+    ("one", Count(1)),
     ("any", Filler),
     ("some", Filler),
     ("this", Filler),
     ("that", Filler),
     ("that is", Filler),
     ("i.e", Filler),
-    ("two", Filler),
-    ("three", Filler),
+    ("two", Count(2)),
+    ("three", Count(3)),
+    ("four", Count(4)),
+    ("five", Count(5)),
+    ("zero", Count(0)),
     ("corresponding", Filler),
     ("usual", Filler),
     ("univariate", Filler),
@@ -492,6 +534,13 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("multiaffine", Topic::PolarForm),
+    ("multi-affine", Topic::PolarForm),
+    ("triaffine", Topic::PolarForm),
+    ("biaffine", Topic::PolarForm),
+    ("affine in each", Topic::PolarForm),
+    ("affine in every", Topic::PolarForm),
+    ("affine in all", Topic::PolarForm),
     ("bézier curve", Topic::BezierCurve),
     ("bezier curve", Topic::BezierCurve),
     ("polar form", Topic::PolarForm),

@@ -10,6 +10,21 @@ use crate::judge::topic::Topic;
 pub(super) const CUES: &[Cue] = &[
     Before("on a", Role::Claimed),
     Before("on obtient", Role::Claimed),
+    Before("nous obtenons", Role::Claimed),
+    Before("on arrive à", Role::Claimed),
+    Before("conduit à", Role::Claimed),
+    Before("on en tire", Role::Claimed),
+    Before("il en résulte que", Role::Claimed),
+    Before("il en résulte", Role::Claimed),
+    Before("s'écrit", Role::Claimed),
+    Before("vaut", Role::Claimed),
+    Before("on voit que", Role::Claimed),
+    Before("par conséquent", Role::Claimed),
+    Before("on déduit", Role::Claimed),
+    Before("on en conclut que", Role::Claimed),
+    Before("nous trouvons", Role::Claimed),
+    Before("fournit", Role::Claimed),
+    Before("devient", Role::Claimed),
     Before("nous avons", Role::Claimed),
     Before("donne", Role::Claimed),
     Before("il vient", Role::Claimed),
@@ -82,10 +97,13 @@ pub(super) const CUES: &[Cue] = &[
     Before("trouver", Role::Asked),
     Before("l'équation", Role::Asked),
     Before("on veut", Role::Asked),
-    Before("si et seulement si", Role::Asked),
-    Before("ssi", Role::Asked),
+    Before("si et seulement si", Role::Equivalent),
+    Before("ssi", Role::Equivalent),
     Before("il est faux que", Role::Asked),
 ];
+
+/// Words that say 0.
+pub(super) const ZERO: &[&str] = &["0", "zéro", "nul", "nulle", "s'annule"];
 
 pub(super) const FILLERS: &[&str] = &[
     "le", "la", "les", "un", "une", "aussi", "encore", "toujours", "que", "tout", "tous", "toute", "entier",
@@ -110,6 +128,7 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("à savoir", Be),
     ("à", Preposition),
     ("entre", Preposition),
     ("dans", Preposition),
@@ -165,6 +184,11 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("polynôme de bernstein", Noun(Sort::Bernstein)),
     ("base de bernstein", Noun(Sort::Bernstein)),
     ("nœuds", Noun(Sort::Knots)),
+    ("nœuds entiers", Noun(Sort::Knots)),
+    ("affine en", Preposition),
+    ("affine par rapport à", Preposition),
+    ("affine par rapport", Preposition),
+    ("linéaire en", Preposition),
     ("noeuds", Noun(Sort::Knots)),
     ("vecteur nodal", Noun(Sort::Knots)),
     ("vecteur de nœuds", Noun(Sort::Knots)),
@@ -172,8 +196,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("matrices", Noun(Sort::Matrix)),
     ("nombre", Noun(Sort::Symbols)),
     ("nombres", Noun(Sort::Symbols)),
-    ("vecteur", Noun(Sort::Symbols)),
-    ("vecteurs", Noun(Sort::Symbols)),
+    ("vecteur", Noun(Sort::Vectors)),
+    ("vecteurs", Noun(Sort::Vectors)),
     ("scalaire", Noun(Sort::Symbols)),
     ("scalaires", Noun(Sort::Symbols)),
     ("constante", Noun(Sort::Symbols)),
@@ -284,6 +308,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("multiaffine", Topic::PolarForm),
+    ("multi-affine", Topic::PolarForm),
+    ("affine par rapport à chac", Topic::PolarForm),
+    ("affine en chac", Topic::PolarForm),
     ("courbe de bézier", Topic::BezierCurve),
     ("courbes de bézier", Topic::BezierCurve),
     ("forme polaire", Topic::PolarForm),

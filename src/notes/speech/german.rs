@@ -10,6 +10,29 @@ use crate::judge::topic::Topic;
 pub(super) const CUES: &[Cue] = &[
     Before("gilt", Role::Claimed),
     Before("es gilt", Role::Claimed),
+    Before("ergibt sich", Role::Claimed),
+    Before("erhalten wir", Role::Claimed),
+    Before("bekommt man", Role::Claimed),
+    Before("bekommen wir", Role::Claimed),
+    Before("man bekommt", Role::Claimed),
+    Before("man erhält", Role::Claimed),
+    Before("man findet", Role::Claimed),
+    Before("findet man", Role::Claimed),
+    Before("liefert", Role::Claimed),
+    Before("ergibt", Role::Claimed),
+    Before("lautet", Role::Claimed),
+    Before("führt auf", Role::Claimed),
+    Before("führt zu", Role::Claimed),
+    Before("führt das auf", Role::Claimed),
+    Before("folglich", Role::Claimed),
+    Before("folglich gilt", Role::Claimed),
+    Before("demnach", Role::Claimed),
+    Before("mithin", Role::Claimed),
+    Before("hieraus folgt", Role::Claimed),
+    Before("daraus folgt", Role::Claimed),
+    Before("es folgt", Role::Claimed),
+    Before("wird", Role::Claimed),
+    Before("beträgt", Role::Claimed),
     Before("folgt", Role::Claimed),
     Before("ist", Role::Claimed),
     Before("dann ist", Role::Claimed),
@@ -91,13 +114,16 @@ pub(super) const CUES: &[Cue] = &[
     Before("bestimme", Role::Asked),
     Before("gesucht", Role::Asked),
     Before("die gleichung", Role::Asked),
-    Before("genau dann, wenn", Role::Asked),
-    Before("genau dann wenn", Role::Asked),
+    Before("genau dann, wenn", Role::Equivalent),
+    Before("genau dann wenn", Role::Equivalent),
     Before("beweise oder widerlege", Role::Asked),
     Before("es ist falsch, dass", Role::Asked),
     Before("es ist falsch dass", Role::Asked),
     Before("ob", Role::Asked),
 ];
+
+/// Words that say 0.
+pub(super) const ZERO: &[&str] = &["0", "null", "verschwindet"];
 
 pub(super) const FILLERS: &[&str] = &[
     "die", "der", "das", "ein", "eine", "auch", "nun", "wieder", "immer", "dass", "alle", "jedes", "jede",
@@ -121,6 +147,9 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("verstehen wir", Be),
+    ("versteht man", Be),
+    ("nämlich", Be),
     ("durch", Preposition),
     ("bis", Preposition),
     ("zwischen", Preposition),
@@ -150,6 +179,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("lineare", OfDegree(1)),
     ("lineares", OfDegree(1)),
     ("affine", OfDegree(1)),
+    ("affin in", Preposition),
+    ("linear in", Preposition),
     ("affines", OfDegree(1)),
     ("kubische", OfDegree(3)),
     ("kubisches", OfDegree(3)),
@@ -201,6 +232,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("bernsteinpolynomen", Noun(Sort::Bernstein)),
     ("bernstein-polynomen", Noun(Sort::Bernstein)),
     ("knoten", Noun(Sort::Knots)),
+    ("ganzzahligen knoten", Noun(Sort::Knots)),
+    ("ganzzahlige knoten", Noun(Sort::Knots)),
     ("knotenvektor", Noun(Sort::Knots)),
     ("knotenfolge", Noun(Sort::Knots)),
     ("stützstellen", Noun(Sort::Nodes)),
@@ -210,8 +243,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("punkt", Noun(Sort::Symbols)),
     ("punkte", Noun(Sort::Symbols)),
     ("punkten", Noun(Sort::Symbols)),
-    ("vektor", Noun(Sort::Symbols)),
-    ("vektoren", Noun(Sort::Symbols)),
+    ("vektor", Noun(Sort::Vectors)),
+    ("vektoren", Noun(Sort::Vectors)),
     ("skalar", Noun(Sort::Symbols)),
     ("konstante", Noun(Sort::Symbols)),
     ("konstanten", Noun(Sort::Symbols)),
@@ -341,6 +374,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("multiaffin", Topic::PolarForm),
+    ("affin in jed", Topic::PolarForm),
+    ("in jedem argument affin", Topic::PolarForm),
+    ("in jeder variablen affin", Topic::PolarForm),
     ("bézierkurve", Topic::BezierCurve),
     ("polarform", Topic::PolarForm),
     ("graderhöh", Topic::Elevation),

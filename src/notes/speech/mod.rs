@@ -54,6 +54,8 @@ pub enum Word {
     And,
     /// "uniform".
     Uniform,
+    /// "two": after "degree" it is the degree.
+    Count(i64),
     /// "rational": with weights.
     Rational,
     /// "weights", after "with".
@@ -72,6 +74,8 @@ pub enum Word {
 enum Cue {
     /// It stands before the formula.
     Before(&'static str, Role),
+    /// It stands before the formula and orders: "find", but not "we square it and find".
+    Command(&'static str, Role),
     /// It stands alone before the formula, at the start of a sentence that goes on to a claim.
     Opening(&'static str, Role),
     /// It stands after the formula.
@@ -103,6 +107,8 @@ const PRIME: Sort = Sort::Other(Cow::Borrowed("prime"));
 
 struct Language {
     cues: &'static [Cue],
+    /// Words that say 0.
+    zero: &'static [&'static str],
     /// Words that may stand between a cue and its formula.
     fillers: &'static [&'static str],
     /// Labels of paragraphs.
@@ -118,6 +124,7 @@ struct Language {
 const LANGUAGES: &[Language] = &[
     Language {
         cues: english::CUES,
+        zero: english::ZERO,
         fillers: english::FILLERS,
         blocks: english::BLOCKS,
         words: english::WORDS,
@@ -126,6 +133,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: german::CUES,
+        zero: german::ZERO,
         fillers: german::FILLERS,
         blocks: german::BLOCKS,
         words: german::WORDS,
@@ -134,6 +142,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: french::CUES,
+        zero: french::ZERO,
         fillers: french::FILLERS,
         blocks: french::BLOCKS,
         words: french::WORDS,
@@ -142,6 +151,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: chinese::CUES,
+        zero: chinese::ZERO,
         fillers: chinese::FILLERS,
         blocks: chinese::BLOCKS,
         words: chinese::WORDS,
@@ -159,6 +169,8 @@ pub struct Around {
     pub right: String,
     /// Whether the formula is the first of its sentence.
     pub first: bool,
+    /// Whether the sentence begins by saying what "we" do.
+    pub ours: bool,
 }
 
 /// Small letters, single blanks, no marks of emphasis.
@@ -262,7 +274,11 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     for language in LANGUAGES {
         for cue in language.cues {
             let found = match cue {
-                Cue::Before(_, Role::Asked) if apart => None,
+                Cue::Before(_, Role::Asked) | Cue::Command(..) if apart => None,
+                Cue::Command(phrase, _) if around.ours && !left.ends_with(&format!("to {phrase}")) => {
+                    ends_with(&left, phrase, language).then_some((phrase, &Role::Claimed))
+                }
+                Cue::Command(phrase, role) => ends_with(&left, phrase, language).then_some((phrase, role)),
                 Cue::Before(phrase, role) => ends_with(&left, phrase, language).then_some((phrase, role)),
                 Cue::Opening(phrase, role) => {
                     (claims && around.first && left == *phrase).then_some((phrase, role))
@@ -280,6 +296,30 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
         }
     }
     best.map(|(_, role)| role)
+}
+
+/// Whether words say that something is 0 in all other cases: ", and zero elsewhere".
+pub fn zero_elsewhere(words: &str) -> bool {
+    let text = plain(words);
+    LANGUAGES.iter().any(|language| {
+        let has = |phrase: &str| {
+            text.match_indices(phrase).any(|(at, _)| {
+                let (before, after) = (&text[..at], &text[at + phrase.len()..]);
+                !language.spaced
+                    || !before.ends_with(char::is_alphanumeric) && !after.starts_with(char::is_alphanumeric)
+            })
+        };
+        let elsewhere = |cue: &Cue| match cue {
+            Cue::Before(phrase, Role::Elsewhere) | Cue::After(phrase, Role::Elsewhere) => has(phrase),
+            _ => false,
+        };
+        language.zero.iter().any(|word| has(word)) && language.cues.iter().any(elsewhere)
+    })
+}
+
+/// Whether a sentence that begins with these words says what "we" do.
+pub fn ours(words: &str) -> bool {
+    normal(words).split(' ').next().is_some_and(|first| matches!(first, "we" | "one"))
 }
 
 /// Whether the words only go on from the formula before: "and", "or", a comma. True for an alternative.
@@ -321,7 +361,7 @@ mod tests {
     use super::*;
 
     fn said(left: &str, right: &str) -> Option<Role> {
-        role(&Around { left: left.to_owned(), right: right.to_owned(), first: true }, true)
+        role(&Around { left: left.to_owned(), right: right.to_owned(), first: true, ours: false }, true)
     }
 
     #[test]

@@ -1,0 +1,191 @@
+//! A new formula for a name of which the page said something before: what was said has to hold with it.
+//!
+//! **Definition.** A *fact* about a name is an equation of the section that speaks of it, and that could not be
+//! judged because nothing said what the name is: p(0) = y_0, L_i(x_j) = δ_{ij}. Once a formula for the name is given,
+//! each fact is tried with it. It *fails* if both sides are made of the same symbols and differ.
+//!
+//! The formula is wrong if a fact fails. It is right if facts hold and decide: with each slip in its place some fact
+//! fails.
+
+use std::rc::Rc;
+
+use super::check::Checker;
+use super::compare;
+use super::context::{Body, Condition, Mark};
+use super::finding::{Finding, Verdict};
+use super::hypotheses::is_coefficient;
+use super::known::definable;
+use super::names::{Head, is_range};
+use super::repair;
+use super::statement::{Chain, Role, Side, Statement};
+use super::tally::Failure;
+use super::trial::{self, Facts, Setting};
+use super::witness;
+use crate::budget;
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::Value;
+use crate::language::write;
+use crate::math::poly::Symbol;
+
+/// A fact with the definition in question at hand.
+enum Tried {
+    Holds,
+    Fails(Box<Failure>),
+    /// It says nothing of this definition.
+    Open,
+}
+
+impl Checker {
+    /// Keeps what could not be judged: it may tell of a formula that comes later.
+    pub(super) fn remember(&mut self, chain: &Chain, statement: &Statement, findings: &[Finding]) {
+        for (at, finding) in findings.iter().enumerate() {
+            if finding.verdict == Verdict::Undecided && chain.relations[at].0 == Rel::Eq && !chain.blocked {
+                let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+                let expr = Expr::relation(left.clone(), Rel::Eq, right.clone());
+                let line = self.line(finding.span);
+                let place = statement.place.clone();
+                self.open.push(Condition { expr, assumed: !chain.conditions.is_empty(), place, line });
+            }
+        }
+    }
+
+    /// Judges a definition that a chain made, by the facts about its name.
+    pub(super) fn by_what_was_said(
+        &mut self,
+        chain: &Chain,
+        statement: &Statement,
+        findings: &mut [Finding],
+        before: Mark,
+    ) {
+        let made = self.context.definitions[before.definitions()..].first();
+        let Some(definition) = made.filter(|_| findings[0].verdict == Verdict::Definition) else { return };
+        let (head, right) = match &definition.body {
+            Body::Formula(body) => (definition.head.clone(), body.clone()),
+            Body::Value(_) => return,
+        };
+        let facts = self.facts_about(&head, statement, before);
+        if facts.is_empty() {
+            return;
+        }
+        let limits = self.limits.clone();
+        let finding = findings[0].clone();
+        let found = budget::run(&limits, || self.judged_by(&facts, chain, &right, statement, before, finding));
+        let Ok(Some(found)) = found else { return };
+        if found.verdict == Verdict::Refuted {
+            Rc::make_mut(&mut self.context).forget(before);
+        }
+        findings[0] = found;
+    }
+
+    /// The facts about a name, of its section, or of its paragraph if the formula is said to introduce it.
+    fn facts_about(&self, head: &Head, statement: &Statement, before: Mark) -> Vec<Condition> {
+        let place = &statement.place;
+        let told = |fact: &&Condition| {
+            place.in_reach(&fact.place, fact.assumed)
+                && place.sees(&fact.place)
+                && (fact.place.group == place.group || statement.role != Some(Role::Introduced))
+                && fact.place.formula < place.formula
+                && self.context.reached(&[&fact.expr], place).contains(&head.base)
+                && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)
+                && !is_range(&fact.expr)
+                && !gives(&fact.expr, head)
+                && !self.context.is_spoken_of_anew(&head.base, &fact.place, place)
+        };
+        self.context.conditions[..before.conditions()].iter().chain(&self.open).filter(told).cloned().collect()
+    }
+
+    /// The finding that the facts lead to.
+    fn judged_by(
+        &mut self,
+        facts: &[Condition],
+        chain: &Chain,
+        right: &Expr,
+        statement: &Statement,
+        before: Mark,
+        finding: Finding,
+    ) -> Option<Finding> {
+        let mut holding = Vec::new();
+        for fact in facts {
+            match self.tried(fact, statement, before) {
+                Tried::Holds => holding.push(fact),
+                Tried::Fails(failure) => {
+                    let told = write::text(&fact.expr);
+                    return Some(Finding {
+                        verdict: Verdict::Refuted,
+                        reason: Some(format!("with it {told}, which line {} says, is wrong", fact.line)),
+                        witness: witness::counterexample(&failure),
+                        ..finding
+                    });
+                }
+                Tried::Open => {}
+            }
+        }
+        let first = holding.first()?;
+        let start = budget::spent();
+        let left = &chain.sides[0].expr;
+        for edit in repair::edits(right, left, &None) {
+            if budget::spent() - start > trial::share(&self.limits, 2) {
+                return None;
+            }
+            let setting = self.setting(chain, &statement.place, None);
+            if self.agree(&setting, &edit, right) {
+                continue;
+            }
+            let kept = self.context.clone();
+            let mut changed = (*kept).clone();
+            changed.replace(before.definitions(), edit);
+            self.context = Rc::new(changed);
+            let noticed =
+                holding.iter().any(|fact| matches!(self.tried(fact, statement, before), Tried::Fails(_)));
+            self.context = kept;
+            if !noticed {
+                return None;
+            }
+        }
+        Some(Finding {
+            verdict: Verdict::Sampled,
+            reason: Some(format!("what line {} says determines it", first.line)),
+            ..finding
+        })
+    }
+
+    /// A fact with what is defined now.
+    fn tried(&self, fact: &Condition, statement: &Statement, before: Mark) -> Tried {
+        let Kind::Chain(left, links) = &fact.expr.kind else { return Tried::Open };
+        let side = |expr: &Expr| Side { expr: expr.clone(), latex: String::new() };
+        let chain = Chain::new(vec![side(left), side(&links[0].expr)], vec![(Rel::Eq, links[0].span)]);
+        // No fact proves itself.
+        let whole = self.setting(&chain, &statement.place, statement.curve());
+        let earlier: Vec<Expr> = whole.facts.earlier.iter().filter(|expr| is_range(expr)).cloned().collect();
+        let (reached, knot_letters) = (whole.facts.reached.clone(), whole.facts.knot_letters.clone());
+        let facts = Facts { near: 0, earlier, reached, knot_letters };
+        let setting = Setting { facts: Rc::new(facts), ..whole };
+        let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
+        let attempt = self.attempts(&setting, &sides, &[Rel::Eq]);
+        let tally = &attempt.outcomes.tallies[0];
+        if !tally.record.definitions.iter().any(|(number, _)| *number == before.definitions()) {
+            return Tried::Open;
+        }
+        if let Some(failure) = tally.fails.iter().find(|failure| self.is_certain(failure, statement)) {
+            return Tried::Fails(Box::new(failure.clone()));
+        }
+        if tally.nonzero > 0 { Tried::Holds } else { Tried::Open }
+    }
+
+    /// Whether both sides are made of the same symbols, and none of something that nobody introduced.
+    fn is_certain(&self, failure: &Failure, statement: &Statement) -> bool {
+        let known = |symbol: &Symbol| {
+            let name = symbol.base().trim_start_matches('[').trim_end_matches(']');
+            !is_coefficient(symbol) || self.context.object_called(name, &statement.place).is_some()
+        };
+        let symbols = |value: &Value| compare::symbols(value);
+        let (left, right) = (symbols(&failure.left), symbols(&failure.right));
+        left.iter().all(known) && left.iter().all(|s| right.contains(s)) && right.iter().all(|s| left.contains(s))
+    }
+}
+
+/// Whether an equation is another formula for a name.
+fn gives(fact: &Expr, head: &Head) -> bool {
+    let Kind::Chain(left, _) = &fact.kind else { return false };
+    definable(left).is_some_and(|own| own.base == head.base)
+}
