@@ -8,7 +8,7 @@ use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
 use super::names::{Head, is_index_letter, is_range};
-use super::object::{Declared, Object};
+use super::object::{Declared, Object, Sort};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use super::topic::Topic;
@@ -308,7 +308,7 @@ impl Checker {
         {
             // What is said to follow is a claim, if the facts say what its name is.
             // Facts that speak of it may say what it is already.
-            let spoken = || self.context.object(head, place).is_some() || self.is_constrained(head, place);
+            let spoken = || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
             let claims = statement.role == Some(Role::Claimed)
                 || !matches!(statement.role, Some(Role::Introduced)) && spoken();
             if claims && !defines {
@@ -408,7 +408,13 @@ impl Checker {
             && !head.lower.is_empty()
             && matches!(body.expr.kind, Kind::Cases(_))
             && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
-        if derivative || pieces || lint::missing_argument(head, &body.expr).is_some() {
+        // If p is prime, φ(p) = p - 1: of other p it says nothing.
+        let restricted = head.flat().iter().filter_map(|argument| Head::of(argument)).any(|argument| {
+            self.context
+                .object_called(&argument.base, place)
+                .is_some_and(|declared| matches!(declared.object.sort, Sort::Other(_)))
+        });
+        if derivative || pieces || restricted || lint::missing_argument(head, &body.expr).is_some() {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);

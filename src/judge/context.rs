@@ -103,6 +103,8 @@ pub struct Letters {
     pub pairs: BTreeSet<String>,
     /// Letters with an upper index that is no power: b_i^r.
     pub towers: BTreeSet<String>,
+    /// Whether members of a family B stand in an equation with binomial coefficients.
+    pub binomial_family: bool,
     /// Whether some family is numbered from 0.
     pub from_zero: bool,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
@@ -132,6 +134,22 @@ impl Definition {
     }
 }
 
+/// Whether a member of a family with the notation of Bernstein polynomials stands in a formula.
+fn has_bernstein(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        found |= Head::of(part)
+            .is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular));
+    });
+    found
+}
+
+fn has_factorials(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| found |= matches!(part.kind, Kind::Binomial(..) | Kind::Factorial(_)));
+    found
+}
+
 impl Letters {
     /// Looks through all formulas.
     pub fn of(statements: &[Statement]) -> Self {
@@ -139,16 +157,22 @@ impl Letters {
             functions: roles::NAMED_FUNCTIONS.iter().map(|name| (*name).to_owned()).collect(),
             ..Letters::default()
         };
+        let mut letters_seen = false;
         let mut look = |expr: &Expr| {
             walk(expr, &mut |part| letters.look(part));
         };
         for statement in statements {
             match &statement.said {
-                Said::Chain(chain) => chain.sides.iter().for_each(|side| look(&side.expr)),
+                Said::Chain(chain) => {
+                    let sides = || chain.sides.iter().map(|side| &side.expr);
+                    letters_seen |= sides().any(has_bernstein) && sides().any(has_factorials);
+                    sides().for_each(&mut look);
+                }
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
                 Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
+        letters.binomial_family = letters_seen;
         letters
     }
 

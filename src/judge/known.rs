@@ -9,13 +9,14 @@ use super::refute::calls;
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::Family;
+use crate::language::lexicon::words::is_function_word;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::Symbol;
 
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
 pub fn definable(expr: &Expr) -> Option<Head> {
-    let head = Head::of(expr)?;
+    let head = Head::of(expr).filter(|head| !is_function_word(&head.base))?;
     let simple = |index: &Expr| {
         matches!(
             index.kind,
@@ -82,7 +83,7 @@ pub fn definable(expr: &Expr) -> Option<Head> {
         }
         // S(x_i) is a value at a node.
         let at_node = !dots && own.lower.iter().any(|index| !matches!(index.kind, Kind::Number(_)))
-            || !dots && head.flat().len() == 1 && own.lower.len() == 1 && own.base == "x";
+            || !dots && head.flat().len() == 1 && own.lower.len() == 1;
         if at_node {
             return None;
         }
@@ -300,8 +301,8 @@ impl Checker {
     }
 
     /// Whether a hypothesis of the section speaks of a name.
-    pub(super) fn is_constrained(&self, head: &Head, place: &Place) -> bool {
-        self.conditions_on(&head.base, place)
+    pub(super) fn is_constrained(&self, base: &str, place: &Place) -> bool {
+        self.conditions_on(base, place)
             .any(|condition| matches!(&condition.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq))
     }
 

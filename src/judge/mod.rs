@@ -18,6 +18,7 @@ mod compare;
 mod conditions;
 mod context;
 mod declare;
+mod doubt;
 pub(crate) mod doubtful;
 pub mod evaluator;
 mod family;

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare;
+use super::doubt::Suspect;
 use super::context::{Body, Definition, is_variable};
 use super::features::has_structure;
 use super::hypotheses::is_coefficient;
@@ -62,8 +63,25 @@ pub fn is_standard(head: Option<&Head>) -> bool {
     head.is_some_and(|head| families::has_values(&head.base))
 }
 
-/// What a failing relation is.
+/// What a failing relation is: wrong only if nothing raises a doubt.
 pub fn decide(
+    checker: &Checker,
+    tally: &Tally,
+    outcomes: &Outcomes,
+    chain: &Chain,
+    at: usize,
+    statement: &Statement,
+    head: Option<&Head>,
+) -> Decision {
+    let decision = decided(checker, tally, outcomes, chain, at, statement, head);
+    let Decision::Refuted { failure, .. } = &decision else { return decision };
+    match (Suspect { checker, tally, chain, at, statement, failure }).doubt() {
+        Some(reason) => missing_or_redefinition(head, at == 0, &reason),
+        None => decision,
+    }
+}
+
+fn decided(
     checker: &Checker,
     tally: &Tally,
     outcomes: &Outcomes,

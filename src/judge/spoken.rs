@@ -63,7 +63,10 @@ impl Checker {
             Body::Formula(body) => (definition.head.clone(), body.clone()),
             Body::Value(_) => return,
         };
-        let facts = self.facts_about(&head, statement, before);
+        // A number in passing, h = 1, is no formula for it.
+        let formula = head.arguments.is_some()
+            || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
+        let facts = if formula { self.facts_about(&head, statement, before) } else { Vec::new() };
         if facts.is_empty() {
             return;
         }

@@ -5,6 +5,10 @@
 pub enum Topic {
     /// Bézier curves.
     BezierCurve,
+    /// Bernstein polynomials, and what is made of them.
+    Bernstein,
+    /// Numbers modulo another, finite fields.
+    Modular,
     /// Polar forms.
     PolarForm,
     /// The same curve with a higher degree.

@@ -360,7 +360,10 @@ impl<'a> Trial<'a> {
             let (left, right) = match (left_at.map(|i| &values[i]), &values[at + 1]) {
                 (Some(Ok(left)), Ok(right))
                     if left_at == Some(at)
-                        || (!may_skip(&values[at]) && matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define)) =>
+                        || !may_skip(&values[at])
+                            && self.relations[left_at.unwrap_or(at)..=at]
+                                .iter()
+                                .all(|rel| matches!(rel, Rel::Eq | Rel::Equiv | Rel::Define)) =>
                 {
                     (left, right)
                 }
@@ -410,7 +413,8 @@ impl<'a> Trial<'a> {
                         degree,
                         around: around.clone(),
                         inner,
-                        outside: is_outside(bound),
+                        outside: is_outside(bound)
+                            || degree.is_some_and(|degree| bound.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,
                         left: left.clone(),
                         right: right.clone(),

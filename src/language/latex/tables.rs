@@ -129,11 +129,24 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether nothing stands before the first `&` of a row; `None` if there is none, or no relation after it.
+    fn begins_blank(&self, row: Window) -> Option<bool> {
+        let column = row.clone().find(|&at| self.tokens[at].kind == Tok::Align)?;
+        if self.trim(row.start..column).is_empty() {
+            return Some(true);
+        }
+        let after = self.trim(column + 1..row.end);
+        after.clone().next().filter(|&at| matches!(self.tokens[at].kind, Tok::Rel(_))).map(|_| false)
+    }
+
     /// The formulas of a window: its rows, joined where one goes on with another. Rows that begin
     /// with a relation are joined only if `relations`.
     pub fn formulas(&self, window: Window, relations: bool) -> Vec<Window> {
         let mut formulas: Vec<Window> = Vec::new();
+        // Whether a row above stands on both sides of its `&`, with a relation after it.
+        let mut aligned = false;
         for row in self.split(window, |kind| kind == Tok::RowBreak) {
+            let blank = self.begins_blank(row.clone());
             let trimmed = self.trim(row);
             let Some(first) = trimmed.clone().next().map(|at| self.tokens[at].kind) else { continue };
             let goes_on = match first {
@@ -141,9 +154,11 @@ impl Reader<'_> {
                 Tok::Rel(Rel::Lt) if self.angle_end(trimmed.start).is_some() => false,
                 Tok::Rel(_) | Tok::Command(super::commands::Role::Stacked) => relations,
                 // `- t = …` is a formula of its own, `- t` the rest of one
-                Tok::Plus | Tok::Minus => !self.has_relation(trimmed.clone()),
-                kind => continues(kind),
+                Tok::Plus | Tok::Minus => !self.has_relation(trimmed.clone()) || aligned && blank == Some(true),
+                // `= (a + b)`, and below it `(a - b)`
+                kind => continues(kind) || aligned && blank == Some(true) && !self.has_relation(trimmed.clone()),
             };
+            aligned |= blank == Some(false);
             match formulas.last_mut() {
                 Some(above) if goes_on || waits(self.tokens[above.end - 1].kind) => above.end = trimmed.end,
                 _ => formulas.push(trimmed),

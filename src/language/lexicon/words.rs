@@ -6,6 +6,15 @@ const TRANSCENDENTAL: &[&str] = &[
     "tanh", "arcsin", "arccos", "arctan", "asin", "acos", "atan",
 ];
 
+/// Functions of linear algebra and of numbers that pages write as words.
+const OF_OBJECTS: &[&str] =
+    &["det", "tr", "rank", "rang", "dim", "ker", "deg", "grad", "gcd", "lcm", "ggT", "pgcd", "sgn", "arg", "max", "min", "sup", "inf"];
+
+/// Whether a word is a function everywhere, so that no formula for a value of it says what it is.
+pub fn is_function_word(word: &str) -> bool {
+    TRANSCENDENTAL.contains(&word) || OF_OBJECTS.contains(&word)
+}
+
 /// Words and what to write for them.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("let", "a definition is written x := 3"),

@@ -8,6 +8,8 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    After("矛盾", Role::Asked),
+    After("这是不可能的", Role::Asked),
     Before("所以", Role::Claimed),
     Before("特别地", Role::Claimed),
     Before("故", Role::Claimed),
@@ -261,6 +263,13 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("伯恩斯坦", Topic::Bernstein),
+    ("贝塞尔", Topic::Bernstein),
+    ("贝齐尔", Topic::Bernstein),
+    ("极形式", Topic::Bernstein),
+    ("同余", Topic::Modular),
+    ("模 ", Topic::Modular),
+    ("有限域", Topic::Modular),
     ("多仿射", Topic::PolarForm),
     ("对称仿射", Topic::PolarForm),
     ("对每个变量仿射", Topic::PolarForm),

@@ -8,6 +8,13 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    After("which contradicts", Role::Asked),
+    After("contradicting", Role::Asked),
+    After("a contradiction", Role::Asked),
+    After("which is a contradiction", Role::Asked),
+    After("which is impossible", Role::Asked),
+    After("which is absurd", Role::Asked),
+    After("is a contradiction", Role::Asked),
     // Claims.
     Before("then", Role::Claimed),
     Before("so", Role::Claimed),
@@ -18,6 +25,10 @@ pub(super) const CUES: &[Cue] = &[
     Before("it follows that", Role::Claimed),
     Before("we have", Role::Claimed),
     Before("we get", Role::Claimed),
+    Before("one gets", Role::Claimed),
+    Before("one obtains", Role::Claimed),
+    Before("one finds", Role::Claimed),
+    Before("it satisfies", Role::Claimed),
     Before("we obtain", Role::Claimed),
     Before("we find", Role::Claimed),
     Before("we see that", Role::Claimed),
@@ -150,6 +161,9 @@ pub(super) const CUES: &[Cue] = &[
     Before("prove or disprove that", Role::Asked),
     Before("is it true that", Role::Asked),
     Before("whether", Role::Asked),
+    Before("may have", Role::Asked),
+    Before("it may happen that", Role::Asked),
+    Before("it is possible that", Role::Asked),
     Before("decide whether", Role::Asked),
     Before("it is wrong that", Role::Asked),
     Before("it is not true that", Role::Asked),
@@ -534,6 +548,17 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("bernstein", Topic::Bernstein),
+    ("bézier", Topic::Bernstein),
+    ("bezier", Topic::Bernstein),
+    ("casteljau", Topic::Bernstein),
+    ("blossom", Topic::Bernstein),
+    ("polar form", Topic::Bernstein),
+    ("modulo", Topic::Modular),
+    ("mod ", Topic::Modular),
+    ("congruen", Topic::Modular),
+    ("finite field", Topic::Modular),
+    ("residue", Topic::Modular),
     ("multiaffine", Topic::PolarForm),
     ("multi-affine", Topic::PolarForm),
     ("triaffine", Topic::PolarForm),

@@ -8,6 +8,10 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    After("ce qui est absurde", Role::Asked),
+    After("contradiction", Role::Asked),
+    After("ce qui est impossible", Role::Asked),
+    After("ce qui contredit", Role::Asked),
     Before("on a", Role::Claimed),
     Before("on obtient", Role::Claimed),
     Before("nous obtenons", Role::Claimed),
@@ -308,6 +312,11 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("forme polaire", Topic::Bernstein),
+    ("formes polaires", Topic::Bernstein),
+    ("modulo", Topic::Modular),
+    ("congru", Topic::Modular),
+    ("corps fini", Topic::Modular),
     ("multiaffine", Topic::PolarForm),
     ("multi-affine", Topic::PolarForm),
     ("affine par rapport à chac", Topic::PolarForm),

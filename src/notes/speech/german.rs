@@ -8,6 +8,10 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    After("widerspruch", Role::Asked),
+    After("im widerspruch", Role::Asked),
+    After("ein widerspruch", Role::Asked),
+    After("was unmöglich ist", Role::Asked),
     Before("gilt", Role::Claimed),
     Before("es gilt", Role::Claimed),
     Before("ergibt sich", Role::Claimed),
@@ -374,6 +378,11 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("polarform", Topic::Bernstein),
+    ("modulo", Topic::Modular),
+    ("restklasse", Topic::Modular),
+    ("kongruen", Topic::Modular),
+    ("endlichen körper", Topic::Modular),
     ("multiaffin", Topic::PolarForm),
     ("affin in jed", Topic::PolarForm),
     ("in jedem argument affin", Topic::PolarForm),

@@ -208,6 +208,11 @@ pub fn word(text: &str) -> Option<(usize, &'static Word)> {
     best
 }
 
+/// Whether a word goes on with a character: Chinese has no blanks around the words of other languages.
+fn is_letter(c: char) -> bool {
+    c.is_alphanumeric() && !('\u{2e80}'..='\u{ffef}').contains(&c)
+}
+
 /// Adds what words speak of.
 ///
 /// Cost: linear in the words, times the number of topics.
@@ -217,8 +222,8 @@ pub fn topics(words: &str, found: &mut Topics) {
         let mentions = |phrase: &str, whole: bool| {
             text.match_indices(phrase).any(|(at, _)| {
                 let (before, after) = (&text[..at], &text[at + phrase.len()..]);
-                let begins = !before.ends_with(char::is_alphanumeric);
-                let ends = !whole || !after.starts_with(char::is_alphanumeric);
+                let begins = !before.ends_with(is_letter);
+                let ends = !whole || !after.starts_with(is_letter);
                 !language.spaced || begins && ends
             })
         };
