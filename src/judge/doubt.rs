@@ -37,7 +37,7 @@ impl Suspect<'_> {
     /// Why it may not be wrong after all.
     pub(super) fn doubt(&self) -> Option<String> {
         let off = std::env::var("DOUBT_OFF").unwrap_or_default();
-        let rules: [(&str, fn(&Self) -> Option<String>); 12] = [
+        let rules: [(&str, fn(&Self) -> Option<String>); 13] = [
             ("far", Self::rests_on_another_section),
             ("fun", Self::unknown_function),
             ("op", Self::operator),
@@ -50,6 +50,7 @@ impl Suspect<'_> {
             ("sym", Self::symbols_on_one_side),
             ("brk", Self::brackets),
             ("word", Self::word),
+            ("alt", Self::alternative),
         ];
         rules.into_iter().filter(|(name, _)| !off.contains(name)).find_map(|(name, rule)| {
             let found = rule(self)?;
@@ -230,8 +231,8 @@ impl Suspect<'_> {
             !member(body) && !definition.head.lower.iter().all(number)
         };
         let recursive = !head.lower.is_empty() && member(right);
-        let numbers = self.claimed() && self.symbols().is_empty();
         let ahead = head.arguments.is_none() && head.lower.iter().any(|index| matches!(index.kind, Kind::Add(_)));
+        let numbers = !ahead && self.claimed() && self.symbols().is_empty();
         let known = head.notation().is_some()
             || context.object_called(&head.base, place).is_some()
             || numbers
@@ -300,6 +301,11 @@ impl Suspect<'_> {
             }
             _ => false,
         });
+        // Those of a factorisation have properties that words give.
+        let determinant = self.any(&mut |part| matches!(&part.kind, Kind::Name(name) if name == "det"));
+        if determinant && self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix")) {
+            return Some("which matrices these are is not said".to_owned());
+        }
         let name = unknown.filter(|_| matrix || declared)?;
         Some(format!("{name} may be a matrix"))
     }
@@ -312,14 +318,18 @@ impl Suspect<'_> {
         if self.statement.role == Some(Role::Introduced) {
             return Some("a condition".to_owned());
         }
-        let symbols = self.symbols();
-        let free = symbols.iter().find(|symbol| {
-            let restricted = self.checker.is_restricted(symbol.base(), &self.statement.place)
-                || self.chain.conditions.iter().any(|condition| bases(condition).contains(symbol.base()));
-            !(restricted || self.chain.universal || self.tally.record.unit && symbol.is_plain())
-        });
-        if let Some(symbol) = free {
-            return Some(format!("for which {symbol} it is meant is not said"));
+        let ranged = |name: &str, plain: bool| {
+            self.checker.is_restricted(name, &self.statement.place)
+                || self.chain.conditions.iter().any(|condition| bases(condition).contains(name))
+                || self.chain.universal
+                || self.tally.record.unit && plain
+        };
+        let written = || self.sides().into_iter().flat_map(bases).filter(|name| is_variable(name));
+        let free = self.symbols().into_iter().map(|symbol| (symbol.base().to_owned(), symbol.is_plain()));
+        if let Some((name, _)) =
+            free.chain(written().map(|name| (name, true))).find(|(name, plain)| !ranged(name, *plain))
+        {
+            return Some(format!("for which {name} it is meant is not said"));
         }
         let integer = self.failure.integers.iter().find(|(name, value)| {
             *value < 2 && !self.chain.conditions.iter().any(|condition| bases(condition).contains(name))
@@ -357,7 +367,9 @@ impl Suspect<'_> {
             return Some("it may be meant modulo a number".to_owned());
         }
         // The Legendre symbol of 2 and 5
-        let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..)));
+        let quotient = |side: &Expr| {
+            matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)))
+        };
         if self.sides().into_iter().any(quotient) {
             return Some("the bracket may be a symbol".to_owned());
         }
@@ -403,6 +415,17 @@ impl Suspect<'_> {
                 && !self.checker.is_restricted(name, place)
                 && !self.checker.is_constrained(name, place)
         };
+        // Members of a family with upper indices of which nothing is said
+        let tower = |symbols: &[Symbol], others: &[Symbol]| {
+            symbols.iter().any(|symbol| {
+                !symbol.upper().is_empty()
+                    && !others.contains(symbol)
+                    && self.checker.context.object_called(symbol.base(), place).is_none()
+            })
+        };
+        if tower(&left, &right) && tower(&right, &left) && self.tally.determined == 0 {
+            return Some("a condition on the members of a family".to_owned());
+        }
         // y_2 beside y_1: another datum
         let single = |value: &Value, others: &[Symbol]| {
             let Value::Scalar(scalar) = value else { return false };
@@ -442,6 +465,21 @@ impl Suspect<'_> {
         counted.then(|| "a condition stands in brackets".to_owned())
     }
 
+    /// r(t) = …, and below it r(t) = …: two examples, unless the second is said to follow.
+    fn alternative(&self) -> Option<String> {
+        let [left, right] = self.sides();
+        let head = Head::of(left).filter(|head| head.arguments.is_some() && head.notation().is_none())?;
+        let own: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
+        let closed = |body: &Expr| bases(body).iter().all(|name| own.contains(name) || is_index_letter(name));
+        let plain = head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
+        let before = self.tally.record.definitions.iter().any(|(number, _)| {
+            let definition = &self.checker.context.definitions[*number];
+            definition.head.base == head.base && matches!(&definition.body, Body::Formula(body) if closed(body))
+        });
+        (self.at == 0 && !self.claimed() && plain && closed(right) && before)
+            .then(|| format!("it may be another {}", head.base))
+    }
+
     /// Letters side by side that make a word.
     fn word(&self) -> Option<String> {
         let mut found: Option<String> = None;
@@ -465,7 +503,7 @@ impl Suspect<'_> {
                         None => run.clear(),
                     }
                     end = factor.span.end;
-                    if run.chars().count() >= 5 {
+                    if run.chars().count() >= 5 || speech_word(&run) {
                         found = Some(run.clone());
                     }
                 }
@@ -473,6 +511,11 @@ impl Suspect<'_> {
         }
         found.map(|word| format!("{word} may be a word"))
     }
+}
+
+/// Words that join conditions; nobody multiplies these letters in this order.
+fn speech_word(run: &str) -> bool {
+    matches!(run, "or" | "ou" | "if" | "si" | "and" | "et" | "und" | "oder" | "sonst" | "wenn" | "for" | "pour" | "sinon" | "else")
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {

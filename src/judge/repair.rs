@@ -388,6 +388,15 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 }
             }
             if in_index {
+                // n + 1 − k for n + 1
+                for name in &pool.integers {
+                    let names: Vec<&Expr> = terms.iter().map(|term| &term.expr).collect();
+                    if !names.iter().any(|known| matches!(&known.kind, Kind::Name(own) if own == name)) {
+                        let mut changed = terms.clone();
+                        changed.push(Term { sign: Sign::Minus, expr: Expr::name(name) });
+                        list.push((3, new(Kind::Add(changed))));
+                    }
+                }
                 // n − k for n − 2, by a letter that occurs
                 for (i, term) in terms.iter().enumerate().skip(1) {
                     if matches!(term.expr.kind, Kind::Number(_)) {

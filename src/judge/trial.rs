@@ -406,6 +406,10 @@ impl<'a> Trial<'a> {
                     tally.nonzero += usize::from(!is_zero(left));
                     tally.holds_inner += usize::from(inner);
                 }
+                // t = arcsin 0 = 0: what stands between is not understood.
+                Outcome::Fails(_) if left_at != Some(at) => {
+                    tally.unclear.push("the side before is not understood".to_owned());
+                }
                 Outcome::Fails(_) => {
                     valid = true;
                     tally.fails.push(Failure {

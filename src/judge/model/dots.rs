@@ -25,6 +25,18 @@ type Combine = fn(Value, Value) -> Evaluated;
 impl Model {
     /// A sum; dots in it are written out.
     pub(super) fn sum(&self, machine: &mut Machine, terms: &[Term], expr: &Expr) -> Option<Evaluated> {
+        // a_0 + … a_n, without a sign after the dots
+        let apart: Vec<Term> = terms
+            .iter()
+            .flat_map(|term| match &term.expr.kind {
+                Kind::Mul(factors) if factors.len() > 1 && factors[0].kind == Kind::Ellipsis => {
+                    let rest = Expr::product(factors[1..].to_vec());
+                    vec![Term { expr: factors[0].clone(), ..term.clone() }, Term { expr: rest, ..term.clone() }]
+                }
+                _ => vec![term.clone()],
+            })
+            .collect();
+        let terms = apart.as_slice();
         let dots = terms.iter().position(|term| term.expr.kind == Kind::Ellipsis)?;
         let signed = |term: &Term| match term.sign {
             Sign::Plus => term.expr.clone(),
@@ -97,7 +109,21 @@ impl Model {
             return Err(unclear("what the dots stand for", expr));
         };
         let rest = &after[1..];
-        let mut total = match self.by_template(machine, before, last, combine, neutral)? {
+        let template = self.by_template(machine, before, last, combine, neutral)?;
+        // 1/(n+1) + … + 1/(2n): by steps of one, or of two?
+        if let (Some(total), [_]) = (&template, before)
+            && let Some(parts) = self.by_steps(machine, before, nearest, last)?
+        {
+            let mut other = neutral.clone();
+            for part in parts {
+                let value = machine.eval(&part)?;
+                other = combine(other, value)?;
+            }
+            if other != *total {
+                return Err(unclear("what the dots stand for", expr));
+            }
+        }
+        let mut total = match template {
             Some(total) => total,
             None => {
                 let parts = match self.by_steps(machine, before, nearest, last)? {

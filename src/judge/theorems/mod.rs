@@ -138,7 +138,9 @@ impl Checker {
         if doubt {
             return None;
         }
-        let meant = instances.iter().filter(|instance| instance.certain && !instance.shifted);
+        let meant = instances
+            .iter()
+            .filter(|instance| instance.certain && !instance.shifted && alike(right, &instance.right));
         let one_slip_away = |instance: &Instance| {
             let edits = repair::edits(right, left, &None).into_iter();
             let mut edits = edits.take_while(|_| !long());
@@ -232,6 +234,30 @@ impl Checker {
         }
         said.filter(|order| *order || !less)
     }
+}
+
+/// Whether a formula has about the form of a theorem: as many members of families, or one more or fewer of many,
+/// and no sum that has no terms to speak of.
+fn alike(right: &Expr, wanted: &Expr) -> bool {
+    let members = |expr: &Expr| {
+        let (mut count, mut trivial) = (0usize, false);
+        walk(expr, &mut |part| match &part.kind {
+            Kind::Subscript(..) => count += 1,
+            Kind::Big { upper: Some(upper), .. } => {
+                trivial |= matches!(&upper.kind, Kind::Number(q) if *q <= crate::math::number::integer(1));
+            }
+            _ => {}
+        });
+        (count, trivial)
+    };
+    let ((own, _), (theirs, trivial)) = (members(right), members(wanted));
+    let sum = |expr: &Expr| {
+        let mut found = false;
+        walk(expr, &mut |part| found |= matches!(part.kind, Kind::Big { .. }));
+        found
+    };
+    let written_out = sum(wanted) && !sum(right) && own > 1;
+    !trivial && (own == theirs || theirs > 2 && own.abs_diff(theirs) == 1 || written_out)
 }
 
 /// What came of two formulas that are equal wherever they make sense.

@@ -120,6 +120,11 @@ impl Reader<'_> {
     fn accented(&mut self, accent: Accent) -> Result<Expr> {
         let start = self.bump().start;
         let body = self.argument()?;
+        // \mathbf{B'} is the derivative of \mathbf B.
+        if let Kind::Prime(function, order) = body.kind {
+            let function = self.node(Kind::Accent(accent, function), start);
+            return Ok(self.node(Kind::Prime(Box::new(function), order), start));
+        }
         Ok(self.node(Kind::Accent(accent, Box::new(body)), start))
     }
 
