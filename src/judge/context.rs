@@ -12,6 +12,7 @@ use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
+use crate::math::number::Rational;
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
@@ -105,6 +106,10 @@ pub struct Letters {
     pub towers: BTreeSet<String>,
     /// Whether members of a family B stand in an equation with binomial coefficients.
     pub binomial_family: bool,
+    /// The lengths of the intervals between numbers.
+    lengths: BTreeSet<Rational>,
+    /// Whether lengths or ratios of intervals have names: h_0, Δ_1, u_1 - u_0.
+    ratios: bool,
     /// Whether some family is numbered from 0.
     pub from_zero: bool,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
@@ -194,7 +199,14 @@ impl Letters {
                     self.functions.insert(head.base);
                 }
             }
+            Kind::List(ends) => {
+                if let [Expr { kind: Kind::Number(from), .. }, Expr { kind: Kind::Number(to), .. }] = ends.as_slice() {
+                    self.lengths.insert(to - from);
+                }
+            }
             Kind::Subscript(base, lower) => {
+                self.ratios |= matches!(&base.kind, Kind::Name(name)
+                    if matches!(name.as_str(), "h" | "Delta" | "delta" | "u" | "t" | "tau" | "lambda"));
                 self.from_zero |= lower.iter().any(|index| {
                     matches!(&index.kind, Kind::Number(q) if num_traits::Zero::is_zero(q))
                 });
@@ -245,6 +257,11 @@ impl Letters {
             [false, true] => Some(false),
             _ => None,
         }
+    }
+
+    /// Whether the page speaks of no intervals of different lengths.
+    pub fn has_one_length(&self) -> bool {
+        self.lengths.len() < 2 && !self.ratios
     }
 
     /// Whether a letter is applied like a function.

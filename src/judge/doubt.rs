@@ -37,7 +37,7 @@ impl Suspect<'_> {
     /// Why it may not be wrong after all.
     pub(super) fn doubt(&self) -> Option<String> {
         let off = std::env::var("DOUBT_OFF").unwrap_or_default();
-        let rules: [(&str, fn(&Self) -> Option<String>); 13] = [
+        let rules: [(&str, fn(&Self) -> Option<String>); 15] = [
             ("far", Self::rests_on_another_section),
             ("fun", Self::unknown_function),
             ("op", Self::operator),
@@ -51,6 +51,8 @@ impl Suspect<'_> {
             ("brk", Self::brackets),
             ("word", Self::word),
             ("alt", Self::alternative),
+            ("deg", Self::some_degrees),
+            ("ex", Self::members_of_an_example),
         ];
         rules.into_iter().filter(|(name, _)| !off.contains(name)).find_map(|(name, rule)| {
             let found = rule(self)?;
@@ -159,6 +161,18 @@ impl Suspect<'_> {
         if inverse {
             return Some("it may be an inverse function".to_owned());
         }
+        // b^0(0): a value of b^0, or a product?
+        let value = self.any(&mut |part| match &part.kind {
+            Kind::Mul(factors) => factors.windows(2).any(|pair| {
+                matches!((&pair[0].kind, &pair[1].kind), (Kind::Pow(base, _), Kind::Group(inner))
+                    if matches!(&base.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()))
+                        && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)))
+            }),
+            _ => false,
+        });
+        if value {
+            return Some("what stands before the bracket may be a function".to_owned());
+        }
         // ΔS_i, where nothing says of what sequence it is a difference
         let difference = self.any(&mut |part| match &part.kind {
             Kind::Mul(factors) => factors.windows(2).any(|pair| {
@@ -183,6 +197,24 @@ impl Suspect<'_> {
             || Head::of(self.sides()[0]).is_some_and(|head| !head.upper.is_empty() && head.lower.is_empty());
         if equation && first && name && !known && !self.claimed() {
             return Some("it may say what its left side is".to_owned());
+        }
+        let name_only = |expr: &Expr| {
+            Head::of(expr).is_some_and(|head| head.arguments.is_none() && !head.lower.is_empty() && head.notation().is_none())
+                && !self.checker.context.object(&Head::of(expr).expect("just taken apart"), &self.statement.place).is_some()
+        };
+        let [one, other] = self.sides();
+        if equation && name_only(one) && name_only(other) && self.tally.determined == 0 {
+            return Some("it may say what these names stand for".to_owned());
+        }
+        // x_1^2 - 4 x_1 x_2 + 1 = 0, where x_1 and x_2 were numbers in an example
+        let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
+        let valued = self.tally.record.definitions.iter().any(|(number, _)| {
+            let definition = &self.checker.context.definitions[*number];
+            definition.head.arguments.is_none() && matches!(&definition.body, Body::Formula(body) if bases(body).is_empty())
+        });
+        let called = self.any(&mut |part| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. }));
+        if equation && valued && !called && (zero(one) || zero(other)) {
+            return Some("it may be an equation to be solved".to_owned());
         }
         // P(α) = 0 is an equation for α.
         let root = |call: &Expr, value: &Expr| {
@@ -480,6 +512,34 @@ impl Suspect<'_> {
             .then(|| format!("it may be another {}", head.base))
     }
 
+    /// What holds for some degrees, and is meant for them: ℓ_0(x_1) = 0 needs two nodes.
+    fn some_degrees(&self) -> Option<String> {
+        let failed: BTreeSet<usize> = self.tally.fails.iter().map(|failure| failure.degree).collect::<Option<_>>()?;
+        (self.failure.integers.is_empty() && self.tally.holds > 0 && (1..=4).any(|degree| !failed.contains(&degree)))
+            .then(|| "true for some degrees only: which one is meant?".to_owned())
+    }
+
+    /// A sum over all w_j, of which the page gave those of an example.
+    fn members_of_an_example(&self) -> Option<String> {
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let definitions = self.tally.record.definitions.iter().map(|(n, _)| &self.checker.context.definitions[*n]);
+        let given: BTreeSet<&str> = definitions
+            .filter(|definition| !definition.head.lower.is_empty() && definition.head.lower.iter().all(number))
+            .filter(|definition| definition.head.arguments.is_none() && definition.head.upper.is_empty())
+            .map(|definition| definition.head.base.as_str())
+            .collect();
+        if self.failure.integers.is_empty() || given.is_empty() {
+            return None;
+        }
+        let general = self.any(&mut |part| match &part.kind {
+            Kind::Big { upper: Some(upper), body, .. } => {
+                !number(upper) && bases(body).iter().any(|name| given.contains(name.as_str()))
+            }
+            _ => false,
+        });
+        general.then(|| "the members of an example may not be meant here".to_owned())
+    }
+
     /// Letters side by side that make a word.
     fn word(&self) -> Option<String> {
         let mut found: Option<String> = None;
@@ -511,6 +571,16 @@ impl Suspect<'_> {
         }
         found.map(|word| format!("{word} may be a word"))
     }
+}
+
+/// Whether a name stands in formulas outside of one part of them.
+fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
+    let count = |expr: &Expr| {
+        let mut found = 0;
+        walk(expr, &mut |inner| found += usize::from(matches!(&inner.kind, Kind::Name(own) if own == name)));
+        found
+    };
+    sides.iter().map(|side| count(side)).sum::<usize>() > count(part)
 }
 
 /// Words that join conditions; nobody multiplies these letters in this order.

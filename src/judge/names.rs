@@ -79,6 +79,7 @@ impl Head {
                 head.arguments = Some(groups.clone());
                 Some(head)
             }
+            Kind::Group(inner) => operator(inner),
             _ => None,
         }
     }
@@ -87,6 +88,17 @@ impl Head {
     pub fn flat(&self) -> Vec<&Expr> {
         self.arguments.iter().flatten().flatten().collect()
     }
+}
+
+/// (B_n f)(x): an operator with an index, and what it is applied to, make one name.
+fn operator(product: &Expr) -> Option<Head> {
+    let Kind::Mul(factors) = &product.kind else { return None };
+    let [operator, function] = factors.as_slice() else { return None };
+    let plain = |head: &Head| head.arguments.is_none() && head.upper.is_empty();
+    let mut head = Head::of(operator).filter(|head| plain(head) && head.lower.len() == 1)?;
+    let of = Head::of(function).filter(|head| plain(head) && head.lower.is_empty())?;
+    head.base = format!("{}[{}]", head.base, of.base);
+    Some(head)
 }
 
 /// The index 01 stands for 0, 1: a number of a row and one of a column; so does ij for i, j.

@@ -19,7 +19,7 @@ use super::names::{Head, is_range};
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
 use super::tally::Failure;
-use super::trial::{self, Facts, Setting};
+use super::trial;
 use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
@@ -91,7 +91,7 @@ impl Checker {
                 && self.context.reached(&[&fact.expr], place).contains(&head.base)
                 && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)
                 && !is_range(&fact.expr)
-                && !gives(&fact.expr, head)
+                && !gives(&fact.expr)
                 && !self.context.is_spoken_of_anew(&head.base, &fact.place, place)
         };
         self.context.conditions[..before.conditions()].iter().chain(&self.open).filter(told).cloned().collect()
@@ -157,20 +157,16 @@ impl Checker {
         let Kind::Chain(left, links) = &fact.expr.kind else { return Tried::Open };
         let side = |expr: &Expr| Side { expr: expr.clone(), latex: String::new() };
         let chain = Chain::new(vec![side(left), side(&links[0].expr)], vec![(Rel::Eq, links[0].span)]);
-        // No fact proves itself.
-        let whole = self.setting(&chain, &statement.place, statement.curve());
-        let earlier: Vec<Expr> = whole.facts.earlier.iter().filter(|expr| is_range(expr)).cloned().collect();
-        let (reached, knot_letters) = (whole.facts.reached.clone(), whole.facts.knot_letters.clone());
-        let facts = Facts { near: 0, earlier, reached, knot_letters };
-        let setting = Setting { facts: Rc::new(facts), ..whole };
+        let setting = self.setting(&chain, &statement.place, statement.curve()).without_equations();
         let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
         let attempt = self.attempts(&setting, &sides, &[Rel::Eq]);
         let tally = &attempt.outcomes.tallies[0];
         if !tally.record.definitions.iter().any(|(number, _)| *number == before.definitions()) {
             return Tried::Open;
         }
-        if let Some(failure) = tally.fails.iter().find(|failure| self.is_certain(failure, statement)) {
-            return Tried::Fails(Box::new(failure.clone()));
+        let bounded = !tally.record.unbounded && !tally.record.infinite;
+        if let Some(failure) = tally.fails.iter().find(|failure| !failure.outside && self.is_certain(failure, statement)) {
+            return if bounded { Tried::Fails(Box::new(failure.clone())) } else { Tried::Open };
         }
         if tally.nonzero > 0 { Tried::Holds } else { Tried::Open }
     }
@@ -187,8 +183,7 @@ impl Checker {
     }
 }
 
-/// Whether an equation is another formula for a name.
-fn gives(fact: &Expr, head: &Head) -> bool {
-    let Kind::Chain(left, _) = &fact.kind else { return false };
-    definable(left).is_some_and(|own| own.base == head.base)
+/// Whether an equation is itself a formula for a name.
+fn gives(fact: &Expr) -> bool {
+    matches!(&fact.kind, Kind::Chain(left, _) if definable(left).is_some())
 }

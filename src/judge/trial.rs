@@ -16,7 +16,7 @@ use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
 use super::integers::{advance, is_inner, is_outside};
 use super::model::{Choices, Curve, Model, Record, holds};
-use super::names::{integer_names, is_index_letter};
+use super::names::{integer_names, is_index_letter, is_range};
 use super::statement::{Chain, Place};
 use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
@@ -66,6 +66,20 @@ pub struct Setting<'a> {
     pub curve: Option<Curve>,
     /// What is known.
     pub facts: Rc<Facts>,
+}
+
+impl<'a> Setting<'a> {
+    /// The same without the equations among the facts: what is tested may not rest on itself.
+    pub(super) fn without_equations(&self) -> Setting<'a> {
+        let Facts { earlier, reached, knot_letters, .. } = &*self.facts;
+        let facts = Facts {
+            earlier: earlier.iter().filter(|expr| is_range(expr)).cloned().collect(),
+            near: 0,
+            reached: reached.clone(),
+            knot_letters: knot_letters.clone(),
+        };
+        Setting { facts: Rc::new(facts), curve: self.curve.clone(), ..*self }
+    }
 }
 
 /// What is tried.

@@ -7,7 +7,7 @@
 
 use super::cases::{self, parity};
 use super::speech::{self, Around};
-use crate::document::{Document, Item};
+use crate::document::{Document, Item, Style};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::Head;
 use crate::judge::statement::{Chain, Role, Said, Statement};
@@ -75,7 +75,7 @@ pub enum Piece {
 pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
     let mut found: Vec<Vec<Piece>> = Vec::new();
     let mut current: Vec<Piece> = Vec::new();
-    let (mut paused, mut number) = (false, 0);
+    let (mut paused, mut displayed, mut number) = (false, false, 0);
     let mut end = |current: &mut Vec<Piece>| {
         if !current.is_empty() {
             found.push(std::mem::take(current));
@@ -87,7 +87,11 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
                 let mut words = document.file.slice(*span);
                 let goes_on =
                     words.trim_start().starts_with(|c: char| c.is_lowercase() || matches!(c, ',' | '，'));
-                if std::mem::take(&mut paused) && !words.trim().is_empty() && !goes_on {
+                // After a display a capital letter begins a sentence, with or without a full stop.
+                let begins = words.trim_start().starts_with(char::is_uppercase);
+                if std::mem::take(&mut paused) && !words.trim().is_empty() && !goes_on
+                    || std::mem::take(&mut displayed) && begins
+                {
                     end(&mut current);
                 }
                 while let Some(at) = sentence_end(words) {
@@ -102,7 +106,7 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
             Item::Formula(formula) => {
                 number += 1;
                 current.push(Piece::Formula(number));
-                paused = false;
+                (paused, displayed) = (false, formula.style == Style::Display);
                 if formula.text.trim_end().ends_with(['.', '。']) {
                     end(&mut current);
                 }

@@ -240,6 +240,13 @@ impl Model {
         expr: &Expr,
     ) -> Evaluated {
         match &callee.kind {
+            // (B_n f)(x), where the page says what it is
+            Kind::Group(_)
+                if Head::of(callee)
+                    .is_some_and(|head| self.context.visible(&head.base, &self.place).next().is_some()) =>
+            {
+                self.apply_head(machine, callee, values, expr)
+            }
             Kind::Group(inner) => self.apply(machine, inner, values, expr),
             Kind::Accent(Accent::Bold | Accent::Script | Accent::Blackboard, inner)
                 if matches!(inner.kind, Kind::Group(_)) =>

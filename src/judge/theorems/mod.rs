@@ -74,36 +74,49 @@ impl Checker {
         findings: &mut [Finding],
         before: Mark,
     ) {
-        let open = findings.first().filter(|finding| {
-            matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) && statement.topics.any()
-        });
-        let Some(finding) = open.filter(|_| !chain.blocked) else { return };
-        let setting = self.setting(chain, &statement.place, statement.curve());
-        let limits = self.limits.clone();
-        let found = budget::run(&limits, || self.by_theorems(&setting, statement, finding));
-        let Ok(Some(found)) = found else { return };
-        if found.verdict == Verdict::Refuted {
-            Rc::make_mut(&mut self.context).forget(before);
+        if chain.blocked || !statement.topics.any() {
+            return;
         }
-        findings[0] = found;
+        let limits = self.limits.clone();
+        for (at, finding) in findings.iter_mut().enumerate() {
+            if !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
+                continue;
+            }
+            let setting = self.setting(chain, &statement.place, statement.curve());
+            let found = budget::run(&limits, || self.by_theorems(&setting, at, statement, finding));
+            let Ok(Some(found)) = found else { continue };
+            if found.verdict == Verdict::Refuted {
+                Rc::make_mut(&mut self.context).forget(before);
+            }
+            *finding = found;
+        }
     }
 
-    /// Judges the first relation of a chain by what the field knows of its left side, if that decides it.
-    fn by_theorems(&self, setting: &Setting, statement: &Statement, finding: &Finding) -> Option<Finding> {
+    /// Judges a relation of a chain by what the field knows of its left side, if that decides it.
+    fn by_theorems(
+        &self,
+        setting: &Setting,
+        at: usize,
+        statement: &Statement,
+        finding: &Finding,
+    ) -> Option<Finding> {
         let chain = setting.chain;
-        let (left, right) = (&chain.sides[0].expr, main_case(&chain.sides[1].expr));
+        let (left, right) = (&chain.sides[at].expr, main_case(&chain.sides[at + 1].expr));
         // Numbers may be equal by chance.
-        if chain.relations[0].0 != Rel::Eq
+        if chain.relations[at].0 != Rel::Eq
             || Kinds::of(right).families.is_empty()
-            || chain.sides[0].is_unread()
-            || chain.sides[1].is_unread()
+            || chain.sides[at].is_unread()
+            || chain.sides[at + 1].is_unread()
         {
             return None;
         }
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
         let instances = READ.with(|known| {
-            let spoken = known.iter().filter(|read| statement.topics.has(read.theorem.topic));
+            let lengths = self.context.letters.has_one_length();
+            let spoken = known.iter().filter(|read| {
+                statement.topics.has(read.theorem.topic) && (lengths || !read.theorem.equal_lengths)
+            });
             spoken.flat_map(|read| self.instances(read, left, right, statement)).collect::<Vec<_>>()
         });
         let mut slip: Option<(&Instance, Expr)> = None;
@@ -163,7 +176,10 @@ impl Checker {
     /// Whether two formulas are equal, whatever their points and knots are, or for those that the page gives.
     fn fits(&self, setting: &Setting, right: &Expr, wanted: &Expr) -> Option<Outcomes> {
         held(&self.bare(setting, right, wanted))
-            .or_else(|| held(&self.trial(setting, &[right, wanted], &[Rel::Eq], Choices::default())))
+            .or_else(|| {
+                let setting = setting.without_equations();
+                held(&self.trial(&setting, &[right, wanted], &[Rel::Eq], Choices::default()))
+            })
     }
 
     /// Whether two formulas are equal, whatever their letters mean.
@@ -290,6 +306,8 @@ fn ways(
     for (wanted, candidates) in
         [(&theirs.families, &ours.families), (&theirs.sizes, &sizes), (&theirs.variables, &ours.variables)]
     {
+        // The parameter t and the knots t_i are different things.
+        let others = all.first().map_or(0, Vec::len);
         for letter in wanted {
             let Kind::Name(letter) = &letter.kind else { return Vec::new() };
             if given(letter) {
@@ -299,7 +317,7 @@ fn ways(
             for way in &all {
                 let free = candidates.iter().filter(|candidate| {
                     !taken(candidate)
-                        && !way[letters.len()..].iter().any(|(_, known)| known.same_as(candidate))
+                        && !way[others..].iter().any(|(_, known)| known.same_as(candidate))
                 });
                 next.extend(free.map(|candidate| {
                     let mut way = way.clone();

@@ -17,10 +17,17 @@ pub(super) struct Theorem {
     pub(super) right: &'static str,
     /// Its right side where n is an order, if that differs.
     pub(super) by_order: Option<&'static str>,
+    /// Whether all intervals have to have one length.
+    pub(super) equal_lengths: bool,
 }
 
 const fn known(topic: Topic, name: &'static str, left: &'static str, right: &'static str) -> Theorem {
-    Theorem { name, topic, left, right, by_order: None }
+    Theorem { name, topic, left, right, by_order: None, equal_lengths: false }
+}
+
+/// Where two curves over intervals of one length meet.
+const fn even_join(name: &'static str, left: &'static str, right: &'static str) -> Theorem {
+    Theorem { name, topic: Topic::Join, left, right, by_order: None, equal_lengths: true }
 }
 
 const fn spline(
@@ -29,7 +36,7 @@ const fn spline(
     right: &'static str,
     by_order: &'static str,
 ) -> Theorem {
-    Theorem { name, topic: Topic::Spline, left, right, by_order: Some(by_order) }
+    Theorem { name, topic: Topic::Spline, left, right, by_order: Some(by_order), equal_lengths: false }
 }
 
 /// Prautzsch, Boehm, Paluszny: Bézier and B-spline techniques, chapters 3 to 10; Farin: Curves and surfaces for
@@ -139,6 +146,28 @@ pub(super) const THEOREMS: &[Theorem] = &[
     ),
     known(Topic::Join, "the C^1 join", r"b_n", r"\frac{h_1 b_{n-1} + h_0 b_{n+1}}{h_0 + h_1}"),
     known(Topic::Join, "the C^1 join", r"c_1", r"b_n + \frac{h_1}{h_0} \left(b_n - b_{n-1}\right)"),
+    known(Topic::Join, "the C^1 join", r"c_0", r"\frac{h_1 b_{n-1} + h_0 c_1}{h_0 + h_1}"),
+    known(Topic::Join, "the C^1 join", r"b_n", r"\frac{h_1 b_{n-1} + h_0 c_1}{h_0 + h_1}"),
+    even_join("the C^1 join over intervals of one length", r"c_1", r"2 b_n - b_{n-1}"),
+    even_join("the C^2 join over intervals of one length", r"c_2", r"b_{n-2} - 4 b_{n-1} + 4 b_n"),
+    known(
+        Topic::Subdivision,
+        "the four-point scheme",
+        r"p_{2i+1}^{k+1}",
+        r"\left(\frac12 + w\right) \left(p_i^k + p_{i+1}^k\right) - w \left(p_{i-1}^k + p_{i+2}^k\right)",
+    ),
+    known(
+        Topic::Spline,
+        "the uniform quadratic segment",
+        r"s(x)",
+        r"\frac12 \left((1-x)^2 d_0 + (1 + 2x - 2x^2) d_1 + x^2 d_2\right)",
+    ),
+    known(
+        Topic::Spline,
+        "the uniform cubic segment",
+        r"s(x)",
+        r"\frac16 \left((1-x)^3 d_0 + (3x^3 - 6x^2 + 4) d_1 + (1 + 3x + 3x^2 - 3x^3) d_2 + x^3 d_3\right)",
+    ),
     known(Topic::Rational, "the shoulder point", r"s", r"\frac{b_0 + 2 w b_1 + b_2}{2 (1 + w)}"),
     known(Topic::Rational, "the implicit form of a conic", r"\tau_1^2", r"4 w^2 \tau_0 \tau_2"),
 ];

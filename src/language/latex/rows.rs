@@ -51,6 +51,7 @@ pub(super) fn read_rows(text: &str, span: Span, join: bool) -> Vec<Row> {
     let mut reader = Reader::new(text, span, true);
     let (window, columns) = unwrapped(&reader);
     let rows = reader.formulas(window, join);
+    rows.iter().for_each(|row| joined(&mut reader, row.clone()));
     rows.into_iter().map(|row| read_row(&mut reader, row, columns, !join)).collect()
 }
 
@@ -88,6 +89,27 @@ fn unwrapped(reader: &Reader) -> (Window, bool) {
             _ => return (window, columns),
         }
         window = content;
+    }
+}
+
+/// Takes away the break and the space between rows of which the second goes on with the first.
+fn joined(reader: &mut Reader, row: Window) {
+    let mut depth = 0usize;
+    let mut between = false;
+    for at in row {
+        match reader.tokens[at].kind {
+            Tok::Begin(_) | Tok::OpenBrace => depth += 1,
+            Tok::End(_) | Tok::CloseBrace => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        between = match reader.tokens[at].kind {
+            Tok::RowBreak => depth == 0,
+            Tok::Align | Tok::Gap | Tok::Skip => between,
+            _ => false,
+        };
+        if between {
+            reader.tokens[at].kind = Tok::Skip;
+        }
     }
 }
 

@@ -227,6 +227,15 @@ impl<'a> Reader<'a> {
         if function {
             self.topic = names.clone();
         }
+        // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
+        let lists = families(&object.points);
+        if names.len() > 1 && lists.len() == names.len() {
+            for (name, points) in names.into_iter().zip(lists) {
+                let own = Object { names: vec![name], points, ..object.clone() };
+                self.found.entry(number).or_default().push(own);
+            }
+            return;
+        }
         // The polar forms f and g of F and G
         if of.len() > 1 && of.len() == names.len() {
             for (name, of) in names.into_iter().zip(of) {
@@ -295,4 +304,19 @@ impl<'a> Reader<'a> {
             self.found.entry(number).or_default().push(Object { names, ..Object::new(sort) });
         }
     }
+}
+
+/// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.
+fn families(items: &[Expr]) -> Vec<Vec<Expr>> {
+    let mut found: Vec<(String, Vec<Expr>)> = Vec::new();
+    for item in items {
+        let base = Head::of(item).map(|head| head.base);
+        match (found.last_mut(), base) {
+            (Some((_, list)), None) => list.push(item.clone()),
+            (Some((known, list)), Some(base)) if *known == base => list.push(item.clone()),
+            (_, Some(base)) => found.push((base, vec![item.clone()])),
+            (None, None) => {}
+        }
+    }
+    found.into_iter().map(|(_, list)| list).collect()
 }

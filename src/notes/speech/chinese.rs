@@ -263,6 +263,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("四点", Topic::Subdivision),
     ("伯恩斯坦", Topic::Bernstein),
     ("贝塞尔", Topic::Bernstein),
     ("贝齐尔", Topic::Bernstein),

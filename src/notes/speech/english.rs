@@ -248,6 +248,12 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("bezier segment", Noun(Sort::BezierCurve)),
+    ("bézier segment", Noun(Sort::BezierCurve)),
+    ("bezier segments", Noun(Sort::BezierCurve)),
+    ("bézier segments", Noun(Sort::BezierCurve)),
+    ("bezier arc", Noun(Sort::BezierCurve)),
+    ("bézier arc", Noun(Sort::BezierCurve)),
     ("mean", Be),
     ("means", Be),
     ("namely", Be),
@@ -548,6 +554,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("four-point", Topic::Subdivision),
+    ("four point", Topic::Subdivision),
+    ("subdivision scheme", Topic::Subdivision),
     ("bernstein", Topic::Bernstein),
     ("bézier", Topic::Bernstein),
     ("bezier", Topic::Bernstein),

@@ -132,6 +132,8 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("arc de bézier", Noun(Sort::BezierCurve)),
+    ("arcs de bézier", Noun(Sort::BezierCurve)),
     ("à savoir", Be),
     ("à", Preposition),
     ("entre", Preposition),
@@ -312,6 +314,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("quatre points", Topic::Subdivision),
     ("forme polaire", Topic::Bernstein),
     ("formes polaires", Topic::Bernstein),
     ("modulo", Topic::Modular),

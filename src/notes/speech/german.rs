@@ -151,6 +151,11 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("bézierkurvensegment", Noun(Sort::BezierCurve)),
+    ("bézier-segment", Noun(Sort::BezierCurve)),
+    ("bézier-segmente", Noun(Sort::BezierCurve)),
+    ("béziersegment", Noun(Sort::BezierCurve)),
+    ("béziersegmente", Noun(Sort::BezierCurve)),
     ("verstehen wir", Be),
     ("versteht man", Be),
     ("nämlich", Be),
@@ -378,6 +383,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("vier-punkt", Topic::Subdivision),
+    ("vierpunkt", Topic::Subdivision),
+    ("schema von chaikin", Topic::Subdivision),
+    ("verfeiner", Topic::Subdivision),
     ("polarform", Topic::Bernstein),
     ("modulo", Topic::Modular),
     ("restklasse", Topic::Modular),
