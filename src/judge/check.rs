@@ -158,7 +158,10 @@ impl Checker {
         let formula = new.as_ref().is_some_and(|head| {
             statement.role == Some(Role::Asked)
                 && !head.flat().is_empty()
-                && head.flat().iter().all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)))
+                && head
+                    .flat()
+                    .iter()
+                    .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)))
         });
         let assumed = statement.role == Some(Role::Assumed);
         if let (true, Some(head), [(Rel::Eq | Rel::Define, span)]) =
@@ -308,7 +311,8 @@ impl Checker {
         {
             // What is said to follow is a claim, if the facts say what its name is.
             // Facts that speak of it may say what it is already.
-            let spoken = || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
+            let spoken =
+                || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
             let claims = statement.role == Some(Role::Claimed)
                 || !matches!(statement.role, Some(Role::Introduced)) && spoken();
             if claims && !defines {

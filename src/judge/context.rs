@@ -143,8 +143,8 @@ impl Definition {
 fn has_bernstein(expr: &Expr) -> bool {
     let mut found = false;
     walk(expr, &mut |part| {
-        found |= Head::of(part)
-            .is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular));
+        found |=
+            Head::of(part).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular));
     });
     found
 }
@@ -200,16 +200,18 @@ impl Letters {
                 }
             }
             Kind::List(ends) => {
-                if let [Expr { kind: Kind::Number(from), .. }, Expr { kind: Kind::Number(to), .. }] = ends.as_slice() {
+                if let [Expr { kind: Kind::Number(from), .. }, Expr { kind: Kind::Number(to), .. }] =
+                    ends.as_slice()
+                {
                     self.lengths.insert(to - from);
                 }
             }
             Kind::Subscript(base, lower) => {
                 self.ratios |= matches!(&base.kind, Kind::Name(name)
                     if matches!(name.as_str(), "h" | "Delta" | "delta" | "u" | "t" | "tau" | "lambda"));
-                self.from_zero |= lower.iter().any(|index| {
-                    matches!(&index.kind, Kind::Number(q) if num_traits::Zero::is_zero(q))
-                });
+                self.from_zero |= lower
+                    .iter()
+                    .any(|index| matches!(&index.kind, Kind::Number(q) if num_traits::Zero::is_zero(q)));
                 if let (Kind::Name(letter), [first, second]) = (&base.kind, lower.as_slice())
                     && families::notation(letter, 2, 0).is_some_and(|known| known.family == Family::Bernstein)
                 {

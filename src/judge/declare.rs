@@ -55,13 +55,20 @@ impl Checker {
                 continue;
             };
             let same = |item: &Expr| match &item.kind {
-                Kind::Brace(items, _) => items.iter().all(|item| item.same_as(argument) || item.kind == Kind::Ellipsis),
+                Kind::Brace(items, _) => {
+                    items.iter().all(|item| item.same_as(argument) || item.kind == Kind::Ellipsis)
+                }
                 _ => item.same_as(argument) || item.kind == Kind::Ellipsis,
             };
             let open = matches!(all.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
             let known = self.context.object_called(name, place).is_some_and(|d| d.object.is_function())
                 || self.context.visible(name, place).next().is_some();
-            if open || known || f.same_as(of) || !all.iter().all(same) || !statement.topics.has(Topic::PolarForm) {
+            if open
+                || known
+                || f.same_as(of)
+                || !all.iter().all(same)
+                || !statement.topics.has(Topic::PolarForm)
+            {
                 continue;
             }
             let counted = all.iter().all(|item| matches!(item.kind, Kind::Name(_)));

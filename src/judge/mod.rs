@@ -12,13 +12,13 @@
 
 pub(crate) mod asked;
 mod attempt;
+mod certainty;
 pub mod check;
 mod claim;
 mod compare;
 mod conditions;
 mod context;
 mod declare;
-mod doubt;
 pub(crate) mod doubtful;
 pub mod evaluator;
 mod family;

@@ -184,7 +184,8 @@ fn own_variables(condition: &Expr) -> Vec<String> {
 /// Where a variable, perhaps shifted by a number, meets the numbers of a condition: 2 in x - 2 >= 0.
 fn ends(condition: &Expr) -> Vec<Rational> {
     let Kind::Chain(left, links) = &condition.kind else { return Vec::new() };
-    let sides: Vec<&Expr> = std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
+    let sides: Vec<&Expr> =
+        std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
     let mut found = Vec::new();
     for pair in sides.windows(2) {
         let value = |expr: &Expr| match evaluator::machine().eval(expr) {

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeSet;
 
+use super::certainty::Suspect;
 use super::check::Checker;
 use super::compare;
-use super::doubt::Suspect;
 use super::context::{Body, Definition, is_variable};
 use super::features::has_structure;
 use super::hypotheses::is_coefficient;

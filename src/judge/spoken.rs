@@ -64,15 +64,16 @@ impl Checker {
             Body::Value(_) => return,
         };
         // A number in passing, h = 1, is no formula for it.
-        let formula = head.arguments.is_some()
-            || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
+        let formula =
+            head.arguments.is_some() || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
         let facts = if formula { self.facts_about(&head, statement, before) } else { Vec::new() };
         if facts.is_empty() {
             return;
         }
         let limits = self.limits.clone();
         let finding = findings[0].clone();
-        let found = budget::run(&limits, || self.judged_by(&facts, chain, &right, statement, before, finding));
+        let found =
+            budget::run(&limits, || self.judged_by(&facts, chain, &right, statement, before, finding));
         let Ok(Some(found)) = found else { return };
         if found.verdict == Verdict::Refuted {
             Rc::make_mut(&mut self.context).forget(before);
@@ -94,7 +95,12 @@ impl Checker {
                 && !gives(&fact.expr)
                 && !self.context.is_spoken_of_anew(&head.base, &fact.place, place)
         };
-        self.context.conditions[..before.conditions()].iter().chain(&self.open).filter(told).cloned().collect()
+        self.context.conditions[..before.conditions()]
+            .iter()
+            .chain(&self.open)
+            .filter(told)
+            .cloned()
+            .collect()
     }
 
     /// The finding that the facts lead to.
@@ -165,7 +171,9 @@ impl Checker {
             return Tried::Open;
         }
         let bounded = !tally.record.unbounded && !tally.record.infinite;
-        if let Some(failure) = tally.fails.iter().find(|failure| !failure.outside && self.is_certain(failure, statement)) {
+        if let Some(failure) =
+            tally.fails.iter().find(|failure| !failure.outside && self.is_certain(failure, statement))
+        {
             return if bounded { Tried::Fails(Box::new(failure.clone())) } else { Tried::Open };
         }
         if tally.nonzero > 0 { Tried::Holds } else { Tried::Open }
@@ -179,7 +187,9 @@ impl Checker {
         };
         let symbols = |value: &Value| compare::symbols(value);
         let (left, right) = (symbols(&failure.left), symbols(&failure.right));
-        left.iter().all(known) && left.iter().all(|s| right.contains(s)) && right.iter().all(|s| left.contains(s))
+        left.iter().all(known)
+            && left.iter().all(|s| right.contains(s))
+            && right.iter().all(|s| left.contains(s))
     }
 }
 

@@ -432,7 +432,8 @@ impl<'a> Trial<'a> {
                         around: around.clone(),
                         inner,
                         outside: is_outside(bound)
-                            || degree.is_some_and(|degree| bound.iter().any(|(_, value)| *value > degree as i64)),
+                            || degree
+                                .is_some_and(|degree| bound.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,
                         left: left.clone(),
                         right: right.clone(),

@@ -60,7 +60,10 @@ fn in_words(condition: &Expr) -> Option<Expr> {
 /// "N(t) = 1 for 0 ≤ t < 1, and N(t) = 0 elsewhere": two cases of one formula.
 ///
 /// `elsewhere` says which formula after a statement of the sentence holds in all other cases.
-pub(super) fn complete(statements: &mut [Statement], elsewhere: &dyn Fn(&[Statement], usize) -> Option<Expr>) {
+pub(super) fn complete(
+    statements: &mut [Statement],
+    elsewhere: &dyn Fn(&[Statement], usize) -> Option<Expr>,
+) {
     for at in 0..statements.len() {
         let Said::Chain(chain) = &statements[at].said else { continue };
         let function = Head::of(&chain.sides[0].expr).is_some_and(|head| head.arguments.is_some());

@@ -229,7 +229,8 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             _ => None,
         });
         let in_words = || {
-            let claim = |statement: &Statement| matches!(statement.said, Said::Chain(_)) && !statement.is_case();
+            let claim =
+                |statement: &Statement| matches!(statement.said, Said::Chain(_)) && !statement.is_case();
             let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words(last).right);
             zero.then(|| Expr::int(0))
         };

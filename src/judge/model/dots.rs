@@ -31,7 +31,10 @@ impl Model {
             .flat_map(|term| match &term.expr.kind {
                 Kind::Mul(factors) if factors.len() > 1 && factors[0].kind == Kind::Ellipsis => {
                     let rest = Expr::product(factors[1..].to_vec());
-                    vec![Term { expr: factors[0].clone(), ..term.clone() }, Term { expr: rest, ..term.clone() }]
+                    vec![
+                        Term { expr: factors[0].clone(), ..term.clone() },
+                        Term { expr: rest, ..term.clone() },
+                    ]
                 }
                 _ => vec![term.clone()],
             })
@@ -55,7 +58,9 @@ impl Model {
             let split = |list: &[Expr]| -> Vec<Expr> {
                 list.iter()
                     .flat_map(|factor| match &factor.kind {
-                        Kind::Apply(callee, groups) if groups.len() == 1 && groups[0].len() == 1 && number(callee) => {
+                        Kind::Apply(callee, groups)
+                            if groups.len() == 1 && groups[0].len() == 1 && number(callee) =>
+                        {
                             vec![callee.as_ref().clone(), groups[0][0].clone()]
                         }
                         Kind::Group(inner) => vec![inner.as_ref().clone()],

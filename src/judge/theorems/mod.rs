@@ -175,11 +175,10 @@ impl Checker {
 
     /// Whether two formulas are equal, whatever their points and knots are, or for those that the page gives.
     fn fits(&self, setting: &Setting, right: &Expr, wanted: &Expr) -> Option<Outcomes> {
-        held(&self.bare(setting, right, wanted))
-            .or_else(|| {
-                let setting = setting.without_equations();
-                held(&self.trial(&setting, &[right, wanted], &[Rel::Eq], Choices::default()))
-            })
+        held(&self.bare(setting, right, wanted)).or_else(|| {
+            let setting = setting.without_equations();
+            held(&self.trial(&setting, &[right, wanted], &[Rel::Eq], Choices::default()))
+        })
     }
 
     /// Whether two formulas are equal, whatever their letters mean.
@@ -240,7 +239,8 @@ impl Checker {
         let (mut said, mut less) = (None, false);
         for declared in spoken {
             // "of degree n - 1": n is no degree.
-            let other = declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1)));
+            let other =
+                declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1)));
             match declared.object.sort {
                 _ if other => less = true,
                 Sort::Order => said = said.or(Some(true)),
@@ -316,8 +316,7 @@ fn ways(
             let mut next = Vec::new();
             for way in &all {
                 let free = candidates.iter().filter(|candidate| {
-                    !taken(candidate)
-                        && !way[others..].iter().any(|(_, known)| known.same_as(candidate))
+                    !taken(candidate) && !way[others..].iter().any(|(_, known)| known.same_as(candidate))
                 });
                 next.extend(free.map(|candidate| {
                     let mut way = way.clone();

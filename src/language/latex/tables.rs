@@ -154,9 +154,13 @@ impl Reader<'_> {
                 Tok::Rel(Rel::Lt) if self.angle_end(trimmed.start).is_some() => false,
                 Tok::Rel(_) | Tok::Command(super::commands::Role::Stacked) => relations,
                 // `- t = …` is a formula of its own, `- t` the rest of one
-                Tok::Plus | Tok::Minus => !self.has_relation(trimmed.clone()) || aligned && blank == Some(true),
+                Tok::Plus | Tok::Minus => {
+                    !self.has_relation(trimmed.clone()) || aligned && blank == Some(true)
+                }
                 // `= (a + b)`, and below it `(a - b)`
-                kind => continues(kind) || aligned && blank == Some(true) && !self.has_relation(trimmed.clone()),
+                kind => {
+                    continues(kind) || aligned && blank == Some(true) && !self.has_relation(trimmed.clone())
+                }
             };
             aligned |= blank == Some(false);
             match formulas.last_mut() {

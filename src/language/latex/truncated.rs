@@ -15,8 +15,10 @@ impl Reader<'_> {
             }
             Some(Tok::OpenBrace) => {
                 let Some(close) = self.partner(self.pos) else { return false };
-                let inside: Vec<Tok> =
-                    (self.pos + 1..close).map(|at| self.tokens[at].kind).filter(|kind| *kind != Tok::Skip).collect();
+                let inside: Vec<Tok> = (self.pos + 1..close)
+                    .map(|at| self.tokens[at].kind)
+                    .filter(|kind| *kind != Tok::Skip)
+                    .collect();
                 let alone = inside == [Tok::Plus];
                 if alone {
                     self.pos = close + 1;

@@ -7,8 +7,10 @@ const TRANSCENDENTAL: &[&str] = &[
 ];
 
 /// Functions of linear algebra and of numbers that pages write as words.
-const OF_OBJECTS: &[&str] =
-    &["det", "tr", "rank", "rang", "dim", "ker", "deg", "grad", "gcd", "lcm", "ggT", "pgcd", "sgn", "arg", "max", "min", "sup", "inf"];
+const OF_OBJECTS: &[&str] = &[
+    "det", "tr", "rank", "rang", "dim", "ker", "deg", "grad", "gcd", "lcm", "ggT", "pgcd", "sgn", "arg",
+    "max", "min", "sup", "inf",
+];
 
 /// Whether a word is a function everywhere, so that no formula for a value of it says what it is.
 pub fn is_function_word(word: &str) -> bool {

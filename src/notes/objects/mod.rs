@@ -168,7 +168,9 @@ impl<'a> Reader<'a> {
         }
         let subject = match named {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
-            _ => self.subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors)).or_else(|| self.subject_after(to)),
+            _ => self
+                .subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors))
+                .or_else(|| self.subject_after(to)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4

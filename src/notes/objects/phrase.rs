@@ -207,7 +207,10 @@ impl Reader<'_> {
             (object.names, at) = self.list(first);
         }
         // Its knots are 0, 1, 2
-        if matches!(object.sort, Sort::Knots | Sort::Nodes) && number_of_name.is_none() && self.is(at, &Word::Be) {
+        if matches!(object.sort, Sort::Knots | Sort::Nodes)
+            && number_of_name.is_none()
+            && self.is(at, &Word::Be)
+        {
             let start = self.skip_fillers(at + 1);
             let (items, end) = self.list(start);
             if !items.is_empty() {
@@ -245,7 +248,16 @@ impl Reader<'_> {
             if let Some(end) = self.values(&mut knots, phrase.to, true) {
                 let named = (noun..end).find_map(|at| self.formula_at(at));
                 let (from, to) = (phrase.to, end);
-                phrase.inner.push(Phrase { object: knots, of: Vec::new(), piece: false, anonymous: false, from, to, named, inner: Vec::new() });
+                phrase.inner.push(Phrase {
+                    object: knots,
+                    of: Vec::new(),
+                    piece: false,
+                    anonymous: false,
+                    from,
+                    to,
+                    named,
+                    inner: Vec::new(),
+                });
                 phrase.to = end;
             }
         }
@@ -280,7 +292,9 @@ impl Reader<'_> {
         let start = self.skip_fillers(if linked { at + comma + 1 } else { at });
         let (items, end) = self.list(start);
         let items: Vec<Expr> = match items.as_slice() {
-            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => inside.clone(),
+            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => {
+                inside.clone()
+            }
             _ => items,
         };
         let constant = items.iter().all(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis);

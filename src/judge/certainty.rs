@@ -36,28 +36,24 @@ pub(super) struct Suspect<'a> {
 impl Suspect<'_> {
     /// Why it may not be wrong after all.
     pub(super) fn doubt(&self) -> Option<String> {
-        let off = std::env::var("DOUBT_OFF").unwrap_or_default();
-        let rules: [(&str, fn(&Self) -> Option<String>); 15] = [
-            ("far", Self::rests_on_another_section),
-            ("fun", Self::unknown_function),
-            ("op", Self::operator),
-            ("val", Self::value_in_passing),
-            ("rec", Self::recursion_of_a_family),
-            ("mat", Self::matrices),
-            ("ineq", Self::inequality_without_range),
-            ("fam", Self::family_of_another_kind),
-            ("num", Self::rounded_or_modular),
-            ("sym", Self::symbols_on_one_side),
-            ("brk", Self::brackets),
-            ("word", Self::word),
-            ("alt", Self::alternative),
-            ("deg", Self::some_degrees),
-            ("ex", Self::members_of_an_example),
+        let rules: [fn(&Self) -> Option<String>; 15] = [
+            Self::rests_on_another_section,
+            Self::unknown_function,
+            Self::operator,
+            Self::value_in_passing,
+            Self::recursion_of_a_family,
+            Self::matrices,
+            Self::inequality_without_range,
+            Self::family_of_another_kind,
+            Self::rounded_or_modular,
+            Self::symbols_on_one_side,
+            Self::brackets,
+            Self::word,
+            Self::alternative,
+            Self::some_degrees,
+            Self::members_of_an_example,
         ];
-        rules.into_iter().filter(|(name, _)| !off.contains(name)).find_map(|(name, rule)| {
-            let found = rule(self)?;
-            if std::env::var("DOUBT_TELL").is_ok() { Some(format!("[{name}] {found}")) } else { Some(found) }
-        })
+        rules.into_iter().find_map(|rule| rule(self))
     }
 
     fn sides(&self) -> [&Expr; 2] {
@@ -131,7 +127,8 @@ impl Suspect<'_> {
         let place = &self.statement.place;
         let context = &self.checker.context;
         // dt, d(t^n)
-        let differential = callees.contains(&"d") && !self.failure.integers.iter().any(|(name, _)| name == "d");
+        let differential =
+            callees.contains(&"d") && !self.failure.integers.iter().any(|(name, _)| name == "d");
         if differential {
             return Some("d may be a differential".to_owned());
         }
@@ -193,14 +190,21 @@ impl Suspect<'_> {
         let first = self.at == 0;
         let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
         // t = b_1(t)/3 + …, A^{-1} = …: it speaks of what is known.
-        let known = !left.is_empty() && left.iter().all(|symbol| right.contains(symbol)) && left.len() == right.len()
+        let known = !left.is_empty()
+            && left.iter().all(|symbol| right.contains(symbol))
+            && left.len() == right.len()
             || Head::of(self.sides()[0]).is_some_and(|head| !head.upper.is_empty() && head.lower.is_empty());
         if equation && first && name && !known && !self.claimed() {
             return Some("it may say what its left side is".to_owned());
         }
         let name_only = |expr: &Expr| {
-            Head::of(expr).is_some_and(|head| head.arguments.is_none() && !head.lower.is_empty() && head.notation().is_none())
-                && !self.checker.context.object(&Head::of(expr).expect("just taken apart"), &self.statement.place).is_some()
+            Head::of(expr).is_some_and(|head| {
+                head.arguments.is_none() && !head.lower.is_empty() && head.notation().is_none()
+            }) && !self
+                .checker
+                .context
+                .object(&Head::of(expr).expect("just taken apart"), &self.statement.place)
+                .is_some()
         };
         let [one, other] = self.sides();
         if equation && name_only(one) && name_only(other) && self.tally.determined == 0 {
@@ -210,9 +214,11 @@ impl Suspect<'_> {
         let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
         let valued = self.tally.record.definitions.iter().any(|(number, _)| {
             let definition = &self.checker.context.definitions[*number];
-            definition.head.arguments.is_none() && matches!(&definition.body, Body::Formula(body) if bases(body).is_empty())
+            definition.head.arguments.is_none()
+                && matches!(&definition.body, Body::Formula(body) if bases(body).is_empty())
         });
-        let called = self.any(&mut |part| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. }));
+        let called = self
+            .any(&mut |part| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. }));
         if equation && valued && !called && (zero(one) || zero(other)) {
             return Some("it may be an equation to be solved".to_owned());
         }
@@ -242,7 +248,8 @@ impl Suspect<'_> {
         let place = &self.statement.place;
         let context = &self.checker.context;
         let own = |definition: &Definition| definition.head.base == head.base;
-        let used: Vec<_> = self.tally.record.definitions.iter().map(|(n, _)| &context.definitions[*n]).collect();
+        let used: Vec<_> =
+            self.tally.record.definitions.iter().map(|(n, _)| &context.definitions[*n]).collect();
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
         // T_0 = 1 begins what a recursion goes on with.
         let begins = !head.lower.is_empty() && head.lower.iter().all(number);
@@ -253,7 +260,9 @@ impl Suspect<'_> {
             let mut found = false;
             walk(expr, &mut |part| {
                 found |= Head::of(part).is_some_and(|own| {
-                    own.base == head.base && own.lower.len() == head.lower.len() && own.upper.len() == head.upper.len()
+                    own.base == head.base
+                        && own.lower.len() == head.lower.len()
+                        && own.upper.len() == head.upper.len()
                 });
             });
             found
@@ -263,7 +272,8 @@ impl Suspect<'_> {
             !member(body) && !definition.head.lower.iter().all(number)
         };
         let recursive = !head.lower.is_empty() && member(right);
-        let ahead = head.arguments.is_none() && head.lower.iter().any(|index| matches!(index.kind, Kind::Add(_)));
+        let ahead =
+            head.arguments.is_none() && head.lower.iter().any(|index| matches!(index.kind, Kind::Add(_)));
         let numbers = !ahead && self.claimed() && self.symbols().is_empty();
         let known = head.notation().is_some()
             || context.object_called(&head.base, place).is_some()
@@ -388,7 +398,10 @@ impl Suspect<'_> {
         if self.rel() == Rel::Equiv {
             return Some("it may be a congruence".to_owned());
         }
-        if self.statement.role == Some(Role::Introduced) && self.tally.record.definitions.is_empty() && self.tally.record.standard.is_empty() {
+        if self.statement.role == Some(Role::Introduced)
+            && self.tally.record.definitions.is_empty()
+            && self.tally.record.standard.is_empty()
+        {
             return Some("a condition".to_owned());
         }
         let written = |side: &Expr| bases(side).is_empty();
@@ -399,13 +412,13 @@ impl Suspect<'_> {
             return Some("it may be meant modulo a number".to_owned());
         }
         // The Legendre symbol of 2 and 5
-        let quotient = |side: &Expr| {
-            matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)))
-        };
+        let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)));
         if self.sides().into_iter().any(quotient) {
             return Some("the bracket may be a symbol".to_owned());
         }
-        let (Some(left), Some(right)) = (number(&self.failure.left), number(&self.failure.right)) else { return None };
+        let (Some(left), Some(right)) = (number(&self.failure.left), number(&self.failure.right)) else {
+            return None;
+        };
         // As many digits as the side shows.
         let mut finest: Option<Rational> = None;
         for side in self.sides() {
@@ -440,7 +453,8 @@ impl Suspect<'_> {
         let (a, b) = (letters(&left), letters(&right));
         let place = &self.statement.place;
         let open = |name: &&String| {
-            let plain = left.iter().chain(&right).all(|symbol| symbol.base() != name.as_str() || symbol.is_plain());
+            let plain =
+                left.iter().chain(&right).all(|symbol| symbol.base() != name.as_str() || symbol.is_plain());
             !(plain && is_variable(name))
                 && !name.starts_with('[')
                 && self.checker.context.object_called(name, place).is_none()
@@ -467,11 +481,17 @@ impl Suspect<'_> {
                 !symbol.is_plain()
                     && !others.contains(&symbol)
                     && !others.is_empty()
-                    && *scalar == crate::math::poly::Fraction::from(crate::math::poly::MultiPoly::symbol(symbol.clone()))
+                    && *scalar
+                        == crate::math::poly::Fraction::from(crate::math::poly::MultiPoly::symbol(
+                            symbol.clone(),
+                        ))
                     && self.checker.context.object_called(symbol.base(), place).is_none()
             })
         };
-        if self.tally.determined == 0 && !self.claimed() && (single(&self.failure.left, &right) || single(&self.failure.right, &left)) {
+        if self.tally.determined == 0
+            && !self.claimed()
+            && (single(&self.failure.left, &right) || single(&self.failure.right, &left))
+        {
             return Some("a condition on data".to_owned());
         }
         if self.tally.determined > 0 {
@@ -484,7 +504,9 @@ impl Suspect<'_> {
     /// Lists of names, and brackets that count conditions.
     fn brackets(&self) -> Option<String> {
         let list = |expr: &Expr| match &expr.kind {
-            Kind::List(items) | Kind::Tuple(items) => items.iter().all(|item| matches!(item.kind, Kind::Name(_))),
+            Kind::List(items) | Kind::Tuple(items) => {
+                items.iter().all(|item| matches!(item.kind, Kind::Name(_)))
+            }
             _ => false,
         };
         if self.sides().into_iter().all(list) {
@@ -506,7 +528,8 @@ impl Suspect<'_> {
         let plain = head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
         let before = self.tally.record.definitions.iter().any(|(number, _)| {
             let definition = &self.checker.context.definitions[*number];
-            definition.head.base == head.base && matches!(&definition.body, Body::Formula(body) if closed(body))
+            definition.head.base == head.base
+                && matches!(&definition.body, Body::Formula(body) if closed(body))
         });
         (self.at == 0 && !self.claimed() && plain && closed(right) && before)
             .then(|| format!("it may be another {}", head.base))
@@ -514,17 +537,23 @@ impl Suspect<'_> {
 
     /// What holds for some degrees, and is meant for them: ℓ_0(x_1) = 0 needs two nodes.
     fn some_degrees(&self) -> Option<String> {
-        let failed: BTreeSet<usize> = self.tally.fails.iter().map(|failure| failure.degree).collect::<Option<_>>()?;
-        (self.failure.integers.is_empty() && self.tally.holds > 0 && (1..=4).any(|degree| !failed.contains(&degree)))
-            .then(|| "true for some degrees only: which one is meant?".to_owned())
+        let failed: BTreeSet<usize> =
+            self.tally.fails.iter().map(|failure| failure.degree).collect::<Option<_>>()?;
+        (self.failure.integers.is_empty()
+            && self.tally.holds > 0
+            && (1..=4).any(|degree| !failed.contains(&degree)))
+        .then(|| "true for some degrees only: which one is meant?".to_owned())
     }
 
     /// A sum over all w_j, of which the page gave those of an example.
     fn members_of_an_example(&self) -> Option<String> {
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
-        let definitions = self.tally.record.definitions.iter().map(|(n, _)| &self.checker.context.definitions[*n]);
+        let definitions =
+            self.tally.record.definitions.iter().map(|(n, _)| &self.checker.context.definitions[*n]);
         let given: BTreeSet<&str> = definitions
-            .filter(|definition| !definition.head.lower.is_empty() && definition.head.lower.iter().all(number))
+            .filter(|definition| {
+                !definition.head.lower.is_empty() && definition.head.lower.iter().all(number)
+            })
             .filter(|definition| definition.head.arguments.is_none() && definition.head.upper.is_empty())
             .map(|definition| definition.head.base.as_str())
             .collect();
@@ -585,7 +614,22 @@ fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
 
 /// Words that join conditions; nobody multiplies these letters in this order.
 fn speech_word(run: &str) -> bool {
-    matches!(run, "or" | "ou" | "if" | "si" | "and" | "et" | "und" | "oder" | "sonst" | "wenn" | "for" | "pour" | "sinon" | "else")
+    matches!(
+        run,
+        "or" | "ou"
+            | "if"
+            | "si"
+            | "and"
+            | "et"
+            | "und"
+            | "oder"
+            | "sonst"
+            | "wenn"
+            | "for"
+            | "pour"
+            | "sinon"
+            | "else"
+    )
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {
