@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::names::{Head, bracket_beside_name, walk};
+use super::names::{Head, bases, bracket_beside_name, walk};
 use crate::formula::{Expr, Kind};
-use crate::language::lexicon::families::Family;
+use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::roles;
+use crate::language::write;
 use num_traits::ToPrimitive;
 
 /// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
@@ -122,4 +124,77 @@ pub fn has_structure(side: &Expr) -> bool {
             );
     });
     found
+}
+
+/// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.
+pub fn has_column(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| {
+        if let Kind::Binomial(n, k, _) = &part.kind
+            && let (Kind::Number(n), Kind::Number(k)) = (&n.kind, &k.kind)
+        {
+            found |= k > n;
+        }
+    });
+    found
+}
+
+/// B_i^j without an argument beside B_j^n(t).
+pub fn without_argument(side: &Expr) -> Option<String> {
+    fn search(expr: &Expr, called: &mut bool, bare: &mut Option<String>) {
+        let family = |expr: &Expr| {
+            Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.is_a(Family::Bernstein))
+        };
+        if let Kind::Apply(callee, groups) = &expr.kind
+            && family(callee)
+        {
+            *called = true;
+            groups.iter().flatten().for_each(|argument| search(argument, called, bare));
+        } else if family(expr) {
+            bare.get_or_insert_with(|| write::text(expr));
+        } else {
+            expr.for_each_child(&mut |child| search(child, called, bare));
+        }
+    }
+    let (mut called, mut bare) = (false, None);
+    search(side, &mut called, &mut bare);
+    bare.filter(|_| called)
+}
+
+/// A running index that is free on one side only.
+pub fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String> {
+    let running = |side: &Expr| -> BTreeSet<String> {
+        super::names::integer_names(side).into_iter().filter(|name| roles::is_running(name)).collect()
+    };
+    let (a, b) = (running(left), running(right));
+    let said: BTreeSet<String> = conditions.iter().flat_map(bases).collect();
+    // In the sums of one side the same letter runs: the free one is a slip.
+    let mut bound = BTreeSet::new();
+    for side in [left, right] {
+        walk(side, &mut |part| {
+            if let Kind::Big { lower, .. } = &part.kind {
+                bound.extend(super::names::own_names(lower));
+            }
+        });
+    }
+    a.symmetric_difference(&b).find(|name| bound.contains(*name) && !said.contains(*name)).cloned()
+}
+
+/// Whether a side is nothing but a value of a function at numbers or indexed names.
+pub fn bare_values(side: &Expr) -> bool {
+    match &side.kind {
+        Kind::Apply(callee, groups) => {
+            Head::of(callee).is_some_and(|head| !families::has_values(&head.base))
+                && groups.iter().flatten().all(|argument| {
+                    let mut plain = true;
+                    walk(argument, &mut |part| {
+                        plain = plain
+                            && !matches!(&part.kind, Kind::Brace(..) | Kind::Ellipsis | Kind::Big { .. });
+                    });
+                    plain
+                })
+        }
+        Kind::Group(inner) => bare_values(inner),
+        _ => false,
+    }
 }

@@ -9,7 +9,7 @@ use super::certainty::Suspect;
 use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition, is_variable};
-use super::features::has_structure;
+use super::features::{bare_values, has_column, has_structure, loose_index, without_argument};
 use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
@@ -18,7 +18,6 @@ use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family};
-use crate::language::lexicon::roles;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Index, Symbol};
@@ -544,19 +543,6 @@ fn decided(
     refuted(failure)
 }
 
-/// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.
-fn has_column(side: &Expr) -> bool {
-    let mut found = false;
-    walk(side, &mut |part| {
-        if let Kind::Binomial(n, k, _) = &part.kind
-            && let (Kind::Number(n), Kind::Number(k)) = (&n.kind, &k.kind)
-        {
-            found |= k > n;
-        }
-    });
-    found
-}
-
 /// Whether what a condition restricts is seen from its form.
 fn is_understood(condition: &Expr) -> bool {
     if let Some(items) = condition.alternatives() {
@@ -597,66 +583,6 @@ fn is_argument(symbol: &Symbol, side: &Expr) -> bool {
         }
     });
     found
-}
-
-/// B_i^j without an argument beside B_j^n(t).
-fn without_argument(side: &Expr) -> Option<String> {
-    fn search(expr: &Expr, called: &mut bool, bare: &mut Option<String>) {
-        let family = |expr: &Expr| {
-            Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.is_a(Family::Bernstein))
-        };
-        if let Kind::Apply(callee, groups) = &expr.kind
-            && family(callee)
-        {
-            *called = true;
-            groups.iter().flatten().for_each(|argument| search(argument, called, bare));
-        } else if family(expr) {
-            bare.get_or_insert_with(|| write::text(expr));
-        } else {
-            expr.for_each_child(&mut |child| search(child, called, bare));
-        }
-    }
-    let (mut called, mut bare) = (false, None);
-    search(side, &mut called, &mut bare);
-    bare.filter(|_| called)
-}
-
-/// A running index that is free on one side only.
-fn loose_index(left: &Expr, right: &Expr, conditions: &[Expr]) -> Option<String> {
-    let running = |side: &Expr| -> BTreeSet<String> {
-        super::names::integer_names(side).into_iter().filter(|name| roles::is_running(name)).collect()
-    };
-    let (a, b) = (running(left), running(right));
-    let said: BTreeSet<String> = conditions.iter().flat_map(bases).collect();
-    // In the sums of one side the same letter runs: the free one is a slip.
-    let mut bound = BTreeSet::new();
-    for side in [left, right] {
-        walk(side, &mut |part| {
-            if let Kind::Big { lower, .. } = &part.kind {
-                bound.extend(super::names::own_names(lower));
-            }
-        });
-    }
-    a.symmetric_difference(&b).find(|name| bound.contains(*name) && !said.contains(*name)).cloned()
-}
-
-/// Whether a side is nothing but a value of a function at numbers or indexed names.
-fn bare_values(side: &Expr) -> bool {
-    match &side.kind {
-        Kind::Apply(callee, groups) => {
-            Head::of(callee).is_some_and(|head| !families::has_values(&head.base))
-                && groups.iter().flatten().all(|argument| {
-                    let mut plain = true;
-                    walk(argument, &mut |part| {
-                        plain = plain
-                            && !matches!(&part.kind, Kind::Brace(..) | Kind::Ellipsis | Kind::Big { .. });
-                    });
-                    plain
-                })
-        }
-        Kind::Group(inner) => bare_values(inner),
-        _ => false,
-    }
 }
 
 /// The symbols of a value that are no coefficients of an unknown function.

@@ -138,99 +138,6 @@ impl Model {
         }
     }
 
-    /// How many arguments a group is to have, where dots leave that open.
-    fn arity(&self, head: &Head, stated: Option<usize>, groups: usize) -> Option<usize> {
-        if groups == 2 {
-            return Some(2);
-        }
-        let lifted = head.parenthesized
-            && matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Add(terms) if terms.len() == 1));
-        stated.or(self.degree).map(|degree| degree + usize::from(lifted))
-    }
-
-    /// The values of a list of arguments: with dots and braces written out and powers repeated.
-    /// Dots without a count are filled up to `arity`.
-    pub(super) fn arguments(
-        &self,
-        machine: &mut Machine,
-        items: &[Expr],
-        arity: Option<usize>,
-        expr: &Expr,
-    ) -> Result<Vec<Value>, Diagnostic> {
-        // f(0^{n-i} 1^i), f(0^2, t)
-        if let Some(values) = self.repeated_by_powers(machine, items, None)? {
-            return Ok(values);
-        }
-        if !items.iter().any(|item| matches!(item.kind, Kind::Ellipsis | Kind::Brace(..))) {
-            return items.iter().map(|item| self.argument(machine, item)).collect();
-        }
-        self.dotted_arguments(machine, items, arity, expr)
-    }
-
-    /// The value of an argument: a name that words call a vector is one.
-    pub(super) fn argument(&self, machine: &mut Machine, item: &Expr) -> Evaluated {
-        let value = machine.eval(item)?;
-        let vector = || {
-            Head::of(item).is_some_and(|head| {
-                head.arguments.is_none() && self.object(&head).is_some_and(|d| d.object.sort == Sort::Vectors)
-            })
-        };
-        match value {
-            Value::Scalar(step) if vector() => Ok(Value::Vector(step)),
-            value => Ok(value),
-        }
-    }
-
-    fn repeated_by_powers(
-        &self,
-        machine: &mut Machine,
-        items: &[Expr],
-        arity: Option<usize>,
-    ) -> Result<Option<Vec<Value>>, Diagnostic> {
-        let single = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Accent(..));
-        let factors: Vec<&Expr> = items
-            .iter()
-            .flat_map(|item| match &item.kind {
-                Kind::Mul(factors) if factors.iter().any(|factor| power(factor).is_some()) => {
-                    factors.iter().collect()
-                }
-                _ => vec![item],
-            })
-            .collect();
-        let count = |factor: &&Expr| match power(factor).filter(|(base, _)| single(base)) {
-            Some((_, exponent)) => machine.eval_int(exponent).ok(),
-            None => single(factor).then_some(1),
-        };
-        let number =
-            |factor: &&Expr| power(factor).is_some_and(|(base, _)| matches!(base.kind, Kind::Number(_)));
-        // Powers of names are repetitions where that gives the number of arguments, and the powers do not.
-        let repeated = factors.iter().any(number)
-            || arity.is_some_and(|arity| {
-                (arity != items.len() || factors.iter().any(|factor| matches!(factor.kind, Kind::Upper(..))))
-                    && factors.iter().map(count).sum::<Option<i64>>() == i64::try_from(arity).ok()
-            });
-        if !repeated {
-            return Ok(None);
-        }
-        let mut values = Vec::new();
-        for factor in factors {
-            match power(factor).filter(|(base, _)| single(base)) {
-                Some((base, exponent)) => {
-                    let count = machine.eval_int(exponent)?;
-                    let count = usize::try_from(count).map_err(|_| {
-                        Diagnostic::error(Code::Domain, format!("{count} copies make no sense"))
-                            .at(factor.span)
-                    })?;
-                    crate::budget::charge_terms(count as u64);
-                    let value = machine.eval(base)?;
-                    values.extend(std::iter::repeat_n(value, count));
-                }
-                None => values.push(machine.eval(factor)?),
-            }
-        }
-        Ok(Some(values))
-    }
-
     /// The value of a function at arguments that are values already.
     pub(super) fn apply(
         &self,
@@ -650,16 +557,4 @@ pub(super) fn unclear(what: &str, expr: &Expr) -> Diagnostic {
 /// A symbol as a formula.
 pub(super) fn variable(symbol: Symbol) -> Fraction {
     Fraction::from(MultiPoly::symbol(symbol))
-}
-
-/// An argument and how often it stands: t^3, t^{[3]}, t^{(3)}.
-fn power(expr: &Expr) -> Option<(&Expr, &Expr)> {
-    match &expr.kind {
-        Kind::Pow(base, exponent) => Some((base.as_ref(), exponent.as_ref())),
-        Kind::Upper(base, exponents) => match exponents.as_slice() {
-            [exponent] => Some((base.as_ref(), exponent)),
-            _ => None,
-        },
-        _ => None,
-    }
 }

@@ -53,7 +53,14 @@ impl Model {
                 continue;
             }
             // Of several that fit, the one with most exact indices; else the latest.
-            let better = best.as_ref().is_none_or(|(latest, most, ..)| exact > *most || number > *latest);
+            let bare =
+                |number: usize| values.is_some() && context.definitions[number].head.arguments.is_none();
+            let better = best.as_ref().is_none_or(|(latest, most, ..)| match (bare(*latest), bare(number)) {
+                // H_2 = …, after H_2(t) = …, is not for calls.
+                (false, true) => false,
+                (true, false) => true,
+                _ => exact > *most || number > *latest,
+            });
             if better {
                 best = Some((number, exact, near, bound));
             }

@@ -5,6 +5,7 @@
 //! with symbols as coefficients. It is a [`Reading`]: what it has no opinion on is left to the
 //! evaluator of the language.
 
+mod arguments;
 mod calls;
 mod definitions;
 mod dots;

@@ -1,0 +1,269 @@
+//! Doubts about notation: operators, matrices, families, brackets, words.
+
+use std::collections::BTreeSet;
+
+use super::Suspect;
+use crate::formula::{Accent, Expr, Kind};
+use crate::judge::names::{Head, bases, is_index_letter, walk};
+use crate::judge::object::Sort;
+use crate::judge::topic::Topic;
+use crate::language::lexicon::families::Family;
+use crate::language::lexicon::letters;
+use crate::math::number::Rational;
+
+impl Suspect<'_> {
+    /// A letter before a bracket is a factor only if it stands somewhere else without one.
+    pub(super) fn operator(&self) -> Option<String> {
+        let mut callees: Vec<&str> = Vec::new();
+        let mut plain: BTreeSet<&str> = BTreeSet::new();
+        fn collect<'e>(expr: &'e Expr, callees: &mut Vec<&'e str>, plain: &mut BTreeSet<&'e str>) {
+            match &expr.kind {
+                Kind::Apply(callee, groups) => {
+                    match &callee.kind {
+                        Kind::Name(name) => callees.push(name),
+                        _ => collect(callee, callees, plain),
+                    }
+                    groups.iter().flatten().for_each(|argument| collect(argument, callees, plain));
+                }
+                Kind::Name(name) => {
+                    plain.insert(name);
+                }
+                _ => expr.for_each_child(&mut |child| collect(child, callees, plain)),
+            }
+        }
+        for side in &self.chain.sides {
+            collect(&side.expr, &mut callees, &mut plain);
+        }
+        let place = &self.statement.place;
+        let context = &self.checker.context;
+        // dt, d(t^n)
+        let differential =
+            callees.contains(&"d") && !self.failure.integers.iter().any(|(name, _)| name == "d");
+        if differential {
+            return Some("d may be a differential".to_owned());
+        }
+        let known = |name: &str| {
+            plain.contains(name)
+                || name.chars().count() > 1 && letters::sign(name).is_none()
+                || context.letters.is_function(name)
+                || context.object_called(name, place).is_some()
+                || context.visible(name, place).next().is_some()
+                || self.tally.record.unknown.contains(name)
+                || is_index_letter(name) && self.failure.integers.iter().any(|(own, _)| own == name)
+        };
+        if let Some(name) = callees.into_iter().find(|name| !known(name)) {
+            return Some(format!("{name} may be a function or an operator"));
+        }
+        // f^{-1}(y) is a value of the inverse.
+        let function = |name: &str| {
+            context.letters.is_function(name)
+                || context.visible(name, place).any(|(_, definition, _)| definition.head.arguments.is_some())
+        };
+        let inverse = self.any(&mut |part| match &part.kind {
+            Kind::Pow(base, exponent) => {
+                matches!(&base.kind, Kind::Name(name) if function(name)) && is_minus_one(exponent)
+            }
+            _ => false,
+        });
+        if inverse {
+            return Some("it may be an inverse function".to_owned());
+        }
+        // b^0(0): a value of b^0, or a product?
+        let value = self.any(&mut |part| match &part.kind {
+            Kind::Mul(factors) => factors.windows(2).any(|pair| {
+                matches!((&pair[0].kind, &pair[1].kind), (Kind::Pow(base, _), Kind::Group(inner))
+                    if matches!(&base.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()))
+                        && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)))
+            }),
+            _ => false,
+        });
+        if value {
+            return Some("what stands before the bracket may be a function".to_owned());
+        }
+        // ΔS_i, where nothing says of what sequence it is a difference
+        let difference = self.any(&mut |part| match &part.kind {
+            Kind::Mul(factors) => factors.windows(2).any(|pair| {
+                matches!(&pair[0].kind, Kind::Name(name) if name == "Delta")
+                    && bases(&pair[1]).iter().all(|name| context.object_called(name, place).is_none())
+            }),
+            _ => false,
+        });
+        let named = self.symbols().iter().any(|symbol| symbol.base() == "Delta");
+        (named || difference && !self.claimed()).then(|| "what Δ means is not said".to_owned())
+    }
+    /// Products of matrices, inverses and transposes of what nobody introduced.
+    pub(super) fn matrices(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let context = &self.checker.context;
+        let known = |name: &str| {
+            context.object_called(name, place).is_some() || context.visible(name, place).next().is_some()
+        };
+        let capital = |expr: &Expr| match &expr.kind {
+            Kind::Name(name) => name.starts_with(char::is_uppercase).then_some(name.clone()),
+            Kind::Subscript(base, _) => match &base.kind {
+                Kind::Name(name) if name == "I" => Some(name.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let mut unknown: Option<String> = None;
+        let mut look = |expr: &Expr| {
+            if let Some(name) = capital(expr).filter(|name| !known(name)) {
+                unknown.get_or_insert(name);
+            }
+        };
+        let mut matrix = false;
+        for side in self.sides() {
+            walk(side, &mut |part| match &part.kind {
+                Kind::Transpose(inner) => {
+                    matrix = true;
+                    look(inner);
+                }
+                Kind::Pow(base, exponent) if is_minus_one(exponent) && capital(base).is_some() => {
+                    matrix = true;
+                    look(base);
+                }
+                Kind::Mul(factors) => {
+                    let capitals = factors.iter().filter(|factor| capital(factor).is_some()).count();
+                    if capitals > 1 {
+                        matrix = true;
+                    }
+                    factors.iter().for_each(&mut look);
+                }
+                Kind::Add(terms) => terms.iter().for_each(|term| look(&term.expr)),
+                Kind::Matrix(..) => matrix = true,
+                _ => {}
+            });
+        }
+        // \begin{bmatrix} n \\ k \end{bmatrix} counts something.
+        let counts = self.any(&mut |part| match &part.kind {
+            Kind::Matrix(rows, _) => rows.iter().flatten().flatten().all(|entry| {
+                let names = bases(entry);
+                !names.is_empty() && names.iter().all(|name| is_index_letter(name))
+            }),
+            _ => false,
+        });
+        if counts {
+            return Some("the bracket may be a number".to_owned());
+        }
+        let declared = self.any(&mut |part| match &part.kind {
+            Kind::Name(name) => {
+                context.object_called(name, place).is_some_and(|d| d.object.sort == Sort::Matrix)
+            }
+            _ => false,
+        });
+        // Those of a factorisation have properties that words give.
+        let determinant = self.any(&mut |part| matches!(&part.kind, Kind::Name(name) if name == "det"));
+        if determinant && self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix")) {
+            return Some("which matrices these are is not said".to_owned());
+        }
+        let name = unknown.filter(|_| matrix || declared)?;
+        Some(format!("{name} may be a matrix"))
+    }
+    /// B_i^k on a page about B-splines, or without an argument.
+    pub(super) fn family_of_another_kind(&self) -> Option<String> {
+        let mut family = |part: &Expr| {
+            Head::of(part).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular))
+        };
+        let assumed = self.tally.record.standard.iter().any(|note| note.contains("Bernstein"));
+        if !assumed || !self.any(&mut family) {
+            return None;
+        }
+        let topics = self.statement.topics;
+        let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular)));
+        let told = topics.has(Topic::Bernstein) || self.checker.context.letters.binomial_family;
+        (!told && (topics.has(Topic::Spline) || !self.any(&mut called)))
+            .then(|| "nothing says that the B are Bernstein polynomials".to_owned())
+    }
+    /// Lists of names, and brackets that count conditions.
+    pub(super) fn brackets(&self) -> Option<String> {
+        let list = |expr: &Expr| match &expr.kind {
+            Kind::List(items) | Kind::Tuple(items) => {
+                items.iter().all(|item| matches!(item.kind, Kind::Name(_)))
+            }
+            _ => false,
+        };
+        if self.sides().into_iter().all(list) {
+            return Some("what these lists stand for is not said".to_owned());
+        }
+        let counted = self.any(&mut |part| match &part.kind {
+            Kind::List(items) => items.iter().any(|item| matches!(item.kind, Kind::Chain(..))),
+            _ => false,
+        });
+        counted.then(|| "a condition stands in brackets".to_owned())
+    }
+    /// Letters side by side that make a word.
+    pub(super) fn word(&self) -> Option<String> {
+        let mut found: Option<String> = None;
+        for side in self.sides() {
+            walk(side, &mut |part| {
+                let Kind::Mul(factors) = &part.kind else { return };
+                let letter = |factor: &Expr| match &factor.kind {
+                    Kind::Name(name) if name.chars().count() == 1 => Some(name.clone()),
+                    Kind::Apply(callee, _) => match &callee.kind {
+                        Kind::Name(name) if name.chars().count() == 1 => Some(name.clone()),
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                let mut run = String::new();
+                let mut end = usize::MAX;
+                for factor in factors {
+                    match letter(factor) {
+                        Some(name) if run.is_empty() || factor.span.start == end => run.push_str(&name),
+                        Some(name) => run = name,
+                        None => run.clear(),
+                    }
+                    end = factor.span.end;
+                    if run.chars().count() >= 5 || speech_word(&run) {
+                        found = Some(run.clone());
+                    }
+                }
+            });
+        }
+        found.map(|word| format!("{word} may be a word"))
+    }
+}
+
+/// Whether a name stands in formulas outside of one part of them.
+fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
+    let count = |expr: &Expr| {
+        let mut found = 0;
+        walk(expr, &mut |inner| found += usize::from(matches!(&inner.kind, Kind::Name(own) if own == name)));
+        found
+    };
+    sides.iter().map(|side| count(side)).sum::<usize>() > count(part)
+}
+
+/// Words that join conditions; nobody multiplies these letters in this order.
+fn speech_word(run: &str) -> bool {
+    matches!(
+        run,
+        "or" | "ou"
+            | "if"
+            | "si"
+            | "and"
+            | "et"
+            | "und"
+            | "oder"
+            | "sonst"
+            | "wenn"
+            | "for"
+            | "pour"
+            | "sinon"
+            | "else"
+    )
+}
+
+fn is_minus_one(exponent: &Expr) -> bool {
+    match &exponent.kind {
+        Kind::Number(q) => *q == -Rational::from_integer(1.into()),
+        Kind::Add(terms) => {
+            matches!(terms.as_slice(), [only] if only.sign == crate::formula::Sign::Minus
+                && matches!(&only.expr.kind, Kind::Number(q) if *q == Rational::from_integer(1.into())))
+        }
+        Kind::Group(inner) => is_minus_one(inner),
+        Kind::Accent(Accent::Bold, inner) => is_minus_one(inner),
+        _ => false,
+    }
+}

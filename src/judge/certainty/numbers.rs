@@ -1,0 +1,136 @@
+//! Doubts about numbers: ranges, rounding, degrees, examples.
+
+use std::collections::BTreeSet;
+
+use super::Suspect;
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::context::is_variable;
+use crate::judge::names::{bases, walk};
+use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
+use crate::language::value::Value;
+use crate::math::number::Rational;
+use num_traits::{Signed, Zero};
+
+impl Suspect<'_> {
+    /// An inequality holds for some range: it has to be given.
+    pub(super) fn inequality_without_range(&self) -> Option<String> {
+        if !matches!(self.rel(), Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge) {
+            return None;
+        }
+        if self.statement.role == Some(Role::Introduced) {
+            return Some("a condition".to_owned());
+        }
+        let ranged = |name: &str, plain: bool| {
+            self.checker.is_restricted(name, &self.statement.place)
+                || self.chain.conditions.iter().any(|condition| bases(condition).contains(name))
+                || self.chain.universal
+                || self.tally.record.unit && plain
+        };
+        let written = || self.sides().into_iter().flat_map(bases).filter(|name| is_variable(name));
+        let free = self.symbols().into_iter().map(|symbol| (symbol.base().to_owned(), symbol.is_plain()));
+        if let Some((name, _)) =
+            free.chain(written().map(|name| (name, true))).find(|(name, plain)| !ranged(name, *plain))
+        {
+            return Some(format!("for which {name} it is meant is not said"));
+        }
+        let integer = self.failure.integers.iter().find(|(name, value)| {
+            *value < 2 && !self.chain.conditions.iter().any(|condition| bases(condition).contains(name))
+        });
+        integer.map(|(name, _)| format!("for which {name} it is meant is not said"))
+    }
+    /// Numbers that were rounded, or that are counted modulo another.
+    pub(super) fn rounded_or_modular(&self) -> Option<String> {
+        if self.rel() == Rel::Equiv {
+            return Some("it may be a congruence".to_owned());
+        }
+        if self.statement.role == Some(Role::Introduced)
+            && self.tally.record.definitions.is_empty()
+            && self.tally.record.standard.is_empty()
+        {
+            return Some("a condition".to_owned());
+        }
+        let written = |side: &Expr| bases(side).is_empty();
+        if !self.sides().into_iter().all(written) {
+            return None;
+        }
+        if self.statement.topics.has(Topic::Modular) {
+            return Some("it may be meant modulo a number".to_owned());
+        }
+        // The Legendre symbol of 2 and 5
+        let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)));
+        if self.sides().into_iter().any(quotient) {
+            return Some("the bracket may be a symbol".to_owned());
+        }
+        let (Some(left), Some(right)) = (number(&self.failure.left), number(&self.failure.right)) else {
+            return None;
+        };
+        // As many digits as the side shows.
+        let mut finest: Option<Rational> = None;
+        for side in self.sides() {
+            walk(side, &mut |part| {
+                if let Kind::Number(q) = &part.kind
+                    && !q.is_integer()
+                {
+                    let digits = last_digit(q);
+                    finest = Some(finest.take().map_or(digits.clone(), |known| known.max(digits)));
+                }
+            });
+        }
+        let near = finest.is_some_and(|digit| {
+            let size = right.abs().max(Rational::from_integer(1.into()));
+            (left - &right).abs() <= digit * size
+        });
+        near.then(|| "equal up to rounding".to_owned())
+    }
+    /// What holds for some degrees, and is meant for them: ℓ_0(x_1) = 0 needs two nodes.
+    pub(super) fn some_degrees(&self) -> Option<String> {
+        let failed: BTreeSet<usize> =
+            self.tally.fails.iter().map(|failure| failure.degree).collect::<Option<_>>()?;
+        (self.failure.integers.is_empty()
+            && self.tally.holds > 0
+            && (1..=4).any(|degree| !failed.contains(&degree)))
+        .then(|| "true for some degrees only: which one is meant?".to_owned())
+    }
+    /// A sum over all w_j, of which the page gave those of an example.
+    pub(super) fn members_of_an_example(&self) -> Option<String> {
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let given: BTreeSet<&str> = self
+            .used()
+            .filter(|definition| {
+                !definition.head.lower.is_empty() && definition.head.lower.iter().all(number)
+            })
+            .filter(|definition| definition.head.arguments.is_none() && definition.head.upper.is_empty())
+            .map(|definition| definition.head.base.as_str())
+            .collect();
+        if self.failure.integers.is_empty() || given.is_empty() {
+            return None;
+        }
+        let general = self.any(&mut |part| match &part.kind {
+            Kind::Big { upper: Some(upper), body, .. } => {
+                !number(upper) && bases(body).iter().any(|name| given.contains(name.as_str()))
+            }
+            _ => false,
+        });
+        general.then(|| "the members of an example may not be meant here".to_owned())
+    }
+}
+
+fn number(value: &Value) -> Option<Rational> {
+    value.as_rational()
+}
+
+/// The value of the last decimal digit of a number: 1/1000 for 1.053.
+fn last_digit(q: &Rational) -> Rational {
+    let ten = Rational::from_integer(10.into());
+    let mut digit = Rational::from_integer(1.into());
+    let mut scaled = q.clone();
+    for _ in 0..40 {
+        if scaled.is_integer() {
+            return digit;
+        }
+        scaled *= &ten;
+        digit /= &ten;
+    }
+    Rational::zero()
+}
