@@ -93,6 +93,19 @@ impl Expr {
         for_each_child!(&self.kind, visit, iter);
     }
 
+    /// The same with another name in the place of one.
+    pub fn with_name(&self, name: &str, other: &str) -> Expr {
+        fn rename(expr: &mut Expr, name: &str, other: &str) {
+            if matches!(&expr.kind, Kind::Name(own) if own == name) {
+                expr.kind = Kind::Name(other.to_owned());
+            }
+            expr.for_each_child_mut(&mut |child| rename(child, name, other));
+        }
+        let mut copy = self.clone();
+        rename(&mut copy, name, other);
+        copy
+    }
+
     /// The same walk with mutable access.
     pub fn for_each_child_mut(&mut self, visit: &mut dyn FnMut(&mut Expr)) {
         for_each_child!(&mut self.kind, visit, iter_mut, mut);

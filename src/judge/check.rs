@@ -98,11 +98,15 @@ impl Checker {
                     return;
                 }
                 self.diagonal(chain, statement);
+                self.operators(chain, &statement.place);
                 let limits = self.limits.clone();
                 let before = self.context.mark();
                 if let Some(mut findings) = self.unasserted(chain, statement) {
                     // What two curves have to fulfil where they meet is known.
                     let join = statement.role == Some(Role::Assumed) && statement.topics.has(Topic::Join);
+                    if statement.role == Some(Role::Sought) {
+                        self.remember(chain, statement, &findings);
+                    }
                     if join || statement.role == Some(Role::Equivalent) {
                         self.by_the_field(chain, statement, &mut findings, before);
                     }
@@ -145,7 +149,9 @@ impl Checker {
     fn unasserted(&mut self, chain: &Chain, statement: &Statement) -> Option<Vec<Finding>> {
         let (verdict, reason) = match statement.role {
             Some(Role::Assumed) => (Verdict::Definition, "assumed here"),
-            Some(Role::Asked | Role::Equivalent) => (Verdict::Undecided, "asked for, not claimed"),
+            Some(Role::Asked | Role::Sought | Role::Equivalent) => {
+                (Verdict::Undecided, "asked for, not claimed")
+            }
             _ if statement.is_case() => (Verdict::Definition, "a condition"),
             _ if chain.partial => (Verdict::Definition, "said of the other cases"),
             _ => return None,
@@ -156,7 +162,7 @@ impl Checker {
         });
         // "The patch has the equation x(u, v) = …"
         let formula = new.as_ref().is_some_and(|head| {
-            statement.role == Some(Role::Asked)
+            matches!(statement.role, Some(Role::Asked | Role::Sought))
                 && !head.flat().is_empty()
                 && head
                     .flat()

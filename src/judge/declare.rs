@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::context::{Body, Definition};
-use super::names::{Head, bases};
+use super::names::{Head, bases, walk};
 use super::object::{Object, Sort};
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
@@ -39,6 +39,37 @@ impl Checker {
             let (names, of) = (vec![Expr::name(small)], Some(Expr::name(&head.base)));
             let object = Object { names, of, ..Object::new(Sort::PolarForm) };
             self.object(&object, &statement.place);
+        }
+    }
+
+    /// (B_n q)(x), where the page says what (B_n f)(x) is: the same with q in the place of f.
+    pub(super) fn operators(&mut self, chain: &Chain, place: &Place) {
+        let mut wanted: Vec<(String, String, String)> = Vec::new();
+        for side in &chain.sides {
+            walk(&side.expr, &mut |part| {
+                let Some(base) = Head::of(part).map(|head| head.base) else { return };
+                if let Some((operator, function)) =
+                    base.strip_suffix(']').and_then(|base| base.split_once('['))
+                    && !operator.is_empty()
+                    && self.context.visible(&base, place).next().is_none()
+                {
+                    wanted.push((base.clone(), operator.to_owned(), function.to_owned()));
+                }
+            });
+        }
+        for (base, operator, function) in wanted {
+            let like =
+                |known: &str| known.strip_prefix(operator.as_str()).is_some_and(|rest| rest.starts_with('['));
+            let definitions = &self.context.definitions;
+            let known = definitions.iter().rev().find(|definition| {
+                like(&definition.head.base) && place.in_reach(&definition.place, definition.assumed)
+            });
+            let Some(Definition { head, body: Body::Formula(body), conditions, .. }) = known.cloned() else {
+                continue;
+            };
+            let argument = head.base[operator.len()..].trim_matches(['[', ']']).to_owned();
+            let body = body.with_name(&argument, &function);
+            self.define(Head { base, ..head }, Body::Formula(body.clone()), &conditions, place, body.span);
         }
     }
 

@@ -16,6 +16,7 @@ use super::finding::{Finding, Verdict};
 use super::hypotheses::is_coefficient;
 use super::known::definable;
 use super::names::{Head, is_range};
+use super::refute::calls;
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
 use super::tally::Failure;
@@ -64,8 +65,10 @@ impl Checker {
             Body::Value(_) => return,
         };
         // A number in passing, h = 1, is no formula for it.
-        let formula =
-            head.arguments.is_some() || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
+        // A formula for a part of the range is not the whole function, nor is s(x) = s(2 - x).
+        let whole = chain.conditions.is_empty() && !calls(&right, &head.base);
+        let formula = whole && head.arguments.is_some()
+            || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
         let facts = if formula { self.facts_about(&head, statement, before) } else { Vec::new() };
         if facts.is_empty() {
             return;

@@ -71,6 +71,8 @@ pub enum Role {
     Even,
     /// Solve …, find …, it is wrong that …: nothing is asserted.
     Asked,
+    /// Solve …, the equation …: what is to be solved, so that a solution has to fulfil it.
+    Sought,
     /// If and only if …: a condition that means the same as something else.
     Equivalent,
 }

@@ -128,7 +128,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     let mut found: Vec<Around> = Vec::new();
     for sentence in sentences {
         let (mut left, mut first) = (String::new(), true);
-        let ours = matches!(sentence.first(), Some(Piece::Words(words)) if speech::ours(words));
+        let (mut ours, mut proves) = (false, false);
         for piece in sentence {
             match piece {
                 Piece::Words(words) => {
@@ -137,9 +137,17 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
                     }
                     left.push_str(words);
                     left.push(' ');
+                    ours |= speech::ours(words);
+                    proves |= speech::proves(words);
                 }
                 Piece::Formula(_) => {
-                    found.push(Around { left: std::mem::take(&mut left), right: String::new(), first, ours });
+                    found.push(Around {
+                        left: std::mem::take(&mut left),
+                        right: String::new(),
+                        first,
+                        ours,
+                        proves,
+                    });
                     first = false;
                 }
             }
@@ -273,7 +281,7 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
     let is_claim = |statement: &Statement| {
         !statement.is_case()
             && matches!(&statement.said, Said::Chain(chain) if !chain.given)
-            && !matches!(statement.role, Some(Role::Assumed | Role::Asked | Role::Equivalent))
+            && !matches!(statement.role, Some(Role::Assumed | Role::Asked | Role::Sought | Role::Equivalent))
     };
     let Some(begins) = statements.iter().position(|statement| statement.is_case() || is_claim(statement))
     else {

@@ -142,8 +142,7 @@ impl Suspect<'_> {
             || within(&right, &left)
             || family && !left.is_empty() && letters(&left) == letters(&right);
         let power = !head.upper.is_empty() && head.lower.is_empty();
-        let decided = self.tally.determined > 0 || self.claimed();
-        (self.is_equation() && self.at == 0 && !same && !power && !decided)
+        (self.is_equation() && self.at == 0 && !same && !power && !self.claimed())
             .then(|| "it may say what its left side is".to_owned())
     }
 
@@ -252,8 +251,17 @@ impl Suspect<'_> {
             let plain = |symbol: &Symbol| symbol.base() != name || symbol.is_plain();
             is_variable(name) && left.iter().chain(&right).all(plain)
         };
+        // The ends a and b of the interval that the formula for C has, in C'(a)
+        let of_formula = |name: &str| {
+            let plain = |symbol: &Symbol| symbol.base() != name || symbol.is_plain();
+            let inside = |definition: &Definition| matches!(&definition.body, Body::Formula(body) if bases(body).contains(name));
+            name.starts_with(char::is_lowercase)
+                && left.iter().chain(&right).all(plain)
+                && self.used().any(inside)
+        };
         let open = |name: &&String| {
             !parameter(name)
+                && !of_formula(name)
                 && !name.starts_with('[')
                 && !self.is_spoken_of(name)
                 && !self.checker.is_restricted(name, place)
@@ -299,7 +307,11 @@ impl Suspect<'_> {
         let [left, right] = self.sides();
         let head = Head::of(left).filter(|head| head.arguments.is_some() && head.notation().is_none())?;
         let own: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
-        let closed = |body: &Expr| bases(body).iter().all(|name| own.contains(name) || is_index_letter(name));
+        let closed = |body: &Expr| {
+            let mut structure = false;
+            walk(body, &mut |part| structure |= matches!(part.kind, Kind::Big { .. } | Kind::Apply(..)));
+            !structure && bases(body).iter().all(|name| own.contains(name) || is_index_letter(name))
+        };
         let plain = head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
         let before = self.used().any(|definition| {
             definition.head.base == head.base

@@ -172,7 +172,14 @@ impl Suspect<'_> {
         let topics = self.statement.topics;
         let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular)));
         let told = topics.has(Topic::Bernstein) || self.checker.context.letters.binomial_family;
-        (!told && (topics.has(Topic::Spline) || !self.any(&mut called)))
+        // For t_i < t < t_{i+k}: these are knots.
+        let member = |condition: &Expr| {
+            let mut found = false;
+            walk(condition, &mut |part| found |= matches!(part.kind, Kind::Subscript(..)));
+            found
+        };
+        let knots = topics.has(Topic::Spline) || self.chain.conditions.iter().any(member);
+        (!told && (knots || !self.any(&mut called)))
             .then(|| "nothing says that the B are Bernstein polynomials".to_owned())
     }
     /// Lists of names, and brackets that count conditions.

@@ -32,7 +32,7 @@ impl Model {
         }
         // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.
         if let Kind::Apply(callee, _) = &base.kind
-            && Head::of(callee).is_some_and(|head| head.upper.is_empty())
+            && Head::of(callee).is_none_or(|head| head.upper.is_empty())
             && self.is_function(machine, callee)
         {
             return Some(machine.eval(base).and_then(|value| {

@@ -9,7 +9,7 @@ const TRANSCENDENTAL: &[&str] = &[
 /// Functions of linear algebra and of numbers that pages write as words.
 const OF_OBJECTS: &[&str] = &[
     "det", "tr", "rank", "rang", "dim", "ker", "deg", "grad", "gcd", "lcm", "ggT", "pgcd", "sgn", "arg",
-    "max", "min", "sup", "inf",
+    "max", "min", "sup", "inf", "inner", "norm", "abs",
 ];
 
 /// Whether a word is a function everywhere, so that no formula for a value of it says what it is.

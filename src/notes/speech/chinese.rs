@@ -84,8 +84,8 @@ pub(super) const CUES: &[Cue] = &[
     After("为偶", Role::Even),
     After("为奇", Role::Odd),
     Before("求", Role::Asked),
-    Before("求解", Role::Asked),
-    Before("解方程", Role::Asked),
+    Before("求解", Role::Sought),
+    Before("解方程", Role::Sought),
     Before("当且仅当", Role::Equivalent),
     Before("是否", Role::Asked),
 ];

@@ -169,8 +169,10 @@ pub struct Around {
     pub right: String,
     /// Whether the formula is the first of its sentence.
     pub first: bool,
-    /// Whether the sentence begins by saying what "we" do.
+    /// Whether the sentence says what "we" do, up to the formula.
     pub ours: bool,
+    /// Whether the sentence asks for a proof.
+    pub proves: bool,
 }
 
 /// Small letters, single blanks, no marks of emphasis.
@@ -280,6 +282,10 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
         for cue in language.cues {
             let found = match cue {
                 Cue::Before(_, Role::Asked) | Cue::Command(..) if apart => None,
+                // "Show the equation …": it is claimed.
+                Cue::Before(phrase, Role::Sought) if around.proves => {
+                    ends_with(&left, phrase, language).then_some((phrase, &Role::Claimed))
+                }
                 Cue::Command(phrase, _) if around.ours && !left.ends_with(&format!("to {phrase}")) => {
                     ends_with(&left, phrase, language).then_some((phrase, &Role::Claimed))
                 }
@@ -322,9 +328,33 @@ pub fn zero_elsewhere(words: &str) -> bool {
     })
 }
 
-/// Whether a sentence that begins with these words says what "we" do.
+/// Whether words say what "we" do.
 pub fn ours(words: &str) -> bool {
-    normal(words).split(' ').next().is_some_and(|first| matches!(first, "we" | "one"))
+    plain(words).split(' ').any(|word| matches!(word, "we" | "one"))
+}
+
+/// Whether words ask for a proof.
+pub fn proves(words: &str) -> bool {
+    let text = plain(words);
+    let spaced = text.split(|c: char| !c.is_alphanumeric());
+    let word = |word: &str| {
+        matches!(
+            word,
+            "show"
+                | "prove"
+                | "verify"
+                | "zeige"
+                | "zeigen"
+                | "beweise"
+                | "beweisen"
+                | "montrer"
+                | "montrez"
+                | "démontrer"
+                | "prouver"
+                | "vérifier"
+        )
+    };
+    spaced.into_iter().any(word) || ["证明", "验证"].iter().any(|word| text.contains(word))
 }
 
 /// Whether the words only go on from the formula before: "and", "or", a comma. True for an alternative.
@@ -366,7 +396,16 @@ mod tests {
     use super::*;
 
     fn said(left: &str, right: &str) -> Option<Role> {
-        role(&Around { left: left.to_owned(), right: right.to_owned(), first: true, ours: false }, true)
+        role(
+            &Around {
+                left: left.to_owned(),
+                right: right.to_owned(),
+                first: true,
+                ours: false,
+                proves: false,
+            },
+            true,
+        )
     }
 
     #[test]
