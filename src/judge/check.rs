@@ -576,42 +576,6 @@ impl Checker {
             }
         }
     }
-
-    /// Whether an equation says what the value of a function or a derivative is at a place: S(x_i) = y_i. What is
-    /// made of the function itself says nothing new of it.
-    fn is_datum(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
-        let Kind::Apply(callee, _) = &left.kind else { return false };
-        let mut function = callee.as_ref();
-        while let Kind::Prime(inner, _) | Kind::Accent(_, inner) = &function.kind {
-            function = inner;
-        }
-        Head::of(function).is_some_and(|head| {
-            let inside = self.context.reached(&[right], place);
-            let another = |expr: &Expr| {
-                matches!(&expr.kind, Kind::Apply(_, groups)
-                    if groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Number(_))))
-            };
-            !inside.contains(&head.base) && !inside.contains(&head.base.to_lowercase())
-                || another(left) && another(right)
-        })
-    }
-
-    /// S''(x) = … of an unknown S tells what its derivative is.
-    fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<String> {
-        let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
-        let Kind::Prime(function, _) = &callee.kind else { return None };
-        let head = Head::of(function)?;
-        let bare = groups
-            .iter()
-            .flatten()
-            .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
-        let right = super::names::bases(&chain.sides[1].expr);
-        let known =
-            self.context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some())
-                || right.contains(&head.base)
-                || right.contains(&head.base.to_lowercase());
-        (bare && !known).then_some(head.base)
-    }
 }
 
 /// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S.
