@@ -6,7 +6,7 @@ use super::context::{Body, Condition, Definition, is_variable};
 use super::model::{Curve, capital_of};
 use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_range, walk};
 use super::refute::calls;
-use super::statement::Place;
+use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families::Family;
 use crate::language::lexicon::words::is_function_word;
