@@ -433,6 +433,25 @@ fn depth_has_an_end() {
     let ran = run(&["eval", "1 + 1", "--max-depth=1000000"]);
     assert!(ran.err.contains("--max-depth") && ran.err.contains("20000"), "{}", ran.err);
     assert_eq!(run(&["eval", "1 + 1", "--max-depth=20000"]).out, "2\n");
+    // What a call takes depends on its formula: the memory is bounded, too.
+    let body = (0..60).fold("f(n-1)".to_owned(), |inner, _| format!("abs(1+{inner})"));
+    let ran = run(&[
+        "eval",
+        &format!("f(n) := cases(0 if n <= 0, {body} otherwise); f(10^6)"),
+        "--max-depth=20000",
+    ]);
+    assert_eq!((ran.status, ran.err.contains("too much memory")), (Some(2), true), "{}", ran.err);
+}
+
+/// Only what is printed of a row of binomials is made.
+#[test]
+fn polar_forms_of_huge_degree_are_printed_or_stopped() {
+    let ran = run(&["eval", "polar(t^200000)"]);
+    assert!(ran.out.starts_with("f(t1, t2,") && ran.out.ends_with(" t199999 t200000\n"));
+    let ran = run(&["eval", "polar(t^300000 + t^150000)"]);
+    assert!(ran.err.contains("terms, more than the limit of 4000000"), "{}", ran.err);
+    let ran = run(&["eval", "polar(t^300000 + t^150000)", "--notation=ellipsis", "--timeout=0.2"]);
+    assert!(ran.err.contains("time limit of 0.2 s"), "{}", ran.err);
 }
 
 #[cfg(target_os = "linux")]

@@ -126,23 +126,26 @@ impl Output {
 
     /// A form written out without being built.
     fn stream(&self, polar: &Polar, form: &PolarForm<Rational>, name: Option<Expr>) -> Result<(), Trouble> {
-        let names: Result<Vec<String>, Trouble> =
-            polar.arguments()[0].iter().map(|argument| self.written(&symbol_expr(&argument[0]))).collect();
-        let names = names?;
-        let left = polar.call(name.unwrap_or_else(|| Expr::name("f")));
-        let head = if self.format == Format::Sympy { String::new() } else { self.written(&left)? + " = " };
-        let mut out = io::stdout().lock();
         self.limited(|| {
             // What is too long is refused before its first line is out.
             crate::budget::charge_terms(expanded_terms(form));
+            let names: Result<Vec<String>, Trouble> = polar.arguments()[0]
+                .iter()
+                .map(|argument| self.written(&symbol_expr(&argument[0])))
+                .collect();
+            let names = names?;
+            let head = match self.format {
+                Format::Sympy => String::new(),
+                _ => self.written(&polar.call(name.unwrap_or_else(|| Expr::name("f"))))? + " = ",
+            };
+            let mut out = io::stdout().lock();
             out.write_all(head.as_bytes())?;
             match self.notation {
                 Notation::Grouped => write_grouped(&mut out, form, &names, self.format)?,
                 _ => write_expanded(&mut out, form, &names, self.format)?,
             }
-            out.write_all(b"\n")
+            Ok(out.write_all(b"\n")?)
         })?
-        .map_err(Trouble::Output)
     }
 
     /// Does something large under the limits.

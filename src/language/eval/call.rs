@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::machine::{Evaluated, Machine};
+use super::machine::{Evaluated, Machine, without_end};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::division_by_zero;
@@ -84,10 +84,7 @@ impl Machine {
         }
         let deepest = crate::budget::depth();
         if self.depth >= deepest {
-            return Err(Diagnostic::error(Code::Recursion, format!("calls nested more than {deepest} deep"))
-                .at(span)
-                .reason("this refers to itself without end")
-                .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)"));
+            return Err(without_end(format!("calls nested more than {deepest} deep")).at(span));
         }
         // The body sees the names of its definition and its parameters, nothing of the caller.
         let caller =

@@ -1,5 +1,6 @@
 //! The state of one evaluation.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -16,6 +17,32 @@ use crate::math::poly::Symbol;
 /// Room on the stack below which a new segment is taken, and its size.
 const RED_ZONE: usize = 256 * 1024;
 const SEGMENT: usize = 4 * 1024 * 1024;
+/// Segments the evaluations of a thread may hold at a time, 512 MiB: what calls take depends on how deeply the formulas
+/// between them are nested, so their number alone does not bound the memory.
+const MOST_SEGMENTS: usize = 128;
+
+thread_local! {
+    static SEGMENTS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// One more segment of this thread's stack, until it is dropped.
+struct Segment;
+
+impl Segment {
+    fn taken() -> Option<Self> {
+        let held = SEGMENTS.get();
+        (held < MOST_SEGMENTS).then(|| {
+            SEGMENTS.set(held + 1);
+            Segment
+        })
+    }
+}
+
+impl Drop for Segment {
+    fn drop(&mut self) {
+        SEGMENTS.set(SEGMENTS.get() - 1);
+    }
+}
 
 /// A value, or what is wrong.
 pub(crate) type Evaluated = Result<Value, Diagnostic>;
@@ -115,14 +142,23 @@ impl Machine {
     /// The same with the arrangement that the formula asks for, for an answer.
     pub(super) fn eval_as_written(&mut self, expr: &Expr) -> Evaluated {
         crate::budget::step();
-        stacker::maybe_grow(RED_ZONE, SEGMENT, || {
-            if let Some(reading) = self.reading.clone()
-                && let Some(result) = reading.eval(self, expr)
-            {
-                return result;
-            }
-            self.eval_kind(expr)
-        })
+        if stacker::remaining_stack().is_some_and(|left| left >= RED_ZONE) {
+            return self.eval_here(expr);
+        }
+        let Some(_segment) = Segment::taken() else {
+            let message = format!("calls nested {} deep take too much memory", self.depth);
+            return Err(without_end(message).at(expr.span));
+        };
+        stacker::grow(SEGMENT, || self.eval_here(expr))
+    }
+
+    fn eval_here(&mut self, expr: &Expr) -> Evaluated {
+        if let Some(reading) = self.reading.clone()
+            && let Some(result) = reading.eval(self, expr)
+        {
+            return result;
+        }
+        self.eval_kind(expr)
     }
 
     /// The integer an expression denotes.
@@ -144,4 +180,11 @@ impl Machine {
         (self.tools.function)(name)
             .ok_or_else(|| Diagnostic::error(Code::Internal, format!("no function {name}")))
     }
+}
+
+/// Calls that do not seem to come to an end.
+pub(super) fn without_end(message: String) -> Diagnostic {
+    Diagnostic::error(Code::Recursion, message)
+        .reason("this refers to itself without end")
+        .hint("give a base case, for example F(0) := 1 before F(n) := n F(n-1)")
 }

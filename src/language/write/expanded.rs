@@ -7,12 +7,12 @@
 
 use std::io::{self, Write};
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::Format;
 use crate::budget;
 use crate::math::blossom::PolarForm;
-use crate::math::number::Rational;
+use crate::math::number::{Rational, binomials_where};
 
 /// Bytes collected before they are handed on.
 const CHUNK: usize = 1 << 16;
@@ -25,12 +25,11 @@ const CHUNK: usize = 1 << 16;
 /// assert_eq!(expanded_terms(&f), 2);
 /// ```
 pub fn expanded_terms(form: &PolarForm<Rational>) -> u64 {
-    let n = form.degree();
-    (form.coefficients().iter().zip(crate::math::number::binomial_row(n)))
-        .filter(|(c, _)| !c.is_zero())
-        .fold(0u64, |sum, (_, count)| {
-            sum.saturating_add(num_traits::ToPrimitive::to_u64(&count).unwrap_or(u64::MAX))
-        })
+    let coefficients = form.coefficients();
+    let mut counts = binomials_where(form.degree(), |i| !coefficients[i].is_zero());
+    // The first count that is too large ends it: those further inward are larger still.
+    let sum = counts.try_fold(0u64, |sum, (_, count)| sum.checked_add(count.to_u64()?));
+    sum.unwrap_or(u64::MAX)
 }
 
 /// Writes the polar form with every monomial, in text, Unicode, LaTeX or SymPy syntax.

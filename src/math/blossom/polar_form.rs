@@ -17,7 +17,7 @@ use std::any::Any;
 use std::fmt;
 
 use super::evaluator::Evaluator;
-use crate::math::number::{Int, Rational, binomial_row};
+use crate::math::number::{Int, Rational, binomials_where};
 use crate::math::poly::Coefficients;
 use crate::math::ring::{Field, Ring};
 use num_integer::Integer;
@@ -189,14 +189,14 @@ impl<C: Ring> PolarForm<C> {
     }
 
     /// c_i / C(n, i): the coefficients of the elementary symmetric functions e_i.
+    ///
+    /// Cost: binomial coefficients from the nearer end of their row to the innermost c_i ≠ 0.
     pub fn weights(&self) -> Vec<C> {
-        let row = binomial_row(self.degree());
-        self.coefficients.iter().zip(row).map(|(c, b)| c.scaled(&Rational::new_raw(Int::ONE, b))).collect()
+        with_binomials(self.coefficients.clone(), |b| Rational::new_raw(Int::ONE, b))
     }
 
     fn from_weights(weights: Vec<C>) -> Self {
-        let row = binomial_row(weights.len().saturating_sub(1));
-        PolarForm::new(weights.iter().zip(row).map(|(w, b)| w.scaled(&Rational::from_integer(b))).collect())
+        PolarForm::new(with_binomials(weights, Rational::from_integer))
     }
 
     /// f at points, or at points and vectors, mixed.
@@ -371,6 +371,15 @@ impl<C: Ring> PolarForm<C> {
     pub fn map<D: Ring>(&self, map: impl FnMut(&C) -> D) -> PolarForm<D> {
         PolarForm { coefficients: self.coefficients.iter().map(map).collect() }
     }
+}
+
+/// Each x_i ≠ 0 of x_0, …, x_n times the factor that belongs to C(n, i).
+fn with_binomials<C: Ring>(mut list: Vec<C>, factor: impl Fn(Int) -> Rational) -> Vec<C> {
+    let zero: Vec<bool> = list.iter().map(C::is_zero).collect();
+    for (i, b) in binomials_where(list.len().saturating_sub(1), |i| zero.get(i) == Some(&false)) {
+        list[i] = list[i].scaled(&factor(b));
+    }
+    list
 }
 
 #[derive(Clone, Copy)]

@@ -22,13 +22,7 @@ pub fn binomial(n: usize, k: usize) -> Int {
     if k > n {
         return Int::ZERO;
     }
-    let k = k.min(n - k);
-    let mut c = Int::ONE;
-    for i in 0..k {
-        c *= Int::from(n - i);
-        c = c.div_exact(&Int::from(i + 1));
-    }
-    c
+    half_row(n).nth(k.min(n - k)).expect("a place in the first half")
 }
 
 /// Row n of Pascal's triangle: C(n, 0), …, C(n, n). Cost: n word products and divisions.
@@ -40,18 +34,46 @@ pub fn binomial(n: usize, k: usize) -> Int {
 /// ```
 pub fn binomial_row(n: usize) -> Vec<Int> {
     let mut row: Vec<Int> = Vec::with_capacity(n + 1);
-    let mut c = Int::ONE;
-    for k in 0..=n {
-        if k > n / 2 {
-            let mirrored = row[n - k].clone();
-            row.push(mirrored);
-            continue;
-        }
-        row.push(c.clone());
-        c *= Int::from(n - k);
-        c = c.div_exact(&Int::from(k + 1));
+    row.extend(half_row(n));
+    for k in row.len()..=n {
+        row.push(row[n - k].clone());
     }
     row
+}
+
+/// (i, C(n, i)) for the i in 0..=n that are asked for, from both ends of the row inward, one after
+/// the other. A whole row has about 0.7 n² bits: who needs a few entries takes these only.
+///
+/// Cost: a word product and a division for each place from the nearer end to the innermost one
+/// asked for.
+///
+/// ```
+/// use polarform::number::binomials_where;
+/// let ends: Vec<(usize, String)> =
+///     binomials_where(1_000_000, |i| i % 999_999 < 2).map(|(i, c)| (i, c.to_string())).collect();
+/// let expected = [(0, "1"), (1_000_000, "1"), (1, "1000000"), (999_999, "1000000")];
+/// assert_eq!(ends, expected.map(|(i, c)| (i, c.to_owned())));
+/// ```
+pub fn binomials_where(n: usize, asked: impl Fn(usize) -> bool) -> impl Iterator<Item = (usize, Int)> {
+    let places = (0..=n / 2).rev().find(|&i| asked(i) || asked(n - i)).map_or(0, |i| i + 1);
+    half_row(n).take(places).enumerate().flat_map(move |(k, c)| {
+        let mirrored = (k != n - k && asked(n - k)).then(|| (n - k, c.clone()));
+        asked(k).then_some((k, c)).into_iter().chain(mirrored)
+    })
+}
+
+/// C(n, 0), …, C(n, ⌊n/2⌋), one after the other. Limits on time stop it.
+fn half_row(n: usize) -> impl Iterator<Item = Int> {
+    let mut c = Int::ONE;
+    (0..=n / 2).map(move |k| {
+        if k > 0 {
+            // Numbers of 4096 bits take about a microsecond.
+            crate::budget::steps((c.bits() >> 12) as u32);
+            c *= Int::from(n + 1 - k);
+            c = c.div_exact(&Int::from(k));
+        }
+        c.clone()
+    })
 }
 
 /// (a_1 + … + a_m)! / (a_1! … a_m!), the number of ways to order a multiset.
@@ -123,6 +145,32 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn entries_asked_for_are_those_of_the_row() {
+        for n in 0..30 {
+            let row = binomial_row(n);
+            for seed in 0..40 {
+                let asked = |i: usize| (seed * (i + 3) * (i + 3) + i) % 7 < seed % 8;
+                let mut entries: Vec<(usize, Int)> = binomials_where(n, asked).collect();
+                entries.sort_unstable();
+                let expected = row.iter().cloned().enumerate().filter(|(i, _)| asked(*i));
+                assert_eq!(entries, expected.collect::<Vec<_>>(), "n = {n}, seed {seed}");
+            }
+        }
+    }
+
+    #[test]
+    fn time_stops_a_row() {
+        use crate::budget::{Limits, Stop, run};
+        let limits = Limits { steps: Some(1000), ..Limits::default() };
+        // C(10^6, 1000) has more than ten thousand bits, so the middle is far.
+        assert_eq!(
+            run(&limits, || binomials_where(1_000_000, |i| i == 500_000).count()),
+            Err(Stop::Steps(1000))
+        );
+        assert_eq!(run(&limits, || binomials_where(1_000_000, |i| i == 1_000_000).count()), Ok(1));
     }
 
     #[test]

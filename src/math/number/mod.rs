@@ -11,7 +11,7 @@ mod literal;
 mod modular;
 mod root;
 
-pub use combinatorics::{Combinations, binomial, binomial_row, factorial, multinomial};
+pub use combinatorics::{Combinations, binomial, binomial_row, binomials_where, factorial, multinomial};
 pub use int::Int;
 pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal};
