@@ -4,8 +4,8 @@ use std::io::{self, IsTerminal, Write};
 
 use super::arguments::Global;
 use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
-use crate::formula::Expr;
 use crate::formula::source::SourceFile;
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, render, render_json};
 use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
@@ -129,14 +129,19 @@ impl Output {
         self.limited(|| {
             // What is too long is refused before its first line is out.
             crate::budget::charge_terms(expanded_terms(form));
-            let names: Result<Vec<String>, Trouble> = polar.arguments()[0]
-                .iter()
-                .map(|argument| self.written(&symbol_expr(&argument[0])))
-                .collect();
+            let argument = |i: usize| symbol_expr(&polar.variables[0].numbered(i as i64));
+            let names: Result<Vec<String>, Trouble> =
+                (1..=form.degree()).map(|i| self.written(&argument(i))).collect();
             let names = names?;
             let head = match self.format {
                 Format::Sympy => String::new(),
-                _ => self.written(&polar.call(name.unwrap_or_else(|| Expr::name("f"))))? + " = ",
+                // What stands around one argument stands around all: a formula of each takes room.
+                _ => {
+                    let function = Box::new(name.unwrap_or_else(|| Expr::name("f")));
+                    let call = self.written(&Kind::Apply(function, vec![vec![argument(1)]]).into())?;
+                    let (before, after) = call.rsplit_once(&names[0]).expect("the argument is written");
+                    format!("{before}{}{after} = ", names.join(", "))
+                }
             };
             let mut out = io::stdout().lock();
             out.write_all(head.as_bytes())?;
