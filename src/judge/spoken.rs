@@ -84,13 +84,13 @@ impl Checker {
         findings[0] = found;
     }
 
-    /// The facts about a name, of its section, or of its paragraph if the formula is said to introduce it.
+    /// The facts about a name, of its paragraph, or of its section if the formula is said to follow.
     fn facts_about(&self, head: &Head, statement: &Statement, before: Mark) -> Vec<Condition> {
         let place = &statement.place;
         let told = |fact: &&Condition| {
             place.in_reach(&fact.place, fact.assumed)
                 && place.sees(&fact.place)
-                && (fact.place.group == place.group || statement.role != Some(Role::Introduced))
+                && (fact.place.group == place.group || statement.role == Some(Role::Claimed))
                 && fact.place.formula < place.formula
                 && self.context.reached(&[&fact.expr], place).contains(&head.base)
                 && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)

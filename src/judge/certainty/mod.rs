@@ -21,6 +21,7 @@ use super::topic::Topic;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
 use num_traits::Zero;
 
 /// A relation that fails, with everything around it.
@@ -36,8 +37,9 @@ pub(super) struct Suspect<'a> {
 impl Suspect<'_> {
     /// Why it may not be wrong after all.
     pub(super) fn doubt(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 18] = [
+        let rules: [fn(&Self) -> Option<String>; 19] = [
             Self::rests_on_another_section,
+            Self::given_twice,
             Self::unknown_function,
             Self::operator,
             Self::value_in_passing,
@@ -127,10 +129,37 @@ impl Suspect<'_> {
         matches!(self.rel(), Rel::Eq | Rel::Equiv)
     }
 
+    /// u_k = … in one example, and u_k = … in another: which one is meant later?
+    fn given_twice(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let alike = |a: &Head, b: &Head| {
+            let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+            a.lower.len() == b.lower.len()
+                && a.upper.len() == b.upper.len()
+                && a.arguments.is_some() == b.arguments.is_some()
+                && !a.lower.iter().chain(&b.lower).any(number)
+        };
+        let twice = self.used().find(|definition| {
+            let head = &definition.head;
+            let others = self.checker.context.visible(&head.base, place);
+            let formulas = others.filter(|(_, other, near)| {
+                *near && alike(head, &other.head) && !other.is_recursive() && !definition.is_recursive()
+            });
+            definition.place.group != place.group && !self.claimed() && formulas.count() > 1
+        })?;
+        Some(format!("which of its formulas {} has here is not said", twice.head.base))
+    }
+
     /// n = 6: a value, unless it is said to follow.
     fn value_in_passing(&self) -> Option<String> {
         let head =
             Head::of(self.sides()[0]).filter(|head| head.arguments.is_none() && head.notation().is_none())?;
+        let plain = head.lower.is_empty() && head.upper.is_empty();
+        let numbers =
+            [&self.failure.left, &self.failure.right].into_iter().all(|v| v.as_rational().is_some());
+        if self.is_equation() && self.at == 0 && plain && numbers && bases(self.sides()[1]).is_empty() {
+            return Some("it may say what its left side is".to_owned());
+        }
         let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
         // t = b_1(t)/3 + …, A^{-1} = …: it speaks of what is known.
         let within = |a: &[Symbol], b: &[Symbol]| !a.is_empty() && a.iter().all(|symbol| b.contains(symbol));
@@ -151,7 +180,8 @@ impl Suspect<'_> {
         let name = |expr: &Expr| {
             Head::of(expr).is_some_and(|head| {
                 let member = head.arguments.is_none() && !head.lower.is_empty() && head.notation().is_none();
-                member && self.checker.context.object(&head, &self.statement.place).is_none()
+                let object = self.checker.context.object(&head, &self.statement.place);
+                member && object.is_none_or(|declared| !declared.object.has_values())
             })
         };
         (self.is_equation() && self.sides().into_iter().all(name) && self.tally.determined == 0)
@@ -161,14 +191,31 @@ impl Suspect<'_> {
     /// P(α) = 0; x_1^2 - 4 x_1 x_2 + 1 = 0, where x_1 and x_2 were numbers in an example.
     fn equation_to_be_solved(&self) -> Option<String> {
         let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
-        let number = |definition: &Definition| {
-            definition.head.arguments.is_none()
-                && matches!(&definition.body, Body::Formula(body) if bases(body).is_empty())
-        };
+        let constant =
+            [&self.failure.left, &self.failure.right].into_iter().all(|value| value.as_rational().is_some());
         let mut structure =
             |part: &Expr| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. });
-        let of_example =
-            self.sides().into_iter().any(zero) && self.used().any(number) && !self.any(&mut structure);
+        let named = self.sides().into_iter().any(|side| !bases(side).is_empty());
+        let of_example = constant && named && self.sides().into_iter().any(zero) && !self.any(&mut structure);
+        // 2 x^2 = x^2 + 2, with nothing to multiply out
+        let mut product = |part: &Expr| match &part.kind {
+            Kind::Pow(base, _) => matches!(base.kind, Kind::Group(_)),
+            Kind::Mul(factors) => factors.iter().any(|factor| matches!(factor.kind, Kind::Group(_))),
+            Kind::Apply(..)
+            | Kind::Big { .. }
+            | Kind::Integral { .. }
+            | Kind::Binomial(..)
+            | Kind::Factorial(_) => true,
+            _ => false,
+        };
+        let symbols = self.symbols();
+        let of_one = symbols.len() == 1
+            && symbols.iter().all(Symbol::is_plain)
+            && self.at == 0
+            && !self.chain.universal
+            && self.tally.record.definitions.is_empty()
+            && !self.is_constant_apart()
+            && !self.any(&mut product);
         let free = |argument: &Expr| match &argument.kind {
             Kind::Name(name) => {
                 !is_variable(name)
@@ -183,8 +230,16 @@ impl Suspect<'_> {
                 && matches!(&call.kind, Kind::Apply(_, groups) if groups.iter().flatten().any(free))
         };
         let [one, other] = self.sides();
-        (self.is_equation() && (of_example || root(one, other) || root(other, one)))
+        (self.is_equation() && (of_example || of_one || root(one, other) || root(other, one)))
             .then(|| "it may be an equation to be solved".to_owned())
+    }
+
+    /// x = x + 1 has no solution.
+    fn is_constant_apart(&self) -> bool {
+        match (&self.failure.left, &self.failure.right) {
+            (Value::Scalar(left), Value::Scalar(right)) => left.minus(right).as_rational().is_some(),
+            _ => false,
+        }
     }
 
     /// a_{n,m} = a_{n,m-1} + a_{n-1,m-1} holds where it is meant to hold.

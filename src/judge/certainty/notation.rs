@@ -157,6 +157,10 @@ impl Suspect<'_> {
         if determinant && self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix")) {
             return Some("which matrices these are is not said".to_owned());
         }
+        let unit = self.any(&mut |part| matches!(&part.kind, Kind::Name(name) if name == "I"));
+        if unit && (matrix || declared) {
+            return Some("I may be the unit matrix".to_owned());
+        }
         let name = unknown.filter(|_| matrix || declared)?;
         Some(format!("{name} may be a matrix"))
     }
@@ -195,9 +199,14 @@ impl Suspect<'_> {
         }
         let counted = self.any(&mut |part| match &part.kind {
             Kind::List(items) => items.iter().any(|item| matches!(item.kind, Kind::Chain(..))),
+            // d[0]
+            Kind::Mul(factors) => factors.windows(2).any(|pair| {
+                matches!((&pair[0].kind, &pair[1].kind), (Kind::Name(_) | Kind::List(_), Kind::List(items))
+                    if items.len() == 1 && pair[0].span.end == pair[1].span.start)
+            }),
             _ => false,
         });
-        counted.then(|| "a condition stands in brackets".to_owned())
+        counted.then(|| "the bracket may be an index or a condition".to_owned())
     }
     /// Letters side by side that make a word.
     pub(super) fn word(&self) -> Option<String> {

@@ -50,6 +50,11 @@ impl Suspect<'_> {
         {
             return Some("a condition".to_owned());
         }
+        let constant =
+            [&self.failure.left, &self.failure.right].into_iter().all(|v| v.as_rational().is_some());
+        if constant && self.statement.topics.has(Topic::Modular) {
+            return Some("it may be meant modulo a number".to_owned());
+        }
         let written = |side: &Expr| bases(side).is_empty();
         if !self.sides().into_iter().all(written) {
             return None;

@@ -116,7 +116,7 @@ impl Model {
         let rest = &after[1..];
         let template = self.by_template(machine, before, last, combine, neutral)?;
         // 1/(n+1) + … + 1/(2n): by steps of one, or of two?
-        if let (Some(total), [_]) = (&template, before)
+        if let Some(total) = &template
             && let Some(parts) = self.by_steps(machine, before, nearest, last)?
         {
             let mut other = neutral.clone();
