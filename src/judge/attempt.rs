@@ -115,6 +115,8 @@ impl Checker {
             .conditions
             .iter()
             .filter(|c| !chain.conditions.contains(&c.expr) && place.in_reach(&c.place, c.assumed))
+            // "n = 1:", "n = 2:", … are values, each for its own paragraph.
+            .filter(|c| c.place.group == place.group || !gives_a_number(&c.expr))
             .collect();
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
@@ -141,6 +143,17 @@ impl Checker {
         choices: Choices,
     ) -> Trial<'a> {
         Trial::new(self.context.clone(), setting, sides.to_vec(), relations.to_vec(), choices, &self.limits)
+    }
+}
+
+/// Whether a condition gives an integer its value: n = 2.
+fn gives_a_number(condition: &Expr) -> bool {
+    match &condition.kind {
+        Kind::Chain(left, links) => {
+            matches!(&left.kind, Kind::Name(name) if is_index_letter(name))
+                && matches!(links.as_slice(), [link] if link.rel == Rel::Eq && matches!(link.expr.kind, Kind::Number(_)))
+        }
+        _ => false,
     }
 }
 

@@ -15,6 +15,9 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
+/// Why nothing can be said where conditions contradict each other.
+pub(super) const CANNOT_HOLD: &str = "the condition cannot hold";
+
 /// The conditions at hand, those said with the chain first.
 pub(super) struct Conditions<'a> {
     pub(super) own: &'a [Expr],
@@ -61,7 +64,7 @@ impl Conditions<'_> {
             };
             let Some((a, b)) = values else { continue };
             if compare::contradicts(&a, &b) && at < self.own.len() + 3 {
-                return Outcome::Unclear("the condition cannot hold".to_owned());
+                return Outcome::Unclear(CANNOT_HOLD.to_owned());
             }
             let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
             solved.push((symbol, value));

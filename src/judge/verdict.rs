@@ -2,6 +2,7 @@
 
 use super::attempt::{Attempt, restricted};
 use super::check::{Checker, blank};
+use super::conditions::CANNOT_HOLD;
 use super::finding::{Finding, Verdict};
 use super::hypotheses;
 use super::names::Head;
@@ -47,7 +48,13 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
-        if tally.fails.is_empty() && tally.holds > 0 && (!inequality || tally.unclear.is_empty()) {
+        // Contradictory conditions confirm nothing.
+        let contradictory = tally.unclear.iter().any(|why| why == CANNOT_HOLD);
+        if tally.fails.is_empty()
+            && tally.holds > 0
+            && !contradictory
+            && (!inequality || tally.unclear.is_empty())
+        {
             finding.verdict = if ranged || tally.sampled { Verdict::Sampled } else { Verdict::Proved };
             if tally.sampled && !ranged {
                 finding.instances = Some("for numbers in the place of the nodes".to_owned());

@@ -225,9 +225,15 @@ impl Suspect<'_> {
             }
             _ => false,
         };
+        // D(x) = 0 for a polynomial D of which no more is said
+        let generic = |callee: &Expr| {
+            Head::of(callee).is_some_and(|head| self.tally.record.unknown.contains(&head.base))
+                && !self.claimed()
+        };
         let root = |call: &Expr, value: &Expr| {
             bases(value).is_empty()
-                && matches!(&call.kind, Kind::Apply(_, groups) if groups.iter().flatten().any(free))
+                && matches!(&call.kind, Kind::Apply(callee, groups)
+                    if groups.iter().flatten().any(free) || generic(callee))
         };
         let [one, other] = self.sides();
         (self.is_equation() && (of_example || of_one || root(one, other) || root(other, one)))

@@ -157,6 +157,10 @@ impl Suspect<'_> {
         if determinant && self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix")) {
             return Some("which matrices these are is not said".to_owned());
         }
+        let generic = self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix"));
+        if generic && !self.claimed() {
+            return Some("it may be a condition on these matrices".to_owned());
+        }
         let unit = self.any(&mut |part| matches!(&part.kind, Kind::Name(name) if name == "I"));
         if unit && (matrix || declared) {
             return Some("I may be the unit matrix".to_owned());

@@ -21,6 +21,9 @@ impl Suspect<'_> {
         if self.statement.role == Some(Role::Introduced) {
             return Some("a condition".to_owned());
         }
+        if let Some(name) = self.tally.record.unknown.iter().next() {
+            return Some(format!("which values {name} has is not said"));
+        }
         let ranged = |name: &str, plain: bool| {
             self.checker.is_restricted(name, &self.statement.place)
                 || self.chain.conditions.iter().any(|condition| bases(condition).contains(name))

@@ -57,7 +57,7 @@ impl Machine {
         }
         if let (Kind::Pow(base, _), Some(next)) = (&factor.kind, rest.peek())
             && let Kind::Group(inside) = &next.kind
-            && factor.span.end == next.span.start
+            && touches(factor, next.span)
         {
             self.is_no_lone_call(base, inside)?;
         }
@@ -74,7 +74,7 @@ impl Machine {
             _ => self.eval(factor)?,
         };
         if let Some(Expr { kind: Kind::Group(inside), span }) = rest.peek()
-            && factor.span.end == span.start
+            && touches(factor, *span)
             && let Some(result) = self.value_of_result(&value, factor, inside, factor.span.to(*span))?
         {
             rest.next();
@@ -82,7 +82,7 @@ impl Machine {
         }
         if let (Kind::Group(_), Some(Expr { kind: Kind::Group(inside), span })) = (&factor.kind, rest.peek())
             && matches!(inside.kind, Kind::Number(_))
-            && factor.span.end == span.start
+            && touches(factor, *span)
         {
             self.note_product_by_number(&value, factor.span.to(*span));
         }
@@ -304,4 +304,9 @@ pub(super) fn without_power(expr: &Expr) -> &Expr {
         Kind::Pow(base, _) => base,
         _ => expr,
     }
+}
+
+/// Whether something follows a formula without a blank; what was not written has no place.
+fn touches(factor: &Expr, next: Span) -> bool {
+    factor.span.start < factor.span.end && factor.span.end == next.start
 }
