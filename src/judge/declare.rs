@@ -102,10 +102,8 @@ impl Checker {
             {
                 continue;
             }
-            let counted = all.iter().all(|item| matches!(item.kind, Kind::Name(_)));
-            let degree = counted.then(|| Expr::int(all.len() as i64));
             let (names, of) = (vec![f.as_ref().clone()], Some(of.as_ref().clone()));
-            self.object(&Object { names, of, degree, ..Object::new(Sort::PolarForm) }, place);
+            self.object(&Object { names, of, ..Object::new(Sort::PolarForm) }, place);
             return;
         }
     }

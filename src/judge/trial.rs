@@ -10,7 +10,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::compare::Outcome;
-use super::conditions::Conditions;
+use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
@@ -439,8 +439,9 @@ impl<'a> Trial<'a> {
                         right: right.clone(),
                     });
                 }
+                // No weights have the sum 1 if there are none.
                 Outcome::Unclear(why) => {
-                    if !tally.unclear.contains(&why) {
+                    if !tally.unclear.contains(&why) && (inner || why != CANNOT_HOLD) {
                         tally.unclear.push(why);
                     }
                 }
