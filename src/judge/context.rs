@@ -143,8 +143,7 @@ impl Definition {
 fn has_bernstein(expr: &Expr) -> bool {
     let mut found = false;
     walk(expr, &mut |part| {
-        found |=
-            Head::of(part).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular));
+        found |= Head::of(part).is_some_and(|head| head.is_bernstein());
     });
     found
 }

@@ -33,6 +33,11 @@ impl Head {
         self.notation().is_some_and(|notation| notation.family == family)
     }
 
+    /// Whether it is a Bernstein polynomial, of an interval or a triangle.
+    pub(super) fn is_bernstein(&self) -> bool {
+        self.is_a(Family::Bernstein) || self.is_a(Family::Triangular)
+    }
+
     /// Takes a name apart; `None` for anything else.
     pub fn of(expr: &Expr) -> Option<Head> {
         match &expr.kind {

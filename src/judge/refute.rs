@@ -5,7 +5,6 @@
 
 use std::collections::BTreeSet;
 
-use super::certainty::Suspect;
 use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition, is_variable};
@@ -17,7 +16,7 @@ use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::families;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Index, Symbol};
@@ -62,25 +61,8 @@ pub fn is_standard(head: Option<&Head>) -> bool {
     head.is_some_and(|head| families::has_values(&head.base))
 }
 
-/// What a failing relation is: wrong only if nothing raises a doubt.
+/// What a failing relation is, before anything raises a doubt.
 pub fn decide(
-    checker: &Checker,
-    tally: &Tally,
-    outcomes: &Outcomes,
-    chain: &Chain,
-    at: usize,
-    statement: &Statement,
-    head: Option<&Head>,
-) -> Decision {
-    let decision = decided(checker, tally, outcomes, chain, at, statement, head);
-    let Decision::Refuted { failure, .. } = &decision else { return decision };
-    match (Suspect { checker, tally, chain, at, statement, failure }).doubt() {
-        Some(reason) => missing_or_redefinition(head, at == 0, &reason),
-        None => decision,
-    }
-}
-
-fn decided(
     checker: &Checker,
     tally: &Tally,
     outcomes: &Outcomes,
@@ -107,7 +89,7 @@ fn decided(
     let bare = |side: &Expr| {
         Head::of(side).is_some_and(|head| {
             let head = checker.context.with_pairs_apart(head);
-            head.arguments.is_none() && (head.is_a(Family::Bernstein) || head.is_a(Family::Triangular))
+            head.arguments.is_none() && head.is_bernstein()
         })
     };
     let number = |side: &Expr| bases(side).is_empty();
@@ -562,7 +544,7 @@ fn is_understood(condition: &Expr) -> bool {
     })
 }
 
-fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {
+pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {
     if head.is_some() && first && !is_standard(head) {
         Decision::Redefinition(None)
     } else {

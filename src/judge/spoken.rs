@@ -24,7 +24,6 @@ use super::trial;
 use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::Symbol;
 
@@ -64,8 +63,7 @@ impl Checker {
             Body::Formula(body) => (definition.head.clone(), body.clone()),
             Body::Value(_) => return,
         };
-        // A number in passing, h = 1, is no formula for it.
-        // A formula for a part of the range is not the whole function, nor is s(x) = s(2 - x).
+        // A number in passing, h = 1, is no formula for it, nor is one for a part of the range, or s(x) = s(2 - x).
         let whole = chain.conditions.is_empty() && !calls(&right, &head.base);
         let formula = whole && head.arguments.is_some()
             || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
@@ -92,11 +90,11 @@ impl Checker {
                 && place.sees(&fact.place)
                 && (fact.place.group == place.group || statement.role == Some(Role::Claimed))
                 && fact.place.formula < place.formula
-                && self.context.reached(&[&fact.expr], place).contains(&head.base)
                 && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)
                 && !is_range(&fact.expr)
                 && !gives(&fact.expr)
                 && !self.context.is_spoken_of_anew(&head.base, &fact.place, place)
+                && self.context.reached(&[&fact.expr], place).contains(&head.base)
         };
         self.context.conditions[..before.conditions()]
             .iter()
@@ -134,25 +132,22 @@ impl Checker {
         }
         let first = holding.first()?;
         let start = budget::spent();
-        let left = &chain.sides[0].expr;
-        for edit in repair::edits(right, left, &None) {
+        let setting = self.setting(chain, &statement.place, None);
+        let kept = self.context.clone();
+        let mut edits = repair::edits(right, &chain.sides[0].expr, &None).into_iter();
+        let noticed = edits.all(|edit| {
             if budget::spent() - start > trial::share(&self.limits, 2) {
-                return None;
+                return false;
             }
-            let setting = self.setting(chain, &statement.place, None);
             if self.agree(&setting, &edit, right) {
-                continue;
+                return true;
             }
-            let kept = self.context.clone();
-            let mut changed = (*kept).clone();
-            changed.replace(before.definitions(), edit);
-            self.context = Rc::new(changed);
-            let noticed =
-                holding.iter().any(|fact| matches!(self.tried(fact, statement, before), Tried::Fails(_)));
-            self.context = kept;
-            if !noticed {
-                return None;
-            }
+            Rc::make_mut(&mut self.context).replace(before.definitions(), edit);
+            holding.iter().any(|fact| matches!(self.tried(fact, statement, before), Tried::Fails(_)))
+        });
+        self.context = kept;
+        if !noticed {
+            return None;
         }
         Some(Finding {
             verdict: Verdict::Sampled,
@@ -188,8 +183,7 @@ impl Checker {
             let name = symbol.base().trim_start_matches('[').trim_end_matches(']');
             !is_coefficient(symbol) || self.context.object_called(name, &statement.place).is_some()
         };
-        let symbols = |value: &Value| compare::symbols(value);
-        let (left, right) = (symbols(&failure.left), symbols(&failure.right));
+        let (left, right) = (compare::symbols(&failure.left), compare::symbols(&failure.right));
         left.iter().all(known)
             && left.iter().all(|s| right.contains(s))
             && right.iter().all(|s| left.contains(s))

@@ -1,6 +1,7 @@
 //! From the instances of a relation to its verdict.
 
 use super::attempt::{Attempt, restricted};
+use super::certainty::Suspect;
 use super::check::{Checker, blank};
 use super::conditions::CANNOT_HOLD;
 use super::finding::{Finding, Verdict};
@@ -133,6 +134,16 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
+        let doubt = match &refutation {
+            refute::Decision::Refuted { failure, .. } => {
+                Suspect { checker: self, tally, chain, at, statement, failure }.doubt()
+            }
+            _ => None,
+        };
+        let refutation = match doubt {
+            Some(reason) => refute::missing_or_redefinition(head, at == 0, &reason),
+            None => refutation,
+        };
         match refutation {
             refute::Decision::Refuted { failure, reasons } => {
                 finding.verdict = Verdict::Refuted;

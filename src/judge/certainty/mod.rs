@@ -91,9 +91,11 @@ impl Suspect<'_> {
             !general
         };
         let definitions = &self.checker.context.definitions;
-        let far = self.tally.record.definitions.iter().filter(|(_, near)| !near);
-        let line =
-            far.map(|(number, _)| &definitions[*number]).find(|definition| particular(definition))?.line;
+        let mut far = self.tally.record.definitions.iter().filter(|(_, near)| !near);
+        let line = far.find_map(|(number, _)| {
+            let definition = &definitions[*number];
+            particular(definition).then_some(definition.line)
+        })?;
         Some(format!("it contradicts line {line}, which stands in another section"))
     }
 
@@ -123,6 +125,11 @@ impl Suspect<'_> {
 
     fn used(&self) -> impl Iterator<Item = &Definition> {
         self.tally.record.definitions.iter().map(|(number, _)| &self.checker.context.definitions[*number])
+    }
+
+    /// Whether both sides are numbers.
+    fn are_numbers(&self) -> bool {
+        [&self.failure.left, &self.failure.right].into_iter().all(|value| value.as_rational().is_some())
     }
 
     fn is_equation(&self) -> bool {
@@ -155,17 +162,17 @@ impl Suspect<'_> {
         let head =
             Head::of(self.sides()[0]).filter(|head| head.arguments.is_none() && head.notation().is_none())?;
         let plain = head.lower.is_empty() && head.upper.is_empty();
-        let numbers =
-            [&self.failure.left, &self.failure.right].into_iter().all(|v| v.as_rational().is_some());
-        if self.is_equation() && self.at == 0 && plain && numbers && bases(self.sides()[1]).is_empty() {
+        if self.is_equation()
+            && self.at == 0
+            && plain
+            && self.are_numbers()
+            && bases(self.sides()[1]).is_empty()
+        {
             return Some("it may say what its left side is".to_owned());
         }
         let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
         // t = b_1(t)/3 + …, A^{-1} = …: it speaks of what is known.
         let within = |a: &[Symbol], b: &[Symbol]| !a.is_empty() && a.iter().all(|symbol| b.contains(symbol));
-        let letters = |symbols: &[Symbol]| -> BTreeSet<String> {
-            symbols.iter().map(|symbol| symbol.base().to_owned()).collect()
-        };
         let family = self.used().any(|definition| definition.head.base == head.base);
         let same = within(&left, &right)
             || within(&right, &left)
@@ -191,12 +198,11 @@ impl Suspect<'_> {
     /// P(α) = 0; x_1^2 - 4 x_1 x_2 + 1 = 0, where x_1 and x_2 were numbers in an example.
     fn equation_to_be_solved(&self) -> Option<String> {
         let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
-        let constant =
-            [&self.failure.left, &self.failure.right].into_iter().all(|value| value.as_rational().is_some());
         let mut structure =
             |part: &Expr| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. });
         let named = self.sides().into_iter().any(|side| !bases(side).is_empty());
-        let of_example = constant && named && self.sides().into_iter().any(zero) && !self.any(&mut structure);
+        let of_example =
+            self.are_numbers() && named && self.sides().into_iter().any(zero) && !self.any(&mut structure);
         // 2 x^2 = x^2 + 2, with nothing to multiply out
         let mut product = |part: &Expr| match &part.kind {
             Kind::Pow(base, _) => matches!(base.kind, Kind::Group(_)),
@@ -252,8 +258,6 @@ impl Suspect<'_> {
     fn recursion_of_a_family(&self) -> Option<String> {
         let [left, right] = self.sides();
         let head = Head::of(left)?;
-        let place = &self.statement.place;
-        let context = &self.checker.context;
         let own = |definition: &Definition| definition.head.base == head.base;
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
         // T_0 = 1 begins what a recursion goes on with.
@@ -287,7 +291,7 @@ impl Suspect<'_> {
             head.arguments.is_none() && head.lower.iter().any(|index| matches!(index.kind, Kind::Add(_)));
         let numbers = !ahead && self.claimed() && self.symbols().is_empty();
         let known = head.notation().is_some()
-            || context.object_called(&head.base, place).is_some()
+            || self.is_spoken_of(&head.base)
             || numbers
             || !ahead && self.used().any(|definition| own(definition) && closed(definition));
         (recursive && !known).then(|| format!("it may say how the {} go on", head.base))
@@ -304,31 +308,23 @@ impl Suspect<'_> {
             return None;
         }
         let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
-        let letters = |symbols: &[Symbol]| -> BTreeSet<String> {
-            symbols.iter().map(|symbol| symbol.base().to_owned()).collect()
-        };
         let place = &self.statement.place;
-        let parameter = |name: &str| {
-            let plain = |symbol: &Symbol| symbol.base() != name || symbol.is_plain();
-            is_variable(name) && left.iter().chain(&right).all(plain)
-        };
+        let plain =
+            |name: &str| left.iter().chain(&right).all(|symbol| symbol.base() != name || symbol.is_plain());
         // The ends a and b of the interval that the formula for C has, in C'(a)
         let of_formula = |name: &str| {
-            let plain = |symbol: &Symbol| symbol.base() != name || symbol.is_plain();
             let inside = |definition: &Definition| matches!(&definition.body, Body::Formula(body) if bases(body).contains(name));
-            name.starts_with(char::is_lowercase)
-                && left.iter().chain(&right).all(plain)
-                && self.used().any(inside)
+            name.starts_with(char::is_lowercase) && self.used().any(inside)
         };
-        let open = |name: &&String| {
-            !parameter(name)
-                && !of_formula(name)
+        let open = |name: &&&str| {
+            !(plain(name) && (is_variable(name) || of_formula(name)))
                 && !name.starts_with('[')
                 && !self.is_spoken_of(name)
                 && !self.checker.is_restricted(name, place)
                 && !self.checker.is_constrained(name, place)
         };
-        let name = letters(&left).symmetric_difference(&letters(&right)).find(open)?.clone();
+        let (own, others) = (letters(&left), letters(&right));
+        let name = own.symmetric_difference(&others).find(open)?;
         Some(format!("what {name} is is not said"))
     }
 
@@ -381,4 +377,9 @@ impl Suspect<'_> {
         (self.at == 0 && !self.claimed() && plain && closed(right) && before)
             .then(|| format!("it may be another {}", head.base))
     }
+}
+
+/// The letters of symbols.
+fn letters(symbols: &[Symbol]) -> BTreeSet<&str> {
+    symbols.iter().map(Symbol::base).collect()
 }

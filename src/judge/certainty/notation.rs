@@ -3,11 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::Suspect;
-use crate::formula::{Accent, Expr, Kind};
+use crate::formula::{Expr, Kind, Sign};
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::Sort;
 use crate::judge::topic::Topic;
-use crate::language::lexicon::families::Family;
 use crate::language::lexicon::letters;
 use crate::math::number::Rational;
 
@@ -46,7 +45,7 @@ impl Suspect<'_> {
             plain.contains(name)
                 || name.chars().count() > 1 && letters::sign(name).is_none()
                 || context.letters.is_function(name)
-                || context.object_called(name, place).is_some()
+                || self.is_spoken_of(name)
                 || context.visible(name, place).next().is_some()
                 || self.tally.record.unknown.contains(name)
                 || is_index_letter(name) && self.failure.integers.iter().any(|(own, _)| own == name)
@@ -84,20 +83,19 @@ impl Suspect<'_> {
         let difference = self.any(&mut |part| match &part.kind {
             Kind::Mul(factors) => factors.windows(2).any(|pair| {
                 matches!(&pair[0].kind, Kind::Name(name) if name == "Delta")
-                    && bases(&pair[1]).iter().all(|name| context.object_called(name, place).is_none())
+                    && bases(&pair[1]).iter().all(|name| !self.is_spoken_of(name))
             }),
             _ => false,
         });
         let named = self.symbols().iter().any(|symbol| symbol.base() == "Delta");
         (named || difference && !self.claimed()).then(|| "what Δ means is not said".to_owned())
     }
+
     /// Products of matrices, inverses and transposes of what nobody introduced.
     pub(super) fn matrices(&self) -> Option<String> {
         let place = &self.statement.place;
         let context = &self.checker.context;
-        let known = |name: &str| {
-            context.object_called(name, place).is_some() || context.visible(name, place).next().is_some()
-        };
+        let known = |name: &str| self.is_spoken_of(name) || context.visible(name, place).next().is_some();
         let capital = |expr: &Expr| match &expr.kind {
             Kind::Name(name) => name.starts_with(char::is_uppercase).then_some(name.clone()),
             Kind::Subscript(base, _) => match &base.kind {
@@ -154,10 +152,10 @@ impl Suspect<'_> {
         });
         // Those of a factorisation have properties that words give.
         let determinant = self.any(&mut |part| matches!(&part.kind, Kind::Name(name) if name == "det"));
-        if determinant && self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix")) {
+        let generic = self.tally.record.matrices;
+        if determinant && generic {
             return Some("which matrices these are is not said".to_owned());
         }
-        let generic = self.tally.record.standard.iter().any(|note| note.contains("any 2 by 2 matrix"));
         if generic && !self.claimed() {
             return Some("it may be a condition on these matrices".to_owned());
         }
@@ -168,17 +166,16 @@ impl Suspect<'_> {
         let name = unknown.filter(|_| matrix || declared)?;
         Some(format!("{name} may be a matrix"))
     }
+
     /// B_i^k on a page about B-splines, or without an argument.
     pub(super) fn family_of_another_kind(&self) -> Option<String> {
-        let mut family = |part: &Expr| {
-            Head::of(part).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular))
-        };
+        let mut family = |part: &Expr| Head::of(part).is_some_and(|head| head.is_bernstein());
         let assumed = self.tally.record.standard.iter().any(|note| note.contains("Bernstein"));
         if !assumed || !self.any(&mut family) {
             return None;
         }
         let topics = self.statement.topics;
-        let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_a(Family::Bernstein) || head.is_a(Family::Triangular)));
+        let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_bernstein()));
         let told = topics.has(Topic::Bernstein) || self.checker.context.letters.binomial_family;
         // For t_i < t < t_{i+k}: these are knots.
         let member = |condition: &Expr| {
@@ -190,6 +187,7 @@ impl Suspect<'_> {
         (!told && (knots || !self.any(&mut called)))
             .then(|| "nothing says that the B are Bernstein polynomials".to_owned())
     }
+
     /// Lists of names, and brackets that count conditions.
     pub(super) fn brackets(&self) -> Option<String> {
         let list = |expr: &Expr| match &expr.kind {
@@ -212,6 +210,7 @@ impl Suspect<'_> {
         });
         counted.then(|| "the bracket may be an index or a condition".to_owned())
     }
+
     /// Letters side by side that make a word.
     pub(super) fn word(&self) -> Option<String> {
         let mut found: Option<String> = None;
@@ -279,11 +278,10 @@ fn is_minus_one(exponent: &Expr) -> bool {
     match &exponent.kind {
         Kind::Number(q) => *q == -Rational::from_integer(1.into()),
         Kind::Add(terms) => {
-            matches!(terms.as_slice(), [only] if only.sign == crate::formula::Sign::Minus
+            matches!(terms.as_slice(), [only] if only.sign == Sign::Minus
                 && matches!(&only.expr.kind, Kind::Number(q) if *q == Rational::from_integer(1.into())))
         }
         Kind::Group(inner) => is_minus_one(inner),
-        Kind::Accent(Accent::Bold, inner) => is_minus_one(inner),
         _ => false,
     }
 }

@@ -8,7 +8,6 @@ use crate::judge::context::is_variable;
 use crate::judge::names::{bases, walk};
 use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
-use crate::language::value::Value;
 use crate::math::number::Rational;
 use num_traits::{Signed, Zero};
 
@@ -42,6 +41,7 @@ impl Suspect<'_> {
         });
         integer.map(|(name, _)| format!("for which {name} it is meant is not said"))
     }
+
     /// Numbers that were rounded, or that are counted modulo another.
     pub(super) fn rounded_or_modular(&self) -> Option<String> {
         if self.rel() == Rel::Equiv {
@@ -53,24 +53,20 @@ impl Suspect<'_> {
         {
             return Some("a condition".to_owned());
         }
-        let constant =
-            [&self.failure.left, &self.failure.right].into_iter().all(|v| v.as_rational().is_some());
-        if constant && self.statement.topics.has(Topic::Modular) {
+        let written = self.sides().into_iter().all(|side| bases(side).is_empty());
+        if self.statement.topics.has(Topic::Modular) && (written || self.are_numbers()) {
             return Some("it may be meant modulo a number".to_owned());
         }
-        let written = |side: &Expr| bases(side).is_empty();
-        if !self.sides().into_iter().all(written) {
+        if !written {
             return None;
-        }
-        if self.statement.topics.has(Topic::Modular) {
-            return Some("it may be meant modulo a number".to_owned());
         }
         // The Legendre symbol of 2 and 5
         let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)));
         if self.sides().into_iter().any(quotient) {
             return Some("the bracket may be a symbol".to_owned());
         }
-        let (Some(left), Some(right)) = (number(&self.failure.left), number(&self.failure.right)) else {
+        let (Some(left), Some(right)) = (self.failure.left.as_rational(), self.failure.right.as_rational())
+        else {
             return None;
         };
         // As many digits as the side shows.
@@ -91,6 +87,7 @@ impl Suspect<'_> {
         });
         near.then(|| "equal up to rounding".to_owned())
     }
+
     /// What holds for some degrees, and is meant for them: ℓ_0(x_1) = 0 needs two nodes.
     pub(super) fn some_degrees(&self) -> Option<String> {
         let failed: BTreeSet<usize> =
@@ -100,6 +97,7 @@ impl Suspect<'_> {
             && (1..=4).any(|degree| !failed.contains(&degree)))
         .then(|| "true for some degrees only: which one is meant?".to_owned())
     }
+
     /// A sum over all w_j, of which the page gave those of an example.
     pub(super) fn members_of_an_example(&self) -> Option<String> {
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
@@ -122,10 +120,6 @@ impl Suspect<'_> {
         });
         general.then(|| "the members of an example may not be meant here".to_owned())
     }
-}
-
-fn number(value: &Value) -> Option<Rational> {
-    value.as_rational()
 }
 
 /// The value of the last decimal digit of a number: 1/1000 for 1.053.

@@ -85,6 +85,8 @@ pub struct Record {
     pub unbounded: bool,
     /// Whether a polar form had dots without a count among its arguments.
     pub flexible: bool,
+    /// Whether matrices occurred of which nothing more is said.
+    pub matrices: bool,
     /// Whether Bernstein polynomials occurred: their parameters run from 0 to 1.
     pub unit: bool,
 }
@@ -103,6 +105,7 @@ impl Record {
         self.infinite |= other.infinite;
         self.unbounded |= other.unbounded;
         self.flexible |= other.flexible;
+        self.matrices |= other.matrices;
         self.unit |= other.unit;
     }
 }

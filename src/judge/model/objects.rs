@@ -256,6 +256,7 @@ impl Model {
                     let name = Symbol::new(&head.base);
                     variable(name.numbered(i as i64 + 1).numbered(j as i64 + 1))
                 };
+                self.record.borrow_mut().matrices = true;
                 self.note(format!("{} is any 2 by 2 matrix", head.base));
                 Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
             }

@@ -93,6 +93,12 @@ pub(super) const CUES: &[Cue] = &[
 /// Words that say 0.
 pub(super) const ZERO: &[&str] = &["0", "零"];
 
+/// Who does something in a sentence.
+pub(super) const SUBJECTS: &[&str] = &[];
+
+/// Words that ask for a proof.
+pub(super) const PROOFS: &[&str] = &["证明", "验证"];
+
 pub(super) const FILLERS: &[&str] = &["时", "都", "也", "又", "再", "任意", "所有", "一切"];
 
 pub(super) const BLOCKS: &[(&str, Block)] = &[

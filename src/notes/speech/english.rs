@@ -190,6 +190,12 @@ pub(super) const CUES: &[Cue] = &[
 /// Words that say 0.
 pub(super) const ZERO: &[&str] = &["0", "zero", "vanishes", "vanish"];
 
+/// Who does something in a sentence.
+pub(super) const SUBJECTS: &[&str] = &["we", "one"];
+
+/// Words that ask for a proof.
+pub(super) const PROOFS: &[&str] = &["show", "prove", "verify"];
+
 pub(super) const FILLERS: &[&str] = &[
     "the",
     "a",

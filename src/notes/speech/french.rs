@@ -109,6 +109,12 @@ pub(super) const CUES: &[Cue] = &[
 /// Words that say 0.
 pub(super) const ZERO: &[&str] = &["0", "zéro", "nul", "nulle", "s'annule"];
 
+/// Who does something in a sentence.
+pub(super) const SUBJECTS: &[&str] = &[];
+
+/// Words that ask for a proof.
+pub(super) const PROOFS: &[&str] = &["montrer", "montrez", "démontrer", "prouver", "vérifier"];
+
 pub(super) const FILLERS: &[&str] = &[
     "le", "la", "les", "un", "une", "aussi", "encore", "toujours", "que", "tout", "tous", "toute", "entier",
 ];

@@ -129,6 +129,12 @@ pub(super) const CUES: &[Cue] = &[
 /// Words that say 0.
 pub(super) const ZERO: &[&str] = &["0", "null", "verschwindet"];
 
+/// Who does something in a sentence.
+pub(super) const SUBJECTS: &[&str] = &[];
+
+/// Words that ask for a proof.
+pub(super) const PROOFS: &[&str] = &["zeige", "zeigen", "beweise", "beweisen"];
+
 pub(super) const FILLERS: &[&str] = &[
     "die", "der", "das", "ein", "eine", "auch", "nun", "wieder", "immer", "dass", "alle", "jedes", "jede",
     "stets",

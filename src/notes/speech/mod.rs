@@ -109,6 +109,10 @@ struct Language {
     cues: &'static [Cue],
     /// Words that say 0.
     zero: &'static [&'static str],
+    /// Who does something in a sentence: "we".
+    subjects: &'static [&'static str],
+    /// Words that ask for a proof.
+    proofs: &'static [&'static str],
     /// Words that may stand between a cue and its formula.
     fillers: &'static [&'static str],
     /// Labels of paragraphs.
@@ -125,6 +129,8 @@ const LANGUAGES: &[Language] = &[
     Language {
         cues: english::CUES,
         zero: english::ZERO,
+        subjects: english::SUBJECTS,
+        proofs: english::PROOFS,
         fillers: english::FILLERS,
         blocks: english::BLOCKS,
         words: english::WORDS,
@@ -134,6 +140,8 @@ const LANGUAGES: &[Language] = &[
     Language {
         cues: german::CUES,
         zero: german::ZERO,
+        subjects: german::SUBJECTS,
+        proofs: german::PROOFS,
         fillers: german::FILLERS,
         blocks: german::BLOCKS,
         words: german::WORDS,
@@ -143,6 +151,8 @@ const LANGUAGES: &[Language] = &[
     Language {
         cues: french::CUES,
         zero: french::ZERO,
+        subjects: french::SUBJECTS,
+        proofs: french::PROOFS,
         fillers: french::FILLERS,
         blocks: french::BLOCKS,
         words: french::WORDS,
@@ -152,6 +162,8 @@ const LANGUAGES: &[Language] = &[
     Language {
         cues: chinese::CUES,
         zero: chinese::ZERO,
+        subjects: chinese::SUBJECTS,
+        proofs: chinese::PROOFS,
         fillers: chinese::FILLERS,
         blocks: chinese::BLOCKS,
         words: chinese::WORDS,
@@ -221,22 +233,14 @@ fn is_letter(c: char) -> bool {
 pub fn topics(words: &str, found: &mut Topics) {
     let text = plain(words);
     for language in LANGUAGES {
-        let mentions = |phrase: &str, whole: bool| {
-            text.match_indices(phrase).any(|(at, _)| {
-                let (before, after) = (&text[..at], &text[at + phrase.len()..]);
-                let begins = !before.ends_with(is_letter);
-                let ends = !whole || !after.starts_with(is_letter);
-                !language.spaced || begins && ends
-            })
-        };
         for (phrase, topic) in language.topics {
-            if !found.has(*topic) && mentions(phrase, false) {
+            if !found.has(*topic) && mentions(&text, phrase, false, language) {
                 found.add(*topic);
             }
         }
         for (phrase, word) in language.words {
             if let Word::OfDegree(degree) = word
-                && mentions(phrase, true)
+                && mentions(&text, phrase, true, language)
             {
                 found.add_degree(*degree);
             }
@@ -281,7 +285,7 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     for language in LANGUAGES {
         for cue in language.cues {
             let found = match cue {
-                Cue::Before(_, Role::Asked) | Cue::Command(..) if apart => None,
+                Cue::Before(_, Role::Asked | Role::Sought) | Cue::Command(..) if apart => None,
                 // "Show the equation …": it is claimed.
                 Cue::Before(phrase, Role::Sought) if around.proves => {
                     ends_with(&left, phrase, language).then_some((phrase, &Role::Claimed))
@@ -313,48 +317,40 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
 pub fn zero_elsewhere(words: &str) -> bool {
     let text = plain(words);
     LANGUAGES.iter().any(|language| {
-        let has = |phrase: &str| {
-            text.match_indices(phrase).any(|(at, _)| {
-                let (before, after) = (&text[..at], &text[at + phrase.len()..]);
-                !language.spaced
-                    || !before.ends_with(char::is_alphanumeric) && !after.starts_with(char::is_alphanumeric)
-            })
-        };
         let elsewhere = |cue: &Cue| match cue {
-            Cue::Before(phrase, Role::Elsewhere) | Cue::After(phrase, Role::Elsewhere) => has(phrase),
+            Cue::Before(phrase, Role::Elsewhere) | Cue::After(phrase, Role::Elsewhere) => {
+                mentions(&text, phrase, true, language)
+            }
             _ => false,
         };
-        language.zero.iter().any(|word| has(word)) && language.cues.iter().any(elsewhere)
+        has_one_of(&text, language.zero, language) && language.cues.iter().any(elsewhere)
     })
 }
 
 /// Whether words say what "we" do.
 pub fn ours(words: &str) -> bool {
-    plain(words).split(' ').any(|word| matches!(word, "we" | "one"))
+    let text = plain(words);
+    text.split(' ').any(|word| LANGUAGES.iter().any(|language| language.subjects.contains(&word)))
 }
 
 /// Whether words ask for a proof.
 pub fn proves(words: &str) -> bool {
     let text = plain(words);
-    let spaced = text.split(|c: char| !c.is_alphanumeric());
-    let word = |word: &str| {
-        matches!(
-            word,
-            "show"
-                | "prove"
-                | "verify"
-                | "zeige"
-                | "zeigen"
-                | "beweise"
-                | "beweisen"
-                | "montrer"
-                | "montrez"
-                | "démontrer"
-                | "prouver"
-                | "vérifier"
-        )
-    };
-    spaced.into_iter().any(word) || ["证明", "验证"].iter().any(|word| text.contains(word))
+    LANGUAGES.iter().any(|language| has_one_of(&text, language.proofs, language))
+}
+
+fn has_one_of(text: &str, phrases: &[&str], language: &Language) -> bool {
+    phrases.iter().any(|phrase| mentions(text, phrase, true, language))
+}
+
+/// Whether a phrase stands in a text in small letters, as `whole` words or as how words begin.
+fn mentions(text: &str, phrase: &str, whole: bool, language: &Language) -> bool {
+    text.match_indices(phrase).any(|(at, _)| {
+        let (before, after) = (&text[..at], &text[at + phrase.len()..]);
+        let begins = !before.ends_with(is_letter);
+        let ends = !whole || !after.starts_with(is_letter);
+        !language.spaced || begins && ends
+    })
 }
 
 /// Whether the words only go on from the formula before: "and", "or", a comma. True for an alternative.
@@ -396,16 +392,8 @@ mod tests {
     use super::*;
 
     fn said(left: &str, right: &str) -> Option<Role> {
-        role(
-            &Around {
-                left: left.to_owned(),
-                right: right.to_owned(),
-                first: true,
-                ours: false,
-                proves: false,
-            },
-            true,
-        )
+        let (left, right) = (left.to_owned(), right.to_owned());
+        role(&Around { left, right, first: true, ..Around::default() }, true)
     }
 
     #[test]
@@ -418,6 +406,8 @@ mod tests {
             ("It follows that", "", Some(Role::Claimed)),
             ("We find", "", Some(Role::Claimed)),
             ("Find", "", Some(Role::Asked)),
+            ("Solving", "", Some(Role::Sought)),
+            ("Solving,", "", None),
             ("It is wrong that", "", Some(Role::Asked)),
             ("Suppose that", "", Some(Role::Assumed)),
             ("", ", otherwise", Some(Role::Elsewhere)),
