@@ -8,9 +8,12 @@
 
 use std::borrow::Cow;
 
+use super::code_spans::{InCode, code_span, in_code};
 use super::collect::Collector;
 use super::cursor::Cursor;
 use super::directives::{Content, content, without_options};
+use super::front::front_matter;
+use super::html::{Found, Hidden};
 use super::inline;
 use super::parts::{Part, PartKind, options_in};
 use super::rst;
@@ -21,7 +24,9 @@ use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes the Markdown text apart.
 pub(super) fn scan(text: &str, out: &mut Collector) {
-    out.double_backquotes |= inline::double_backquotes(text);
+    let in_code = in_code(text);
+    out.in_code =
+        InCode { double_backquotes: in_code.double_backquotes || out.in_code.double_backquotes, ..in_code };
     let mut blocks = Blocks {
         text,
         out,
@@ -29,7 +34,8 @@ pub(super) fn scan(text: &str, out: &mut Collector) {
         code: None,
         options: None,
         lines: Vec::new(),
-        no_comment: usize::MAX,
+        joined: Vec::new(),
+        hidden: Hidden::default(),
     };
     let mut at = front_matter(text);
     while at < text.len() {
@@ -38,23 +44,6 @@ pub(super) fn scan(text: &str, out: &mut Collector) {
     blocks.end_code(text.len(), false);
     blocks.end_paragraph();
     blocks.close(0);
-}
-
-/// The length of the YAML or TOML block at the beginning.
-fn front_matter(text: &str) -> usize {
-    let fence = line_at(text, 0).trim_end();
-    if fence != "---" && fence != "+++" {
-        return 0;
-    }
-    let mut at = line_at(text, 0).len() + 1;
-    while at < text.len() {
-        let line = line_at(text, at);
-        at += line.len() + 1;
-        if line.trim_end() == fence || (fence == "---" && line.trim_end() == "...") {
-            return at.min(text.len());
-        }
-    }
-    0
 }
 
 /// Deeper quotations and lists are taken for text.
@@ -110,8 +99,10 @@ struct Blocks<'a> {
     options: Option<bool>,
     /// The lines of the paragraph, without the marks of what encloses it.
     lines: Vec<Span>,
-    /// From where on no comment ends.
-    no_comment: usize,
+    /// Those of them that a formula or comment of the line above goes on to.
+    joined: Vec<usize>,
+    /// What holds no text of the page.
+    hidden: Hidden,
 }
 
 impl Blocks<'_> {
@@ -196,12 +187,14 @@ impl Blocks<'_> {
             } else if nests && let Some(closing) = cursor.division() {
                 self.end_paragraph();
                 let colons = cursor.rest().bytes().take_while(|&byte| byte == b':').count();
-                if cursor.rest()[colons..].trim_start().starts_with("{math}") {
+                let name = cursor.rest()[colons..].trim_start();
+                if name.starts_with("{math}") || name.starts_with("{include}") {
                     self.close_unless(fresh, matched);
                     self.fence(b':', colons, indent, &cursor);
                 } else {
-                    let name = cursor.rest()[colons..].trim_start().strip_prefix('{');
-                    let named = name.is_some_and(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
+                    let named = name
+                        .strip_prefix('{')
+                        .is_some_and(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
                     self.division(closing, fresh, matched);
                     self.options = named.then_some(false);
                 }
@@ -333,6 +326,7 @@ impl Blocks<'_> {
         }
         let span = first.to(*last);
         self.lines.clear();
+        self.joined.clear();
         self.heading(level, span);
         true
     }
@@ -376,6 +370,10 @@ impl Blocks<'_> {
                 let range =
                     lines.first().map_or(at, |line| line.start)..lines.last().map_or(at, |line| line.end);
                 rst::scan(self.text, range, self.out);
+            } else if fence.content == Content::Include {
+                let name = self.text[fence.info.range()].split_once('}').map_or("", |(_, name)| name);
+                let options = lines.iter().map(|line| &self.text[line.range()]);
+                super::directives::included(name, options, fence.start.to(fence.info), self.out);
             } else if fence.content == Content::Unknown {
                 let lines: Vec<&str> = lines.iter().map(|line| &self.text[line.range()]).collect();
                 super::directives::count_unseen(&lines, fence.info, self.out);
@@ -456,6 +454,7 @@ impl Blocks<'_> {
                             }
                         }
                         (start, end) = (cursor.at(), end + 1 + line.len());
+                        self.joined.push(self.lines.len());
                         if end < close {
                             self.lines.push(Span::new(start, end));
                         }
@@ -475,16 +474,16 @@ impl Blocks<'_> {
         let bytes = self.text.as_bytes();
         while at < end {
             match bytes[at] {
-                b'`' => at = inline::code_span(&self.text[..end], at),
+                b'`' => at = code_span(&self.text[..end], at),
                 b'\\' => {
                     if let Some(close) = self.opening_command(at) {
                         return Some(close);
                     }
                     at += 2;
                 }
-                b'<' if self.text[at..].starts_with("<!--") => match self.comment_end(at + 4) {
-                    Some(close) => return Some(close + 3),
-                    None => at += 4,
+                b'<' | b'{' => match self.hidden.at(self.text, at) {
+                    Found::Closed(close) => return Some(close),
+                    Found::Nothing | Found::Open(_) => at += 1,
                 },
                 b'$' if bytes.get(at + 1) == Some(&b'$') => match display_end(self.text, at + 2, "$$", false)
                 {
@@ -516,38 +515,34 @@ impl Blocks<'_> {
         display_end(self.text, after, &closing, false).map(|found| found + closing.len())
     }
 
-    fn comment_end(&mut self, from: usize) -> Option<usize> {
-        if from >= self.no_comment {
-            return None;
-        }
-        let found = self.text[from..].find("-->").map(|found| from + found);
-        if found.is_none() {
-            self.no_comment = from;
-        }
-        found
-    }
-
     fn end_paragraph(&mut self) {
         if self.lines.is_empty() {
             return;
         }
         self.set_margin();
         let lines = std::mem::take(&mut self.lines);
+        let joined = std::mem::take(&mut self.joined);
+        let is_joined = |row: usize| joined.binary_search(&row).is_ok();
         let table = (1..lines.len()).find(|&row| {
-            self.text[lines[row - 1].range()].contains('|')
+            !is_joined(row)
+                && self.text[lines[row - 1].range()].contains('|')
                 && is_delimiter_row(&self.text[lines[row].range()])
         });
-        let (words, rows) = lines.split_at(table.map_or(lines.len(), |row| row - 1));
+        let first_row = table.map_or(lines.len(), |row| row - 1);
+        let words = &lines[..first_row];
         if let Some(first) = words.first() {
             inline::paragraph(&masked(self.text, words), first.start, self.out);
             self.out.end_paragraph();
         }
-        for (row, line) in rows.iter().enumerate() {
-            if row != 1 {
+        let mut row = first_row;
+        while row < lines.len() {
+            let next = (row + 1..lines.len()).find(|&next| !is_joined(next)).unwrap_or(lines.len());
+            if row != first_row + 1 {
                 self.out.enter(Enclosure::Row);
-                inline::paragraph(&self.text[line.range()], line.start, self.out);
+                inline::paragraph(&masked(self.text, &lines[row..next]), lines[row].start, self.out);
                 self.out.end_row();
             }
+            row = next;
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::arguments::command_name;
 use super::clean::cleaned;
+use super::code_spans::InCode;
 use super::macros::Macros;
 use super::parts::Layout;
 use super::plain;
@@ -24,18 +25,32 @@ pub(super) struct Collector {
     pub(super) macros: Macros,
     /// Where everything stands, if that is asked for.
     pub(super) layout: Option<Layout>,
-    /// Whether formulas stand in double backquotes on this page, as in the manuals of Julia.
-    pub(super) double_backquotes: bool,
+    /// What the code spans of this page hold.
+    pub(super) in_code: InCode,
     /// Whether what stands in backquotes without a role is a formula (reStructuredText).
     pub(super) default_role: bool,
+    /// The files that the page includes, and that are not LaTeX.
+    pub(super) includes: Vec<Include>,
     /// Whether something was said since the last paragraph or enclosure.
     said: bool,
+}
+
+/// A file that a page includes.
+pub(super) struct Include {
+    /// Its name, as it stands there.
+    pub(super) name: String,
+    pub(super) place: Span,
 }
 
 impl Collector {
     /// A collector that goes on with the macros and problems of another.
     pub(super) fn with(macros: Macros, problems: Vec<Diagnostic>) -> Self {
         Collector { macros, problems, ..Collector::default() }
+    }
+
+    /// The macros and problems that it has so far.
+    pub(super) fn known(&self) -> (Macros, Vec<Diagnostic>) {
+        (self.macros.clone(), self.problems.clone())
     }
 
     /// What was found in the file.

@@ -3,9 +3,10 @@
 //! Reference: the directives of Docutils, Sphinx, MyST and sphinx-proof. One that is not listed here may hold
 //! anything, such as a program; its formulas are not read, and that is told.
 
-use super::collect::Collector;
+use super::collect::{Collector, Include};
 use super::vocabulary::THEOREMS;
 use crate::formula::source::Span;
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// What the content of a block is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub(super) enum Content {
     Rst,
     /// A program, data, a picture.
     Code,
+    /// Another file, whose name stands after that of the directive.
+    Include,
     /// A directive that is not known.
     Unknown,
 }
@@ -97,7 +100,6 @@ const CODE: &[&str] = &[
     "graphviz",
     "highlight",
     "image",
-    "include",
     "index",
     "literalinclude",
     "mermaid",
@@ -133,6 +135,7 @@ pub(super) fn named(name: &str) -> Content {
     match own {
         "math" if domain.is_empty() => Content::Formula,
         "eval-rst" => Content::Rst,
+        "include" => Content::Include,
         _ if DOMAINS.contains(&domain) || PROSE.contains(&own) || THEOREMS.contains(&own) => Content::Prose,
         _ if CODE.contains(&own) => Content::Code,
         _ => Content::Unknown,
@@ -180,6 +183,53 @@ pub(super) fn without_options<'a>(text: &str, lines: &'a [Span]) -> &'a [Span] {
     &lines[first..last]
 }
 
+/// Notes the file that a directive includes, with the options of the directive. One that is shown as it is typed
+/// is no part of the page; one of which only a part is included is not read, and that is told.
+pub(super) fn included<'a>(
+    name: &str,
+    options: impl Iterator<Item = &'a str>,
+    place: Span,
+    out: &mut Collector,
+) {
+    let name = name.trim().trim_matches(['"', '\'']);
+    let options: Vec<&str> =
+        options.filter_map(|line| line.trim().strip_prefix(':')?.split(':').next()).collect();
+    let has = |names: &[&str]| names.iter().any(|name| options.contains(name));
+    if name.is_empty() || has(&["literal", "code", "lang", "number-lines"]) {
+        return;
+    }
+    let part =
+        ["start-line", "end-line", "start-after", "end-before", "start-at", "end-at", "lines", "filter"];
+    if has(&part) {
+        return out.problem(partly(name, place));
+    }
+    out.includes.push(Include { name: name.to_owned(), place });
+}
+
+/// A part of a file that is included.
+fn partly(name: &str, place: Span) -> Diagnostic {
+    Diagnostic::warning(Code::Include, format!("only a part of {name} is included; it was not read"))
+        .at(place)
+        .hint("check that file by itself")
+}
+
+/// The file that Quarto or mdBook include in a line: `{{< include a.qmd >}}`, `{{#include a.md}}`; how many bytes
+/// that takes.
+pub(super) fn shortcode(rest: &str, at: usize, out: &mut Collector) -> Option<usize> {
+    let (open, close) = if rest.starts_with("{{<") { ("{{<", ">}}") } else { ("{{", "}}") };
+    let line = rest.strip_prefix(open)?.lines().next()?;
+    let inner = &line[..line.find(close)?];
+    let sign = if open == "{{<" { "include" } else { "#include" };
+    let name = inner.trim().strip_prefix(sign).filter(|name| name.starts_with(' '))?;
+    let len = open.len() + inner.len() + close.len();
+    let place = Span::new(at, at + len);
+    match name.trim().split_once(':') {
+        Some((file, _)) if open == "{{" => out.problem(partly(file, place)),
+        _ => included(name, std::iter::empty(), place, out),
+    }
+    Some(len)
+}
+
 /// Tells of formulas in the content of a directive that is not read.
 pub(super) fn count_unseen(lines: &[&str], place: Span, out: &mut Collector) {
     let mark = |line: &&&str| {
@@ -209,6 +259,7 @@ mod tests {
             ("{.python .numbered}", Content::Code),
             ("{r, echo=FALSE}", Content::Code),
             ("{=latex}", Content::Code),
+            ("{include} a.md", Content::Include),
             ("{r}", Content::Unknown),
             ("python", Content::Code),
             ("mathematica", Content::Code),

@@ -5,13 +5,13 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use super::collect::Collector;
+use super::collect::{Collector, Include};
 use super::decode::decode;
 use super::macros::Macros;
 use super::{Container, scan, tex};
 use crate::document::Document;
 use crate::formula::source::{SourceFile, Span};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
 /// A longer file is refused.
 pub const MAX_BYTES: u64 = 64 << 20;
@@ -20,8 +20,9 @@ pub const MAX_BYTES: u64 = 64 << 20;
 const MAX_FILES: usize = 1000;
 const MAX_DEPTH: usize = 20;
 
-/// Reads a file of notes and all that it includes by `\input` and its kin, in this order: the file
-/// itself, then the others in the order of reading. They share their macros.
+/// Reads a file of notes and all that it includes (by `\input` and its kin in LaTeX, by the directive `include` of
+/// MyST and reStructuredText, by `{{< include … >}}` of Quarto, by `{{#include …}}` of mdBook), in this order: the
+/// file itself, then the others in the order of reading. They share their macros.
 ///
 /// The ending of the name tells how it is written, unless `kind` says so.
 ///
@@ -37,13 +38,13 @@ pub fn read_files(path: &Path, kind: Option<Container>) -> Result<Vec<Document>,
     }
     let (file, problems) = load(path)?;
     let kind = known?;
-    if kind != Container::Latex {
-        return Ok(vec![one(file, kind, problems)]);
-    }
     let out = Collector::with(Default::default(), problems);
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     let mut loader = Loader { folder, documents: Vec::new(), open: Vec::new(), read: HashSet::new() };
-    loader.latex(path, file, true, out);
+    match kind {
+        Container::Latex => loader.latex(path, file, true, out),
+        kind => loader.page(path, file, kind, out),
+    };
     Ok(loader.documents.into_iter().flatten().collect())
 }
 
@@ -59,6 +60,10 @@ pub fn read_text(name: &str, bytes: Vec<u8>, kind: Container) -> Result<Document
 fn one(file: SourceFile, kind: Container, problems: Vec<Diagnostic>) -> Document {
     let mut out = Collector::with(Default::default(), problems);
     scan(file.text(), kind, &mut out);
+    for Include { name, place } in std::mem::take(&mut out.includes) {
+        let unread = Diagnostic::warning(Code::Include, format!("the included file {name} was not read"));
+        out.problem(unread.at(place).hint("check the page as a file, or that file by itself"));
+    }
     out.into_document(file)
 }
 
@@ -126,7 +131,7 @@ impl Container {
     }
 }
 
-/// Reads LaTeX files into documents.
+/// Reads files and those that they include into documents.
 struct Loader {
     /// The folder of the first file.
     folder: PathBuf,
@@ -138,24 +143,76 @@ struct Loader {
 }
 
 impl Loader {
-    /// Takes a file apart; its macros are handed back.
+    /// Takes a file of LaTeX apart; its macros are handed back.
     fn latex(&mut self, path: &Path, file: SourceFile, body: bool, mut out: Collector) -> Macros {
-        let slot = self.documents.len();
+        let slot = self.begin(path);
+        tex::scan(file.text(), body, &mut out, &mut |name, place, body, out| {
+            let path = self.find(name);
+            self.include(name, path, place, out, |loader, path, file, inner| {
+                loader.latex(path, file, body, inner)
+            });
+        });
+        self.end(slot, file, out)
+    }
+
+    /// Takes another file apart, after those that it includes, so that their macros are known.
+    ///
+    /// Cost: it is taken apart twice if it includes some.
+    fn page(&mut self, path: &Path, file: SourceFile, kind: Container, mut out: Collector) -> Macros {
+        let slot = self.begin(path);
+        let (macros, problems) = out.known();
+        scan(file.text(), kind, &mut out);
+        if out.includes.is_empty() {
+            return self.end(slot, file, out);
+        }
+        let includes = std::mem::replace(&mut out, Collector::with(macros, problems)).includes;
+        for Include { name, place } in includes {
+            let path = self.find_page(&name);
+            let kind = path.as_deref().map_or(Ok(kind), Container::of);
+            match kind {
+                Ok(kind) => {
+                    self.include(&name, path, place, &mut out, |loader, path, file, inner| match kind {
+                        Container::Latex => loader.latex(path, file, true, inner),
+                        kind => loader.page(path, file, kind, inner),
+                    })
+                }
+                Err(problem) => out.problem(Diagnostic {
+                    code: Code::Include,
+                    severity: Severity::Warning,
+                    span: Some(place),
+                    ..problem
+                }),
+            }
+        }
+        scan(file.text(), kind, &mut out);
+        self.end(slot, file, out)
+    }
+
+    /// The place of the document of a file that is read from here on.
+    fn begin(&mut self, path: &Path) -> usize {
         self.documents.push(None);
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         self.read.insert(path.clone());
         self.open.push(path);
-        tex::scan(file.text(), body, &mut out, &mut |name, place, body, out| {
-            self.include(name, place, body, out)
-        });
+        self.documents.len() - 1
+    }
+
+    fn end(&mut self, slot: usize, file: SourceFile, mut out: Collector) -> Macros {
         self.open.pop();
         let macros = std::mem::take(&mut out.macros);
         self.documents[slot] = Some(out.into_document(file));
         macros
     }
 
-    fn include(&mut self, name: &str, place: Span, body: bool, out: &mut Collector) {
-        let Some(path) = self.find(name) else {
+    fn include(
+        &mut self,
+        name: &str,
+        path: Option<PathBuf>,
+        place: Span,
+        out: &mut Collector,
+        read: impl FnOnce(&mut Self, &Path, SourceFile, Collector) -> Macros,
+    ) {
+        let Some(path) = path else {
             // Packages and class files of the system are not looked for.
             let missing =
                 Diagnostic::warning(Code::Include, format!("the included file {name} was not found"));
@@ -179,10 +236,20 @@ impl Loader {
         match load(&path) {
             Ok((file, problems)) => {
                 let inner = Collector::with(std::mem::take(&mut out.macros), problems);
-                out.macros = self.latex(&path, file, body, inner);
+                out.macros = read(self, &path, file, inner);
             }
             Err(problem) => out.problem(Diagnostic { code: Code::Include, span: Some(place), ..problem }),
         }
+    }
+
+    /// The file of this name beside the one that includes it; a name that begins with `/` belongs to the folder of
+    /// the whole book, which is one of those around it.
+    fn find_page(&self, name: &str) -> Option<PathBuf> {
+        let folder = self.open.last()?.parent()?;
+        let beside = folder.join(name.trim_start_matches('/'));
+        let book = || folder.ancestors().skip(1).map(|folder| folder.join(name.trim_start_matches('/')));
+        let around = book().take(if name.starts_with('/') { MAX_DEPTH } else { 0 });
+        [beside].into_iter().chain(around).find(|path| path.is_file())
     }
 
     /// The file of this name, with or without its ending: beside the first file, as LaTeX looks

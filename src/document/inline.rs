@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::code_spans::{closing_run, dollars_in_code, run_of};
 use super::collect::Collector;
+use super::directives::shortcode;
+use super::html::{self, Found, Hidden};
 use super::parts::{Opening, PartKind, hidden_queries, query_at};
 use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
 use crate::document::{Item, Style};
@@ -19,49 +22,8 @@ pub(super) fn heading(text: &str, start: usize, out: &mut Collector) {
     Inline::new(text, start, false, out).scan();
 }
 
-/// The end of the code span that opens at `at`, or of the backquotes there.
-pub(super) fn code_span(text: &str, at: usize) -> usize {
-    let run = run_of(text, at, b'`');
-    closing_run(text, at + run, run).unwrap_or(at + run)
-}
-
-fn run_of(text: &str, at: usize, mark: u8) -> usize {
-    text.as_bytes()[at..].iter().take_while(|&&byte| byte == mark).count()
-}
-
 /// Code spans and addresses are this long at most; it keeps looking for their ends linear.
-const NEARBY: usize = 1000;
-
-/// Whether somewhere in the text formulas of LaTeX stand in double backquotes.
-///
-/// Cost: linear.
-pub(super) fn double_backquotes(text: &str) -> bool {
-    let signs = ["](@ref", "](@id", "```@", "```jldoctest"];
-    if !text.contains("``") {
-        return false;
-    }
-    if signs.iter().any(|sign| text.contains(sign)) {
-        return true;
-    }
-    let mut at = 0;
-    while let Some(found) = text[at..].find('`') {
-        let run = run_of(text, at + found, b'`');
-        let from = at + found + run;
-        let Some(end) = closing_run(text, from, run) else {
-            at = from;
-            continue;
-        };
-        let content = &text[from..end - run];
-        let mut signs = content.match_indices('\\').map(|(sign, _)| &content[sign + 1..]);
-        let command = signs.any(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
-        let latex = command || content.contains("_{") || content.contains("^{");
-        if run == 2 && latex && !content.contains('`') {
-            return true;
-        }
-        at = end;
-    }
-    false
-}
+pub(super) const NEARBY: usize = 1000;
 
 /// Roles of MyST and reStructuredText before backquotes that hold a formula.
 const ROLES: [&str; 2] = ["{math}", ":math:"];
@@ -97,25 +59,20 @@ pub(super) fn nearby(text: &str) -> &str {
     text.split('\n').next().unwrap_or(text)
 }
 
-/// The end of the next run of exactly `run` backquotes.
-fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
-    let mut at = from;
-    while at < from + NEARBY {
-        at += text[at..].bytes().position(|byte| byte == b'`')?;
-        let len = run_of(text, at, b'`');
-        at += len;
-        if len == run {
-            return Some(at);
-        }
-    }
-    None
-}
-
 /// Whether `\[ … \]` or `\( … \)` holds a formula: Markdown also writes brackets like that.
 pub(super) fn is_bracketed_formula(content: &str) -> bool {
     let content = content.trim();
     let letter = content.chars().count() == 1 && content.chars().all(char::is_alphabetic);
     letter || (content.contains(['\\', '=', '^', '_', '+', '<', '>', '(', '/']) && !reads_as_prose(content))
+}
+
+/// Whether the content of `\( … \)` is a formula such as `n-1`, and no words in brackets.
+fn is_difference(content: &str) -> bool {
+    let letters = |part: &str| part.chars().filter(|c| c.is_alphabetic()).count();
+    let parts = content.split('-');
+    content.contains('-')
+        && content.contains(|c: char| c.is_ascii_digit())
+        && parts.map(str::trim).all(|part| !part.is_empty() && letters(part) <= 1)
 }
 
 struct Inline<'a> {
@@ -130,12 +87,12 @@ struct Inline<'a> {
     said: usize,
     /// Whether a bracket was opened.
     bracket: bool,
+    /// What holds no text of the page.
+    hidden: Hidden,
     /// Tags without a closing tag from here on.
     no_close: Vec<String>,
     /// For each number of backquotes, from where on no such run stands.
     no_code: BTreeMap<usize, usize>,
-    /// From where on no comment ends.
-    no_comment: usize,
 }
 
 impl<'a> Inline<'a> {
@@ -148,9 +105,9 @@ impl<'a> Inline<'a> {
             after_formula: false,
             said: 0,
             bracket: false,
+            hidden: Hidden::default(),
             no_close: Vec::new(),
             no_code: BTreeMap::new(),
-            no_comment: usize::MAX,
         }
     }
 
@@ -218,7 +175,8 @@ impl<'a> Inline<'a> {
             let from = at + open.len();
             if rest.starts_with(open)
                 && let Some(end) = display_end(self.text, from, close, false)
-                && is_bracketed_formula(&self.text[from..end])
+                && (is_bracketed_formula(&self.text[from..end])
+                    || style == Style::Inline && is_difference(&self.text[from..end]))
             {
                 return self.formula(style, Span::new(from, end), at, end + close.len());
             }
@@ -253,10 +211,19 @@ impl<'a> Inline<'a> {
                 let before = &self.text[self.said..at];
                 match ROLES.iter().find(|role| before.ends_with(**role)) {
                     Some(role) => self.formula(Style::Inline, inner, at - role.len(), end),
-                    None if run == 2 && self.out.double_backquotes => {
+                    None if run == 2 && self.out.in_code.double_backquotes => {
                         self.formula(Style::Inline, inner, at, end)
                     }
-                    None => self.skip(at, end),
+                    None => match dollars_in_code(&self.text[inner.range()]) {
+                        Some((style, part)) if self.out.in_code.dollars => {
+                            self.formula(style, part.shifted(inner.start), at, end)
+                        }
+                        Some((_, part)) => {
+                            self.unseen_in_code(part, at, end);
+                            self.skip(at, end)
+                        }
+                        None => self.skip(at, end),
+                    },
                 }
             }
             None => {
@@ -266,28 +233,52 @@ impl<'a> Inline<'a> {
         }
     }
 
-    fn angle(&mut self, at: usize) -> usize {
-        let rest = &self.text[at..];
-        if rest.starts_with("<!--") && at < self.no_comment {
-            return match rest[4..].find("-->") {
-                Some(len) => {
+    /// Passes a stretch that holds no text of the page, if one begins at `at`.
+    fn hidden(&mut self, at: usize) -> Option<usize> {
+        match self.hidden.at(self.text, at) {
+            Found::Nothing => None,
+            Found::Closed(end) => {
+                if self.text[at..].starts_with("<!--") {
                     self.say(at);
-                    self.comment(at + 4, at + 4 + len);
-                    self.skip(at, at + 4 + len + 3)
+                    self.comment(at + 4, end - 3);
                 }
-                None => {
-                    self.no_comment = at;
-                    at + 4
-                }
-            };
+                Some(self.skip(at, end))
+            }
+            Found::Open(len) => {
+                self.out.problem(
+                    Diagnostic::warning(Code::UnclosedBlock, "this is never closed")
+                        .at(Span::new(at, at + len).shifted(self.start))
+                        .reason("it begins here")
+                        .hint("close it; what follows it is read as a part of the page"),
+                );
+                None
+            }
         }
-        match tag(rest) {
+    }
+
+    /// Tells of a formula in a code span, if it is more than a letter.
+    fn unseen_in_code(&mut self, formula: Span, at: usize, end: usize) {
+        if formula.len() > 1 {
+            self.out.problem(
+                Diagnostic::warning(Code::UnseenFormula, "a formula in a code span was not read")
+                    .at(Span::new(at, end).shifted(self.start))
+                    .hint("leave out the backquotes; or write $`…`$, as GitLab and GitHub have it"),
+            );
+        }
+    }
+
+    fn angle(&mut self, at: usize) -> usize {
+        if let Some(end) = self.hidden(at) {
+            return end;
+        }
+        let rest = &self.text[at..];
+        match html::tag(rest) {
             Some((len, raw)) => {
                 if raw == Some("math") {
                     let span = Span::new(at, at + len).shifted(self.start);
                     self.out.unseen(span, "a formula in MathML was not read");
                 }
-                let hidden = raw.map_or(0, |name| self.hidden(at + len, name));
+                let hidden = raw.map_or(0, |name| self.raw(at + len, name));
                 self.skip(at, at + len + hidden)
             }
             None => at + 1,
@@ -295,26 +286,31 @@ impl<'a> Inline<'a> {
     }
 
     /// How many bytes from `at` on are no text, up to the end of the tag.
-    fn hidden(&mut self, at: usize, name: &str) -> usize {
-        let close = format!("</{name}>");
-        if self.no_close.contains(&close) {
+    fn raw(&mut self, at: usize, name: &str) -> usize {
+        let name = name.to_ascii_lowercase();
+        if self.no_close.contains(&name) {
             return 0;
         }
-        match self.text[at..].find(&close) {
-            Some(found) => found + close.len(),
-            None => {
-                self.no_close.push(close);
-                0
-            }
-        }
+        html::closing_tag(&self.text[at..], &name).unwrap_or_else(|| {
+            self.no_close.push(name);
+            0
+        })
     }
 
-    /// `{{ … }}`, where parts are wanted.
+    /// A query `{{ … }}`, where parts are wanted; code of Liquid; a file that is included.
     fn query(&mut self, at: usize) -> usize {
-        let Some(layout) = &mut self.out.layout else { return at + 1 };
+        if let Some(end) = self.hidden(at) {
+            return end;
+        }
         if !self.text[at + 1..].starts_with('{') {
             return at + 1;
         }
+        let Some(layout) = &mut self.out.layout else {
+            return match shortcode(nearby(&self.text[at..]), self.start + at, self.out) {
+                Some(len) => self.skip(at, at + len),
+                None => at + 1,
+            };
+        };
         match query_at(self.text, at, false) {
             Opening::Query(inner) => {
                 let end = inner.end + 2;
@@ -368,7 +364,7 @@ impl<'a> Inline<'a> {
             return self.formula(Style::Inline, text, at, text.end + 2);
         }
         // Who writes into the text must not take a price and the code after it for a formula.
-        let strict = self.out.layout.is_some();
+        let strict = self.out.layout.is_some() || self.out.in_code.dollars;
         let has_code = |end: usize| {
             let content = &self.text[at..end];
             content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))
@@ -455,127 +451,4 @@ impl<'a> Inline<'a> {
         let len = rest.find(stop).unwrap_or(rest.len());
         self.skip(at, at + len)
     }
-}
-
-/// Names of tags that may be taken for one: `<b` also begins a relation.
-const TAGS: &[&str] = &[
-    "a",
-    "abbr",
-    "article",
-    "aside",
-    "audio",
-    "b",
-    "blockquote",
-    "body",
-    "br",
-    "button",
-    "caption",
-    "center",
-    "cite",
-    "code",
-    "col",
-    "colgroup",
-    "dd",
-    "del",
-    "details",
-    "dfn",
-    "div",
-    "dl",
-    "dt",
-    "em",
-    "embed",
-    "figcaption",
-    "figure",
-    "font",
-    "footer",
-    "form",
-    "h1",
-    "h2",
-    "h3",
-    "h4",
-    "h5",
-    "h6",
-    "head",
-    "header",
-    "hr",
-    "html",
-    "i",
-    "iframe",
-    "img",
-    "input",
-    "ins",
-    "kbd",
-    "label",
-    "legend",
-    "li",
-    "link",
-    "main",
-    "mark",
-    "math",
-    "meta",
-    "nav",
-    "noscript",
-    "ol",
-    "option",
-    "p",
-    "picture",
-    "pre",
-    "q",
-    "s",
-    "samp",
-    "script",
-    "section",
-    "select",
-    "small",
-    "source",
-    "span",
-    "strike",
-    "strong",
-    "style",
-    "sub",
-    "summary",
-    "sup",
-    "svg",
-    "table",
-    "tbody",
-    "td",
-    "textarea",
-    "tfoot",
-    "th",
-    "thead",
-    "title",
-    "tr",
-    "tt",
-    "u",
-    "ul",
-    "var",
-    "video",
-];
-
-/// The length of the tag or address in angle brackets at the beginning, and its name if what it
-/// encloses is no text.
-fn tag(rest: &str) -> Option<(usize, Option<&str>)> {
-    let inner = rest.get(1..)?;
-    let close = inner.bytes().take(2000).position(|byte| matches!(byte, b'>' | b'<'))?;
-    if inner.as_bytes()[close] == b'<' {
-        return None;
-    }
-    let content = &inner[..close];
-    let len = close + 2;
-    let address = content.contains("://") || content.starts_with("mailto:");
-    if address && !content.contains(char::is_whitespace) {
-        return Some((len, None));
-    }
-    let name = content.trim_start_matches('/');
-    let name = &name[..name.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(name.len())];
-    if !TAGS.iter().any(|tag| tag.eq_ignore_ascii_case(name)) {
-        return None;
-    }
-    let attributes = content.trim_start_matches('/')[name.len()..].trim_end_matches('/').trim();
-    let plausible = attributes.is_empty()
-        || (attributes.contains('=') && attributes.starts_with(|c: char| c.is_ascii_alphabetic()))
-        || name.len() > 2;
-    let raw = ["code", "pre", "script", "style", "svg", "math", "kbd", "samp", "tt", "textarea"];
-    let hidden = !content.starts_with('/') && !content.ends_with('/') && raw.contains(&name);
-    plausible.then_some((len, hidden.then_some(name)))
 }

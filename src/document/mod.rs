@@ -15,11 +15,14 @@
 mod arguments;
 mod blocks;
 mod clean;
+mod code_spans;
 mod collect;
 mod cursor;
 mod decode;
 mod directives;
 mod files;
+mod front;
+mod html;
 mod inline;
 mod item;
 mod macros;

@@ -260,7 +260,13 @@ impl<'a> Rst<'a> {
             self.out.default_role = self.text[argument..line.end].trim() == "math";
             return end;
         }
-        match directives::named(name) {
+        // What plots show may be a session with words between its commands.
+        let session = |at: usize| self.at(at).starts_with(">>> ");
+        let content = match directives::named(name) {
+            Content::Code if name == "plot" && (at + 1..end).any(session) => Content::Prose,
+            content => content,
+        };
+        match content {
             Content::Formula => {
                 self.formulas(at, argument, end);
                 end
@@ -279,6 +285,12 @@ impl<'a> Rst<'a> {
                 next
             }
             Content::Rst | Content::Code => end,
+            Content::Include => {
+                let text = self.text;
+                let options = self.lines[at + 1..end].iter().map(|line| &text[line.start..line.end]);
+                directives::included(&text[argument..line.end], options, line.span(), self.out);
+                end
+            }
             Content::Unknown => {
                 let lines: Vec<&str> = (at..end).map(|at| self.at(at)).collect();
                 directives::count_unseen(&lines, line.span(), self.out);

@@ -259,6 +259,9 @@ impl<'a> Latex<'a, '_> {
         if VERBATIM.contains(&name.trim_end_matches('*')) {
             return match self.find_end(end, &closing) {
                 Some(past) => {
+                    if name.starts_with("algorithm") && self.text[end..past].contains('$') {
+                        self.out.unseen(place, "the formulas of this algorithm were not read");
+                    }
                     if name == "polarform" {
                         self.say(at);
                         let last = past - closing.len();

@@ -94,6 +94,47 @@ fn what_looks_like_a_formula_is_counted() {
     }
 }
 
+#[test]
+fn programs_and_comments_hold_no_formulas() {
+    for (open, close) in [
+        ("<script>", "</script>"),
+        ("<style media='a'>", "</style>"),
+        ("<pre>", "</pre>"),
+        ("<TEXTAREA>", "</textarea>"),
+        ("<!--", "-->"),
+        ("<?php", "?>"),
+        ("{% highlight js %}", "{% endhighlight %}"),
+    ] {
+        let text = format!("{open}\n\n# $a$\n| $b$ |\n|---|\n| $c$ |\n\n- $d$\n{close} then $e$\n\n$f$\n");
+        assert_eq!(texts(&text), ["e", "f"], "{text}");
+        let notes = markdown(&format!("> {open}\n> $a$\n\nb $c$\n"));
+        assert_eq!(formulas(&notes).len(), 2, "{open}");
+        assert_eq!(notes.problems.len(), 1, "{open}");
+    }
+    assert_eq!(texts("<div>\n\n$a$\n\n</div>\n\n<prefix> $b$\n"), ["a", "b"]);
+    // Rows of a table go on after a comment.
+    assert_eq!(texts("| a |\n|---|\n| $b$ |\n<!-- $x$\n\n$y$ -->\n| $c$ |\n"), ["b", "c"]);
+}
+
+#[test]
+fn formulas_in_code_spans() {
+    // Where some stand outside, a page shows how to write them.
+    let notes = markdown("Write `$x^2$` or `$$a_i$$`, so $b$; `$HOME`, `$5`, `a$b`.\n");
+    assert_eq!(formulas(&notes).len(), 1);
+    let codes: Vec<Code> = notes.problems.iter().map(|problem| problem.code).collect();
+    assert_eq!(codes, [Code::UnseenFormula, Code::UnseenFormula]);
+    // Else all of them are formulas.
+    let text =
+        "For `$x > 0$` [see][book$12] the `$$\\Gamma(x+1) = x$$` and [more][book$14]: `$n,$` `code`.\n";
+    assert_eq!(texts(text), ["x > 0", "\\Gamma(x+1) = x", "n,"]);
+}
+
+#[test]
+fn escaped_parentheses() {
+    assert_eq!(texts("both \\\\(n-1\\\\) and \\(2 - k\\)\n"), ["n-1", "2 - k"]);
+    assert_eq!(texts("\\(see 3-4\\) \\[a-z0-9\\] \\(well-known\\)\n"), [""; 0]);
+}
+
 /// Each formula in the table of formats is seen in a file of its format.
 #[test]
 fn the_formats_of_the_documentation() {

@@ -160,3 +160,38 @@ fn kinds_of_files() {
     assert_eq!(texts("c"), [("c".to_owned(), (1, 6))]);
     assert_eq!(texts("d.txt"), [("d".to_owned(), (1, 9)), ("e".to_owned(), (2, 2))]);
 }
+
+#[test]
+fn files_that_pages_include() {
+    let folder = Folder::new(
+        "pages",
+        &[
+            ("book/a.md", b"$\\x$\n\n```{include} parts/b.md\n:relative-docs: x\n```\n\n:::{include} /c.md\n:::\n\n$a$\n"),
+            ("book/parts/b.md", b"$\\newcommand{\\x}{X}$ $b$\n\n{{< include d.qmd >}}\n{{#include ../a.md}}\n"),
+            ("c.md", b"$c$ `{{#include no.md}}` \\{{#include no.md}}\n\n```\n{{#include no.md}}\n```\n"),
+            ("book/parts/d.qmd", b"$d$\n"),
+            ("e.rst", b":math:`e`\n\n.. include:: book/parts/f.rst\n\n.. include:: no.rst\n   :literal:\n"),
+            ("book/parts/f.rst", b":math:`f`\n"),
+            ("g.md", b"{{#include c.md:3}} {{#include no.md}} {{< include a.html >}}\n\n```{include} c.md\n:start-line: 2\n```\n$g$\n"),
+        ],
+    );
+    let all = read_files(&folder.0.join("book/a.md"), None).unwrap();
+    let wanted = [
+        ("a.md".to_owned(), vec!["X", "a"]),
+        ("b.md".to_owned(), vec!["b"]),
+        ("d.qmd".to_owned(), vec!["d"]),
+        ("c.md".to_owned(), vec!["c"]),
+    ];
+    assert_eq!(found(&all), wanted);
+    let told: Vec<&str> = all.iter().flat_map(|notes| &notes.problems).map(|p| p.message.as_str()).collect();
+    assert_eq!(told, ["../a.md includes itself"]);
+    let all = read_files(&folder.0.join("e.rst"), None).unwrap();
+    assert_eq!(found(&all), [("e.rst".to_owned(), vec!["e"]), ("f.rst".to_owned(), vec!["f"])]);
+    let all = read_files(&folder.0.join("g.md"), None).unwrap();
+    assert_eq!(found(&all), [("g.md".to_owned(), vec!["g"])]);
+    let codes: Vec<Code> = all[0].problems.iter().map(|problem| problem.code).collect();
+    assert_eq!(codes, [Code::Include; 4]);
+    let text =
+        read_text("standard input", b"{{< include a.qmd >}} $a$\n".to_vec(), Container::Markdown).unwrap();
+    assert_eq!((formulas(&text).len(), text.problems[0].code), (1, Code::Include));
+}

@@ -75,3 +75,10 @@ fn declarations_and_what_is_not_read() {
     let codes: Vec<Code> = notes.problems.iter().map(|problem| problem.code).collect();
     assert_eq!(codes, [Code::UnseenFormula, Code::UnclosedFormula]);
 }
+
+#[test]
+fn plots_with_words_between_commands() {
+    let text = ".. plot::\n   :context: close-figs\n\n   Choose :math:`L = 600` now.\n\n   >>> L = 600\n   600\n\n   And :math:`a`.\n\n\
+                .. plot::\n\n   plt.plot(x)  # :math:`b`\n";
+    assert_eq!(found(text), ["L = 600", "a"]);
+}

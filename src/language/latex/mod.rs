@@ -21,6 +21,7 @@ mod brackets;
 mod characters;
 mod commands;
 mod environments;
+mod forms;
 mod fractions;
 mod lexer;
 mod nesting;

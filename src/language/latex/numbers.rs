@@ -70,6 +70,13 @@ impl Lexer<'_> {
         {
             return Some((end, None));
         }
+        // 0.\dot3, 0.\dot{1}42\dot{7}
+        let point = if parts == 1 { usize::from(tail.starts_with('.')) } else { 0 };
+        if parts + point == 2
+            && let Some((_, more)) = dotted(&tail[point..])
+        {
+            return Some((length + point + more, None));
+        }
         // 0.(3)
         if let Some(period) = tail.strip_prefix(".(")
             && let count @ 1.. = digits(period)
@@ -106,6 +113,9 @@ impl Lexer<'_> {
             && let count @ 1.. = digits(fraction)
         {
             let end = length + 3 + count;
+            if let Some(end) = thousands(rest, length) {
+                return Some((end, None));
+            }
             let problem = (count == 3 && length <= 3 && !number.starts_with('0')).then(|| {
                 malformed(end).reason("a decimal comma, or thousands?").hint(format!(
                     "write {number}{} or {number}.{}",
@@ -205,14 +215,54 @@ fn repeating_end(text: &str, start: usize) -> Option<usize> {
     (count > 0 && tail[count..].starts_with('}')).then(|| text.len() - tail.len() + count + 1)
 }
 
-/// The value of a decimal with a period: 0.1\overline{6}; `None` if it has none.
+/// The end of a number with two groups of thousands or more, or with one and a decimal point, after the first
+/// `length` digits: 1{,}234{,}567, 1{,}234.5.
+fn thousands(text: &str, length: usize) -> Option<usize> {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let mut end = length;
+    while let Some(group) = text[end..].strip_prefix("{,}").filter(|group| digits(group) == 3) {
+        end = text.len() - group.len() + 3;
+    }
+    let groups = (end - length) / 6;
+    let decimals = text[end..].strip_prefix('.').map_or(0, digits);
+    let fits = length <= 3 && !text.starts_with('0') && (groups > 1 || groups == 1 && decimals > 0);
+    fits.then_some(if decimals > 0 { end + 1 + decimals } else { end })
+}
+
+/// The period whose first and last digit have dots at the beginning of the text, and how many bytes it takes:
+/// `\dot3`, `\dot{1}4285\dot{7}`.
+fn dotted(text: &str) -> Option<(String, usize)> {
+    fn digit(text: &str) -> Option<(char, &str)> {
+        let rest = text.strip_prefix("\\dot")?.trim_start_matches(' ');
+        let braced = rest.strip_prefix('{');
+        let rest = braced.unwrap_or(rest);
+        let digit = rest.chars().next().filter(char::is_ascii_digit)?;
+        Some((digit, if braced.is_some() { rest[1..].strip_prefix('}')? } else { &rest[1..] }))
+    }
+    let (first, rest) = digit(text)?;
+    let plain = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let (period, rest) = match digit(&rest[plain..]) {
+        Some((last, after)) => (format!("{first}{}{last}", &rest[..plain]), after),
+        None if plain == 0 => (first.to_string(), rest),
+        None => return None,
+    };
+    Some((period, text.len() - rest.len()))
+}
+
+/// The value of a decimal with a period: 0.1\overline{6}, 0.1\dot6; `None` if it has none.
 pub(super) fn repeating(text: &str) -> Option<std::result::Result<Rational, LiteralError>> {
-    let (head, period) = text.strip_suffix('}')?.split_once("\\overline{")?;
+    let (head, period) = match text.find("\\dot") {
+        Some(at) => (&text[..at], dotted(&text[at..])?.0),
+        None => {
+            let (head, period) = text.strip_suffix('}')?.split_once("\\overline{")?;
+            (head, period.to_owned())
+        }
+    };
     let places = head.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let nines = "9".repeat(period.len()) + &"0".repeat(places);
     let value = || {
         let before = parse_decimal(head.trim_end_matches('.'))?;
-        Ok(before + parse_decimal(period)? / parse_decimal(&nines)?)
+        Ok(before + parse_decimal(&period)? / parse_decimal(&nines)?)
     };
     Some(value())
 }

@@ -6,13 +6,14 @@
 //! number above a name without index is a power; `B_i^3(t)` takes an argument.
 
 use super::commands::Role;
+use super::forms::{is_callee, is_sum, is_sum_of_letters, is_transposed};
 use super::numbers::repeating;
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
 use super::truncated::{may_be_truncated, truncated};
 use crate::budget;
 use crate::formula::source::Span;
-use crate::formula::{BinomialStyle, Expr, Kind, Sign};
+use crate::formula::{BinomialStyle, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters::is_one_letter;
@@ -24,6 +25,8 @@ enum Raise {
     Nothing,
     Power(Expr),
     Upper(Vec<Expr>),
+    /// In round brackets: the number of a name, the order of a derivative, or else an exponent.
+    Round(Expr),
     Prime(u32),
     Transpose,
 }
@@ -274,7 +277,10 @@ impl Reader<'_> {
     /// The number written at `span`.
     pub fn numeral(&self, span: Span) -> Result<Expr> {
         // Groups of digits are set apart by small spaces, decimals by a comma in some countries.
-        let text = self.text[span.range()].replace("\\,", "").replace('~', "").replace("{,}", ".");
+        let text = self.text[span.range()].replace("\\,", "").replace('~', "");
+        // Between thousands stand several, or a decimal point follows.
+        let thousands = text.matches("{,}").count() > 1 || text.contains('.');
+        let text = text.replace("{,}", if thousands { "" } else { "." });
         match repeating(&text).unwrap_or_else(|| parse_decimal(&text)) {
             Ok(value) => Ok(Expr::new(Kind::Number(value), span)),
             Err(error) => Err(Box::new(Diagnostic::error(Code::BadNumber, error.to_string()).at(span))),
@@ -370,6 +376,12 @@ impl Reader<'_> {
             }
             Some(Raise::Power(exponent)) => self.node(Kind::Pow(Box::new(expr), Box::new(exponent)), start),
             Some(Raise::Upper(indices)) => self.node(Kind::Upper(Box::new(expr), indices), start),
+            Some(Raise::Round(exponent)) if is_sum_of_letters(&expr) && is_sum(&exponent) => {
+                let span = Span::new(exponent.span.start - 1, exponent.span.end + 1);
+                let exponent = Expr::new(Kind::Group(Box::new(exponent)), span);
+                self.node(Kind::Pow(Box::new(expr), Box::new(exponent)), start)
+            }
+            Some(Raise::Round(index)) => self.node(Kind::Upper(Box::new(expr), vec![index]), start),
             Some(Raise::Transpose) => self.node(Kind::Transpose(Box::new(expr)), start),
         }
     }
@@ -481,7 +493,10 @@ impl Reader<'_> {
         }
         // f^{(k)}, and the step of a scheme: c^{[0]}
         if self.is_bracket(window.clone()) {
-            return Ok(Raise::Upper(self.list_in(window.start + 1..window.end - 1)?));
+            let mut list = self.list_in(window.start + 1..window.end - 1)?;
+            let round = self.tokens[window.start].kind == Tok::Open(Fence::Paren);
+            let one = round && list.len() == 1;
+            return Ok(if one { Raise::Round(list.swap_remove(0)) } else { Raise::Upper(list) });
         }
         let mut list = self.list_in(window)?;
         Ok(if list.len() == 1 { Raise::Power(list.swap_remove(0)) } else { Raise::Upper(list) })
@@ -583,41 +598,4 @@ fn index_of_digits(digits: &str, span: Span) -> Expr {
         Ok(value) if !digits.starts_with('0') || digits.len() == 1 => Expr::new(Kind::Number(value), span),
         _ => Expr::new(Kind::Name(digits.to_owned()), span),
     }
-}
-
-/// Whether an expression may take arguments by its form.
-fn is_callee(expr: &Expr) -> bool {
-    match &expr.kind {
-        Kind::Name(name) => !matches!(name.as_str(), "infty" | "emptyset" | "cdot" | "ast"),
-        // (F ∘ G)'(t)
-        Kind::Prime(base, _) | Kind::Upper(base, _) if matches!(base.kind, Kind::Group(_)) => true,
-        Kind::Subscript(base, _) | Kind::Accent(_, base) | Kind::Prime(base, _) | Kind::Upper(base, _) => {
-            is_callee(base)
-        }
-        Kind::Pow(base, exponent) => {
-            let allowed = match &exponent.kind {
-                Kind::Number(_) => has_index(base),
-                Kind::Add(terms) => !matches!(terms.as_slice(), [term] if term.sign == Sign::Minus),
-                _ => true,
-            };
-            allowed && is_callee(base)
-        }
-        // dF/dt (t), but (d/dt f(t)) (1 - t) is a product
-        Kind::Derivative { body: Some(body), .. } => is_callee(body),
-        _ => false,
-    }
-}
-
-fn has_index(expr: &Expr) -> bool {
-    match &expr.kind {
-        Kind::Subscript(..) => true,
-        Kind::Accent(_, base) | Kind::Prime(base, _) | Kind::Upper(base, _) => has_index(base),
-        _ => false,
-    }
-}
-
-/// A matrix or row of numbers has no power T.
-fn is_transposed(base: &Expr, exponent: &Expr) -> bool {
-    matches!(base.kind, Kind::Matrix(..) | Kind::List(_))
-        && matches!(&exponent.kind, Kind::Name(name) if name == "T")
 }
