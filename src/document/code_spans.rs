@@ -10,8 +10,20 @@ use crate::formula::source::Span;
 pub(super) struct InCode {
     /// Two backquotes enclose formulas, as in the manuals of Julia.
     pub(super) double_backquotes: bool,
-    /// `` `$…$` `` is a formula: the page has some of them, and none outside of code.
-    pub(super) dollars: bool,
+    /// What `` `$…$` `` is.
+    pub(super) dollars: Dollars,
+}
+
+/// What stands between dollars in code spans.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Dollars {
+    /// Code: formulas stand outside of code, and the page may show how they are written.
+    #[default]
+    Code,
+    /// None stand outside, and there are few.
+    Unclear,
+    /// All formulas of the page stand in code spans.
+    Formulas,
 }
 
 /// What the page means by its code spans.
@@ -58,16 +70,16 @@ fn is_latex(content: &str) -> bool {
 }
 
 /// Whether all formulas of the page stand in code spans: three or more, one of them of LaTeX.
-fn dollars(text: &str) -> bool {
+fn dollars(text: &str) -> Dollars {
     if !text.contains("`$") {
-        return false;
+        return Dollars::Code;
     }
     let mut formulas = 0;
     let mut latex = false;
     let mut said = 0;
     for (inner, run) in code_spans(text) {
         if outside(&text[said..inner.start - run]) {
-            return false;
+            return Dollars::Code;
         }
         said = inner.end + run;
         let content = &text[inner.range()];
@@ -75,7 +87,12 @@ fn dollars(text: &str) -> bool {
         formulas += usize::from(formula);
         latex |= formula && is_latex(content);
     }
-    formulas >= 3 && latex && !outside(&text[said..])
+    match formulas {
+        _ if outside(&text[said..]) => Dollars::Code,
+        3.. if latex => Dollars::Formulas,
+        2.. => Dollars::Unclear,
+        _ => Dollars::Code,
+    }
 }
 
 /// Whether formulas stand in a text without code.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::code_spans::{closing_run, dollars_in_code, run_of};
+use super::code_spans::{Dollars, closing_run, dollars_in_code, run_of};
 use super::collect::Collector;
 use super::directives::shortcode;
 use super::html::{self, Found, Hidden};
@@ -215,7 +215,7 @@ impl<'a> Inline<'a> {
                         self.formula(Style::Inline, inner, at, end)
                     }
                     None => match dollars_in_code(&self.text[inner.range()]) {
-                        Some((style, part)) if self.out.in_code.dollars => {
+                        Some((style, part)) if self.out.in_code.dollars == Dollars::Formulas => {
                             self.formula(style, part.shifted(inner.start), at, end)
                         }
                         Some((_, part)) => {
@@ -256,9 +256,9 @@ impl<'a> Inline<'a> {
         }
     }
 
-    /// Tells of a formula in a code span, if it is more than a letter.
+    /// Tells of a formula in a code span that may be meant, if it is more than a letter.
     fn unseen_in_code(&mut self, formula: Span, at: usize, end: usize) {
-        if formula.len() > 1 {
+        if formula.len() > 1 && self.out.in_code.dollars == Dollars::Unclear {
             self.out.problem(
                 Diagnostic::warning(Code::UnseenFormula, "a formula in a code span was not read")
                     .at(Span::new(at, end).shifted(self.start))
@@ -364,7 +364,7 @@ impl<'a> Inline<'a> {
             return self.formula(Style::Inline, text, at, text.end + 2);
         }
         // Who writes into the text must not take a price and the code after it for a formula.
-        let strict = self.out.layout.is_some() || self.out.in_code.dollars;
+        let strict = self.out.layout.is_some() || self.out.in_code.dollars == Dollars::Formulas;
         let has_code = |end: usize| {
             let content = &self.text[at..end];
             content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))

@@ -1,8 +1,6 @@
-//! What an expression may be by its form: a function, a power, a transpose.
+//! What an expression may be by its form: a function, a transpose.
 
 use crate::formula::{Expr, Kind, Sign};
-use crate::language::lexicon::letters::is_one_letter;
-use crate::language::lexicon::roles::NAMED_FUNCTIONS;
 
 /// Whether an expression may take arguments by its form.
 pub(super) fn is_callee(expr: &Expr) -> bool {
@@ -25,32 +23,6 @@ pub(super) fn is_callee(expr: &Expr) -> bool {
         Kind::Derivative { body: Some(body), .. } => is_callee(body),
         _ => false,
     }
-}
-
-pub(super) fn is_sum(expr: &Expr) -> bool {
-    matches!(expr.kind, Kind::Add(_))
-}
-
-/// Whether it is a sum in brackets of numbers and of letters that usually are no functions: `(1-t)^{(n-i)}` is a
-/// power, `(fg)^{(n-1)}` and `(f+g)^{(n-1)}` are derivatives.
-pub(super) fn is_sum_of_letters(expr: &Expr) -> bool {
-    fn letters(expr: &Expr) -> bool {
-        let kind = match &expr.kind {
-            Kind::Name(name) => is_one_letter(name) && !NAMED_FUNCTIONS.contains(&name.as_str()),
-            Kind::Number(_)
-            | Kind::Group(_)
-            | Kind::Add(_)
-            | Kind::Mul(_)
-            | Kind::Div(..)
-            | Kind::Pow(..)
-            | Kind::Subscript(..) => true,
-            _ => false,
-        };
-        let mut all = kind;
-        expr.for_each_child(&mut |child| all = all && letters(child));
-        all
-    }
-    matches!(&expr.kind, Kind::Group(inner) if is_sum(inner) && letters(inner))
 }
 
 fn has_index(expr: &Expr) -> bool {

@@ -6,7 +6,7 @@
 //! number above a name without index is a power; `B_i^3(t)` takes an argument.
 
 use super::commands::Role;
-use super::forms::{is_callee, is_sum, is_sum_of_letters, is_transposed};
+use super::forms::{is_callee, is_transposed};
 use super::numbers::repeating;
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
@@ -17,6 +17,7 @@ use crate::formula::{BinomialStyle, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters::is_one_letter;
+use crate::language::lexicon::roles::is_power_of_sum;
 use crate::language::syntax::special_call;
 use crate::math::number::parse_decimal;
 
@@ -26,7 +27,7 @@ enum Raise {
     Power(Expr),
     Upper(Vec<Expr>),
     /// In round brackets: the number of a name, the order of a derivative, or else an exponent.
-    Round(Expr),
+    Round(Expr, Span),
     Prime(u32),
     Transpose,
 }
@@ -376,12 +377,11 @@ impl Reader<'_> {
             }
             Some(Raise::Power(exponent)) => self.node(Kind::Pow(Box::new(expr), Box::new(exponent)), start),
             Some(Raise::Upper(indices)) => self.node(Kind::Upper(Box::new(expr), indices), start),
-            Some(Raise::Round(exponent)) if is_sum_of_letters(&expr) && is_sum(&exponent) => {
-                let span = Span::new(exponent.span.start - 1, exponent.span.end + 1);
-                let exponent = Expr::new(Kind::Group(Box::new(exponent)), span);
+            Some(Raise::Round(inner, span)) if is_power_of_sum(&expr, &inner) => {
+                let exponent = Expr::new(Kind::Group(Box::new(inner)), span);
                 self.node(Kind::Pow(Box::new(expr), Box::new(exponent)), start)
             }
-            Some(Raise::Round(index)) => self.node(Kind::Upper(Box::new(expr), vec![index]), start),
+            Some(Raise::Round(index, _)) => self.node(Kind::Upper(Box::new(expr), vec![index]), start),
             Some(Raise::Transpose) => self.node(Kind::Transpose(Box::new(expr)), start),
         }
     }
@@ -493,10 +493,11 @@ impl Reader<'_> {
         }
         // f^{(k)}, and the step of a scheme: c^{[0]}
         if self.is_bracket(window.clone()) {
-            let mut list = self.list_in(window.start + 1..window.end - 1)?;
             let round = self.tokens[window.start].kind == Tok::Open(Fence::Paren);
+            let span = self.span_of(window.clone());
+            let mut list = self.list_in(window.start + 1..window.end - 1)?;
             let one = round && list.len() == 1;
-            return Ok(if one { Raise::Round(list.swap_remove(0)) } else { Raise::Upper(list) });
+            return Ok(if one { Raise::Round(list.swap_remove(0), span) } else { Raise::Upper(list) });
         }
         let mut list = self.list_in(window)?;
         Ok(if list.len() == 1 { Raise::Power(list.swap_remove(0)) } else { Raise::Upper(list) })
@@ -578,10 +579,10 @@ impl Reader<'_> {
         let in_brackets = text.starts_with('⁽') && text.ends_with('⁾');
         let mut list = self.raised()?;
         if in_brackets
-            && let [Expr { kind: Kind::Group(_), .. }] = list.as_slice()
-            && let Kind::Group(inner) = list.remove(0).kind
+            && let [Expr { kind: Kind::Group(_), span }] = list.as_slice()
+            && let (span, Kind::Group(inner)) = (*span, list.remove(0).kind)
         {
-            return Ok(Raise::Upper(vec![*inner]));
+            return Ok(Raise::Round(*inner, span));
         }
         Ok(if list.len() == 1 { Raise::Power(list.remove(0)) } else { Raise::Upper(list) })
     }

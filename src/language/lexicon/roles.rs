@@ -1,6 +1,8 @@
 //! What a letter usually stands for, where nothing on the page says it.
 
 use super::families;
+use super::letters::is_one_letter;
+use crate::formula::{Expr, Kind};
 
 /// Functions when they have no value: `f(t + 1)` is then a question.
 pub(crate) const FUNCTIONS: &[&str] = &["f", "g", "h", "phi", "psi", "varphi"];
@@ -105,6 +107,28 @@ pub(crate) fn is_constant(letter: &str) -> bool {
 /// Whether it usually depends on no parameter if it has an index.
 pub(crate) fn is_indexed_constant(letter: &str) -> bool {
     ![FUNCTIONS, FAMILIES, PIECES, PARAMETERS].iter().any(|letters| letters.contains(&letter))
+}
+
+/// Whether an exponent in round brackets above a sum in brackets is one: `(1-t)^{(n-i)}` is a power, `f^{(k)}` and
+/// `(f+g)^{(n-1)}` are derivatives, and `(x+1)^{(k)}` may be a rising factorial.
+pub(crate) fn is_power_of_sum(base: &Expr, exponent: &Expr) -> bool {
+    fn is_of_letters(expr: &Expr) -> bool {
+        let mut all = match &expr.kind {
+            Kind::Name(name) => is_one_letter(name) && !NAMED_FUNCTIONS.contains(&name.as_str()),
+            Kind::Number(_)
+            | Kind::Group(_)
+            | Kind::Add(_)
+            | Kind::Mul(_)
+            | Kind::Div(..)
+            | Kind::Pow(..)
+            | Kind::Subscript(..) => true,
+            _ => false,
+        };
+        expr.for_each_child(&mut |child| all = all && is_of_letters(child));
+        all
+    }
+    let is_sum = |expr: &Expr| matches!(expr.kind, Kind::Add(_));
+    matches!(&base.kind, Kind::Group(inner) if is_sum(inner) && is_of_letters(inner)) && is_sum(exponent)
 }
 
 #[cfg(test)]

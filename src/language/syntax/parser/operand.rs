@@ -8,6 +8,7 @@ use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind};
 use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters;
+use crate::language::lexicon::roles::is_power_of_sum;
 use crate::math::number::{Rational, parse_decimal};
 
 /// Digits of a numeral that are free of charge.
@@ -320,7 +321,9 @@ impl Parser<'_> {
         let number = is_number(&base.expr);
         let left = Box::new(base.expr);
         let kind = match exponent.expr.kind {
-            Kind::Group(inner) if !number => Kind::Upper(left, vec![*inner]),
+            Kind::Group(inner) if !number && !is_power_of_sum(&left, &inner) => {
+                Kind::Upper(left, vec![*inner])
+            }
             Kind::Tuple(items) if !number => Kind::Upper(left, items),
             kind => power(*left, Expr::new(kind, exponent.expr.span)),
         };
