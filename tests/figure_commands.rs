@@ -85,6 +85,32 @@ fn the_file_says_what_is_written() {
     assert!(fs::read_to_string(&path).unwrap().starts_with("<svg"));
 }
 
+/// Without fonts on the system there are neither PDF nor PNG, and that is said.
+#[test]
+fn pdf_and_png() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = |name: &str, more: &[&str]| {
+        let path = folder.path().join(name);
+        let ran = run(&[&["figure", "bezier", CURVE, "-o", path.to_str().unwrap()], more].concat());
+        if ran.status != Some(0) {
+            assert!(ran.err.contains("no fonts"), "{name}: {}", ran.err);
+            return None;
+        }
+        Some(fs::read(path).unwrap())
+    };
+    if let Some(pdf) = drawn("a.pdf", &[]) {
+        assert!(
+            pdf.starts_with(b"%PDF-") && pdf.windows(6).any(|bytes| bytes == b"/Font " || bytes == b"/Fonts")
+        );
+    }
+    if let Some(png) = drawn("a.png", &["--width", "200"]) {
+        assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+        // The width stands in the first chunk.
+        assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 400);
+        assert!(drawn("b.png", &["--width", "200"]) == Some(png), "the same picture twice");
+    }
+}
+
 #[test]
 fn files_that_cannot_be_written() {
     let folder = tempfile::tempdir().unwrap();
@@ -94,7 +120,7 @@ fn files_that_cannot_be_written() {
     for (file, query, code) in [
         (inside("missing/a.svg"), CURVE, "E501"),
         (folder.path().to_str().unwrap().to_owned(), CURVE, "E502"),
-        (inside("a.png"), CURVE, "E502"),
+        (inside("a.gif"), CURVE, "E502"),
         (inside("a"), CURVE, "E502"),
         (old.clone(), "[0, 0], [a, 1]", "E321"),
         (old.clone(), "[0, 0], [1", "E104"),

@@ -10,6 +10,7 @@ use super::commands::Ran;
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
 use super::given::give;
 use super::output::{Output, PREVIEW, Trouble};
+use super::raster;
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
@@ -27,6 +28,8 @@ enum Target {
     Tikz,
     Preview,
     Json,
+    Png,
+    Pdf,
 }
 
 /// Draws one figure.
@@ -51,27 +54,32 @@ pub(super) fn run(
     };
     let scene = changed((**scene).clone(), arguments);
     let drawing = output.limited(|| draw(&scene, target, arguments))?;
+    let drawing = drawing.map_err(|problem| Trouble::Problem(Box::new(problem)))?;
     match &arguments.output {
         Some(path) => write_file(path, &drawing).map_err(|problem| Trouble::Problem(Box::new(problem)))?,
-        None => output.text(&drawing)?,
+        None => output.bytes(&drawing)?,
     }
     Ok(Status::Fine)
 }
 
-fn draw(scene: &Scene, target: Target, arguments: &FigureArguments) -> String {
-    match target {
-        Target::Svg => {
-            let theme = match arguments.theme {
-                ThemeArgument::Auto => Theme::Auto,
-                ThemeArgument::Light => Theme::Light,
-                ThemeArgument::Dark => Theme::Dark,
-            };
-            svg(scene, &SvgOptions { theme, background: arguments.standalone })
+fn draw(scene: &Scene, target: Target, arguments: &FigureArguments) -> Result<Vec<u8>, Diagnostic> {
+    let theme = match arguments.theme {
+        ThemeArgument::Auto => Theme::Auto,
+        ThemeArgument::Light => Theme::Light,
+        ThemeArgument::Dark => Theme::Dark,
+    };
+    // Paper and pixels do not change their colours.
+    let fixed = if theme == Theme::Auto { Theme::Light } else { theme };
+    Ok(match target {
+        Target::Svg => svg(scene, &SvgOptions { theme, background: arguments.standalone }).into_bytes(),
+        Target::Tikz => tikz(scene, &TikzOptions { standalone: arguments.standalone }).into_bytes(),
+        Target::Preview => terminal(scene, PREVIEW.0, PREVIEW.1).into_bytes(),
+        Target::Json => (figure_json(scene).to_string() + "\n").into_bytes(),
+        Target::Png => raster::png(&svg(scene, &SvgOptions { theme: fixed, background: true }))?,
+        Target::Pdf => {
+            raster::pdf(&svg(scene, &SvgOptions { theme: fixed, background: arguments.standalone }))?
         }
-        Target::Tikz => tikz(scene, &TikzOptions { standalone: arguments.standalone }),
-        Target::Preview => terminal(scene, PREVIEW.0, PREVIEW.1),
-        Target::Json => figure_json(scene).to_string() + "\n",
-    }
+    })
 }
 
 /// Width and words, which need no quotation marks here.
@@ -116,6 +124,8 @@ fn by_extension(path: &Path) -> Result<Target, Diagnostic> {
         Some("tex" | "tikz" | "pgf") => Ok(Target::Tikz),
         Some("txt") => Ok(Target::Preview),
         Some("json") => Ok(Target::Json),
+        Some("png") => Ok(Target::Png),
+        Some("pdf") => Ok(Target::Pdf),
         other => {
             let name = path.display();
             let message = match other {
@@ -123,7 +133,7 @@ fn by_extension(path: &Path) -> Result<Target, Diagnostic> {
                 None => format!("{name}: the name has no ending that says how to write the figure"),
             };
             Err(Diagnostic::error(Code::Usage, message)
-                .hint("use .svg, .tex, .tikz, .txt or .json, or say --format"))
+                .hint("use .svg, .pdf, .png, .tex, .tikz, .txt or .json, or say --format"))
         }
     }
 }

@@ -13,7 +13,7 @@ pub(super) struct FigureArguments {
     /// Curves, points, numbers: formulas of the language
     #[arg(required = true, value_name = "QUERY", allow_negative_numbers = true)]
     pub queries: Vec<String>,
-    /// The file to write: .svg, .tex or .tikz, .txt, .json
+    /// The file to write: .svg, .pdf, .png, .tex or .tikz, .txt, .json
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Definitions the queries use, in order

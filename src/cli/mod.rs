@@ -13,6 +13,7 @@ mod notes_arguments;
 mod notes_config;
 mod notes_input;
 mod output;
+mod raster;
 mod repl;
 mod repl_helper;
 mod waiting;

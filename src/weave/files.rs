@@ -70,14 +70,15 @@ pub fn replace_file(input: &Input, text: &str) -> Result<(), Diagnostic> {
         let message = format!("{} was changed while it was woven; nothing was written", input.file.name());
         return Err(Diagnostic::error(Code::Changed, message).hint("weave it again"));
     }
-    write_file(&input.path, &whole(text))
+    write_file(&input.path, whole(text))
 }
 
 /// Writes a file: beside its place first, then it is renamed. Permissions stay; a link is followed.
 ///
 /// # Errors
 /// When that is not possible; what stood there is as it was.
-pub fn write_file(path: &Path, text: &str) -> Result<(), Diagnostic> {
+pub fn write_file(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Diagnostic> {
+    let content = content.as_ref();
     let failed = |error: io::Error| {
         let hint = match error.kind() {
             io::ErrorKind::NotFound => "the folder must exist",
@@ -95,7 +96,7 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), Diagnostic> {
         }
         if !old.is_file() {
             // A device or a pipe cannot be replaced.
-            return fs::write(&target, text).map_err(failed);
+            return fs::write(&target, content).map_err(failed);
         }
         if old.permissions().readonly() {
             let message = format!("cannot write {}: it may only be read", path.display());
@@ -112,7 +113,7 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), Diagnostic> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     let mut beside = builder.tempfile_in(folder).map_err(failed)?;
-    beside.write_all(text.as_bytes()).map_err(failed)?;
+    beside.write_all(content).map_err(failed)?;
     if let Some(old) = old {
         beside.as_file().set_permissions(old.permissions()).map_err(failed)?;
     }
