@@ -414,6 +414,20 @@ impl Machine {
                 if std::mem::take(&mut skip) {
                     continue;
                 }
+                let place = all.len() + values.len();
+                // x = 1 is an equation among equations, unless x is the name of an argument.
+                let is_equation = named(item).is_none_or(|(name, _)| {
+                    let mut before = all.values().chain(&values);
+                    !function.takes_name(&name) && before.all(|value| matches!(value, Value::Claim(_)))
+                });
+                if function.takes_equations()
+                    && is_equation
+                    && let Some(equations) = self.equations(item)?
+                {
+                    values.push(equations);
+                    spans.push(item.span);
+                    continue;
+                }
                 match (named(item), &item.kind) {
                     (Some((name, value)), _) => {
                         let given = self.eval_or_word(value, function, Slot::Name(&name))?;
@@ -432,7 +446,6 @@ impl Machine {
                     }
                     (None, _) => {
                         self.not_named_without_sign(item)?;
-                        let place = all.len() + values.len();
                         // polar(B_1^3)
                         let before = std::mem::replace(&mut self.called, function.takes_polynomial(place));
                         let value = self.eval_or_word(item, function, Slot::Place(place));

@@ -7,10 +7,11 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{Univariate, symbol_of, univariate};
-use crate::language::value::{Polar, Value};
+use crate::language::value::{Claim, Polar, Value};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 use nalgebra::DMatrix;
+use std::sync::Arc;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -50,6 +51,19 @@ impl Arguments {
         self.places[place] = Some((value, span));
     }
 
+    /// Equations at the first places as one argument.
+    pub(crate) fn with_equations_together(mut self) -> Self {
+        while let [Some((Value::Claim(first), start)), Some((Value::Claim(next), end)), ..] =
+            self.places.as_slice()
+        {
+            let judgements = first.judgements.iter().chain(&next.judgements).cloned().collect();
+            let both = Value::Claim(Arc::new(Claim { judgements }));
+            self.places[0] = Some((both, start.to(*end)));
+            self.places.remove(1);
+        }
+        self
+    }
+
     /// Removes the argument under a name.
     pub(crate) fn take_named(&mut self, name: &str) -> Option<(String, Value, Span)> {
         let at = self.named.iter().position(|(n, ..)| n == name)?;
@@ -59,6 +73,11 @@ impl Arguments {
     /// Removes all arguments that are given under names.
     pub(crate) fn take_all_named(&mut self) -> Vec<(String, Value, Span)> {
         std::mem::take(&mut self.named)
+    }
+
+    /// Whether one is given under this name.
+    pub(crate) fn has_name(&self, name: &str) -> bool {
+        self.named.iter().any(|(known, ..)| known == name)
     }
 
     /// Whether some are given under names.

@@ -23,6 +23,7 @@ mod differentials;
 mod dots;
 mod entries;
 mod env;
+mod equations;
 mod expression;
 mod formulas;
 mod kinds;

@@ -33,6 +33,12 @@ pub trait Callable {
     /// Whether a function whose values are points is given as the list of its coordinates.
     fn takes_coordinates(&self) -> bool;
 
+    /// Whether an argument is given by this name.
+    fn takes_name(&self, name: &str) -> bool;
+
+    /// Whether it works on equations, which nobody judges then.
+    fn takes_equations(&self) -> bool;
+
     /// Its value.
     ///
     /// # Errors

@@ -1,20 +1,91 @@
 //! Arrangements of a formula: the value stays, only how the answer is written changes.
 
 use super::Builtin;
-use super::parameter::{CURVE, Parameter, SURFACE, Takes, VARIABLE, named, optional, required};
+use super::builtin;
+use super::parameter::{CURVE, Parameter, SURFACE, Takes, VARIABLE, alternatives, named, optional, required};
 use super::record::Variant;
-use crate::formula::{Expr, Kind};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Term};
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::eval::{Arguments, call_geometry};
+use crate::language::eval::{Arguments, Machine, call_geometry};
 use crate::language::ops::errors::{curve_error, polar_error, wrong_kind};
-use crate::language::ops::formula::Univariate;
-use crate::language::value::{Form, Geometry, Notation, Value, in_powers_of};
+use crate::language::ops::formula::{Univariate, is_parameter};
+use crate::language::value::{Form, Geometry, Notation, Value, exact_term, grouped_expr, in_powers_of};
 use crate::math::blossom::PolarError;
 use crate::math::curve::{BezierCurve, Interval};
-use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
-use num_traits::{One, Zero};
+use crate::math::number::{Int, Rational, prime_factors};
+use crate::math::poly::{Coefficients, Fraction, MonomialOrder, MultiPoly, Symbol};
+use num_traits::{One, Signed, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
+
+/// How answers are arranged if a query does not say so.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Arrangement {
+    /// Grouped, as on a board.
+    #[default]
+    Usual,
+    /// As `collect` does it.
+    Collect,
+    /// As `expand`.
+    Expand,
+    /// As `factor`.
+    Factor,
+    /// As `in_powers`.
+    InPowers,
+    /// As `in_bernstein`.
+    InBernstein,
+}
+
+impl Arrangement {
+    /// All of them.
+    pub const ALL: [Self; 6] =
+        [Self::Usual, Self::Collect, Self::Expand, Self::Factor, Self::InPowers, Self::InBernstein];
+
+    /// The word by which it is chosen: the function that does it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Usual => "usual",
+            Self::Collect => "collect",
+            Self::Expand => "expand",
+            Self::Factor => "factor",
+            Self::InPowers => "in_powers",
+            Self::InBernstein => "in_bernstein",
+        }
+    }
+
+    /// An answer so arranged; anything but a formula or a list of formulas stays, and so does what is
+    /// arranged already.
+    ///
+    /// # Errors
+    /// Why a formula cannot be arranged so.
+    pub fn applied(self, machine: &mut Machine, value: &Value) -> Result<Option<Value>> {
+        let formulas = match value {
+            Value::Scalar(_) => std::slice::from_ref(value),
+            Value::List(items) => items,
+            _ => return Ok(None),
+        };
+        let Some(function) = builtin(self.name()) else { return Ok(None) };
+        let varies = formulas.iter().any(|f| f.as_scalar().is_some_and(|f| !f.variables().is_empty()));
+        if !varies || formulas.iter().any(|f| f.as_scalar().is_none()) {
+            return Ok(None);
+        }
+        let mut arguments = Arguments::default();
+        arguments.push(value.clone(), Span::default());
+        function.run(machine, arguments).map(Some)
+    }
+}
+
+impl std::str::FromStr for Arrangement {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        Self::ALL.into_iter().find(|one| one.name() == text).ok_or_else(|| {
+            let names: Vec<&str> = Self::ALL.iter().map(|one| one.name()).collect();
+            format!("'{text}' is no arrangement: {}", alternatives(&names))
+        })
+    }
+}
 
 const NEW: Builtin = Builtin::about("Polynomials");
 
@@ -29,6 +100,22 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let value = args.value(0)?.clone();
             let expr = value.to_expr_in(Notation::Expanded);
+            Ok(Value::written(value, expr))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "factor",
+        parameters: &[required("F", Takes::Scalar, "the polynomial or rational function, or an integer")],
+        summary: "the irreducible factors over Q, of a number the primes",
+        example: "factor(2 t^4 - 8 t^2)",
+        each: true,
+        call: |_, args| {
+            let value = match args.value(0)? {
+                Value::Function(_) => formula_of(&args.univariate(0)?),
+                _ => Value::Scalar(args.scalar(0)?),
+            };
+            let expr = value.as_scalar().map_or_else(|| value.to_expr(), factored);
             Ok(Value::written(value, expr))
         },
         ..NEW
@@ -91,6 +178,52 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// A formula as a number times powers of irreducible polynomials, over such a product.
+fn factored(f: &Fraction) -> Expr {
+    let number = f.as_rational();
+    let (mut top, bottom) = (f.numerator().factors(), f.denominator().factors());
+    top.constant /= bottom.constant;
+    let power = |base: Expr, m: usize| if m == 1 { base } else { base.power(Expr::int(m as i64)) };
+    if let Some(q) = number.filter(|q| !q.is_zero()) {
+        let primes = |n: &Int| {
+            let primes = prime_factors(n).into_iter();
+            let prime = |(p, m): (Int, u32)| power(Expr::number(&Rational::from_integer(p)), m as usize);
+            Expr::product(primes.map(prime).collect())
+        };
+        let whole = primes(q.numer());
+        let expr = if q.denom().is_one() { whole } else { whole.over(primes(q.denom())) };
+        return if q.is_negative() { expr.negated() } else { expr };
+    }
+    let mut powers = |factors: Vec<(MultiPoly, usize)>| -> Vec<Expr> {
+        let one = |(p, m): (MultiPoly, usize)| {
+            let (p, turned) = upright(p);
+            if turned && m % 2 == 1 {
+                top.constant = -top.constant.clone();
+            }
+            power(grouped_expr(&Fraction::from(p)), m)
+        };
+        // t^2 before the sums.
+        let (symbols, sums): (Vec<_>, Vec<_>) = factors.into_iter().partition(|(p, _)| p.len() == 1);
+        symbols.into_iter().chain(sums).map(one).collect()
+    };
+    let (above, below) = (powers(top.factors), powers(bottom.factors));
+    let term = exact_term(&top.constant, above);
+    let expr = if below.is_empty() { term.expr } else { term.expr.over(Expr::product(below)) };
+    Expr::sum(vec![Term { sign: term.sign, expr }])
+}
+
+/// The factor with a positive leading coefficient in its parameter, t - a rather than a - t, and whether its
+/// sign was turned.
+fn upright(p: MultiPoly) -> (MultiPoly, bool) {
+    let Some(parameter) = p.variables().iter().find(|symbol| is_parameter(symbol)) else { return (p, false) };
+    let lead =
+        p.coefficients_in(parameter).pop().and_then(|lead| lead.terms(MonomialOrder::Lex).into_iter().next());
+    match lead {
+        Some((_, c)) if c.is_negative() => (-p, true),
+        _ => (p, false),
+    }
+}
 
 /// Each coordinate by powers of t - a.
 fn arranged(

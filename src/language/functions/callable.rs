@@ -160,6 +160,14 @@ impl Callable for Builtin {
         first.is_none_or(|parameter| parameter.kind != Takes::Any)
     }
 
+    fn takes_name(&self, name: &str) -> bool {
+        self.parameter_lists().flatten().any(|parameter| parameter.has_name() && parameter.name == name)
+    }
+
+    fn takes_equations(&self) -> bool {
+        self.on_equations.is_some()
+    }
+
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =

@@ -6,8 +6,8 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{linalg_error, wrong_kind};
 use nalgebra::DMatrix;
 
-use super::Builtin;
 use super::parameter::{DEGREE, Parameter, Takes, required, size};
+use super::{Builtin, solve};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::Value;
@@ -122,7 +122,8 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "solve",
         parameters: &[MATRIX, required("b", Takes::Any, "the right side, a list or matrix")],
-        summary: "the x with M x = b, for a list or matrix b",
+        on_equations: solve::EQUATIONS,
+        summary: "the x with M x = b, for a list or matrix b; of linear equations, all solutions",
         example: "solve([2, 0; 0, 4], [1, 1])",
         call: |_, args| {
             let matrix = args.matrix(0)?;

@@ -17,6 +17,7 @@ mod polar;
 mod polynomials;
 mod rational;
 mod record;
+mod solve;
 mod splines;
 mod surface_joins;
 mod surfaces;
@@ -25,6 +26,7 @@ mod table;
 pub(crate) use callable::{callable, is_argument_word, names, synonym};
 pub(crate) use matrices::is_basis;
 
+pub use arrange::Arrangement;
 pub use parameter::{Need, Parameter, Takes};
 pub use record::{Builtin, Variant};
 pub use table::{BUILTINS, builtin};

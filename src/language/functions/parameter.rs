@@ -83,6 +83,8 @@ pub enum Takes {
     Matrix,
     /// A basis of polynomials.
     Basis,
+    /// Equations.
+    Equations,
     /// A list of anything.
     List,
     /// A picture.
@@ -137,6 +139,7 @@ impl Takes {
             Takes::Triangle => "three points of the plane",
             Takes::Matrix => "a matrix",
             Takes::Basis => "power, bernstein or a list such as [bernstein, a, b] or [lagrange, t_0, ...]",
+            Takes::Equations => "equations",
             Takes::List => "a list",
             Takes::Figure => "a figure",
             Takes::Flag => "1 or 0",

@@ -203,6 +203,22 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "lcm",
+        parameters: &[many("a, b, ...", Takes::Scalar, 2, "numbers or polynomials")],
+        summary: "the least common multiple: the product of two divided by their greatest common divisor",
+        example: "lcm(t^2 - 1, t^2 + 2t + 1)",
+        call: |_, args| {
+            let mut multiple = polynomial(args, 0)?;
+            for at in 1..args.len() {
+                let next = polynomial(args, at)?;
+                let common = with_contents(&multiple, &next);
+                multiple = multiple.times(&next).div_exact(&common).unwrap_or_else(MultiPoly::zero);
+            }
+            Ok(Value::Scalar(Fraction::from(multiple)))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "quotient",
         parameters: DIVISION,
         summary: "the quotient of the division of F by G with remainder",

@@ -5,7 +5,7 @@ use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::polar::levelled;
 
-use super::parameter::{Need, Parameter, Takes};
+use super::parameter::{NODES, Need, Parameter, Takes, VALUES};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::{PolarKind, Value};
 
@@ -33,6 +33,8 @@ pub struct Builtin {
     pub on_surface: Option<Variant>,
     /// What it does when its first argument is the polar form of a surface, if that differs.
     pub on_form: Option<Variant>,
+    /// What it does when its first argument is made of equations, if it takes some.
+    pub on_equations: Option<Variant>,
     /// The functions that the word at its first place names, as in `derive(sum, F, G)`. If it names
     /// none of them, `call` says so.
     pub subjects: &'static [Builtin],
@@ -48,7 +50,16 @@ pub struct Variant {
     /// What it can be told then.
     pub parameters: &'static [Parameter],
     /// How it works then.
-    pub call: fn(&Arguments) -> Evaluated,
+    pub call: Way,
+}
+
+/// How a function works on other arguments.
+#[derive(Clone, Copy)]
+pub enum Way {
+    /// By its arguments alone.
+    Plain(fn(&Arguments) -> Evaluated),
+    /// With remarks on them.
+    Noting(fn(&mut Machine, &Arguments) -> Evaluated),
 }
 
 impl Variant {
@@ -56,7 +67,14 @@ impl Variant {
         parameters: &'static [Parameter],
         call: fn(&Arguments) -> Evaluated,
     ) -> Option<Self> {
-        Some(Variant { parameters, call })
+        Some(Variant { parameters, call: Way::Plain(call) })
+    }
+
+    pub(super) const fn noting(
+        parameters: &'static [Parameter],
+        call: fn(&mut Machine, &Arguments) -> Evaluated,
+    ) -> Option<Self> {
+        Some(Variant { parameters, call: Way::Noting(call) })
     }
 }
 
@@ -80,6 +98,7 @@ impl Builtin {
             on_curve: None,
             on_surface: None,
             on_form: None,
+            on_equations: None,
             subjects: &[],
             subject_of: None,
             call: |_, _| Err(Diagnostic::error(Code::Internal, "a function of the program is missing")),
@@ -121,7 +140,7 @@ impl Builtin {
     }
 
     fn variants(&self) -> impl Iterator<Item = &Variant> {
-        [&self.on_curve, &self.on_surface, &self.on_form].into_iter().flatten()
+        [&self.on_curve, &self.on_surface, &self.on_form, &self.on_equations].into_iter().flatten()
     }
 
     fn variant(&self, first: &Value) -> Option<&Variant> {
@@ -129,6 +148,7 @@ impl Builtin {
             Value::Polar(polar) if !matches!(polar.kind, PolarKind::Univariate(_)) => self.on_form.as_ref(),
             Value::Geometry(geometry) if geometry.is_surface() => self.on_surface.as_ref(),
             Value::Geometry(_) | Value::Piecewise(_) => self.on_curve.as_ref(),
+            Value::Claim(_) => self.on_equations.as_ref(),
             _ => None,
         }
     }
@@ -167,7 +187,8 @@ impl Builtin {
 
     /// Checks the arguments and calls the function, as it works on its first argument.
     pub(crate) fn run(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
-        let args = self.with_points_together(self.with_first_in_place(args));
+        let args = self.with_points_together(self.with_first_in_place(args)).with_equations_together();
+        let args = self.with_values_apart(args);
         let first = args.values().next();
         if !self.subjects.is_empty() {
             let word = first.and_then(word_of);
@@ -186,7 +207,13 @@ impl Builtin {
     fn run_once(&self, machine: &mut Machine, args: Arguments) -> Evaluated {
         let variant = args.values().next().and_then(|first| self.variant(first));
         match variant {
-            Some(variant) => (variant.call)(&self.checked(variant.parameters, args)?),
+            Some(variant) => {
+                let args = self.checked(variant.parameters, args)?;
+                match variant.call {
+                    Way::Plain(call) => call(&args),
+                    Way::Noting(call) => call(machine, &args),
+                }
+            }
             None => (self.call)(machine, &self.checked(self.parameters, args)?),
         }
     }
@@ -201,6 +228,28 @@ impl Builtin {
         }
         let span = args.span(0).to(args.span(args.len() - 1));
         args.gathered(span)
+    }
+
+    /// lagrange([(0, 1), (1, 3)]): points where nodes and values are expected are both.
+    fn with_values_apart(&self, mut args: Arguments) -> Arguments {
+        let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
+        let expected = places.next().is_some_and(|first| first.name == NODES.name)
+            && places.next().is_some_and(|second| second.name == VALUES.name);
+        let Some((Value::List(points), span)) = args.given(0).filter(|_| expected && args.len() == 1) else {
+            return args;
+        };
+        let parts = |point: &Value| match point {
+            Value::List(items) if items.len() == 2 => Some((items[0].clone(), items[1].clone())),
+            _ => None,
+        };
+        let Some((nodes, values)) = points.iter().map(parts).collect::<Option<(Vec<_>, Vec<_>)>>() else {
+            return args;
+        };
+        if !args.has_name(VALUES.name) {
+            args.put(0, Value::List(nodes), span);
+            args.put(1, Value::List(values), span);
+        }
+        args
     }
 
     /// The first argument decides how a function works, so it is needed before the others.

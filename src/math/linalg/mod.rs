@@ -18,6 +18,7 @@ mod elimination;
 mod fraction_free;
 mod lifting;
 mod product;
+mod solutions;
 mod triangular;
 
 use std::fmt;
@@ -29,6 +30,7 @@ use crate::math::number::{Int, Rational, over_one_denominator};
 use crate::math::ring::{Field, Ring};
 
 pub use product::multiply;
+pub use solutions::{Solutions, solutions};
 
 /// Why an operation on matrices has no result.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -307,3 +307,39 @@ fn large_systems() {
     let singular = DMatrix::from_fn(11, 11, |i, j| integer((i + j) as i64));
     assert_eq!(inverse(&singular), Err(LinalgError::Singular { size: 11, rank: 2, column: 2 }));
 }
+
+proptest! {
+    #[test]
+    fn all_solutions(rows in 0usize..4, columns in 1usize..4, entries in prop::collection::vec(-2i64..3, 16), x in prop::collection::vec(-3i64..4, 4)) {
+        let a = DMatrix::from_fn(rows, columns, |i, j| integer(entries[4 * i + j]));
+        let free: Vec<Rational> = x.iter().map(|&x| integer(x)).collect();
+        let value = |found: &Solutions<Rational>| {
+            let mut at = vec![Rational::zero(); columns];
+            for (&c, x) in found.free.iter().zip(&free) {
+                at[c] = x.clone();
+            }
+            for (k, &p) in found.determined.iter().enumerate() {
+                let more = (0..found.free.len()).map(|c| &found.coefficients[(k, c)] * &free[c]);
+                at[p] = found.constants.as_ref().unwrap()[k].clone() + more.sum::<Rational>();
+            }
+            at
+        };
+        let times = |x: &[Rational]| -> Vec<Rational> {
+            (0..rows).map(|i| (0..columns).map(|j| &a[(i, j)] * &x[j]).sum()).collect()
+        };
+        // Of a right side that some x gives, every choice of the free ones is a solution, and x is among them.
+        let b = times(&free[..columns]);
+        let found = solutions(&a, &b).unwrap();
+        prop_assert_eq!(found.determined.len(), rank(&a));
+        prop_assert!(!found.minor.is_zero());
+        prop_assert_eq!(times(&value(&found)), b.clone());
+        // Any right side: solvable just if the rank stays.
+        let b: Vec<Rational> = (0..rows).map(|i| integer(entries[4 * i + 3])).collect();
+        let found = solutions(&a, &b).unwrap();
+        let wide = DMatrix::from_fn(rows, columns + 1, |i, j| if j < columns { a[(i, j)].clone() } else { b[i].clone() });
+        prop_assert_eq!(found.constants.is_some(), rank(&wide) == rank(&a));
+        if found.constants.is_some() {
+            prop_assert_eq!(times(&value(&found)), b);
+        }
+    }
+}

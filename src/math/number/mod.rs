@@ -5,6 +5,7 @@
 //! positive denominator, so equality of values is equality of representations.
 
 mod combinatorics;
+mod factors;
 mod int;
 mod lehmer;
 mod literal;
@@ -12,6 +13,7 @@ mod modular;
 mod root;
 
 pub use combinatorics::{Combinations, binomial, binomial_row, binomials_where, factorial, multinomial};
+pub use factors::prime_factors;
 pub use int::Int;
 pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal};

@@ -25,8 +25,8 @@ pub(super) fn gcd(field: &Modulus, mut a: Vec<u64>, mut b: Vec<u64>) -> Vec<u64>
 /// Below this length of the divisor an inverse costs more than to scale the dividend.
 const SHORT: usize = 32;
 
-/// Replaces a by a mod b, times a constant; b is not empty.
-fn remainder(field: &Modulus, a: &mut Vec<u64>, b: &[u64]) {
+/// Replaces a by a mod b, times a constant, which is 1 if b is monic; b is not empty.
+pub(super) fn remainder(field: &Modulus, a: &mut Vec<u64>, b: &[u64]) {
     if b.len() < SHORT {
         return scaled_remainder(field, a, b);
     }

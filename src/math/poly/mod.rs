@@ -6,6 +6,7 @@ mod dense_compose;
 mod dense_modular;
 mod dense_ntt;
 mod divide;
+mod factor;
 mod fraction;
 mod gcd;
 mod gcd_modular;
@@ -25,6 +26,7 @@ mod univariate_roots;
 mod univariate_tests;
 
 pub use coefficients::Coefficients;
+pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
 pub use symbol::{Index, Symbol};
