@@ -12,6 +12,7 @@ use crate::formula::{Expr, Kind, Sign, Term};
 use crate::judge::{asked, doubtful, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
+use crate::language::functions::Arrangement;
 use crate::language::lexicon::words;
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax};
@@ -73,12 +74,14 @@ pub struct Session {
     pub env: Env,
     /// The limits of each statement.
     pub limits: Limits,
+    /// How answers are arranged.
+    pub arrangement: Arrangement,
 }
 
 impl Session {
     /// A session with the given limits.
     pub fn new(limits: Limits) -> Self {
-        Session { env: Env::default(), limits }
+        Session { limits, ..Session::default() }
     }
 
     /// Runs one statement given as text.
@@ -163,6 +166,7 @@ impl Session {
         let mut outcome = guarded(&limits, || {
             let outcome = evaluator::evaluate(statement, &mut env, equals);
             asked::refined(statement, &self.env, outcome)
+                .map(|outcome| self.arranged(outcome, statement.span))
         })
         .map_err(|problem| complete(problem, statement.span))?;
         self.symbols_of_before(&mut outcome, statement.span);
@@ -171,6 +175,22 @@ impl Session {
         }
         self.env = env;
         Ok(outcome)
+    }
+
+    /// An answer in the arrangement of the session, or a remark that it has none.
+    fn arranged(&self, mut outcome: Outcome, span: Span) -> Outcome {
+        if self.arrangement == Arrangement::Usual {
+            return outcome;
+        }
+        match self.arrangement.applied(&mut evaluator::machine_in(&self.env), &outcome.value) {
+            Ok(Some(value)) => outcome.value = value,
+            Ok(None) => {}
+            Err(problem) => {
+                let note = format!("arranged as usual: {}", problem.message);
+                outcome.notes.push(Diagnostic::note(problem.code, note).at(span));
+            }
+        }
+        outcome
     }
 
     /// A remark on an answer with a symbol that has got a value since: y = 2x, x = 3, y.

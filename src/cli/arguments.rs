@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use super::figure_arguments::FigureArguments;
 use super::notes_arguments::Notes;
 use crate::budget::{Limits, MOST_DEPTH};
+use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
 use crate::language::write::Format;
 use crate::math::blossom::Method;
@@ -42,6 +43,9 @@ pub(super) struct Global {
     /// How to write polar forms
     #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
     pub notation: NotationArgument,
+    /// How to arrange formulas: usual, collect, expand, factor, in_powers, in_bernstein
+    #[arg(long, global = true, default_value = "usual", value_name = "NAME", value_parser = parse_arrangement)]
+    pub arrange: Arrangement,
     /// With the verdict of a claim, tell also which notations were read with their standard meaning
     #[arg(long, short = 'v', global = true)]
     pub verbose: bool,
@@ -94,6 +98,10 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 }
 
 fn parse_language(text: &str) -> Result<Language, String> {
+    text.parse()
+}
+
+fn parse_arrangement(text: &str) -> Result<Arrangement, String> {
     text.parse()
 }
 

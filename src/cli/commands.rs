@@ -49,6 +49,7 @@ pub(super) type Ran = Result<Status, Stop>;
 pub(super) fn run(arguments: &Arguments) -> Status {
     let mut output = Output::new(&arguments.global);
     let mut session = Session::new(arguments.global.limits());
+    session.arrangement = arguments.global.arrange;
     let figure = matches!(arguments.command, Some(Command::Figure(_)));
     if arguments.global.format == Some(FormatArgument::Svg) && !figure {
         let problem = Diagnostic::error(Code::Usage, "only figures are written as SVG")

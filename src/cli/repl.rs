@@ -51,6 +51,11 @@ pub(super) const COLON_COMMANDS: &[ColonCommand] = &[
         summary: "polar forms as grouped, expanded, sigma or ellipsis",
     },
     ColonCommand {
+        name: "arrange",
+        usage: ":arrange NAME",
+        summary: "formulas as usual, or by collect, expand, factor, in_powers, in_bernstein",
+    },
+    ColonCommand {
         name: "steps",
         usage: ":steps [METHOD] POLYNOMIAL",
         summary: "derive a polar form step by step",
@@ -274,6 +279,11 @@ impl Repl<'_> {
                     "ellipsis" => Notation::Ellipsis,
                     _ => return Err(usage(":notation grouped, expanded, sigma or ellipsis")),
                 }
+            }
+            "arrange" => {
+                self.session.arrangement = rest.parse().map_err(|_| {
+                    usage(":arrange usual, collect, expand, factor, in_powers or in_bernstein")
+                })?;
             }
             "steps" => self.steps(rest)?,
             "time" => {

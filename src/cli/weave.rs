@@ -30,7 +30,12 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
         return Err(usage("weaving has no such format", "choose --format text or json, for messages"));
     }
     let mode = if arguments.output.is_some() { Mode::Template } else { Mode::InPlace };
-    let blocks = BlockOptions { notation: global.notation(), lang: global.lang, ..BlockOptions::default() };
+    let blocks = BlockOptions {
+        notation: global.notation(),
+        arrange: global.arrange,
+        lang: global.lang,
+        ..BlockOptions::default()
+    };
     let limits = global.limits();
     let options = Options { mode, limits, blocks, fresh: arguments.fresh, pictures: None };
     let weaver = Weaver { arguments, options, output };

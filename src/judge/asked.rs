@@ -10,7 +10,7 @@ use super::names::bases;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::budget::{self, Limits};
 use crate::formula::source::SourceFile;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::eval::{Env, Outcome};
 use crate::language::value::{Claim, Judgement, Value, Verdict};
@@ -25,6 +25,10 @@ pub(crate) fn refined(
     outcome: Result<Outcome, Diagnostic>,
 ) -> Result<Outcome, Diagnostic> {
     let Kind::Chain(first, links) = &statement.kind else { return outcome };
+    let outcome = outcome.map(|outcome| match env.get(&Symbol::new(PI)) {
+        None => without_numbers_as_letters(outcome, first, links),
+        Some(_) => outcome,
+    });
     if bases(statement).iter().any(|base| env.get(&Symbol::new(base)).is_some()) {
         return outcome;
     }
@@ -45,7 +49,7 @@ pub(crate) fn refined(
             let claim = if same { Arc::new(Claim { judgements: judged.collect() }) } else { claim.clone() };
             Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
         }
-        Err(error) if may_be_family(&error) => {
+        Err(error) if may_be_family(&error) || has_dots(statement) => {
             let findings = findings(statement);
             let side = |expr: &Expr| Value::Text(write::text(expr));
             let lefts = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
@@ -74,6 +78,42 @@ pub(crate) fn refined(
         }
         outcome => outcome,
     }
+}
+
+/// π is a number: a claim that fails for some value of the letter is not refuted.
+fn without_numbers_as_letters(mut outcome: Outcome, first: &Expr, links: &[Link]) -> Outcome {
+    let Value::Claim(claim) = &outcome.value else { return outcome };
+    let sides: Vec<bool> =
+        std::iter::once(first).chain(links.iter().map(|link| &link.expr)).map(names_pi).collect();
+    if claim.judgements.len() != links.len() {
+        return outcome;
+    }
+    let judged =
+        claim.judgements.iter().zip(sides.windows(2)).map(|(judgement, about_pi)| match judgement.verdict {
+            Verdict::Refuted if about_pi.contains(&true) => Judgement {
+                verdict: Verdict::Undecided,
+                difference: None,
+                witness: None,
+                reasons: vec!["pi is read as a letter, not as the number".to_owned()],
+                ..judgement.clone()
+            },
+            _ => judgement.clone(),
+        });
+    outcome.value = Value::Claim(Arc::new(Claim { judgements: judged.collect() }));
+    outcome
+}
+
+const PI: &str = "pi";
+
+fn names_pi(expr: &Expr) -> bool {
+    bases(expr).iter().any(|base| base == PI)
+}
+
+/// 1 + 2 + ⋯ + n
+fn has_dots(expr: &Expr) -> bool {
+    let mut found = expr.kind == Kind::Ellipsis;
+    expr.for_each_child(&mut |child| found = found || has_dots(child));
+    found
 }
 
 fn is_open(judgement: &Judgement) -> bool {

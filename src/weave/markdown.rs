@@ -9,6 +9,7 @@ use super::runner::Runner;
 use super::{Mode, Options};
 use crate::formula::source::{SourceFile, Span, replaced};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::functions::Arrangement;
 
 /// A change of a text.
 #[derive(Clone, Debug, PartialEq)]
@@ -302,10 +303,15 @@ impl Weaver<'_> {
 
 /// A text that stands for the options: what is woven with others is out of date.
 pub(super) fn signature(options: &Options) -> String {
-    let BlockOptions { steps, notation, style, hide, show, equation, lang, width, picture } = &options.blocks;
+    let BlockOptions { steps, notation, arrange, style, hide, show, equation, lang, width, picture } =
+        &options.blocks;
     let width = width.map(|points| format!(" {points}")).unwrap_or_default();
+    let arranged = match arrange {
+        Arrangement::Usual => String::new(),
+        other => format!(" {}", other.name()),
+    };
     format!(
-        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}{width}",
+        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}{width}{arranged}",
         options.mode, options.pictures
     )
 }

@@ -6,6 +6,7 @@
 
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
 use crate::language::write::ARTICLE;
 use crate::math::blossom::Method;
@@ -45,7 +46,9 @@ pub struct BlockOptions {
     pub steps: Option<Method>,
     /// How polar forms are written.
     pub notation: Notation,
-    /// How results are arranged.
+    /// How formulas are arranged.
+    pub arrange: Arrangement,
+    /// How several results stand together.
     pub style: Style,
     /// Show the results only.
     pub hide: bool,
@@ -62,8 +65,8 @@ pub struct BlockOptions {
     pub picture: Option<String>,
 }
 
-const NAMES: [&str; 9] =
-    ["steps", "notation", "style", "hide", "show", "equation", "lang", "width", "picture"];
+const NAMES: [&str; 10] =
+    ["steps", "notation", "arrange", "style", "hide", "show", "equation", "lang", "width", "picture"];
 
 const STYLES: [(&str, Style); 5] = [
     ("display", Style::Display),
@@ -139,6 +142,10 @@ impl BlockOptions {
                 }
             }
             "notation" => self.notation = chosen(name, value, &NOTATIONS)?,
+            "arrange" => {
+                let known = Arrangement::ALL.map(|one| (one.name(), one));
+                self.arrange = chosen(name, value, &known)?;
+            }
             "style" => self.style = chosen(name, value, &STYLES)?,
             "hide" => self.hide = chosen(name, value, &SWITCH)?,
             "show" => self.show = chosen(name, value, &SHOWS)?,

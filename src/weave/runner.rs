@@ -111,6 +111,7 @@ impl Runner {
     ) -> Option<Vec<Piece>> {
         let inner = SourceFile::new(file.name(), code);
         let mut session = std::mem::take(&mut self.session);
+        session.arrangement = options.arrange;
         let mut pieces = Some(Vec::new());
         let mut defined = Vec::new();
         let drawn = self.pictures.len();

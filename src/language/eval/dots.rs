@@ -1,9 +1,10 @@
 //! Lists with dots and braces written out: t_1, …, t_5.
 
-use super::machine::Machine;
+use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::formula::{Expr, Kind, Sign, Term};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::arithmetic;
 use crate::language::ops::errors::unsupported;
 use crate::language::value::Value;
 
@@ -75,6 +76,19 @@ impl Machine {
         }
     }
 
+    /// 1 + 2 + ... + 10, a_1 + ... + a_5
+    pub(super) fn sum_with_dots(&mut self, terms: &[Term], span: Span) -> Evaluated {
+        if terms.iter().any(|term| term.sign == Sign::Minus) {
+            return Err(unclear_dots(span));
+        }
+        let items: Vec<Expr> = terms.iter().map(|term| term.expr.clone()).collect();
+        let values = self.expand_items(&items).map_err(|error| match error.code {
+            Code::Unsupported => unclear_dots(span),
+            _ => error,
+        })?;
+        values.into_iter().try_fold(Value::int(0), arithmetic::add).at(span)
+    }
+
     /// Fills `a_1, ..., a_5` or `1, ..., n`: what stands before is already in `values`.
     ///
     /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
@@ -92,10 +106,10 @@ impl Machine {
                 .hint("it is filled between numbers (1, ..., 5) and between indices (t1, ..., t5)")
         };
         // In 0, 2, ..., 10 the two numbers before the dots tell the step.
-        let previous = values.len().checked_sub(2).and_then(|i| values[i].as_int());
+        let known: Vec<i64> = values.iter().rev().map_while(Value::as_int).collect();
         let (first, last) = (self.eval(before)?, self.eval(after)?);
         if let (Some(a), Some(b)) = (first.as_int(), last.as_int()) {
-            let step = previous.map_or(1, |p| a - p).max(1);
+            let Some(step) = step(&known, b) else { return Err(unclear()) };
             crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
             values.extend((a + step..b).step_by(usize::try_from(step).unwrap_or(1)).map(Value::int));
             return Ok(too_many(before, after, a, b));
@@ -113,6 +127,38 @@ impl Machine {
         }
         Ok(too_many(&from[place], &to[place], a, b))
     }
+}
+
+/// The step from the last of some integers, given first, to b: that between all of them. `None` if there is
+/// none, or if 1, 4, ..., 25 may also be squares or 2, 4, ..., 32 powers.
+fn step(known: &[i64], b: i64) -> Option<i64> {
+    let (&[a, ref before @ ..], Some(&p)) = (known, known.get(1)) else { return Some(1) };
+    let step = a.checked_sub(p)?;
+    let even = known.windows(2).all(|pair| pair[0].checked_sub(pair[1]) == Some(step));
+    if step < 1 || !even || (b.checked_sub(a)? % step != 0 && b >= a) {
+        return None;
+    }
+    let root = |x: i64, k: u32| (1..=x.min(1000)).find(|r: &i64| r.checked_pow(k) == Some(x));
+    let powers = |k: u32| match (root(p, k), root(a, k), root(b, k)) {
+        (Some(p), Some(a), Some(_)) => a == p + 1,
+        _ => false,
+    };
+    let is_geometric = p > 0 && a % p == 0 && {
+        let ratio = a / p;
+        let mut x = a;
+        while x < b && ratio > 1 {
+            x = x.saturating_mul(ratio);
+        }
+        x == b && ratio > 1
+    };
+    let other = before.len() == 1 && step > 1 && (is_geometric || (2..=4).any(powers));
+    (!other).then_some(step)
+}
+
+fn unclear_dots(span: Span) -> Diagnostic {
+    unsupported("what the dots stand for is not clear")
+        .at(span)
+        .hint("write the sum with its index: sum(i=1..5, a_i t^i)")
 }
 
 /// How many of the ends a and b of dots are too many: none if both are written as numbers.

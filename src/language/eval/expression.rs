@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
+use super::lambda::{is_mapping, parameters_of};
 use super::machine::{Evaluated, Machine};
 use super::names::{name_of, stands_for_itself};
 use super::products::without_power;
@@ -17,6 +18,7 @@ use crate::language::ops::formula::symbol_of;
 use crate::language::ops::{arithmetic, lists};
 use crate::language::value::{Claim, Value};
 use crate::math::linalg::determinant;
+use crate::math::number::exact_root;
 use crate::math::poly::Symbol;
 
 impl Machine {
@@ -33,6 +35,9 @@ impl Machine {
             Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => self.eval_name(expr),
             Kind::Accent(accent, body) => self.eval_accent(*accent, body, expr),
             Kind::Group(body) => self.eval(body),
+            Kind::Add(terms) if terms.iter().any(|term| term.expr.kind == Kind::Ellipsis) => {
+                self.sum_with_dots(terms, span)
+            }
             Kind::Add(terms) => {
                 let mut sum: Option<Value> = None;
                 for term in terms {
@@ -129,6 +134,9 @@ impl Machine {
                 Ok(Value::List((from..=to).map(Value::int).collect()))
             }
             Kind::Lambda(parameters, body) => self.eval_lambda(parameters, body),
+            Kind::Chain(parameters, links) if self.reading.is_none() && is_mapping(links) => {
+                self.eval_lambda(parameters_of(parameters), &links[0].expr)
+            }
             Kind::Chain(first, links) => {
                 let judgements = match self.of_one_kind(first, links) {
                     Some((first, links)) => (self.tools.judge)(self, &first, &links)?,
@@ -275,6 +283,16 @@ impl Machine {
             && let Value::Matrix(matrix) = &value
         {
             return determinant(matrix).map(Value::Scalar).map_err(linalg_error).at(body.span);
+        }
+        // ‖(3, 4)‖; of a vector |…| means the same.
+        if let (Enclosure::Norm | Enclosure::Abs, Value::List(items)) = (enclosure, &value) {
+            let square = arithmetic::row_times_column(items, items).at(body.span)?;
+            return match square.as_rational().map(|square| exact_root(&square, 2)) {
+                Some(Some(norm)) => Ok(Value::number(norm)),
+                _ => Err(Diagnostic::error(Code::Irrational, "this norm is not rational")
+                    .at(body.span)
+                    .hint("dot(v, v) is its square")),
+            };
         }
         let Some(q) = value.as_rational() else {
             return Err(wrong_kind("a number", &value).at(body.span));

@@ -4,11 +4,25 @@ use std::sync::Arc;
 
 use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::ops::function::formula_function;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value};
 use crate::math::poly::Symbol;
+
+/// `t ↦ …`, nothing else.
+pub(super) fn is_mapping(links: &[Link]) -> bool {
+    matches!(links, [link] if link.rel == Rel::MapsTo)
+}
+
+/// t, or u and v of (u, v).
+pub(super) fn parameters_of(expr: &Expr) -> &[Expr] {
+    match &expr.kind {
+        Kind::Tuple(items) => items,
+        Kind::Group(inner) => parameters_of(inner),
+        _ => std::slice::from_ref(expr),
+    }
+}
 
 impl Machine {
     pub(crate) fn eval_lambda(&mut self, parameters: &[Expr], body: &Expr) -> Evaluated {

@@ -2,10 +2,11 @@
 
 use super::define::power_or_upper_index;
 use super::env::Env;
+use super::lambda::{is_mapping, parameters_of};
 use super::machine::Machine;
 use super::names::name_of;
 use super::tools::Tools;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::words;
 use crate::language::value::{Value, Verdict};
@@ -60,6 +61,17 @@ impl Machine {
 
     fn statement(&mut self, expr: &Expr, equals: Equals) -> Result<(Value, Option<Symbol>), Diagnostic> {
         if let Kind::Chain(left, links) = &expr.kind {
+            // f: t ↦ t^2, f := t ↦ t^2
+            if let [colon, mapping] = links.as_slice()
+                && matches!(colon.rel, Rel::Colon | Rel::Define)
+                && is_mapping(std::slice::from_ref(mapping))
+            {
+                let parameters = parameters_of(&colon.expr).to_vec();
+                let body =
+                    Expr::new(Kind::Lambda(parameters, Box::new(mapping.expr.clone())), mapping.expr.span);
+                let definition = Link { rel: Rel::Define, span: colon.span, expr: body };
+                return self.define(left, &[definition]).map(|(name, value)| (value, Some(name)));
+            }
             let defines = links[0].rel == Rel::Define
                 || (equals == Equals::DefinesUnbound
                     && links[0].rel == Rel::Eq

@@ -58,7 +58,6 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("inner", "the scalar product is dot([1, 2], [3, 4])"),
     ("mean", "the mean of two points is (a + b)/2"),
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
-    ("lcm", "the least common multiple is a*b/gcd(a, b)"),
     ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
 ];
 

@@ -354,13 +354,30 @@ fn bracketed(expr: Expr) -> Expr {
 
 /// The sum of products; 0 if there are none.
 fn summed(terms: impl Iterator<Item = Option<Vec<Expr>>>) -> Expr {
-    let plus = |factors: Vec<Expr>| {
+    let signed = |mut factors: Vec<Expr>| {
+        // -B_0^1(t) rather than (-1) B_0^1(t)
+        let negative = match factors.first().map(|first| &first.kind) {
+            Some(Kind::Group(body)) => match &body.kind {
+                Kind::Add(terms) if terms.len() == 1 && terms[0].sign == Sign::Minus => {
+                    Some(terms[0].expr.clone())
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let sign = if negative.is_some() { Sign::Minus } else { Sign::Plus };
+        if let Some(magnitude) = negative {
+            factors[0] = magnitude;
+        }
+        if sign == Sign::Minus && matches!(&factors[0].kind, Kind::Number(one) if one.is_one()) {
+            factors.remove(0);
+        }
         let flat = factors.into_iter().flat_map(|factor| match factor.kind {
             Kind::Mul(inner) => inner,
             _ => vec![factor],
         });
-        Term { sign: Sign::Plus, expr: Expr::product(flat.collect()) }
+        Term { sign, expr: Expr::product(flat.collect()) }
     };
-    let terms: Vec<Term> = terms.flatten().map(plus).collect();
+    let terms: Vec<Term> = terms.flatten().map(signed).collect();
     if terms.is_empty() { Expr::int(0) } else { Expr::sum(terms) }
 }

@@ -1,7 +1,7 @@
 //! Answers as a person reads them: values with their names, verdicts in words.
 
 use super::{
-    Format, WriteError, broken, claim_json, latex_table_within, text, value_json, write_derivation,
+    Format, WriteError, broken, claim_json, latex_table_within, text, value_json, write_derivation_within,
     write_expr, write_table,
 };
 use crate::formula::{Expr, Kind};
@@ -57,7 +57,9 @@ pub fn write_answer(value: &Value, name: Option<Expr>, manner: &Manner) -> Resul
     };
     match (value, manner.format) {
         (Value::Claim(claim), _) => write_claim(claim, manner),
-        (Value::Derivation(derivation), format) => write_derivation(derivation, format, manner.language),
+        (Value::Derivation(derivation), format) => {
+            write_derivation_within(derivation, format, manner.language, manner.width)
+        }
         (_, Format::Json) => Ok(value_json(value, manner.notation).to_string()),
         (Value::Text(words), _) => Ok(words.clone()),
         (Value::List(items), _) if is_words(items) => {
@@ -163,7 +165,10 @@ fn write_claim(claim: &Claim, manner: &Manner) -> Result<String, WriteError> {
 fn side(label: &str, value: &Value, format: Format) -> Result<String, WriteError> {
     /// Longer formulas are not repeated in a report.
     const LONGEST: usize = 2000;
-    let body = write_expr(&value.to_expr(), format)?;
+    let body = match value {
+        Value::Text(words) => words.clone(),
+        _ => write_expr(&value.to_expr(), format)?,
+    };
     let shown = if body.len() > LONGEST { format!("({} characters)", body.len()) } else { body };
     let separator = if shown.contains('\n') { "\n" } else { " " };
     Ok(format!("  {label}:{separator}{shown}"))

@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
-use super::{Format, WriteError, latex, text, write_expr, write_words};
+use super::{Format, WriteError, latex, lines_of, measured, text, write_expr, write_words};
 use crate::formula::{Expr, Kind};
 use crate::language::value::{Derivation, Language, Line};
 
@@ -20,9 +20,23 @@ pub fn write_derivation(
     format: Format,
     language: Language,
 ) -> Result<String, WriteError> {
+    write_derivation_within(derivation, format, language, f64::INFINITY)
+}
+
+/// The same in LaTeX of about this width in points: if the lines are wider, their right sides are broken, and
+/// the reasons stand below them.
+///
+/// # Errors
+/// [`WriteError`] for constructs without meaning in SymPy.
+pub fn write_derivation_within(
+    derivation: &Derivation,
+    format: Format,
+    language: Language,
+    width: f64,
+) -> Result<String, WriteError> {
     let language = derivation.language.unwrap_or(language);
     match format {
-        Format::Latex => Ok(aligned(&derivation.lines, language)),
+        Format::Latex => Ok(aligned(&derivation.lines, language, width)),
         Format::Json => Ok(derivation_json(derivation, language).to_string()),
         Format::Text | Format::Unicode | Format::Sympy => {
             let lines = derivation.lines.iter().map(|line| {
@@ -64,18 +78,29 @@ pub fn split_at_relation(formula: &Expr) -> (String, String) {
     }
 }
 
-fn aligned(lines: &[Line], language: Language) -> String {
-    let mut before = String::new();
-    let rows = lines.iter().map(|line| {
-        let (left, right) = split_at_relation(&line.formula);
-        let shown = if left == before { "" } else { &left };
-        let row = format!("{shown} &{right}");
+fn aligned(lines: &[Line], language: Language, width: f64) -> String {
+    let parts: Vec<(String, String, String)> = lines
+        .iter()
+        .map(|line| {
+            let (left, right) = split_at_relation(&line.formula);
+            (left, right, format!("\\text{{{}}}", write_words(line.reason.text(language), Format::Latex)))
+        })
+        .collect();
+    let widest = |part: &dyn Fn(&(String, String, String)) -> f64| parts.iter().map(part).fold(0.0, f64::max);
+    let (margin, reasons) = (widest(&|row| measured(&row.0)), widest(&|row| measured(&row.2)));
+    let below = margin + widest(&|row| measured(&row.1)) + reasons > width;
+    let mut before = "";
+    let rows = parts.iter().map(|(left, right, reason)| {
+        let shown = if left == before { "" } else { left };
         before = left;
-        format!(
-            "{} && \\text{{{}}}",
-            row.trim_start(),
-            write_words(line.reason.text(language), Format::Latex)
-        )
+        let row = match below {
+            false => format!("{shown} &{right} && {reason}"),
+            true => {
+                let right = lines_of(right, width - margin).join(" \\\\\n&");
+                format!("{shown} &{right} \\\\\n&\\qquad {reason}")
+            }
+        };
+        row.trim_start().to_owned()
     });
     let rows: Vec<String> = rows.collect();
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n"))
@@ -97,7 +122,7 @@ pub fn derivation_json(derivation: &Derivation, language: Language) -> Json {
         "title": write_words(derivation.title.text(language), Format::Text),
         "language": language.code(),
         "lines": lines.collect::<Vec<_>>(),
-        "latex": aligned(&derivation.lines, language),
+        "latex": aligned(&derivation.lines, language, f64::INFINITY),
     })
 }
 
@@ -121,6 +146,9 @@ mod tests {
             write(Format::Latex),
             "\\begin{aligned}\na &= b && \\text{as $t_1$} \\\\\n&= c && \\text{as $t_1$} \\\\\n&d && \\text{why}\n\\end{aligned}"
         );
+        let narrow = write_derivation_within(&derivation, Format::Latex, Language::English, 60.0).unwrap();
+        assert_eq!(narrow.lines().nth(1), Some("a &= b \\\\"));
+        assert_eq!(narrow.lines().nth(2), Some("&\\qquad \\text{as $t_1$} \\\\"));
         assert_eq!(write(Format::Text), "a = b    [as t1]\na = c    [as t1]\nd    [why]");
         assert_eq!(write(Format::Sympy).lines().next(), Some("Eq(a, b)  # as t1"));
         let data: Json = serde_json::from_str(&write(Format::Json)).unwrap();

@@ -33,6 +33,7 @@ pub fn broken(latex: &str, width: f64) -> String {
     if measured(latex) <= width || latex.starts_with("\\begin") {
         return latex.to_owned();
     }
+    let latex = &opened(latex, width);
     let first = places(latex).into_iter().find(|place| place.kind == Sign::Relation && place.depth == 0);
     let (left, right) = latex.split_at(first.map_or(0, |place| place.at));
     // All lines begin below the relation; a long left side has a line of its own.
@@ -51,6 +52,7 @@ pub fn broken(latex: &str, width: f64) -> String {
 
 /// A right side in lines of about this width; each but the first begins with a relation, or indented.
 pub fn lines_of(latex: &str, width: f64) -> Vec<String> {
+    let latex = &opened(latex, width);
     let places = places(latex);
     let mut lines = Vec::new();
     let mut start = 0;
@@ -75,6 +77,93 @@ pub fn lines_of(latex: &str, width: f64) -> Vec<String> {
         lines.push(line(&latex[start..end]));
         start = end;
     }
+}
+
+/// The formula with what is wider than a line made breakable: brackets of a fixed size for growing ones, and
+/// the numerator of a fraction beside it.
+fn opened(latex: &str, width: f64) -> String {
+    let mut out = String::with_capacity(latex.len());
+    let mut at = 0;
+    while at < latex.len() {
+        let rest = &latex[at..];
+        if rest.starts_with("\\left")
+            && let Some(group) = growing(rest)
+        {
+            match measured(group) > width {
+                true => {
+                    let inner = &group["\\left".len()..group.rfind("\\right").unwrap_or(group.len())];
+                    let open = if inner.starts_with('\\') { command(inner).len() } else { 1 };
+                    let close =
+                        &group[group.rfind("\\right").map_or(group.len(), |end| end + "\\right".len())..];
+                    out += &format!("\\Bigl{}{}\\Bigr{close}", &inner[..open], opened(&inner[open..], width));
+                }
+                false => out += group,
+            }
+            at += group.len();
+        } else if rest.starts_with("\\frac{")
+            && let Some((above, below)) = parts_of_fraction(rest)
+        {
+            let whole = &rest[.."\\frac{}{}".len() + above.len() + below.len()];
+            match measured(above) > width && measured(below) <= width / 2.0 {
+                true => {
+                    out += &format!("\\frac{{1}}{{{below}}} \\bigl({}\\bigr)", opened(above, width));
+                }
+                false => out += whole,
+            }
+            at += whole.len();
+        } else {
+            let next = rest.chars().next().map_or(1, char::len_utf8);
+            out += &rest[..next];
+            at += next;
+        }
+    }
+    out
+}
+
+/// `\left( … \right)` at the start of a text, unless one of its sides is empty.
+fn growing(text: &str) -> Option<&str> {
+    let (mut depth, mut at) = (0_usize, 0);
+    while let Some(found) = text[at..].find('\\') {
+        at += found;
+        let name = command(&text[at..]);
+        at += name.len();
+        match name {
+            "\\left" => depth += 1,
+            "\\right" => depth -= 1,
+            _ => continue,
+        }
+        let side = if text[at..].starts_with('\\') { command(&text[at..]).len() } else { 1 };
+        if text[at..].starts_with('.') {
+            return None;
+        }
+        at += side;
+        if depth == 0 {
+            return text.get(..at);
+        }
+    }
+    None
+}
+
+/// The two arguments of the `\frac` that a text begins with.
+fn parts_of_fraction(text: &str) -> Option<(&str, &str)> {
+    let above = braced(text.strip_prefix("\\frac")?)?;
+    let below = braced(&text["\\frac{}".len() + above.len()..])?;
+    Some((above, below))
+}
+
+/// What stands in the braces that a text begins with.
+fn braced(text: &str) -> Option<&str> {
+    let mut depth = 0_usize;
+    for (at, c) in text.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' if depth == 1 => return text.get(1..at),
+            '}' => depth = depth.checked_sub(1)?,
+            _ if depth == 0 => return None,
+            _ => {}
+        }
+    }
+    None
 }
 
 /// Where the line that begins at `start` ends: as far as fits, at the least depth of brackets that fills
@@ -336,10 +425,24 @@ mod tests {
     }
 
     #[test]
+    fn what_is_wider_than_a_line_is_opened() {
+        let sum: Vec<String> = (0..30).map(|i| format!("a_{{{i}}}")).collect();
+        let list = format!(r"x = \left[ {} \right]", sum.join(", "));
+        let fraction = format!(r"x = -\frac{{{}}}{{b}}", sum.join(" + "));
+        for (wide, start) in
+            [(list, r"x &= \Bigl[ a_{0}, a_{1}"), (fraction, r"x &= -\frac{1}{b} \bigl(a_{0} + a_{1}")]
+        {
+            let text = broken(&wide, 200.0);
+            assert!(text.contains(start), "{text}");
+            assert!(text.lines().all(|line| measured(&line.replace('&', "")) < 230.0), "{text}");
+            assert_eq!(broken(&wide, 2000.0), wide);
+        }
+    }
+
+    #[test]
     fn what_holds_together_stays_whole() {
         for whole in [
             r"\frac{a + b + c + d}{e + f + g}".to_owned(),
-            r"\left( \frac{a}{b} + c + d + e \right)".to_owned(),
             r"\begin{pmatrix} a + b & c + d \\ e & f \end{pmatrix}".to_owned(),
         ] {
             assert_eq!(broken(&whole, 20.0), whole);
