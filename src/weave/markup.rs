@@ -64,9 +64,12 @@ impl Markup {
             Piece::Formula(shown) => {
                 let whole = with_remark(shown);
                 let formula = broken(&whole, room);
+                // The width of a line is an estimate.
+                let too_wide = |line: &str| measured(&line.replace('&', "")) > 1.1 * room;
                 let unbroken = formula == whole && !whole.starts_with(r"\begin{aligned}");
-                if self == Markup::Latex && unbroken && measured(&formula) > room {
-                    return reduced(&formula);
+                let fails = if unbroken { measured(&whole) > room } else { formula.lines().any(too_wide) };
+                if self == Markup::Latex && fails {
+                    return reduced(&whole);
                 }
                 formula.lines().map(str::to_owned).collect()
             }

@@ -110,8 +110,10 @@ impl Machine {
         let (first, last) = (self.eval(before)?, self.eval(after)?);
         if let (Some(a), Some(b)) = (first.as_int(), last.as_int()) {
             let Some(step) = step(&known, b) else { return Err(unclear()) };
-            crate::budget::charge_terms(b.saturating_sub(a).max(0) as u64);
-            values.extend((a + step..b).step_by(usize::try_from(step).unwrap_or(1)).map(Value::int));
+            crate::budget::charge_terms(b.saturating_sub(a).unsigned_abs());
+            let within = |x: &i64| if step > 0 { *x < b } else { *x > b };
+            let next = |x: &i64| x.checked_add(step).filter(within);
+            values.extend(std::iter::successors(next(&a), next).map(Value::int));
             return Ok(too_many(before, after, a, b));
         }
         let (Kind::Subscript(base, from), Kind::Subscript(_, to)) = (&before.kind, &after.kind) else {
@@ -135,7 +137,12 @@ fn step(known: &[i64], b: i64) -> Option<i64> {
     let (&[a, ref before @ ..], Some(&p)) = (known, known.get(1)) else { return Some(1) };
     let step = a.checked_sub(p)?;
     let even = known.windows(2).all(|pair| pair[0].checked_sub(pair[1]) == Some(step));
-    if step < 1 || !even || (b.checked_sub(a)? % step != 0 && b >= a) {
+    let onwards = b >= a;
+    // 3, 1, ..., 2 goes on from the 1.
+    if step == 1 || step == 0 || (step < 0 && onwards) {
+        return Some(1);
+    }
+    if !even || (onwards == (step > 0) && b.checked_sub(a)? % step != 0) {
         return None;
     }
     let root = |x: i64, k: u32| (1..=x.min(1000)).find(|r: &i64| r.checked_pow(k) == Some(x));
@@ -151,7 +158,7 @@ fn step(known: &[i64], b: i64) -> Option<i64> {
         }
         x == b && ratio > 1
     };
-    let other = before.len() == 1 && step > 1 && (is_geometric || (2..=4).any(powers));
+    let other = before.len() == 1 && (is_geometric || (2..=4).any(powers));
     (!other).then_some(step)
 }
 

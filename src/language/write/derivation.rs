@@ -146,7 +146,7 @@ mod tests {
             write(Format::Latex),
             "\\begin{aligned}\na &= b && \\text{as $t_1$} \\\\\n&= c && \\text{as $t_1$} \\\\\n&d && \\text{why}\n\\end{aligned}"
         );
-        let narrow = write_derivation_within(&derivation, Format::Latex, Language::English, 60.0).unwrap();
+        let narrow = write_derivation_within(&derivation, Format::Latex, Language::English, 20.0).unwrap();
         assert_eq!(narrow.lines().nth(1), Some("a &= b \\\\"));
         assert_eq!(narrow.lines().nth(2), Some("&\\qquad \\text{as $t_1$} \\\\"));
         assert_eq!(write(Format::Text), "a = b    [as t1]\na = c    [as t1]\nd    [why]");

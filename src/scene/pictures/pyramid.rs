@@ -63,8 +63,10 @@ impl PyramidPicture {
             }
         }
         budget::charge_terms(self.levels.iter().map(|level| 5 * level.len() as u64).sum());
-        // weights need room between neighbours
-        let row = if self.weights.is_empty() { 46.0 } else { 68.0 };
+        // Weights need room between neighbours; in schemes of many levels, whose entries are long and whose
+        // columns are narrow, all of it is above and below the arrows.
+        let narrow = self.levels.len().saturating_sub(6) as f64;
+        let row = if self.weights.is_empty() { 46.0 } else { 68.0 + 12.0 * narrow };
         let rows = match self.apex {
             Apex::Right => longest - 1,
             Apex::Top | Apex::Bottom => self.levels.len() - 1,
