@@ -1,10 +1,9 @@
 //! Lists with dots and braces written out: t_1, …, t_5.
 
-use super::machine::{Evaluated, Machine};
+use super::machine::Machine;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Sign, Term};
-use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::ops::arithmetic;
+use crate::formula::{Expr, Kind};
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::ops::errors::unsupported;
 use crate::language::value::Value;
 
@@ -76,19 +75,6 @@ impl Machine {
         }
     }
 
-    /// 1 + 2 + ... + 10, a_1 + ... + a_5
-    pub(super) fn sum_with_dots(&mut self, terms: &[Term], span: Span) -> Evaluated {
-        if terms.iter().any(|term| term.sign == Sign::Minus) {
-            return Err(unclear_dots(span));
-        }
-        let items: Vec<Expr> = terms.iter().map(|term| term.expr.clone()).collect();
-        let values = self.expand_items(&items).map_err(|error| match error.code {
-            Code::Unsupported => unclear_dots(span),
-            _ => error,
-        })?;
-        values.into_iter().try_fold(Value::int(0), arithmetic::add).at(span)
-    }
-
     /// Fills `a_1, ..., a_5` or `1, ..., n`: what stands before is already in `values`.
     ///
     /// Says how many of the two ends are too many: in t_1, ..., t_{i-1} one for i = 2, when both
@@ -108,7 +94,10 @@ impl Machine {
         // In 0, 2, ..., 10 the two numbers before the dots tell the step.
         let known: Vec<i64> = values.iter().rev().map_while(Value::as_int).collect();
         let (first, last) = (self.eval(before)?, self.eval(after)?);
-        if let (Some(a), Some(b)) = (first.as_int(), last.as_int()) {
+        if let (Some(a), Some(b)) = (first.as_int(), last.as_int())
+            && is_counted(before)
+            && is_counted(after)
+        {
             let Some(step) = step(&known, b) else { return Err(unclear()) };
             crate::budget::charge_terms(b.saturating_sub(a).unsigned_abs());
             let within = |x: &i64| if step > 0 { *x < b } else { *x > b };
@@ -128,6 +117,20 @@ impl Machine {
             values.push(self.eval(&Kind::Subscript(base.clone(), indices).into())?);
         }
         Ok(too_many(&from[place], &to[place], a, b))
+    }
+}
+
+/// Whether a formula is a number of a progression as it is written, 3 or 2n - 1; 1^2 and 1*2 are not.
+fn is_counted(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) | Kind::Name(_) | Kind::Subscript(..) => true,
+        Kind::Add(terms) => terms.iter().all(|term| is_counted(&term.expr)),
+        Kind::Mul(factors) => {
+            factors.iter().all(is_counted)
+                && factors.iter().filter(|factor| matches!(factor.kind, Kind::Number(_))).count() < 2
+        }
+        Kind::Group(body) => is_counted(body),
+        _ => false,
     }
 }
 
@@ -160,12 +163,6 @@ fn step(known: &[i64], b: i64) -> Option<i64> {
     };
     let other = before.len() == 1 && (is_geometric || (2..=4).any(powers));
     (!other).then_some(step)
-}
-
-fn unclear_dots(span: Span) -> Diagnostic {
-    unsupported("what the dots stand for is not clear")
-        .at(span)
-        .hint("write the sum with its index: sum(i=1..5, a_i t^i)")
 }
 
 /// How many of the ends a and b of dots are too many: none if both are written as numbers.

@@ -55,6 +55,9 @@ impl Machine {
                 }
                 sum.ok_or_else(|| Diagnostic::error(Code::Empty, "an empty sum").at(span))
             }
+            Kind::Mul(factors) if factors.iter().any(|factor| factor.kind == Kind::Ellipsis) => {
+                self.product_with_dots(factors, span)
+            }
             Kind::Mul(factors) => self.eval_product(factors, span),
             Kind::Div(left, right, style) => self.eval_quotient(left, right, *style),
             Kind::Pow(base, exponent) => self.eval_power(base, exponent, span),

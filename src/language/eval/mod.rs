@@ -30,6 +30,7 @@ mod kinds;
 mod lambda;
 mod machine;
 pub(crate) mod names;
+mod patterns;
 mod polar;
 mod products;
 mod prose;
