@@ -15,6 +15,7 @@ use crate::math::poly::Symbol;
 const TOOLS: Tools = Tools {
     function: functions::callable,
     names: functions::names,
+    alias: functions::alias,
     synonym: functions::synonym,
     is_word: functions::is_basis,
     argument_word: functions::is_argument_word,

@@ -188,7 +188,7 @@ impl Machine {
     /// nothing, so they were meant as a call.
     pub(super) fn is_no_lone_call(&mut self, callee: &Expr, inside: &Expr) -> Result<(), Diagnostic> {
         if self.reading.is_some()
-            || !matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::Number(_))
+            || !(matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..)) || is_number(inside))
         {
             return Ok(());
         }
@@ -242,7 +242,14 @@ impl Machine {
                 return Ok(Callee::Value(Value::Builtin(function.name())));
             }
             if !stands_for_itself(name) {
-                return Err(self.unknown_function(name, callee));
+                return match (self.tools.alias)(name).filter(|_| self.reading.is_none()) {
+                    Some(function) => {
+                        let note = format!("'{name}' is read as {}", function.name());
+                        self.note(Diagnostic::note(Code::StandardMeaning, note).at(callee.span));
+                        Ok(Callee::Value(Value::Builtin(function.name())))
+                    }
+                    None => Err(self.unknown_function(name, callee)),
+                };
             }
             let capital = name.chars().next().is_some_and(char::is_uppercase);
             if capital || roles::FUNCTIONS.contains(&name) {
@@ -533,6 +540,16 @@ fn split_lower<'a>(inner: &'a Expr, upper: &'a Expr) -> (&'a Expr, &'a [Expr], O
     match &inner.kind {
         Kind::Subscript(base, lower) => (base, lower, Some(upper)),
         _ => (inner, &[], Some(upper)),
+    }
+}
+
+/// 2, 1/2, -1
+fn is_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(_) => true,
+        Kind::Div(above, below, _) => is_number(above) && is_number(below),
+        Kind::Add(terms) => terms.len() == 1 && is_number(&terms[0].expr),
+        _ => false,
     }
 }
 

@@ -270,6 +270,7 @@ mod tests {
         let tools = Tools {
             function: |_| None,
             names: Vec::new,
+            alias: |_| None,
             synonym: |_| None,
             is_word: |_| false,
             argument_word: |_| false,

@@ -56,6 +56,8 @@ pub struct Tools {
     pub function: fn(&str) -> Option<&'static dyn Callable>,
     /// The names of all functions.
     pub names: fn() -> Vec<&'static str>,
+    /// The function that has another name, too, by which it is called as well.
+    pub alias: fn(&str) -> Option<&'static dyn Callable>,
     /// The function that somebody means by another name.
     pub synonym: fn(&str) -> Option<&'static str>,
     /// Whether a name that stands alone is a word that means itself, such as that of a basis.

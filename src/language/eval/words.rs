@@ -109,7 +109,8 @@ impl Machine {
         let is_letter =
             |letter: char| alone(letter) || self.lookup(&Symbol::new(letter.to_string())).is_some();
         let spaced = || word.chars().map(String::from).collect::<Vec<_>>().join(" ");
-        let function = (self.tools.function)(word).is_some() || crate::language::syntax::is_special(word);
+        let function = (self.tools.function)(word).or((self.tools.alias)(word)).is_some()
+            || crate::language::syntax::is_special(word);
         if self.lookup(&Symbol::new(word)).is_some() || (function && called) {
             return Word::Name;
         }

@@ -33,11 +33,10 @@ pub(crate) fn is_argument_word(word: &str) -> bool {
     WORDS.contains(word)
 }
 
-/// Other names for functions.
-const SYNONYMS: &[(&str, &str)] = &[
+/// Other names for functions, which are called like these.
+const ALIASES: &[(&str, &str)] = &[
     ("de_casteljau", "casteljau"),
     ("de_boor", "deboor"),
-    ("cox_de_boor", "bspline_basis"),
     ("blossom", "polar"),
     ("polarform", "polar"),
     ("polar_form", "polar"),
@@ -45,54 +44,30 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("bernstein_form", "in_bernstein"),
     ("to_powers", "in_powers"),
     ("power_form", "in_powers"),
-    ("taylor", "in_powers"),
     ("expanded", "expand"),
-    ("cancel", "simplify"),
     ("polarize", "polar"),
-    ("is_polar", "laws"),
-    ("is_symmetric", "laws"),
     ("decasteljau", "casteljau"),
-    ("triangle", "triangle_patch"),
     ("bezier_triangle", "triangle_patch"),
     ("triangular_patch", "triangle_patch"),
     ("bezier_patch", "patch"),
     ("bezier_surface", "patch"),
-    ("rational", "bezier"),
     ("lagrange_polynomial", "lagrange"),
     ("newton_polynomial", "newton"),
-    ("basis_matrix", "change_of_basis"),
-    ("bernstein_matrix", "bernstein_to_power"),
-    ("points", "control_points"),
     ("elevate_degree", "elevate"),
     ("raise_degree", "elevate"),
-    ("value", "subs"),
-    ("evaluate", "extended"),
     ("split", "subdivide"),
-    ("curve", "bezier"),
-    ("rational_bezier", "bezier"),
-    ("nurbs", "bspline"),
-    ("spline", "bspline"),
-    ("hull", "convex_hull"),
     ("boehm", "insert_knots"),
-    ("insert", "insert_knots"),
     ("insert_knot", "insert_knots"),
     ("knot_insertion", "insert_knots"),
-    ("oslo", "refine"),
-    ("basis", "bspline_basis"),
-    ("marsden", "spline_of"),
     ("periodic_bspline", "periodic_spline"),
-    ("surface", "patch"),
     ("tensor_patch", "patch"),
     ("triangle_surface", "triangle_patch"),
     ("bspline_surface", "spline_surface"),
     ("interpolate", "lagrange"),
-    ("natural_spline", "cubic_spline"),
     ("surface_of_revolution", "revolve"),
-    ("revolution", "revolve"),
     ("degree_elevation", "elevate"),
     ("degree_reduction", "reduce"),
     ("continuity_conditions", "joining_conditions"),
-    ("delta", "differences"),
     ("nCr", "binomial"),
     ("choose", "binomial"),
     ("comb", "binomial"),
@@ -112,9 +87,43 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("eye", "identity"),
 ];
 
+/// Functions that somebody may mean by other names.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("cox_de_boor", "bspline_basis"),
+    ("taylor", "in_powers"),
+    ("cancel", "simplify"),
+    ("is_polar", "laws"),
+    ("is_symmetric", "laws"),
+    ("triangle", "triangle_patch"),
+    ("rational", "bezier"),
+    ("basis_matrix", "change_of_basis"),
+    ("bernstein_matrix", "bernstein_to_power"),
+    ("points", "control_points"),
+    ("value", "subs"),
+    ("evaluate", "extended"),
+    ("curve", "bezier"),
+    ("rational_bezier", "bezier"),
+    ("nurbs", "bspline"),
+    ("spline", "bspline"),
+    ("hull", "convex_hull"),
+    ("insert", "insert_knots"),
+    ("oslo", "refine"),
+    ("basis", "bspline_basis"),
+    ("marsden", "spline_of"),
+    ("surface", "patch"),
+    ("natural_spline", "cubic_spline"),
+    ("revolution", "revolve"),
+    ("delta", "differences"),
+];
+
 /// The function that somebody means by another name.
 pub(crate) fn synonym(name: &str) -> Option<&'static str> {
-    SYNONYMS.iter().find(|(other, _)| *other == name).map(|(_, known)| *known)
+    ALIASES.iter().chain(SYNONYMS).find(|(other, _)| *other == name).map(|(_, known)| *known)
+}
+
+/// The function with another name that is called like this one.
+pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
+    ALIASES.iter().find(|(other, _)| *other == name).and_then(|(_, known)| callable(known))
 }
 
 /// What to write for an argument that a function does not take: its derivation may.

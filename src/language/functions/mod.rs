@@ -23,7 +23,7 @@ mod surface_joins;
 mod surfaces;
 mod table;
 
-pub(crate) use callable::{callable, is_argument_word, names, synonym};
+pub(crate) use callable::{alias, callable, is_argument_word, names, synonym};
 pub(crate) use matrices::is_basis;
 
 pub use arrange::Arrangement;

@@ -5,7 +5,7 @@ use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::polar::levelled;
 
-use super::parameter::{NODES, Need, Parameter, Takes, VALUES};
+use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::{PolarKind, Value};
 
@@ -235,12 +235,16 @@ impl Builtin {
         let mut places = self.parameters.iter().filter(|parameter| parameter.has_place());
         let expected = places.next().is_some_and(|first| first.name == NODES.name)
             && places.next().is_some_and(|second| second.name == VALUES.name);
-        let Some((Value::List(points), span)) = args.given(0).filter(|_| expected && args.len() == 1) else {
-            return args;
-        };
         let parts = |point: &Value| match point {
             Value::List(items) if items.len() == 2 => Some((items[0].clone(), items[1].clone())),
             _ => None,
+        };
+        if expected && args.len() > 2 && args.values().all(|value| parts(value).is_some()) {
+            let span = args.span(0).to(args.span(args.len() - 1));
+            args = args.gathered(span);
+        }
+        let Some((Value::List(points), span)) = args.given(0).filter(|_| expected && args.len() == 1) else {
+            return args;
         };
         let Some((nodes, values)) = points.iter().map(parts).collect::<Option<(Vec<_>, Vec<_>)>>() else {
             return args;
@@ -272,6 +276,12 @@ impl Builtin {
         let by_name = || parameters.iter().chain(self.common).filter(|p| matches!(p.need, Need::Named(_)));
         let placeable = names_places(parameters);
         for (name, value, span) in args.take_all_named() {
+            // degree=2 where the form says n
+            let is_degree = |p: &&&Parameter| p.name == DEGREE.name && p.doc == DEGREE.doc;
+            let name = match name == "degree" && !by_name().any(|p| p.name == name) {
+                true => by_place.iter().find(is_degree).map_or(name, |p| p.name.to_owned()),
+                false => name,
+            };
             let place = by_place.iter().position(|p| placeable && p.has_name() && p.name == name);
             if placeable && place.is_none() && !by_name().any(|p| p.name == name) {
                 let places = by_place.iter().copied().filter(|p| p.has_name());

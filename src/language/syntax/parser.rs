@@ -20,7 +20,7 @@
 //!            | "(" items ")"                          one: parentheses, several: a tuple
 //!            | "[" items { ";" items } "]"            a list; with ";" a matrix by rows
 //!            | "{" items [ "|" item ] "}"             a set
-//!            | "⌊" item "⌋" | "⌈" item "⌉" | special
+//!            | "⌊" item "⌋" | "⌈" item "⌉" | "|" item "|" | special
 //! special    = ("sum" | "prod" | "max" | "min" | "union" | "intersection")
 //!                 "(" bound { "," ( bound | relation ) } "," item ")"   bound: i=0..n, i in S
 //!            | "integral" "(" item "," name [ "=" sum ".." sum ] ")"

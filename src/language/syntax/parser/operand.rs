@@ -63,6 +63,10 @@ impl Items {
     }
 }
 
+fn is_bar_or_brace(kind: TokenKind) -> bool {
+    matches!(kind, TokenKind::Bar | TokenKind::Open(Bracket::Brace))
+}
+
 impl Parser<'_> {
     /// Whether an operand begins here, so that it makes a product with the one before.
     pub(super) fn at_operand(&self) -> bool {
@@ -74,7 +78,7 @@ impl Parser<'_> {
                 | Text
                 | Dots
                 | Open(Bracket::Paren | Bracket::Square | Bracket::Floor | Bracket::Ceil)
-        )
+        ) || self.peek().kind == Bar && !self.open.iter().any(|open| is_bar_or_brace(open.kind))
     }
 
     /// An atom with everything attached to it. `after` is the operator before it.
@@ -107,6 +111,7 @@ impl Parser<'_> {
             TokenKind::Open(Bracket::Brace) => self.set(),
             TokenKind::Open(Bracket::Floor) => self.enclosed(Enclosure::Floor),
             TokenKind::Open(Bracket::Ceil) => self.enclosed(Enclosure::Ceil),
+            TokenKind::Bar => self.bars(),
             _ => Err(self.missing_operand(after)),
         }
     }
@@ -142,6 +147,24 @@ impl Parser<'_> {
     fn enclosed(&mut self, enclosure: Enclosure) -> Parsed<Node> {
         let item = self.braced("a number")?;
         self.node(Kind::Enclosed(enclosure, Box::new(item.expr)), item.extent, item.height)
+    }
+
+    /// `|x|`, the absolute value of a number, the determinant of a matrix. Within bars and braces a bar after an
+    /// operand closes or separates.
+    fn bars(&mut self) -> Parsed<Node> {
+        let open = self.bump();
+        if self.open.len() >= MAX_DEPTH {
+            return Err(self.too_deep(open.span()));
+        }
+        self.open.push(open);
+        let item = self.expr()?;
+        if self.peek().kind != TokenKind::Bar {
+            return Err(self.unexpected());
+        }
+        let close = self.bump();
+        self.open.pop();
+        let span = open.span().to(close.span());
+        self.node(Kind::Enclosed(Enclosure::Abs, Box::new(item.expr)), span, item.height)
     }
 
     /// The one item in the brackets that open here; its extent is that of the brackets.

@@ -61,7 +61,7 @@ impl Parser<'_> {
             }
             TokenKind::Bar => unexpected("'|' has no meaning here".into())
                 .reason("a bar may open or close")
-                .hint("write abs(x) for |x|, norm(x) for ‖x‖, and {x | x > 0} for a set"),
+                .hint("write abs(x) for |x| within bars or braces, and {x | x > 0} for a set"),
             TokenKind::Colon => unexpected("':' has no meaning here".into())
                 .hint("write := to define a name, / to divide, 0..3 for a range"),
             TokenKind::For => unexpected(format!("{text} stands outside a list"))
@@ -146,6 +146,13 @@ impl Parser<'_> {
 
     /// A closing bracket without partner, or the end while a bracket is open.
     fn unbalanced(&self, token: Token) -> Problem {
+        if let Some(bar) = self.open.last().filter(|open| open.kind == TokenKind::Bar) {
+            return Box::new(
+                error(Code::Unbalanced, "'|' is never closed".to_owned(), bar.span())
+                    .reason("opened here")
+                    .hint("add the closing '|', or write abs(x)"),
+            );
+        }
         let Some((open, bracket)) = self.innermost() else {
             let text = self.quote(token.span());
             return Box::new(
