@@ -126,6 +126,9 @@ impl Reader<'_> {
             let rows = self.matrix_rows(inner.start + 1..inner.end - 1)?;
             return Ok(Kind::Matrix(rows, around));
         }
+        if around == Delimiter::Bar {
+            return self.enclosed(window, Enclosure::Abs);
+        }
         self.group(window)
     }
 
