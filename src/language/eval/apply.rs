@@ -34,6 +34,13 @@ impl Machine {
         if let Some(total) = self.total_of_list(callee, groups, whole)? {
             return Ok(total);
         }
+        // ∂_u (u^2 v)
+        if let [group] = groups
+            && let [body] = group.as_slice()
+            && let Some(derivative) = self.partial(&[callee.clone(), body.clone().grouped()], whole.span)
+        {
+            return self.eval(&derivative);
+        }
         match self.callee(callee)? {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {

@@ -52,6 +52,31 @@ impl Machine {
         Some(derivative(quotient, body, span))
     }
 
+    /// The derivative that a product stands for whose first factor is ∂_u.
+    pub(super) fn partial(&self, factors: &[Expr], span: Span) -> Option<Expr> {
+        let (operator, rest) = factors.split_first()?;
+        let variables = self.variables_of_partial(operator).filter(|_| !rest.is_empty())?;
+        let body = Some(Box::new(Expr::product(rest.to_vec())));
+        Some(Expr::new(Kind::Derivative { partial: true, variables, body }, span))
+    }
+
+    /// u of ∂_u, u and v of ∂_{uv}.
+    fn variables_of_partial(&self, operator: &Expr) -> Option<Vec<(Expr, Option<Expr>)>> {
+        let Kind::Subscript(sign, indices) = &operator.kind else { return None };
+        let is_sign = matches!(&sign.kind, Kind::Name(name) if name == "partial");
+        if !is_sign || self.lookup(&Symbol::new("partial")).is_some() {
+            return None;
+        }
+        let letters = indices.iter().flat_map(|index| match &index.kind {
+            Kind::Mul(letters) => letters.as_slice(),
+            _ => std::slice::from_ref(index),
+        });
+        let variable = |letter: &Expr| {
+            matches!(&letter.kind, Kind::Name(name) if is_one_letter(name)).then(|| (letter.clone(), None))
+        };
+        letters.map(variable).collect()
+    }
+
     /// The derivative that a quotient stands for: `dF/dt`, `d/dt(t^2)`.
     pub(super) fn differential_quotient(&self, above: &Expr, below: &Expr) -> Option<Expr> {
         let mut quotient = self.quotient_of(above, below)?;

@@ -19,7 +19,7 @@ use crate::language::ops::{arithmetic, lists};
 use crate::language::value::{Claim, Value};
 use crate::math::linalg::determinant;
 use crate::math::number::exact_root;
-use crate::math::poly::Symbol;
+use crate::math::poly::{Fraction, Symbol};
 
 impl Machine {
     pub(super) fn eval_kind(&mut self, expr: &Expr) -> Evaluated {
@@ -222,6 +222,11 @@ impl Machine {
                     wrong_kind("a number, symbol or point under the hat", &other).at(body.span)
                 })
             }
+            // What is differentiated has to be known, as under F'.
+            Accent::Dot | Accent::Ddot if self.reading.is_none() => {
+                let order = if accent == Accent::Dot { 1 } else { 2 };
+                self.eval(&Expr::new(Kind::Prime(Box::new(body.clone()), order), whole.span))
+            }
             Accent::Dot => {
                 let value = self.eval(body)?;
                 self.derivative_of(&value, 1, body.span)
@@ -288,6 +293,13 @@ impl Machine {
             return determinant(matrix).map(Value::Scalar).map_err(linalg_error).at(body.span);
         }
         // ‖(3, 4)‖; of a vector |…| means the same.
+        let column = |matrix: &DMatrix<Fraction>| matrix.ncols() == 1 || matrix.nrows() == 1;
+        let value = match value {
+            Value::Matrix(matrix) if enclosure == Enclosure::Norm && column(&matrix) => {
+                Value::List(matrix.iter().cloned().map(Value::Scalar).collect())
+            }
+            value => value,
+        };
         if let (Enclosure::Norm | Enclosure::Abs, Value::List(items)) = (enclosure, &value) {
             let square = arithmetic::row_times_column(items, items).at(body.span)?;
             return match square.as_rational().map(|square| exact_root(&square, 2)) {

@@ -22,7 +22,7 @@ impl Machine {
     /// A product. A function in parentheses, or a power of one, is applied to the parenthesis
     /// that follows it: (F + G)(t), F^2(t).
     pub(crate) fn eval_product(&mut self, factors: &[Expr], span: Span) -> Evaluated {
-        if let Some(derivative) = self.differential(factors, span) {
+        if let Some(derivative) = self.differential(factors, span).or_else(|| self.partial(factors, span)) {
             return self.eval(&derivative);
         }
         let mut product: Option<Value> = None;
