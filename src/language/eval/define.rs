@@ -19,12 +19,46 @@ enum Target {
 }
 
 impl Machine {
+    /// Whether F(0) = … or, after it, F(n) = … is a case of a function that has none for this yet.
+    fn is_case(&mut self, callee: &Expr, arguments: &[&Expr]) -> bool {
+        let Some(name) = name_of(callee, self).filter(Symbol::is_plain) else { return false };
+        let number = |argument: &&Expr| match &argument.kind {
+            Kind::Number(q) => Some(Parameter::Exactly(q.clone())),
+            _ => None,
+        };
+        let numbers: Option<Vec<Parameter>> = arguments.iter().map(number).collect();
+        match self.lookup(&name).cloned() {
+            None => {
+                let letter = name.base();
+                let is_function =
+                    letter.starts_with(char::is_uppercase) || roles::FUNCTIONS.contains(&letter);
+                numbers.is_some() && !arguments.is_empty() && is_function && !self.is_standard(callee)
+            }
+            Some(Value::Function(function)) => {
+                let exact = |clause: &Clause| {
+                    clause.parameters.len() == arguments.len()
+                        && clause.parameters.iter().all(|p| matches!(p, Parameter::Exactly(_)))
+                };
+                let named = arguments.iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
+                let fresh = match numbers {
+                    Some(numbers) => function.clauses.iter().all(|clause| clause.parameters != numbers),
+                    None => named,
+                };
+                fresh && !function.clauses.is_empty() && function.clauses.iter().all(exact)
+            }
+            Some(_) => false,
+        }
+    }
+
     /// Whether `left = right` introduces `left`: an unbound name, alone or applied to distinct
     /// names, that does not occur on the right.
     pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
         let head = match &left.kind {
             Kind::Apply(callee, groups) => {
                 let items: Vec<&Expr> = groups.iter().flatten().collect();
+                if self.is_case(callee, &items) {
+                    return true;
+                }
                 let names: Option<Vec<Symbol>> = items.iter().map(|item| name_of(item, self)).collect();
                 let Some(names) = names else { return false };
                 let distinct = names.iter().enumerate().all(|(i, name)| !names[..i].contains(name));

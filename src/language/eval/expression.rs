@@ -67,6 +67,10 @@ impl Machine {
                     .at(span)
                     .hint("an empty list is written [ ]"))
             }
+            // [1..5] is the list of these numbers, as 1..5 is.
+            Kind::List(items) if matches!(items.as_slice(), [Expr { kind: Kind::Range(..), .. }]) => {
+                self.eval(&items[0])
+            }
             Kind::Tuple(items) | Kind::List(items) | Kind::Sequence(items) => {
                 self.expand_items(items).and_then(|values| lists::together(values).at(span))
             }

@@ -80,6 +80,10 @@ impl Machine {
             rest.next();
             return Ok(result);
         }
+        if let Some(called) = self.called_after_blank(&value, factor, rest.peek().copied())? {
+            rest.next();
+            return Ok(called);
+        }
         if let (Kind::Group(_), Some(Expr { kind: Kind::Group(inside), span })) = (&factor.kind, rest.peek())
             && matches!(inside.kind, Kind::Number(_))
             && touches(factor, *span)
@@ -94,6 +98,35 @@ impl Machine {
             return Ok(result);
         }
         Ok(value)
+    }
+
+    /// `f (3)` for a function or curve f: a value, and a note says so.
+    fn called_after_blank(
+        &mut self,
+        value: &Value,
+        factor: &Expr,
+        next: Option<&Expr>,
+    ) -> Result<Option<Value>, Diagnostic> {
+        let named = matches!(factor.kind, Kind::Name(_) | Kind::Subscript(..));
+        let callable = match value {
+            Value::Function(_) | Value::Polar(_) => true,
+            Value::Geometry(geometry) => !geometry.is_surface(),
+            _ => false,
+        };
+        let Some(next) = next.filter(|_| named && callable && self.reading.is_none()) else {
+            return Ok(None);
+        };
+        let arguments = match &next.kind {
+            Kind::Group(inside) => vec![inside.as_ref().clone()],
+            Kind::Tuple(items) => items.clone(),
+            _ => return Ok(None),
+        };
+        let whole =
+            Expr::new(Kind::Apply(Box::new(factor.clone()), vec![arguments]), factor.span.to(next.span));
+        let shown = super::super::write::text(factor);
+        let note = Diagnostic::note(Code::Called, format!("{shown} is called, although a blank follows it"));
+        self.note(note.at(whole.span).hint(format!("write {shown} * (...) for the product")));
+        self.eval(&whole).map(Some)
     }
 
     /// The divided difference `[x_0, x_1] f` of a function f.

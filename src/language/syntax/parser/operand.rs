@@ -118,6 +118,7 @@ impl Parser<'_> {
 
     pub(super) fn numeral(&mut self) -> Parsed<Node> {
         let token = self.bump();
+        self.is_decimal(token)?;
         let value = self.number(token)?;
         self.node(Kind::Number(value), token.span(), 0)
     }

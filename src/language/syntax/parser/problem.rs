@@ -346,6 +346,21 @@ impl Parser<'_> {
         )
     }
 
+    /// Refuses 0x10, which would be 0 times x10.
+    pub(super) fn is_decimal(&self, token: Token) -> Result<(), Problem> {
+        let rest = &self.text[token.span().end..];
+        let digits = rest.strip_prefix(['x', 'X', 'b', 'B', 'o', 'O']).filter(|_| self.text_of(token) == "0");
+        match digits.filter(|digits| digits.starts_with(|c: char| c.is_ascii_digit())) {
+            None => Ok(()),
+            Some(_) => Err(Box::new(
+                error(Code::BadNumber, "numbers are decimal here".to_owned(), token.span())
+                    .reason("another base, or a product with 0?")
+                    .hint("write 16 for the number 0x10")
+                    .hint("write 0*x10 for the product"),
+            )),
+        }
+    }
+
     pub(super) fn bad_number(&self, token: Token) -> Problem {
         let text = self.text_of(token);
         let quoted = self.quote(token.span());
