@@ -175,6 +175,14 @@ impl Machine {
             return Err(not_a_function(&scalar).at(callee.span));
         };
         let [factor] = group.as_slice() else {
+            // t^2 (0, 1), (1 - t)(1, 1): a number times a point
+            let parameter = name_of(callee, self).is_some_and(|name| roles::is_parameter(name.base()));
+            let formula = matches!(scalar, Value::Scalar(_))
+                && (parameter || matches!(callee.kind, Kind::Group(_) | Kind::Pow(..) | Kind::Apply(..)));
+            if formula && self.reading.is_none() {
+                let point = self.expand_items(group)?;
+                return arithmetic::multiply(scalar, Value::List(point)).at(span);
+            }
             return Err(not_a_function(&scalar).at(callee.span));
         };
         if matches!(scalar, Value::List(_)) && self.reading.is_none() {

@@ -6,9 +6,9 @@ use super::names::name_of;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::ops::calculus;
 use crate::language::ops::errors::{division_by_zero, unsupported, wrong_kind};
 use crate::language::ops::formula::{symbol_of, variable_of};
-use crate::language::ops::{calculus, function};
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -125,7 +125,7 @@ impl Machine {
                 .hint(format!("define it first: {symbol}(t) := ...")));
         }
         if let Value::Function(function) = &value
-            && let Some(partial) = function::partial(function, &orders)
+            && let Some(partial) = self.partial_of(function, &orders)
         {
             return Ok(partial);
         }

@@ -6,7 +6,7 @@ use super::machine::{Evaluated, Machine};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::ops::function::formula_function;
+use crate::language::ops::function::{formula_function, function_of};
 use crate::language::value::{Clause, Function, Parameter, Shape, Value};
 use crate::math::poly::Symbol;
 
@@ -43,7 +43,9 @@ impl Machine {
     pub(super) fn in_coordinates(&mut self, value: Value) -> Value {
         let Value::Function(function) = &value else { return value };
         let [Clause { parameters, formula: None, .. }] = function.clauses.as_slice() else { return value };
-        let [Parameter::Name(parameter)] = parameters.as_slice() else { return value };
+        let [Parameter::Name(parameter)] = parameters.as_slice() else {
+            return self.coordinates_of(&function.clone()).map_or(value, Value::List);
+        };
         let (parameter, before) = (parameter.clone(), self.notes.len());
         let point =
             self.call(function, vec![(Value::symbol(parameter.clone()), Span::default())], Span::default());
@@ -54,6 +56,27 @@ impl Machine {
             _ => None,
         };
         items.into_iter().map(coordinate).collect::<Option<_>>().map_or(value, Value::List)
+    }
+
+    /// The coordinates, as functions of the same variables, of a function of several variables whose values are
+    /// points: r(u, v) := (u, v, u v).
+    pub(super) fn coordinates_of(&mut self, function: &Function) -> Option<Vec<Value>> {
+        let [Clause { parameters, formula: None, .. }] = function.clauses.as_slice() else { return None };
+        let name = |parameter: &Parameter| match parameter {
+            Parameter::Name(name) => Some(name.clone()),
+            Parameter::Exactly(_) => None,
+        };
+        let names: Vec<Symbol> = parameters.iter().map(name).collect::<Option<_>>()?;
+        let notes = self.notes.len();
+        let symbols = names.iter().map(|name| (Value::symbol(name.clone()), Span::default())).collect();
+        let point = self.call(&Arc::new(function.clone()), symbols, Span::default());
+        self.notes.truncate(notes);
+        let Ok(Value::List(items)) = point else { return None };
+        let coordinate = |item: Value| match item {
+            Value::Scalar(formula) => Some(function_of(names.clone(), formula)),
+            _ => None,
+        };
+        items.into_iter().map(coordinate).collect()
     }
 
     /// A clause with the value of its body, if that exists for symbolic parameters. Unknown words in

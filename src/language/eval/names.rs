@@ -249,7 +249,20 @@ impl Machine {
         }
         let names: Option<Vec<(Symbol, usize)>> =
             names.iter().map(|name| name_of(name, self).map(|name| (name, 1))).collect();
-        function::partial(function, &names?)
+        self.partial_of(function, &names?)
+    }
+
+    /// The partial derivative of a function of several variables, also of one whose values are points.
+    pub(super) fn partial_of(&mut self, function: &Function, orders: &[(Symbol, usize)]) -> Option<Value> {
+        if let Some(partial) = function::partial(function, orders) {
+            return Some(partial);
+        }
+        let coordinates = self.coordinates_of(function)?;
+        let partials = coordinates.iter().map(|coordinate| match coordinate {
+            Value::Function(coordinate) => function::partial(coordinate, orders),
+            _ => None,
+        });
+        partials.collect::<Option<Vec<_>>>().map(Value::List)
     }
 
     /// The error for a word without meaning, with the nearest known one.

@@ -64,7 +64,8 @@ pub(crate) fn formula_function(variable: Symbol, formula: Fraction) -> Value {
     function_of(vec![variable], formula)
 }
 
-fn function_of(variables: Vec<Symbol>, formula: Fraction) -> Value {
+/// The function (variables) ↦ formula.
+pub(crate) fn function_of(variables: Vec<Symbol>, formula: Fraction) -> Value {
     Value::Function(Arc::new(Function {
         name: None,
         shape: Shape::plain(variables.len()),

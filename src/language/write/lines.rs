@@ -236,7 +236,7 @@ fn places(latex: &str) -> Vec<Place> {
                 match name {
                     "\\left" | "\\begin" => braces += 1,
                     "\\right" | "\\end" => braces = braces.saturating_sub(1),
-                    _ if braces == 0 && RELATIONS.contains(&name) => {
+                    _ if braces == 0 && depth == 0 && RELATIONS.contains(&name) => {
                         places.push(Place { at, kind: Sign::Relation, depth });
                     }
                     _ => {}
@@ -260,7 +260,7 @@ fn places(latex: &str) -> Vec<Place> {
                 let next = &rest[1..];
                 if next.starts_with("+ ") || next.starts_with("- ") {
                     places.push(Place { at, kind: Sign::Plus, depth });
-                } else if !next.starts_with('\\') && begins_with_relation(next) {
+                } else if depth == 0 && !next.starts_with('\\') && begins_with_relation(next) {
                     places.push(Place { at, kind: Sign::Relation, depth });
                 }
             }
