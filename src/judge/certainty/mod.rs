@@ -303,11 +303,18 @@ impl Suspect<'_> {
 
     /// A name on one side only, of which nothing is said: what it is may make the relation true.
     fn name_on_one_side(&self) -> Option<String> {
+        let sides = [&self.failure.left, &self.failure.right].map(compare::symbols);
+        // The tangent \dot x_i may be given by the other side.
+        let of_one = |symbol: &&Symbol| sides[0].contains(symbol) != sides[1].contains(symbol);
+        let mut dotted = sides.iter().flatten().filter(|symbol| symbol.accent() == "dot");
+        if let Some(symbol) = dotted.find(of_one) {
+            return Some(format!("what {symbol} is is not said"));
+        }
         // The points of a curve that the words speak of may be what is missing.
         if self.tally.determined > 0 || self.statement.curve().is_some() {
             return None;
         }
-        let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+        let [left, right] = sides;
         let place = &self.statement.place;
         let plain =
             |name: &str| left.iter().chain(&right).all(|symbol| symbol.base() != name || symbol.is_plain());

@@ -34,9 +34,12 @@ impl Reader<'_> {
                 let span = self.bump();
                 return self.numeral(span);
             }
-            Tok::Letter(letter) => Kind::Name(letter.to_string()),
-            Tok::Symbol(name) => {
-                let kind = Kind::Name(name.to_owned());
+            Tok::Letter(_) | Tok::Symbol(_) => {
+                let kind = Kind::Name(match self.tokens[at].kind {
+                    Tok::Symbol(name) => name.to_owned(),
+                    Tok::Letter(letter) => letter.to_string(),
+                    _ => return self.stuck(),
+                });
                 match self.text_at(at).chars().next().and_then(characters::accent) {
                     Some(accent) => Kind::Accent(accent, Box::new(Expr::new(kind, self.span_at(at)))),
                     None => kind,

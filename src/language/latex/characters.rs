@@ -23,7 +23,7 @@ pub(super) fn character(c: char) -> Option<Character> {
         return Some(Character::Raised(upper));
     }
     let kind = match c {
-        '’' | '′' => return Some(Character::Prime(1)),
+        '’' | '′' | '´' => return Some(Character::Prime(1)),
         '″' => return Some(Character::Prime(2)),
         '‴' => return Some(Character::Prime(3)),
         '−' | '–' | '－' => Tok::Minus,
@@ -79,14 +79,22 @@ pub(super) fn character(c: char) -> Option<Character> {
         '∀' => Tok::Command(Role::ForAll),
         '√' => Tok::Command(Role::Root),
         '\u{200b}' | '\u{2061}' | '\u{2062}' | '\u{feff}' => Tok::Skip,
-        _ => Tok::Symbol(letters::of_blackboard(c)?),
+        _ => match (letters::of_blackboard(c), letters::of_mathematical(c)) {
+            (Some(symbol), _) => Tok::Symbol(symbol),
+            (None, Some((plain, _))) if plain.is_ascii() => Tok::Letter(plain),
+            (None, Some((plain, _))) => Tok::Symbol(letters::name(plain)?),
+            (None, None) => return None,
+        },
     };
     Some(Character::Token(kind))
 }
 
 /// The accent of letters that have one in Unicode.
 pub(super) fn accent(c: char) -> Option<Accent> {
-    letters::of_blackboard(c).map(|_| Accent::Blackboard)
+    match letters::of_blackboard(c) {
+        Some(_) => Some(Accent::Blackboard),
+        None => letters::of_mathematical(c).filter(|(_, bold)| *bold).map(|_| Accent::Bold),
+    }
 }
 
 /// Whether a character belongs to words of a language, not to formulas.

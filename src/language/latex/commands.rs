@@ -68,6 +68,8 @@ pub(super) enum Role {
     DroppedFirst,
     Space,
     Gap,
+    /// A sign that is read as a word.
+    Word,
     RowBreak,
     Begin,
     End,
@@ -137,7 +139,9 @@ impl Command {
             | Role::Circ
             | Role::Binary(_)
             | Role::Ellipsis => "operations and dots",
-            Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text => "accents, fonts and words",
+            Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text | Role::Word => {
+                "accents, fonts and words"
+            }
             Role::Fraction | Role::Binomial | Role::Root | Role::Infix(_) => "fractions and roots",
             Role::Brace | Role::Lines | Role::Plain(_) => "braces, lines and matrices",
             Role::Open(_)
@@ -328,6 +332,8 @@ const OTHERS: &[Command] = table! {
     "Rightarrow" "⇒" Role::Relation(Rel::Implies);
     "Longrightarrow" "⇒" Role::Relation(Rel::Implies);
     "implies" "⇒" Role::Relation(Rel::Implies);
+    "therefore" "∴" Role::Word;
+    "because" "∵" Role::Word;
     "Leftrightarrow" "⇔" Role::Relation(Rel::Iff);
     "Longleftrightarrow" "⇔" Role::Relation(Rel::Iff);
     "iff" "⇔" Role::Relation(Rel::Iff);

@@ -5,14 +5,13 @@
 //! Spaces, comments, sizes and labels are gone after this stage.
 
 use super::characters::{Character, character, is_letter_in_braces, is_word};
-use super::commands::{self, BARE_WORDS, CONNECTIVES, Role};
+use super::commands::{self, Role};
 use super::environments;
 use super::token::{Env, Fence, Tok, Token};
 use super::{Word, Words};
 use crate::formula::source::Span;
 use crate::formula::{Accent, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::lexicon::letters::is_ideograph;
 
 /// A numeral with more digits is refused.
 pub(super) const MAX_DIGITS: usize = 20_000;
@@ -39,8 +38,8 @@ pub(super) fn lex(text: &str, range: Span, words: Words) -> (Vec<Token>, Vec<Dia
 }
 
 pub(super) struct Lexer<'t> {
-    text: &'t str,
-    words: Words<'t>,
+    pub(super) text: &'t str,
+    pub(super) words: Words<'t>,
     pub(super) at: usize,
     end: usize,
     pub(super) tokens: Vec<Token>,
@@ -75,7 +74,7 @@ impl Lexer<'_> {
         self.push_from(self.at, kind, self.at + length);
     }
 
-    fn push_from(&mut self, start: usize, kind: Tok, end: usize) {
+    pub(super) fn push_from(&mut self, start: usize, kind: Tok, end: usize) {
         self.tokens.push(Token::new(kind, start, end));
         self.at = end;
     }
@@ -108,6 +107,12 @@ impl Lexer<'_> {
             }
             '|' if self.starts_with("||") => self.push(Tok::DoubleBar, 2),
             ':' if self.colon_equals() > 0 => self.push(Tok::Rel(Rel::Define), self.colon_equals()),
+            // a =: b defines b
+            '=' if self.starts_with("=:") => self.push(Tok::Rel(Rel::Eq), 2),
+            // f"(x)
+            '"' if matches!(self.last(), Some(Tok::Letter(_) | Tok::Symbol(_))) => {
+                self.push(Tok::Prime(2), 1)
+            }
             '<' if self.starts_with("<=") => self.push(Tok::Rel(Rel::Le), 2),
             '>' if self.starts_with(">=") => self.push(Tok::Rel(Rel::Ge), 2),
             '-' if self.starts_with("->") => self.push(Tok::Rel(Rel::To), 2),
@@ -116,17 +121,6 @@ impl Lexer<'_> {
                 None => self.other(c),
             },
         }
-    }
-
-    /// Whether the word of `run` bytes here belongs to a name: `Bézier(n, t)`, `é(t)`. Ideographs stand beside names.
-    fn is_in_name(&self, run: usize) -> bool {
-        let word = &self.rest()[..run];
-        let letter = |c: char| c.is_ascii_alphabetic();
-        let before = self.text[..self.at].ends_with(letter);
-        let after =
-            self.rest()[run..].starts_with(|c: char| letter(c) || matches!(c, '(' | '_' | '^' | '\''));
-        word.chars().all(|c| c.is_alphabetic() && !is_ideograph(c))
-            && (before || after || word.chars().count() == 1)
     }
 
     /// Length of `:=` here, also with spaces between; 0 if there is none.
@@ -165,71 +159,12 @@ impl Lexer<'_> {
         }
     }
 
-    fn letters(&mut self) {
-        let length = self.run(|byte| byte.is_ascii_alphabetic());
-        let word = &self.rest()[..length];
-        let (start, end) = (self.at, self.at + length);
-        let content = (start as u32, end as u32);
-        if BARE_WORDS.contains(&word) {
-            return self.push(Tok::Word(content.0, content.1), length);
-        }
-        if CONNECTIVES.contains(&word) && (length > 2 || self.stands_alone(length)) {
-            return self.push(Tok::Text(content.0, content.1), length);
-        }
-        // A name of several words such as polar_sum.
-        let longest = self.run(|byte| byte.is_ascii_alphabetic() || byte == b'_');
-        if longest > length
-            && let Word::Name = self.meaning(longest)
-        {
-            return self.push(Tok::Word(content.0, (start + longest) as u32), longest);
-        }
-        if length > 1 {
-            match self.meaning(length) {
-                Word::Name => return self.push(Tok::Word(content.0, content.1), length),
-                Word::Letters => {}
-                // x_{max}
-                Word::Refused(_) if self.is_whole_index(length) => {
-                    return self.push(Tok::Text(content.0, content.1), length);
-                }
-                Word::Refused(problem) => return self.bad(start, end, *problem),
-            }
-        }
-        for (offset, letter) in word.to_owned().char_indices() {
-            self.push_from(start + offset, Tok::Letter(letter), start + offset + 1);
-        }
-    }
-
-    /// Whether the word of `length` bytes here is all of an index.
-    fn is_whole_index(&self, length: usize) -> bool {
-        let mut before = self.tokens.iter().rev().map(|token| token.kind);
-        before.next() == Some(Tok::OpenBrace)
-            && before.next() == Some(Tok::Sub)
-            && self.rest()[length..].trim_start().starts_with('}')
-    }
-
-    /// What the letters here are.
-    fn meaning(&self, length: usize) -> Word {
-        let (word, tail) = self.rest().split_at(length);
-        let tail = tail.strip_prefix("\\left").unwrap_or(tail);
-        (self.words)(word, tail.starts_with('('))
-    }
-
-    /// Whether a short word here (`if`, `or`, `by`) is set off from the formula, so that it is
-    /// not a product of letters.
-    fn stands_alone(&self, length: usize) -> bool {
-        let tail = &self.rest()[length..];
-        let spaced = self.text[..self.at].ends_with([' ', '\t']) && tail.starts_with([' ', '\t']);
-        let begins = matches!(
-            self.last(),
-            None | Some(Tok::Comma | Tok::Gap | Tok::Align | Tok::RowBreak | Tok::Skip | Tok::Begin(_))
-        );
-        let after = tail.trim_start_matches([' ', '\t', '\\', '~']);
-        (spaced || begins) && !after.starts_with(['(', '^', '_', '=', '+', '-', '<', '>', ',', '}', '\''])
-    }
-
     fn other(&mut self, c: char) {
         let length = c.len_utf8();
         match character(c) {
+            Some(Character::Token(Tok::Rel(Rel::Implies | Rel::Iff))) if self.begins_formula() => {
+                self.push(Tok::Text(self.at as u32, (self.at + length) as u32), length);
+            }
             Some(Character::Token(kind)) => self.push(kind, length),
             Some(Character::Prime(count)) => self.push(Tok::Prime(count), length),
             Some(Character::Raised(upper)) => {
@@ -266,6 +201,11 @@ impl Lexer<'_> {
                 self.bad(self.at, self.at + length, problem);
             }
         }
+    }
+
+    /// Whether a formula begins here: an arrow before it is a word, "thus".
+    fn begins_formula(&self) -> bool {
+        matches!(self.last(), None | Some(Tok::Begin(_)))
     }
 
     fn command(&mut self) {
@@ -312,6 +252,10 @@ impl Lexer<'_> {
         match role {
             Role::Symbol(symbol) => self.push_from(start, Tok::Symbol(symbol), end),
             Role::Prime => self.push_from(start, Tok::Prime(1), end),
+            Role::Relation(Rel::Implies | Rel::Iff) if self.begins_formula() => {
+                self.push_from(start, Tok::Text(start as u32 + 1, end as u32), end);
+            }
+            Role::Word => self.push_from(start, Tok::Text(start as u32 + 1, end as u32), end),
             Role::Relation(rel) => self.push_from(start, Tok::Rel(rel), end),
             Role::Dot => self.push_from(start, Tok::Dot, end),
             Role::Star => self.push_from(start, Tok::Star, end),
@@ -358,7 +302,16 @@ impl Lexer<'_> {
             }
             Role::Text => {
                 if let Some(content) = self.raw_argument(start, name) {
-                    self.push_from(start, Tok::Text(content.start as u32, content.end as u32), self.at);
+                    let word = &self.text[content.range()];
+                    // \text{err}_i is a name, not a word beside one.
+                    let named = word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic());
+                    let (from, to) = (content.start as u32, content.end as u32);
+                    let kind = if named && self.starts_with("_") {
+                        Tok::Word(from, to)
+                    } else {
+                        Tok::Text(from, to)
+                    };
+                    self.push_from(start, kind, self.at);
                 }
             }
             Role::Upright => self.upright(start, name),

@@ -30,6 +30,7 @@ mod postfix;
 mod reader;
 mod rows;
 mod sequences;
+mod spelling;
 mod tables;
 mod terms;
 mod token;

@@ -397,14 +397,34 @@ impl Reader<'_> {
 
     /// What stands after `_`: indices with commas between.
     pub fn subscript(&mut self) -> Result<Vec<Expr>> {
+        self.peek();
+        if let Some(sign) = self.sign_in(self.pos..self.pos + 1) {
+            self.bump();
+            return Ok(vec![sign]);
+        }
         if self.peek() != Some(Tok::OpenBrace) {
             self.is_one_digit("an index", '_')?;
             return Ok(vec![self.argument()?]);
         }
         let window = self.inside(self.pos)?;
+        // \mathbb{R}_{+}
+        if let Some(sign) = self.sign_in(self.trim(window.clone())) {
+            self.pos = window.end + 1;
+            return Ok(vec![sign]);
+        }
         let indices = self.indices_in(window.clone())?;
         self.pos = window.end + 1;
         Ok(indices)
+    }
+
+    /// A lone sign as an index: the + of the positive numbers, the − of the value on the left.
+    fn sign_in(&self, window: Window) -> Option<Expr> {
+        let name = match self.tokens.get(window.start).filter(|_| window.len() == 1)?.kind {
+            Tok::Plus => "plus",
+            Tok::Minus => "minus",
+            _ => return None,
+        };
+        Some(Expr::new(Kind::Name(name.to_owned()), self.span_of(window)))
     }
 
     fn indices_in(&mut self, window: Window) -> Result<Vec<Expr>> {
@@ -493,6 +513,11 @@ impl Reader<'_> {
         }
         // f^{(k)}, and the step of a scheme: c^{[0]}
         if self.is_bracket(window.clone()) {
+            let inner = self.trim(window.start + 1..window.end - 1);
+            // x^{(+)}
+            if let Some(sign) = self.sign_in(inner) {
+                return Ok(Raise::Upper(vec![sign]));
+            }
             let round = self.tokens[window.start].kind == Tok::Open(Fence::Paren);
             let span = self.span_of(window.clone());
             let mut list = self.list_in(window.start + 1..window.end - 1)?;

@@ -82,7 +82,13 @@ impl Reader<'_> {
             return self.display(window, false);
         }
         let mut cases = Vec::new();
-        for cells in self.cells(window) {
+        let mut rows = self.cells(window);
+        // In `& 1 && \text{if } …` nothing stands before the first sign.
+        let blank_first = |row: &Vec<Window>| row.len() > 1 && self.is_blank(row[0].clone());
+        if rows.iter().all(blank_first) {
+            rows.iter_mut().for_each(|row| drop(row.remove(0)));
+        }
+        for cells in rows {
             let (Some(first), Some(last)) = (cells.first().cloned(), cells.last().cloned()) else { continue };
             let (value, condition) = if cells.len() > 1 {
                 (first.clone(), first.end + 1..last.end)

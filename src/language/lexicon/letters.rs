@@ -133,6 +133,57 @@ fn double_struck(letter: char) -> Option<char> {
     }
 }
 
+/// The plain letter of a mathematical one, and whether that is bold: 𝑡 is t, 𝒅 a bold d, 𝛼 is α. Double-struck ones
+/// are those of [`of_blackboard`].
+///
+/// ```
+/// use polarform::language::lexicon::letters::of_mathematical;
+/// assert_eq!(of_mathematical('𝑡'), Some(('t', false)));
+/// assert_eq!(of_mathematical('𝐁'), Some(('B', true)));
+/// assert_eq!(of_mathematical('𝛼'), Some(('α', false)));
+/// assert_eq!(of_mathematical('t'), None);
+/// ```
+pub fn of_mathematical(sign: char) -> Option<(char, bool)> {
+    const LATIN_BLOCK: (u32, u32) = (0x1d400, 0x1d6a4);
+    const GREEK_BLOCK: (u32, u32) = (0x1d6a8, 0x1d7cb);
+    /// Letters of the block that stand elsewhere.
+    const ELSEWHERE: [(char, char); 9] = [
+        ('ℎ', 'h'),
+        ('ℬ', 'B'),
+        ('ℰ', 'E'),
+        ('ℱ', 'F'),
+        ('ℋ', 'H'),
+        ('ℐ', 'I'),
+        ('ℒ', 'L'),
+        ('ℳ', 'M'),
+        ('ℛ', 'R'),
+    ];
+    if let Some(&(_, plain)) = ELSEWHERE.iter().find(|(own, _)| *own == sign) {
+        return Some((plain, false));
+    }
+    let code = sign as u32;
+    if (LATIN_BLOCK.0..LATIN_BLOCK.1).contains(&code) {
+        let (style, at) = ((code - LATIN_BLOCK.0) / 52, (code - LATIN_BLOCK.0) % 52);
+        let first = if at < 26 { u32::from(b'A') } else { u32::from(b'a') - 26 };
+        return Some((char::from_u32(first + at)?, matches!(style, 0 | 2 | 4 | 7 | 9 | 11)));
+    }
+    if (GREEK_BLOCK.0..GREEK_BLOCK.1).contains(&code) {
+        let (style, at) = ((code - GREEK_BLOCK.0) / 58, (code - GREEK_BLOCK.0) % 58);
+        let plain = match at {
+            0..=24 if at != 17 => char::from_u32('Α' as u32 + at)?,
+            26..=50 => char::from_u32('α' as u32 + at - 26)?,
+            52 => 'ϵ',
+            53 => 'ϑ',
+            55 => 'ϕ',
+            56 => 'ϱ',
+            57 => 'ϖ',
+            _ => return None,
+        };
+        return Some((plain, matches!(style, 0 | 2 | 3 | 4)));
+    }
+    None
+}
+
 /// A character of Chinese, Japanese or Korean.
 pub fn is_ideograph(c: char) -> bool {
     matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}' | '\u{f900}'..='\u{faff}')

@@ -154,11 +154,46 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
             found.sort_by_key(|fix| fix.span.start);
             let apart = found.windows(2).all(|pair| pair[0].span.end <= pair[1].span.start);
             if apart && is_right(&found) {
-                return found;
+                let small: Vec<Fix> = found.iter().map(|fix| trimmed(source, fix)).collect();
+                return if is_right(&small) { small } else { found };
             }
         }
     }
     if plain { Vec::new() } else { whole(suggestion.to_owned()) }
+}
+
+/// The fix without the signs that its text and what it replaces have in common at both ends, whatever the spaces
+/// between them: of `2b_1 - b_0` and `2 b_1 + b_0` only the sign is left.
+fn trimmed(source: &str, fix: &Fix) -> Fix {
+    let old = &source[fix.span.range()];
+    let (before, after) = (signs(old), signs(&fix.text));
+    let text = |signs: &[Span], all: &str, at: usize| signs.get(at).map(|sign| all[sign.range()].to_owned());
+    let same = |i: usize, j: usize| text(&before, old, i) == text(&after, &fix.text, j);
+    let most = before.len().min(after.len());
+    let head = (0..most).take_while(|&at| same(at, at)).count();
+    let tail = (0..most - head).take_while(|&at| same(before.len() - 1 - at, after.len() - 1 - at)).count();
+    let middle = |signs: &[Span], len: usize| {
+        let start = if head == 0 { 0 } else { signs[head - 1].end };
+        let end = if tail == 0 { len } else { signs[signs.len() - tail].start };
+        Span::new(start, end)
+    };
+    let (gone, new) = (middle(&before, old.len()), middle(&after, fix.text.len()));
+    Fix { span: gone.shifted(fix.span.start), text: fix.text[new.range()].to_owned() }
+}
+
+/// The commands and other signs of a formula, without the spaces.
+fn signs(text: &str) -> Vec<Span> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(c) = text[at..].chars().next() {
+        let letters = text[at + c.len_utf8()..].bytes().take_while(u8::is_ascii_alphabetic).count();
+        let len = c.len_utf8() + if c == '\\' { letters } else { 0 };
+        if !c.is_whitespace() {
+            found.push(Span::new(at, at + len));
+        }
+        at += len;
+    }
+    found
 }
 
 /// Deeper trees are not compared to their leaves.
@@ -239,6 +274,9 @@ mod tests {
             (r"x &= \tfrac{1}{2}  y", r"x = \frac{1}{3} y", r"x &= \tfrac{1}{3}  y"),
             (r"b_0\,+b_1 = b_2", r"b_0 + b_1 = b_{12}", r"b_0\,+b_1 = b_{12}"),
             (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
+            (r"d = b_2 -  2b_1 - b_0", r"d = b_2 - 2 b_1 + b_0", r"d = b_2 -  2b_1 + b_0"),
+            (r"c = a^2 + ab+b^2", r"c = a^2 + 2 a b + b^2", r"c = a^2 + 2 ab+b^2"),
+            (r"c = a\alpha + b", r"c = a\beta + b", r"c = a\beta + b"),
         ] {
             let read = |text: &str| latex::read(&without_columns(text)).unwrap();
             let fixed = after(source, suggestion);

@@ -55,6 +55,10 @@ fn unicode() {
         ("∑ᵢ aᵢ", "(sum (i) _ (_ a i))"),
         ("F∘G ≠ G∘F", "((o F G) ≠ (o G F))"),
         ("∀x∈U", "(all ((x ∈ U)) _)"),
+        ("𝑡² + 𝛼", "(+ (^ t 2) alpha)"),
+        ("𝐛 + 𝒅ᵢ", "(+ (bold b) (_ (bold d) i))"),
+        ("F´(t)", "((' F): t)"),
+        ("F\"(t)", "(('' F): t)"),
         ("√2", "(sqrt: 2)"),
         ("√(x+1)", "(sqrt: [(+ x 1)])"),
         ("a − b", "(+ a (- b))"),
@@ -477,5 +481,43 @@ fn layout_is_ignored() {
         (r"{ { a } } _ { 1 }", "(_ a 1)"),
         ("a &= b", "(a = b)"),
         (r"a = b,\\", "(a = b)"),
+    ]);
+}
+
+#[test]
+fn signs_below() {
+    check(&[
+        (r"x \in \mathbb{R}_+", "(x ∈ (_ (bb R) plus))"),
+        (r"\mathbb{H}_{-}", "(_ (bb H) minus)"),
+        (r"\text{err}_{i+1}", "(_ err (+ i 1))"),
+        (r"\tilde{x^{(+)}} + x_i^{(-)}", "(+ (tilde (upper x plus)) (upper (_ x i) minus))"),
+        (r"c =: d", "(c = d)"),
+    ]);
+}
+
+#[test]
+fn arrows_and_signs_before_formulas_are_words() {
+    for text in [r"\therefore a = b", r"\because a = b", r"\Rightarrow a = b", r"⇒ a = b"] {
+        let read = sexpr(&read(text).unwrap());
+        assert!(read.contains("(a = b)"), "{text}: {read}");
+    }
+}
+
+#[test]
+fn cases_with_nothing_in_the_first_column() {
+    let columns = r"\begin{cases} &1\quad (0\le t< 1)\\ &0\quad (\text{otherwise}) \end{cases}";
+    let usual = r"\begin{cases} 1 & (0\le t< 1)\\ 0 & (\text{otherwise}) \end{cases}";
+    assert_eq!(sexpr(&read(columns).unwrap()), sexpr(&read(usual).unwrap()));
+}
+
+#[test]
+fn exponents_in_brackets() {
+    check(&[
+        ("(1-t)^{(n-i)}", "(^ [(+ 1 (- t))] [(+ n (- i))])"),
+        ("(1-t)⁽ⁿ⁻ⁱ⁾", "(^ [(+ 1 (- t))] [(+ n (- i))])"),
+        ("(x+1)^{(k)}", "(upper [(+ x 1)] k)"),
+        ("(f+g)^{(n-1)}", "(upper [(+ f g)] (+ n (- 1)))"),
+        ("(uv)^{(n-1)}", "(upper [(* u v)] (+ n (- 1)))"),
+        ("t^{(n-1)}", "(upper t (+ n (- 1)))"),
     ]);
 }
