@@ -332,8 +332,6 @@ const OTHERS: &[Command] = table! {
     "Rightarrow" "⇒" Role::Relation(Rel::Implies);
     "Longrightarrow" "⇒" Role::Relation(Rel::Implies);
     "implies" "⇒" Role::Relation(Rel::Implies);
-    "therefore" "∴" Role::Word;
-    "because" "∵" Role::Word;
     "Leftrightarrow" "⇔" Role::Relation(Rel::Iff);
     "Longleftrightarrow" "⇔" Role::Relation(Rel::Iff);
     "iff" "⇔" Role::Relation(Rel::Iff);
@@ -394,6 +392,8 @@ const OTHERS: &[Command] = table! {
     "textnormal" "words" Role::Text;
     "mbox" "words" Role::Text;
     "hbox" "words" Role::Text;
+    "therefore" "∴, a word" Role::Word;
+    "because" "∵, a word" Role::Word;
 
     "frac" "fraction; d over dt is a derivative" Role::Fraction;
     "dfrac" "fraction" Role::Fraction;
