@@ -6,6 +6,7 @@ use super::code_spans::InCode;
 use super::macros::Macros;
 use super::parts::Layout;
 use super::plain;
+use super::signs::line_at;
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -117,24 +118,42 @@ impl Collector {
 
     /// Words among which formulas in plain notation may stand; `continues` a formula before them.
     pub(super) fn prose(&mut self, text: &str, start: usize, continues: bool) {
-        for (i, (line, at)) in lines(text, start).enumerate() {
+        let mut at = 0;
+        // Up to where lines that belong together were looked at as one.
+        let mut tried = 0;
+        while at <= text.len() {
+            let continues = continues && at == 0;
+            let line = line_at(text, at);
+            let end = if at < tried { at + line.len() } else { derivation_end(text, at) };
+            tried = tried.max(end);
+            let all = &text[at..end];
+            let joined = (line.len() < all.len())
+                .then(|| plain::find(&all.replace(['\n', '\r'], " "), continues))
+                .filter(|found| found.iter().any(|found| found.range.contains(&line.len())));
+            let (piece, found) = match joined {
+                Some(found) => (all, found),
+                None => (line, plain::find(line, continues)),
+            };
             let mut said = 0;
-            for found in plain::find(line, continues && i == 0) {
-                self.words_of(&line[said..found.range.start], at + said);
+            for found in found {
+                self.words_of(&piece[said..found.range.start], start + at + said);
                 said = found.range.end;
-                self.formula(Style::Plain, &found.text, at + found.range.start);
+                self.formula(Style::Plain, &found.text, start + at + found.range.start);
             }
-            self.words_of(&line[said..], at + said);
+            self.words_of(&piece[said..], start + at + said);
+            at += piece.len() + 1;
         }
     }
 
     /// Words outside of formulas; a command of LaTeX among them belongs to a formula without signs.
-    fn words_of(&mut self, line: &str, at: usize) {
-        if let Some(found) = command(line) {
-            let span = Span::new(at + found.start, at + found.end);
-            self.unseen(span, "this looks like a formula and was not read");
+    fn words_of(&mut self, text: &str, at: usize) {
+        for (line, at) in lines(text, at) {
+            if let Some(found) = command(line) {
+                let span = Span::new(at + found.start, at + found.end);
+                self.unseen(span, "this looks like a formula and was not read");
+            }
+            self.line(line, at);
         }
-        self.line(line, at);
     }
 
     fn line(&mut self, line: &str, at: usize) {
@@ -202,6 +221,24 @@ fn command(line: &str) -> Option<std::ops::Range<usize>> {
         let escaped = line[..at].ends_with('\\');
         (!escaped && mathematical(name)).then(|| at..at + 1 + name.len())
     })
+}
+
+/// The end of the line at `at` and of those after it that begin with a relation: `= 2t + 1`.
+fn derivation_end(text: &str, at: usize) -> usize {
+    let goes_on = |line: &str| {
+        let line = line.trim();
+        let signs = ["= ", "≤ ", "≥ ", "<= ", ">= "];
+        signs.iter().any(|sign| line.starts_with(sign))
+    };
+    let mut end = at + line_at(text, at).len();
+    while end < text.len() {
+        let next = line_at(text, end + 1);
+        if !goes_on(next) {
+            break;
+        }
+        end += 1 + next.len();
+    }
+    end
 }
 
 /// The lines of a text with the bytes where they start.

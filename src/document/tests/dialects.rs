@@ -130,6 +130,24 @@ fn formulas_in_code_spans() {
 }
 
 #[test]
+fn derivations_in_words_go_on_with_a_relation() {
+    let text =
+        "Here p(t) = t^2 + 1\n     = (t+1)^2 - 2t\n     = (t+1)^2 - 3t\nand\n\n> (1-t)^2\n> = 1 - 2t + t^2\n";
+    let notes = markdown(text);
+    let found: Vec<String> = formulas(&notes)
+        .iter()
+        .map(|formula| formula.text.split_whitespace().collect::<Vec<_>>().join(" "))
+        .collect();
+    assert_eq!(found, ["p(t) = t^2 + 1 = (t+1)^2 - 2t = (t+1)^2 - 3t", "(1-t)^2 = 1 - 2t + t^2"]);
+    assert_eq!(notes.file.line_column(formulas(&notes)[0].places.byte(20)), (2, 6));
+    // Words on the line above, and a line under a title.
+    assert_eq!(texts("a word\n= b = c\n"), ["b = c"]);
+    assert_eq!(texts("x = y\n=====\n"), ["x = y"]);
+    let long = format!("a\n{}", "= b c\n".repeat(50_000));
+    assert!(formulas(&markdown(&long)).len() < 50_001);
+}
+
+#[test]
 fn escaped_parentheses() {
     assert_eq!(texts("both \\\\(n-1\\\\) and \\(2 - k\\)\n"), ["n-1", "2 - k"]);
     assert_eq!(texts("\\(see 3-4\\) \\[a-z0-9\\] \\(well-known\\)\n"), [""; 0]);

@@ -128,7 +128,21 @@ pub(crate) fn is_power_of_sum(base: &Expr, exponent: &Expr) -> bool {
         all
     }
     let is_sum = |expr: &Expr| matches!(expr.kind, Kind::Add(_));
-    matches!(&base.kind, Kind::Group(inner) if is_sum(inner) && is_of_letters(inner)) && is_sum(exponent)
+    let is_sum_of_letters = |expr: &Expr| is_sum(expr) && is_of_letters(expr);
+    let power = match &base.kind {
+        Kind::Group(inner) => is_sum_of_letters(inner),
+        // t^i(1-t)^{(n-i)} is read as a value of t^i at first.
+        Kind::Apply(callee, groups) => match (&callee.kind, groups.as_slice()) {
+            (Kind::Pow(factor, _), [group]) => {
+                let factor =
+                    matches!(&factor.kind, Kind::Name(name) if is_factor(name) || is_parameter(name));
+                factor && matches!(group.as_slice(), [sum] if is_sum_of_letters(sum))
+            }
+            _ => false,
+        },
+        _ => false,
+    };
+    power && is_sum(exponent)
 }
 
 #[cfg(test)]

@@ -55,7 +55,9 @@ pub fn render_html(reports: &[FileReport]) -> String {
                     }
                     div class="filters" hidden { (filters(&tally)) }
                 }
-                @for (number, report) in reports.iter().enumerate() { (section(number + 1, report)) }
+                @for (number, report) in reports.iter().enumerate() {
+                    (section(number + 1, report, reports.len() > 1))
+                }
                 script { (PreEscaped(SCRIPT)) }
             }
         }
@@ -96,13 +98,14 @@ fn filters(tally: &Tally) -> Markup {
     }
 }
 
-fn section(number: usize, report: &FileReport) -> Markup {
+/// The findings of a file; its own summary, if there are `several`.
+fn section(number: usize, report: &FileReport, several: bool) -> Markup {
     let tally = Tally::of(std::slice::from_ref(report));
     let mut locator = Locator::new(&report.file);
     html! {
         section {
             h2 { (clean(report.file.name())) }
-            p class="faint" { (headline(&tally)) }
+            @if several { p class="faint" { (headline(&tally)) } }
             @for problem in &report.problems {
                 p class=[(problem.severity == Severity::Error).then_some("problem")] {
                     @if let Some(span) = problem.span {
