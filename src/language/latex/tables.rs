@@ -86,7 +86,9 @@ impl Reader<'_> {
         // In `& 1 && \text{if } …` nothing stands before the first sign.
         let blank_first = |row: &Vec<Window>| row.len() > 1 && self.is_blank(row[0].clone());
         if rows.iter().all(blank_first) {
-            rows.iter_mut().for_each(|row| drop(row.remove(0)));
+            for row in &mut rows {
+                row.remove(0);
+            }
         }
         for cells in rows {
             let (Some(first), Some(last)) = (cells.first().cloned(), cells.last().cloned()) else { continue };
