@@ -483,3 +483,32 @@ fn a_time_limit_is_a_number_of_seconds() {
     }
     assert_eq!(run(&["eval", "1 + 1", "--timeout", "1e9"]).out, "2\n");
 }
+
+/// `--arrange`, the setting of the prompt and the option of a block choose how formulas are arranged.
+#[test]
+fn answers_are_arranged() {
+    for (arrangement, answer) in [
+        ("usual", "t^2 - 1"),
+        ("collect", "t^2 - 1"),
+        ("expand", "t^2 - 1"),
+        ("factor", "(t - 1) (t + 1)"),
+        ("in_powers", "t^2 - 1"),
+        ("in_bernstein", "-B_0^2(t) - B_1^2(t)"),
+    ] {
+        assert_eq!(run(&["eval", "--arrange", arrangement, "(t - 1)(t + 1)"]).out.trim_end(), answer);
+        let script = format!(":arrange {arrangement}\nt^2 - 1\n3 t\n:arrange usual\nt^2 - 1\n");
+        let lines = run_with(&[], script.as_bytes()).out;
+        assert_eq!((lines.lines().next(), lines.lines().last()), (Some(answer), Some("t^2 - 1")));
+        let page = format!("{{{{ t }}}}\n\n```polarform arrange={arrangement}\nt^2 - 1\n```\n");
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("page.md");
+        std::fs::write(&file, page).unwrap();
+        let woven = run(&["weave", file.to_str().unwrap(), "-o", "-"]);
+        assert!(woven.out.contains(&format!("$$\n{answer}\n$$")), "{}{}", woven.out, woven.err);
+    }
+    // What asks for its own arrangement keeps it; what has none is said.
+    assert_eq!(run(&["eval", "--arrange", "expand", "factor(t^2 - 1)"]).out, "(t - 1) (t + 1)\n");
+    let several = run(&["eval", "--arrange", "in_powers", "a b + a c"]);
+    assert!(several.out == "a b + a c\n" && several.err.contains("arranged as usual"), "{}", several.err);
+    assert_eq!(run(&["eval", "--arrange", "sorted", "t"]).status, Some(2));
+}

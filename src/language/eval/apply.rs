@@ -574,6 +574,9 @@ fn not_a_function(value: &Value) -> Diagnostic {
             .reason(format!("this is {}", value.kind()));
     match value {
         Value::Matrix(_) => error.hint("an entry is written M_{1,2} or M[1, 2]"),
+        Value::Scalar(_) => error
+            .hint("define a function of several variables first: F(u, v) := u v")
+            .hint("for the product with a point write * between them"),
         _ => error,
     }
 }
