@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Arguments;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::formula::is_parameter;
 use crate::language::ops::geometry::{
     as_spline, joined, point_of, points_of, polynomial_pieces, scalar_list,
 };
@@ -16,6 +17,10 @@ use crate::math::spline::BSpline;
 use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
+
+fn has_parameter(formula: &Fraction) -> bool {
+    formula.variables().iter().any(is_parameter)
+}
 
 impl Arguments {
     /// Control points at a place, with weights or homogeneous coordinates if they are named.
@@ -66,7 +71,7 @@ impl Arguments {
         }
     }
 
-    /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1].
+    /// A Bézier curve; a polynomial, polar form or list of such is one over [0, 1], and so are control points.
     pub(crate) fn bezier(&self, i: usize) -> Result<(BezierCurve<Fraction>, Form)> {
         let value = self.value(i)?;
         match value {
@@ -93,6 +98,18 @@ impl Arguments {
                 let coordinates: Vec<Vec<Fraction>> = coordinates.collect::<Result<_>>().at(self.span(i))?;
                 let curve = BezierCurve::from_power(&coordinates, Interval::unit());
                 return Ok((curve.map_err(curve_error)?, Form::default()));
+            }
+            // [0, 1, 4], [[0, 0], [1, 2]]: control points; in [t, t^2] they might be coordinates.
+            Value::List(_) => {
+                if let Some((points, scalar)) = points_of(value)
+                    && !points.iter().flat_map(|point| point.iter()).any(has_parameter)
+                {
+                    let curve = BezierCurve::new(points, Interval::unit());
+                    return Ok((
+                        curve.map_err(curve_error).at(self.span(i))?,
+                        Form { scalar, rational: false },
+                    ));
+                }
             }
             _ => {}
         }
