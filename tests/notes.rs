@@ -298,7 +298,7 @@ fn pages_mean_what_they_say() {
             green,
         ),
         (
-            "Splines, where $k$ is the order. In de Boor's algorithm $$\\alpha_i^r=\\frac{x-t_i}{t_{i+k+1-r}-t_i}.$$",
+            "Splines, where $k$ is the degree. In de Boor's algorithm $$\\alpha_i^r=\\frac{x-t_i}{t_{i+k-r}-t_i}.$$",
             red,
         ),
         (

@@ -454,7 +454,7 @@ impl Checker {
                 continue;
             }
             let from_start = at == 0;
-            let verdict = self.verdict(tally, &best, chain, at, statement, head.filter(|_| from_start));
+            let verdict = self.verdict(tally, &best, &setting, at, statement, head.filter(|_| from_start));
             match verdict {
                 Judged::Verdict(finding) => {
                     let old = &findings[at];
@@ -538,15 +538,6 @@ impl Checker {
                 findings[at].witness = None;
                 findings[at].suggestion = None;
             }
-        }
-        let suggestions: Vec<(usize, Option<String>)> = findings
-            .iter()
-            .enumerate()
-            .filter(|(at, finding)| *at >= start && finding.verdict == Verdict::Refuted)
-            .map(|(at, _)| (at, super::repair::suggestion(self, &setting, at, best.choices)))
-            .collect();
-        for (at, suggestion) in suggestions {
-            findings[at].suggestion = suggestion;
         }
     }
 

@@ -12,6 +12,7 @@
 
 pub(crate) mod asked;
 mod attempt;
+mod bare;
 mod certainty;
 pub mod check;
 mod claim;

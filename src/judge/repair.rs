@@ -6,10 +6,11 @@
 //! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
 //! for single edits and stops after a share of the steps.
 
+use super::bare::{bare, vanishes};
 use super::check::Checker;
 use super::model::{Choices, Curve};
-use super::names::{Head, walk};
-use super::tally::Outcomes;
+use super::names::{Head, bases, walk};
+use super::tally::{Outcomes, Tally};
 use super::trial::Setting;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
@@ -17,16 +18,40 @@ use crate::language::write;
 use crate::math::number::{Rational, integer};
 use num_traits::{One, Signed, Zero};
 
-/// A repair of the relation number `at`, as LaTeX.
-pub fn suggestion(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<String> {
+/// A relation with which a wrong one is replaced.
+pub struct Repair {
+    left: Expr,
+    rel: Rel,
+    right: Expr,
+    /// Whether it is a small edit of the wrong one, and says something: it is no a = a, and not 0 = 0 only.
+    pub near: bool,
+}
+
+impl Repair {
+    /// As LaTeX that can be pasted over the relation.
+    pub fn latex(&self) -> String {
+        write::latex(&Expr::relation(self.left.clone(), self.rel, self.right.clone()))
+    }
+}
+
+/// A repair of the relation number `at`. Cost: an instance or two for each of some hundred edits, all instances
+/// for those that pass.
+pub fn find(
+    checker: &Checker,
+    setting: &Setting,
+    at: usize,
+    choices: Choices,
+    tally: &Tally,
+) -> Option<Repair> {
+    let tried = tally.holds + tally.fails.len();
     let Setting { chain, curve, .. } = setting;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     let rel = chain.relations[at].0;
     let start = budget::spent();
-    let holds = |left: &Expr, right: &Expr, quick: bool| -> bool {
+    let try_out = |left: &Expr, right: &Expr, quick: bool| -> Option<Tally> {
         let trial = checker.trial(setting, &[left, right], &[rel], choices);
-        let outcomes = if quick { trial.first(3) } else { trial.run() };
-        is_true(&outcomes, quick)
+        let mut outcomes = if quick { trial.first(3) } else { trial.run() };
+        is_true(&outcomes, quick).then(|| outcomes.tallies.remove(0))
     };
     // The slip is on the right more often than on the left, and there the edits are listed first.
     let mut candidates: Vec<(Expr, Expr)> = Vec::new();
@@ -42,32 +67,35 @@ pub fn suggestion(checker: &Checker, setting: &Setting, at: usize, choices: Choi
         .get(at + 2)
         .filter(|_| matches!(chain.relations[at + 1].0, Rel::Eq))
         .map(|side| &side.expr);
-    let mut best: Option<(Expr, Expr)> = None;
+    // n = 10, 2 = 1 become true with another number, whatever was meant.
+    let name = |head: Head| head.arguments.is_none();
+    let value = matches!(right.kind, Kind::Number(_))
+        && (matches!(left.kind, Kind::Number(_)) || Head::of(left).is_some_and(name));
+    let mut best: Option<Repair> = None;
     for (left, right) in candidates {
         if budget::spent() - start > super::trial::share(&checker.limits, 16) {
             break;
         }
         budget::steps(64);
-        if !holds(&left, &right, true) || !holds(&left, &right, false) {
+        let says_nothing = vanishes(&left) || vanishes(&right) || bare(&left) == bare(&right);
+        if says_nothing || try_out(&left, &right, true).is_none() {
             continue;
         }
+        let Some(holds) = try_out(&left, &right, false) else { continue };
+        let repair = Repair {
+            near: rel == Rel::Eq && !value && holds.nonzero > 0 && 2 * holds.holds >= tried,
+            left,
+            rel,
+            right,
+        };
         // One that mends the rest of the chain, too, is surely meant.
-        match next {
-            Some(next) if !next.same_as(&right) => {
-                if holds(&right, next, false) {
-                    return Some(printed(&left, rel, &right));
-                }
-                best.get_or_insert((left, right));
-            }
-            _ => return Some(printed(&left, rel, &right)),
+        let last = next.is_none_or(|next| next.same_as(&repair.right));
+        if last || next.is_some_and(|next| try_out(&repair.right, next, false).is_some()) {
+            return Some(repair);
         }
+        best.get_or_insert(repair);
     }
-    best.or_else(|| constant_apart(checker, setting, at, choices))
-        .map(|(left, right)| printed(&left, rel, &right))
-}
-
-fn printed(left: &Expr, rel: Rel, right: &Expr) -> String {
-    write::latex(&Expr::relation(left.clone(), rel, right.clone()))
+    best.or_else(|| written_out(checker, setting, at, choices))
 }
 
 /// Whether a relation held wherever it made sense, often enough.
@@ -99,9 +127,8 @@ fn with_arguments(left: &Expr, right: &Expr) -> Option<Expr> {
     Some(Expr::apply(callee.as_ref().clone(), list))
 }
 
-/// The right side with the constant added that makes the relation true, if the sides differ by a
-/// number only, or the formula on the left written out, if the relation is between numbers.
-fn constant_apart(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<(Expr, Expr)> {
+/// The formula on the left written out, if the relation is no family.
+fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<Repair> {
     let chain = setting.chain;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     let outcomes = checker.trial(setting, &[left, right], &[Rel::Eq], choices).run();
@@ -116,7 +143,19 @@ fn constant_apart(checker: &Checker, setting: &Setting, at: usize, choices: Choi
     if invented || size > 24 {
         return None;
     }
-    Some((left.clone(), crate::language::value::polynomial_expr(value)))
+    let right = crate::language::value::polynomial_expr(value);
+    let rel = chain.relations[at].0;
+    let near = rel == Rel::Eq
+        && matches!((&chain.sides[at + 1].expr.kind, &right.kind), (Kind::Number(wrong), Kind::Number(value)) if misprinted(wrong, value));
+    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near })
+}
+
+/// Whether a number of several digits is another one with a digit or two wrong, or with its sign lost.
+fn misprinted(wrong: &Rational, value: &Rational) -> bool {
+    let digits = |q: &Rational| q.numer().to_string().trim_start_matches('-').to_owned();
+    let (a, b) = (digits(wrong), digits(value));
+    let differing = a.chars().zip(b.chars()).filter(|(x, y)| x != y).count();
+    wrong.denom() == value.denom() && a.len() == b.len() && a.len() > 1 && differing <= 2.min(a.len() - 1)
 }
 
 /// Small edits of a formula, the likeliest first.
@@ -138,7 +177,8 @@ pub(super) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) -> Vec<Exp
                 binomials.iter().any(|span| span.start <= node.span.start && node.span.end <= span.end);
             let cost = cost + if within { 3 } else { 0 };
             // The same slip may have been made wherever the name stands.
-            if matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
+            let exchanged = matches!(replacement.kind, Kind::Subscript(..) | Kind::Name(_) | Kind::Add(_));
+            if exchanged && matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
                 let mut all = expr.clone();
                 if replace_all(&mut all, node, &replacement) > 1 {
                     found.push((cost, all));
@@ -331,6 +371,18 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                     list.push((if in_index { 1 } else { 2 }, new(Kind::Name(other.clone()))));
                 }
             }
+            let integer = pool.integers.contains(name);
+            let index = integer || super::names::is_index_letter(name);
+            // n − i for i
+            for other in pool.integers.iter().filter(|other| in_index && index && *other != name) {
+                let terms = [(Sign::Plus, Expr::name(other)), (Sign::Minus, node.clone())];
+                list.push((3, new(Kind::Add(terms.map(|(sign, expr)| Term { sign, expr }).into()))));
+            }
+            if integer && !in_index {
+                for by in [1, -1] {
+                    list.push((3, node.clone().plus(by).grouped()));
+                }
+            }
             // i for i + 1 and i − 1
             if in_index && super::names::is_index_letter(name) {
                 for sign in [Sign::Plus, Sign::Minus] {
@@ -374,6 +426,14 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 let mut changed = terms.clone();
                 changed[i].sign = if term.sign == Sign::Plus { Sign::Minus } else { Sign::Plus };
                 list.push((1, new(Kind::Add(changed))));
+                // b − a for a − b
+                if let (0, [first, second]) = (i, terms.as_slice())
+                    && (first.sign, second.sign) == (Sign::Plus, Sign::Minus)
+                {
+                    let plus = Term { sign: Sign::Plus, ..second.clone() };
+                    let minus = Term { sign: Sign::Minus, ..first.clone() };
+                    list.push((1, new(Kind::Add(vec![plus, minus]))));
+                }
                 if terms.len() == 2 {
                     // n − 1 for n, n + 1 for n − 1
                     let number = matches!(&terms[1].expr.kind, Kind::Number(q) if q.is_one());
@@ -386,6 +446,9 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                     shorter.remove(i);
                     list.push((4, new(Kind::Add(shorter))));
                 }
+            }
+            if in_index && terms.len() == 2 && terms[0].sign == Sign::Plus {
+                list.extend(terms.iter().map(|term| (2, term.expr.clone())));
             }
             if in_index {
                 // n + 1 − k for n + 1
@@ -417,6 +480,20 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                     list.push((3, Expr::product(fewer)));
                 }
             }
+            // The order of matrices
+            let capital =
+                |factor: &Expr| bases(factor).iter().any(|name| name.starts_with(char::is_uppercase));
+            for i in 1..factors.len() {
+                if capital(&factors[i - 1]) && capital(&factors[i]) {
+                    let mut swapped = factors.clone();
+                    swapped.swap(i - 1, i);
+                    list.push((3, Expr::product(swapped)));
+                }
+            }
+            // 2n + 1 for 2n
+            if !in_index && bases(node).iter().any(|name| pool.integers.contains(name)) {
+                list.push((5, node.clone().plus(1).grouped()));
+            }
         }
         Kind::Div(a, b, style) => {
             list.push((4, a.as_ref().clone()));
@@ -428,6 +505,14 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
         Kind::Pow(base, exponent) => {
             if !in_index {
                 list.push((2, base.as_ref().clone()));
+            }
+            // n(n − 1) for n²
+            if let (Kind::Name(name), Kind::Number(q)) = (&base.kind, &exponent.kind)
+                && pool.integers.contains(name)
+                && *q == integer(2)
+            {
+                let factors = vec![base.as_ref().clone(), base.as_ref().clone().plus(-1).grouped()];
+                list.push((3, Expr::product(factors)));
             }
             if let Kind::Number(q) = &exponent.kind
                 && q == &Rational::zero()
@@ -442,6 +527,17 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 list.push((3, new(Kind::Apply(callee.clone(), vec![swapped]))));
             }
         }
+        Kind::Tuple(items) | Kind::List(items) => {
+            for i in 1..items.len() {
+                let mut swapped = items.clone();
+                swapped.swap(i - 1, i);
+                let tuple = matches!(node.kind, Kind::Tuple(_));
+                list.push((2, new(if tuple { Kind::Tuple(swapped) } else { Kind::List(swapped) })));
+            }
+        }
+        Kind::Matrix(rows, delimiter) => {
+            list.push((2, new(Kind::Matrix(transposed(rows), *delimiter))));
+        }
         Kind::Group(_) => {
             for name in &pool.integers {
                 list.push((5, node.clone().power(Expr::name(name))));
@@ -454,6 +550,12 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
         list.push((4, node.clone().power(Expr::int(2))));
     }
     list
+}
+
+/// Rows for columns.
+fn transposed(rows: &[Vec<Option<Expr>>]) -> Vec<Vec<Option<Expr>>> {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    (0..columns).map(|j| rows.iter().map(|row| row.get(j).cloned().flatten()).collect()).collect()
 }
 
 fn with_span(mut expr: Expr, like: &Expr) -> Expr {
@@ -486,7 +588,6 @@ fn descend(whole: &Expr, node: &Expr, in_index: bool, path: &mut Vec<usize>, vis
     for (i, child) in children.into_iter().enumerate() {
         let index = match &node.kind {
             // i − 1 is edited as a whole
-            Kind::Add(_) if in_index && matches!(child.kind, Kind::Name(_)) => false,
             Kind::Subscript(..) | Kind::Upper(..) | Kind::Pow(..) => i > 0 || in_index,
             Kind::Binomial(..) | Kind::Factorial(_) => true,
             Kind::Big { lower, upper, .. } => i < lower.len() + usize::from(upper.is_some()),

@@ -115,26 +115,45 @@ impl Checker {
         finding: Finding,
     ) -> Option<Finding> {
         let mut holding = Vec::new();
+        let mut failing = None;
         for fact in facts {
             match self.tried(fact, statement, before) {
                 Tried::Holds => holding.push(fact),
                 Tried::Fails(failure) => {
-                    let told = write::text(&fact.expr);
-                    return Some(Finding {
-                        verdict: Verdict::Refuted,
-                        reason: Some(format!("with it {told}, which line {} says, is wrong", fact.line)),
-                        witness: witness::counterexample(&failure),
-                        ..finding
-                    });
+                    failing.get_or_insert((fact, failure));
                 }
                 Tried::Open => {}
             }
         }
-        let first = holding.first()?;
         let start = budget::spent();
         let setting = self.setting(chain, &statement.place, None);
         let kept = self.context.clone();
         let mut edits = repair::edits(right, &chain.sides[0].expr, &None).into_iter();
+        if let Some((fact, failure)) = failing {
+            // A slip, if with a small change all that was said holds.
+            let repaired = edits.find(|edit| {
+                if budget::spent() - start > trial::share(&self.limits, 4) {
+                    return false;
+                }
+                Rc::make_mut(&mut self.context).replace(before.definitions(), edit.clone());
+                matches!(self.tried(fact, statement, before), Tried::Holds)
+                    && facts
+                        .iter()
+                        .all(|fact| !matches!(self.tried(fact, statement, before), Tried::Fails(_)))
+            });
+            self.context = kept;
+            let repaired = repaired?;
+            let told = write::text(&fact.expr);
+            let repaired = Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, repaired);
+            return Some(Finding {
+                verdict: Verdict::Refuted,
+                reason: Some(format!("with it {told}, which line {} says, is wrong", fact.line)),
+                witness: witness::counterexample(&failure),
+                suggestion: Some(write::latex(&repaired)),
+                ..finding
+            });
+        }
+        let first = holding.first()?;
         let noticed = edits.all(|edit| {
             if budget::spent() - start > trial::share(&self.limits, 2) {
                 return false;

@@ -9,8 +9,10 @@ use super::hypotheses;
 use super::names::Head;
 use super::prove::prove;
 use super::refute;
+use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::Tally;
+use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
@@ -20,11 +22,12 @@ impl Checker {
         &self,
         tally: &Tally,
         attempt: &Attempt,
-        chain: &Chain,
+        setting: &Setting,
         at: usize,
         statement: &Statement,
         head: Option<&Head>,
     ) -> Judged {
+        let chain = setting.chain;
         let mut finding = blank(chain, at);
         let outcomes = &attempt.outcomes;
         finding.notes = self.notes(tally);
@@ -134,15 +137,20 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
-        let doubt = match &refutation {
-            refute::Decision::Refuted { failure, .. } => {
-                Suspect { checker: self, tally, chain, at, statement, failure }.doubt()
+        let refutation = match refutation {
+            refute::Decision::Refuted { failure, reasons } => {
+                let suspect = Suspect { checker: self, tally, chain, at, statement, failure: &failure };
+                let doubt = suspect.doubt().or_else(|| {
+                    let repair = repair::find(self, setting, at, attempt.choices, tally);
+                    finding.suggestion = repair.as_ref().map(Repair::latex);
+                    suspect.unfounded(repair.as_ref())
+                });
+                match doubt {
+                    Some(reason) => refute::missing_or_redefinition(head, at == 0, &reason),
+                    None => refute::Decision::Refuted { failure, reasons },
+                }
             }
-            _ => None,
-        };
-        let refutation = match doubt {
-            Some(reason) => refute::missing_or_redefinition(head, at == 0, &reason),
-            None => refutation,
+            other => other,
         };
         match refutation {
             refute::Decision::Refuted { failure, reasons } => {
@@ -162,6 +170,7 @@ impl Checker {
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
             refute::Decision::Recursion(head) => return Judged::Recursion(head),
             refute::Decision::Open(reason) => {
+                finding.suggestion = None;
                 finding.reason = Some(reason);
             }
             refute::Decision::Loose(reason) => {
@@ -190,7 +199,8 @@ impl Checker {
     }
 
     fn notes(&self, tally: &Tally) -> Vec<String> {
-        let mut notes: Vec<String> = tally.record.standard.iter().cloned().collect();
+        let record = &tally.record;
+        let mut notes: Vec<String> = record.standard.union(&record.generic).cloned().collect();
         for (number, _) in &tally.record.definitions {
             let definition = &self.context.definitions[*number];
             notes.push(format!("{} as defined in line {}", definition.head.base, definition.line));

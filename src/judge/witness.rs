@@ -40,7 +40,9 @@ pub(super) fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) ->
     if !enough {
         return None;
     }
-    let pool: Vec<&Failure> = if inner.is_empty() { tally.fails.iter().collect() } else { inner };
+    let within = |failure: &&Failure| explicit || !failure.outside;
+    let pool: Vec<&Failure> =
+        if inner.is_empty() { tally.fails.iter().filter(within).collect() } else { inner };
     pool.into_iter()
         .filter(|failure| matches!(failure.outcome, Outcome::Fails(_)))
         .min_by_key(|failure| failure.integers.iter().map(|(_, value)| *value).sum::<i64>())

@@ -67,12 +67,21 @@ impl Suspect<'_> {
         if inverse {
             return Some("it may be an inverse function".to_owned());
         }
-        // b^0(0): a value of b^0, or a product?
+        // b^0(0), b[t^n]: a value of b, or a product?
+        let repeats =
+            |item: &Expr| matches!(&item.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)));
         let value = self.any(&mut |part| match &part.kind {
             Kind::Mul(factors) => factors.windows(2).any(|pair| {
-                matches!((&pair[0].kind, &pair[1].kind), (Kind::Pow(base, _), Kind::Group(inner))
-                    if matches!(&base.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()))
-                        && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)))
+                let inner = match &pair[1].kind {
+                    Kind::Group(inner) => inner,
+                    Kind::List(items) if items.len() == 1 => &items[0],
+                    _ => return false,
+                };
+                let lonely = |name: &Expr| matches!(&name.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()));
+                match &pair[0].kind {
+                    Kind::Pow(base, _) => lonely(base) && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)),
+                    _ => lonely(&pair[0]) && repeats(inner),
+                }
             }),
             _ => false,
         });
@@ -137,7 +146,9 @@ impl Suspect<'_> {
         let counts = self.any(&mut |part| match &part.kind {
             Kind::Matrix(rows, _) => rows.iter().flatten().flatten().all(|entry| {
                 let names = bases(entry);
-                !names.is_empty() && names.iter().all(|name| is_index_letter(name))
+                let mut member = false;
+                walk(entry, &mut |part| member |= matches!(part.kind, Kind::Subscript(..)));
+                !member && !names.is_empty() && names.iter().all(|name| is_index_letter(name))
             }),
             _ => false,
         });
@@ -187,91 +198,22 @@ impl Suspect<'_> {
         (!told && (knots || !self.any(&mut called)))
             .then(|| "nothing says that the B are Bernstein polynomials".to_owned())
     }
-
-    /// Lists of names, and brackets that count conditions.
-    pub(super) fn brackets(&self) -> Option<String> {
-        let list = |expr: &Expr| match &expr.kind {
-            Kind::List(items) | Kind::Tuple(items) => {
-                items.iter().all(|item| matches!(item.kind, Kind::Name(_)))
-            }
-            _ => false,
-        };
-        if self.sides().into_iter().all(list) {
-            return Some("what these lists stand for is not said".to_owned());
-        }
-        let counted = self.any(&mut |part| match &part.kind {
-            Kind::List(items) => items.iter().any(|item| matches!(item.kind, Kind::Chain(..))),
-            // d[0]
-            Kind::Mul(factors) => factors.windows(2).any(|pair| {
-                matches!((&pair[0].kind, &pair[1].kind), (Kind::Name(_) | Kind::List(_), Kind::List(items))
-                    if items.len() == 1 && pair[0].span.end == pair[1].span.start)
-            }),
-            _ => false,
-        });
-        counted.then(|| "the bracket may be an index or a condition".to_owned())
-    }
-
-    /// Letters side by side that make a word.
-    pub(super) fn word(&self) -> Option<String> {
-        let mut found: Option<String> = None;
-        for side in self.sides() {
-            walk(side, &mut |part| {
-                let Kind::Mul(factors) = &part.kind else { return };
-                let letter = |factor: &Expr| match &factor.kind {
-                    Kind::Name(name) if name.chars().count() == 1 => Some(name.clone()),
-                    Kind::Apply(callee, _) => match &callee.kind {
-                        Kind::Name(name) if name.chars().count() == 1 => Some(name.clone()),
-                        _ => None,
-                    },
-                    _ => None,
-                };
-                let mut run = String::new();
-                let mut end = usize::MAX;
-                for factor in factors {
-                    match letter(factor) {
-                        Some(name) if run.is_empty() || factor.span.start == end => run.push_str(&name),
-                        Some(name) => run = name,
-                        None => run.clear(),
-                    }
-                    end = factor.span.end;
-                    if run.chars().count() >= 5 || speech_word(&run) {
-                        found = Some(run.clone());
-                    }
-                }
-            });
-        }
-        found.map(|word| format!("{word} may be a word"))
-    }
 }
 
-/// Whether a name stands in formulas outside of one part of them.
+/// Whether a name stands in formulas outside of one part of them, without an index.
 fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
-    let count = |expr: &Expr| {
-        let mut found = 0;
-        walk(expr, &mut |inner| found += usize::from(matches!(&inner.kind, Kind::Name(own) if own == name)));
-        found
-    };
-    sides.iter().map(|side| count(side)).sum::<usize>() > count(part)
-}
-
-/// Words that join conditions; nobody multiplies these letters in this order.
-fn speech_word(run: &str) -> bool {
-    matches!(
-        run,
-        "or" | "ou"
-            | "if"
-            | "si"
-            | "and"
-            | "et"
-            | "und"
-            | "oder"
-            | "sonst"
-            | "wenn"
-            | "for"
-            | "pour"
-            | "sinon"
-            | "else"
-    )
+    fn count(expr: &Expr, name: &str) -> usize {
+        match &expr.kind {
+            Kind::Name(own) => usize::from(own == name),
+            Kind::Subscript(_, indices) => indices.iter().map(|index| count(index, name)).sum(),
+            _ => {
+                let mut found = 0;
+                expr.for_each_child(&mut |child| found += count(child, name));
+                found
+            }
+        }
+    }
+    sides.iter().map(|side| count(side, name)).sum::<usize>() > count(part, name)
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {

@@ -1,7 +1,5 @@
 //! Doubts about numbers: ranges, rounding, degrees, examples.
 
-use std::collections::BTreeSet;
-
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::context::is_variable;
@@ -57,13 +55,13 @@ impl Suspect<'_> {
         if self.statement.topics.has(Topic::Modular) && (written || self.are_numbers()) {
             return Some("it may be meant modulo a number".to_owned());
         }
-        if !written {
-            return None;
-        }
-        // The Legendre symbol of 2 and 5
+        // The Legendre symbol of a and p
         let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)));
         if self.sides().into_iter().any(quotient) {
             return Some("the bracket may be a symbol".to_owned());
+        }
+        if !written {
+            return None;
         }
         let (Some(left), Some(right)) = (self.failure.left.as_rational(), self.failure.right.as_rational())
         else {
@@ -86,39 +84,6 @@ impl Suspect<'_> {
             (left - &right).abs() <= digit * size
         });
         near.then(|| "equal up to rounding".to_owned())
-    }
-
-    /// What holds for some degrees, and is meant for them: ℓ_0(x_1) = 0 needs two nodes.
-    pub(super) fn some_degrees(&self) -> Option<String> {
-        let failed: BTreeSet<usize> =
-            self.tally.fails.iter().map(|failure| failure.degree).collect::<Option<_>>()?;
-        (self.failure.integers.is_empty()
-            && self.tally.holds > 0
-            && (1..=4).any(|degree| !failed.contains(&degree)))
-        .then(|| "true for some degrees only: which one is meant?".to_owned())
-    }
-
-    /// A sum over all w_j, of which the page gave those of an example.
-    pub(super) fn members_of_an_example(&self) -> Option<String> {
-        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
-        let given: BTreeSet<&str> = self
-            .used()
-            .filter(|definition| {
-                !definition.head.lower.is_empty() && definition.head.lower.iter().all(number)
-            })
-            .filter(|definition| definition.head.arguments.is_none() && definition.head.upper.is_empty())
-            .map(|definition| definition.head.base.as_str())
-            .collect();
-        if self.failure.integers.is_empty() || given.is_empty() {
-            return None;
-        }
-        let general = self.any(&mut |part| match &part.kind {
-            Kind::Big { upper: Some(upper), body, .. } => {
-                !number(upper) && bases(body).iter().any(|name| given.contains(name.as_str()))
-            }
-            _ => false,
-        });
-        general.then(|| "the members of an example may not be meant here".to_owned())
     }
 }
 

@@ -89,6 +89,12 @@ impl Model {
             Kind::Group(node) => vec![node.as_ref().clone()],
             _ => return None,
         };
+        // b[0^{n-i}, 1^i]: arguments that repeat, no nodes
+        let repeats =
+            |node: &Expr| matches!(&node.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)));
+        if nodes.iter().any(repeats) {
+            return Some(Err(unclear(&format!("what the bracket beside {} is", name.base), expr)));
+        }
         let difference = self.divided_difference(machine, &factors[function], &nodes, expr);
         let rest: Vec<Expr> = factors[..at].iter().chain(&factors[at + 2..]).cloned().collect();
         Some(difference.and_then(|value| {

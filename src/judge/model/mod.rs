@@ -75,6 +75,8 @@ pub struct Record {
     pub paired: BTreeSet<String>,
     /// Meanings assumed.
     pub standard: BTreeSet<String>,
+    /// Names that stand for anything of a kind: any matrix, any polynomial of a degree.
+    pub generic: BTreeSet<String>,
     /// Notations with several readings that occurred.
     pub ambiguous: BTreeSet<Ambiguity>,
     /// A curve was given another number of control points than its degree asks for.
@@ -99,6 +101,7 @@ impl Record {
         self.unknown.extend(other.unknown.iter().cloned());
         self.paired.extend(other.paired.iter().cloned());
         self.standard.extend(other.standard.iter().cloned());
+        self.generic.extend(other.generic.iter().cloned());
         self.ambiguous.extend(&other.ambiguous);
         self.wants_degree |= other.wants_degree;
         self.mixed |= other.mixed;
@@ -254,6 +257,10 @@ impl Model {
 
     fn note(&self, meaning: impl Into<String>) {
         self.record.borrow_mut().standard.insert(meaning.into());
+    }
+
+    fn note_generic(&self, meaning: String) {
+        self.record.borrow_mut().generic.insert(meaning);
     }
 
     fn ambiguous(&self, ambiguity: Ambiguity) {

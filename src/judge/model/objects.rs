@@ -132,7 +132,10 @@ impl Model {
             Sort::Polynomial => {
                 let degree = self.stated_degree(machine, &object, &bound)?;
                 let x = one?;
-                note(&format!("any polynomial of degree {degree}"));
+                self.note_generic(format!(
+                    "{} is any polynomial of degree {degree} of line {line}",
+                    head.base
+                ));
                 Ok(Value::Scalar(self.generic(machine, head, degree, expr).value(&x)))
             }
             Sort::BSpline => {
@@ -257,7 +260,7 @@ impl Model {
                     variable(name.numbered(i as i64 + 1).numbered(j as i64 + 1))
                 };
                 self.record.borrow_mut().matrices = true;
-                self.note(format!("{} is any 2 by 2 matrix", head.base));
+                self.note_generic(format!("{} is any 2 by 2 matrix", head.base));
                 Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
             }
             Sort::ControlPoints => {

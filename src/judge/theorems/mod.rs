@@ -210,8 +210,9 @@ impl Checker {
                     found.push(Instance { theorem, right, certain, shifted });
                 };
                 if theorem.by_order.is_some() {
-                    // Where words say that it is the one, the other is the likely slip.
+                    // Where words say that it is the degree, the other is the likely slip. Many say order for the degree.
                     match said {
+                        Some(true) if !order => add(&letters, false, false),
                         Some(said) => add(&letters, true, said != *order),
                         None => add(&letters, !order, false),
                     }
