@@ -34,6 +34,29 @@ fn the_project_s_own_notes_pass() {
     }
 }
 
+/// Each formula in the table of notations is read, or not, as the table says.
+#[test]
+fn the_notations_of_the_documentation() {
+    let page = include_str!("../docs/notes.md");
+    let table = page.split("## Notations").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap();
+    let mut tried = 0;
+    for row in table.lines().filter(|line| line.contains('`') && line.starts_with("| ")) {
+        let (name, examples) = row[2..].split_once(" | ").unwrap();
+        for example in examples.split('`').skip(1).step_by(2) {
+            let found = check(&format!("So ${example}$.\n"));
+            assert!(!found.is_empty(), "{example}");
+            let unread = found.iter().any(|finding| finding.verdict == Verdict::Unread);
+            let judged = |finding: &Finding| {
+                matches!(finding.verdict, Verdict::Definition | Verdict::Proved | Verdict::Sampled)
+            };
+            let kept = if name.starts_with("unread") { unread } else { found.iter().all(judged) };
+            assert!(kept, "{name}: {example}: {found:#?}");
+            tried += 1;
+        }
+    }
+    assert!(tried >= 20, "{tried}");
+}
+
 #[test]
 fn slips_are_found_and_repaired() {
     for (text, repair) in [

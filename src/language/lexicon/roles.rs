@@ -132,14 +132,12 @@ pub(crate) fn is_power_of_sum(base: &Expr, exponent: &Expr) -> bool {
     let power = match &base.kind {
         Kind::Group(inner) => is_sum_of_letters(inner),
         // t^i(1-t)^{(n-i)} is read as a value of t^i at first.
-        Kind::Apply(callee, groups) => match (&callee.kind, groups.as_slice()) {
-            (Kind::Pow(factor, _), [group]) => {
-                let factor =
-                    matches!(&factor.kind, Kind::Name(name) if is_factor(name) || is_parameter(name));
-                factor && matches!(group.as_slice(), [sum] if is_sum_of_letters(sum))
-            }
-            _ => false,
-        },
+        Kind::Apply(callee, groups) => {
+            let factor = if let Kind::Pow(factor, _) = &callee.kind { factor } else { callee };
+            let is_number = matches!(&factor.kind, Kind::Name(name) if is_factor(name) || is_parameter(name));
+            is_number
+                && matches!(groups.as_slice(), [group] if matches!(group.as_slice(), [sum] if is_sum_of_letters(sum)))
+        }
         _ => false,
     };
     power && is_sum(exponent)
