@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Condition, is_variable};
+use super::context::{Body, Condition, is_variable};
 use super::model::{Ambiguity, Choices, Curve};
-use super::names::{is_index_letter, is_range};
+use super::names::{Head, is_index_letter, is_range, own_names, walk};
 use super::statement::{Chain, Place};
 use super::tally::{Outcomes, Tally};
 use super::trial::{Facts, Setting, Trial};
@@ -39,6 +39,14 @@ impl Checker {
         for tally in &first.outcomes.tallies {
             ambiguous.extend(tally.record.ambiguous.iter().copied());
             far |= tally.record.definitions.iter().any(|(_, near)| !near);
+        }
+        let numbers = first.outcomes.tallies.iter().flat_map(|tally| &tally.record.definitions);
+        let bodies = numbers.filter_map(|(number, _)| match &self.context.definitions[*number].body {
+            Body::Formula(body) => Some(body),
+            Body::Value(_) => None,
+        });
+        if bodies.chain(sides.iter().copied()).any(sums_over_first) {
+            ambiguous.remove(&Ambiguity::Bernstein);
         }
         let mut options = vec![Choices::default()];
         for ambiguity in ambiguous {
@@ -121,6 +129,17 @@ impl Checker {
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
         earlier.reverse();
+        // What says what a name is, is no condition on other names.
+        let defines = |condition: &Condition| {
+            named(&condition.expr).is_some_and(|head| {
+                self.context.visible(&head.base, place).any(|(_, definition, _)| {
+                    definition.line == condition.line
+                        && definition.head.lower.len() == head.lower.len()
+                        && definition.head.lower.iter().zip(&head.lower).all(|(a, b)| a.same_as(b))
+                })
+            })
+        };
+        earlier.retain(|condition| !defines(condition));
         let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
         let reached = self.context.reached(&sides, place);
         let relevant = about(&earlier, &reached, &|expr| self.context.reached(&[expr], place));
@@ -144,6 +163,34 @@ impl Checker {
     ) -> Trial<'a> {
         Trial::new(self.context.clone(), setting, sides.to_vec(), relations.to_vec(), choices, &self.limits)
     }
+}
+
+/// The name that an equation gives a value.
+fn named(condition: &Expr) -> Option<Head> {
+    match &condition.kind {
+        Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => {
+            Head::of(left).filter(|head| head.arguments.is_none())
+        }
+        _ => None,
+    }
+}
+
+/// Whether a sum over the first index up to the second tells which one is the degree: Σ_{i=0}^p B_{i,p}.
+fn sums_over_first(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        let Kind::Big { lower, upper: Some(upper), body, .. } = &part.kind else { return };
+        let bound = own_names(lower);
+        walk(body, &mut |inner| {
+            if let Some(head) = Head::of(inner).filter(Head::is_bernstein)
+                && let [first, second] = head.lower.as_slice()
+            {
+                found |=
+                    matches!(&first.kind, Kind::Name(name) if bound.contains(name)) && second.same_as(upper);
+            }
+        });
+    });
+    found
 }
 
 /// Whether a condition gives an integer its value: n = 2.

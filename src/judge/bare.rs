@@ -34,6 +34,8 @@ pub(super) fn bare(expr: &Expr) -> BTreeMap<Product, Rational> {
     };
     match &expr.kind {
         Kind::Group(inner) => return bare(inner),
+        Kind::Pow(base, exponent) if is_one(exponent) => return bare(base),
+        Kind::Cross(factors) => return bare(&Expr::product(factors.clone())),
         Kind::Add(terms) => {
             for term in terms {
                 for (key, value) in bare(&term.expr) {
@@ -61,6 +63,8 @@ pub(super) fn bare(expr: &Expr) -> BTreeMap<Product, Rational> {
 /// Collects the factors of a product with their powers; gives the number before it.
 fn monomial(expr: &Expr, power: i64, factors: &mut BTreeMap<String, i64>) -> Rational {
     match &expr.kind {
+        Kind::Pow(base, exponent) if is_one(exponent) => return monomial(base, power, factors),
+        Kind::Pow(base, _) if is_one(base) => return Rational::one(),
         Kind::Number(q) if power > 0 => return q.clone(),
         Kind::Number(q) if !q.is_zero() => return q.recip(),
         Kind::Group(inner) if !matches!(inner.kind, Kind::Add(_)) => return monomial(inner, power, factors),
@@ -99,4 +103,15 @@ fn bare_text(expr: &Expr) -> String {
         *child = Expr::new(Kind::Name(name), child.span);
     });
     write::text(&plain)
+}
+
+fn is_one(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Number(q) => q.is_one(),
+        Kind::Group(inner) => is_one(inner),
+        Kind::Add(terms) => {
+            matches!(terms.as_slice(), [only] if only.sign == Sign::Plus && is_one(&only.expr))
+        }
+        _ => false,
+    }
 }

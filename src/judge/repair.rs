@@ -8,6 +8,7 @@
 
 use super::bare::{bare, vanishes};
 use super::check::Checker;
+use super::features::has_structure;
 use super::model::{Choices, Curve};
 use super::names::{Head, bases, walk};
 use super::tally::{Outcomes, Tally};
@@ -67,10 +68,11 @@ pub fn find(
         .get(at + 2)
         .filter(|_| matches!(chain.relations[at + 1].0, Rel::Eq))
         .map(|side| &side.expr);
-    // n = 10, 2 = 1 become true with another number, whatever was meant.
-    let name = |head: Head| head.arguments.is_none();
-    let value = matches!(right.kind, Kind::Number(_))
-        && (matches!(left.kind, Kind::Number(_)) || Head::of(left).is_some_and(name));
+    // n = 10, 2 = 1, 2x + y = 1 become true with another number, whatever was meant.
+    let computed = has_structure(left)
+        || bases(left).is_empty() && !matches!(left.kind, Kind::Number(_))
+        || contains_call(left);
+    let value = matches!(right.kind, Kind::Number(_)) && !computed;
     let mut best: Option<Repair> = None;
     for (left, right) in candidates {
         if budget::spent() - start > super::trial::share(&checker.limits, 16) {
@@ -96,6 +98,12 @@ pub fn find(
         best.get_or_insert(repair);
     }
     best.or_else(|| written_out(checker, setting, at, choices))
+}
+
+fn contains_call(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| found |= matches!(part.kind, Kind::Apply(..)));
+    found
 }
 
 /// Whether a relation held wherever it made sense, often enough.

@@ -7,7 +7,8 @@ pub enum Topic {
     BezierCurve,
     /// Bernstein polynomials, and what is made of them.
     Bernstein,
-    /// Numbers modulo another, finite fields.
+    /// Other rings and groups than numbers and polynomials with real coefficients: numbers modulo another, finite
+    /// fields, complex numbers, products of vectors.
     Modular,
     /// Polar forms.
     PolarForm,

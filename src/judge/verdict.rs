@@ -6,7 +6,7 @@ use super::check::{Checker, blank};
 use super::conditions::CANNOT_HOLD;
 use super::finding::{Finding, Verdict};
 use super::hypotheses;
-use super::names::Head;
+use super::names::{Head, bases};
 use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
@@ -146,7 +146,11 @@ impl Checker {
                     suspect.unfounded(repair.as_ref())
                 });
                 match doubt {
-                    Some(reason) => refute::missing_or_redefinition(head, at == 0, &reason),
+                    // F(t) = … F' … defines no F.
+                    Some(reason) => {
+                        let new = head.filter(|head| !bases(&chain.sides[at + 1].expr).contains(&head.base));
+                        refute::missing_or_redefinition(new, at == 0, &reason)
+                    }
                     None => refute::Decision::Refuted { failure, reasons },
                 }
             }

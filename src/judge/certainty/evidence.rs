@@ -5,28 +5,121 @@
 //! determines: Bernstein polynomials, B-splines, the polar form of a given polynomial. For everything else that fails
 //! the likelier cause is that it was not read as it was meant.
 
+use std::collections::BTreeSet;
+
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::context::Definition;
-use crate::judge::names::{bases, walk};
+use crate::judge::compare;
+use crate::judge::context::{Body, Definition, is_variable};
+use crate::judge::features::has_structure;
+use crate::judge::names::{Head, bases, walk};
+use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
+use crate::language::lexicon::roles;
 use crate::language::value::Value;
 use crate::math::poly::{MonomialOrder, Symbol};
 
 impl Suspect<'_> {
     /// Why nothing shows that it is wrong, with the repair found.
     pub(in crate::judge) fn unfounded(&self, repair: Option<&Repair>) -> Option<String> {
-        let here = self.tally.record.definitions.iter().all(|(_, near)| *near);
-        let near = repair.is_some_and(|repair| repair.near) && (here || self.claimed());
+        let here = self.used_definitions_are_near();
+        let near =
+            repair.is_some_and(|repair| repair.near) && (self.claimed() || here && !self.names_something());
         let founded = near
-            || self.chain.universal
-            || self.is_of_the_field()
+            || self.chain.universal && self.claimed()
+            || self.is_of_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece()
             || self.is_closed()
             || self.is_calculation()
+            || self.is_expansion()
             || self.agrees_in_part();
         (!founded).then(|| {
             "it fails as it is read, and so does all that is near it: it may mean something else".to_owned()
         })
+    }
+
+    fn used_definitions_are_near(&self) -> bool {
+        self.tally.record.definitions.iter().all(|(_, near)| *near)
+    }
+
+    /// Whether its left side is a name, or a function of its variables, that may be given a value here: t = t_5,
+    /// after f(x) = x^3 also f(x) = x^2.
+    fn names_something(&self) -> bool {
+        let [left, right] = self.sides();
+        let Some(head) = Head::of(left).filter(|head| self.at == 0 && head.notation().is_none()) else {
+            return false;
+        };
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        match &head.arguments {
+            None => head.upper.is_empty() && (head.lower.is_empty() || head.lower.iter().any(number)),
+            Some(_) => {
+                let own: BTreeSet<String> = head.flat().into_iter().flat_map(bases).collect();
+                let variables = head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
+                variables && !has_structure(right) && bases(right).is_subset(&own)
+            }
+        }
+    }
+
+    /// Names on one side only, or other members of a family on each side, of which nothing is said: what they are may
+    /// make it true.
+    fn may_be_a_condition(&self) -> bool {
+        if self.tally.determined > 0 || self.statement.curve().is_some() {
+            return false;
+        }
+        let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+        let place = &self.statement.place;
+        let plain =
+            |name: &str| left.iter().chain(&right).all(|symbol| symbol.base() != name || symbol.is_plain());
+        // The ends a and b of the interval that the formula for C has, in C'(a)
+        let of_formula = |name: &str| {
+            let inside = |definition: &Definition| matches!(&definition.body, Body::Formula(body) if bases(body).contains(name));
+            self.used().any(inside)
+        };
+        let open = |name: &str| {
+            let known = plain(name) && is_variable(name)
+                || of_formula(name)
+                || name.starts_with('[')
+                || self.is_spoken_of(name)
+                || self.checker.is_restricted(name, place)
+                || self.checker.is_constrained(name, place);
+            !known
+        };
+        let letters = |symbols: &[Symbol]| -> BTreeSet<String> {
+            symbols.iter().map(|s| s.base().to_owned()).collect()
+        };
+        let (own, others) = (letters(&left), letters(&right));
+        let alone = own.symmetric_difference(&others).any(|name| open(name));
+        // S'_i(x_i) = S'_{i-1}(x_i), B_{i,n}(u) = 0
+        let [one, other] = self.sides();
+        let call = |side: &Expr| {
+            Head::of(side).filter(|head| head.arguments.is_some() || matches!(side.kind, Kind::Prime(..)))
+        };
+        let same = match (call(one), call(other)) {
+            (Some(a), Some(b)) => {
+                let family = a.notation().is_none() && !a.lower.is_empty();
+                family && a.base == b.base && a.lower.len() == b.lower.len()
+            }
+            (Some(head), None) => {
+                matches!(other.kind, Kind::Number(_))
+                    && !self.failure.integers.is_empty()
+                    && !head.lower.is_empty()
+            }
+            _ => false,
+        };
+        let family = same && !self.claimed() && self.chain.conditions.is_empty();
+        alone || family
+    }
+
+    /// Σ_{i=j-k}^j P_i N_{i,k}(t), the splines that are not 0 between two knots: true between these two.
+    fn is_of_one_piece(&self) -> bool {
+        let free = |bound: &Expr| {
+            let names = bases(bound);
+            self.failure.integers.iter().any(|(name, _)| names.contains(name) && !roles::is_size(name))
+        };
+        self.failure.around.is_some()
+            && self.any(&mut |part| match &part.kind {
+                Kind::Big { lower, upper: Some(upper), .. } => free(upper) && lower.iter().any(free),
+                _ => false,
+            })
     }
 
     /// Whether it speaks of what has a meaning for everybody here, or of all members of a family of functions that
@@ -39,6 +132,11 @@ impl Suspect<'_> {
                 && !(head.lower.is_empty() && head.upper.is_empty())
                 && !head.lower.iter().chain(&head.upper).all(|index| matches!(index.kind, Kind::Number(_)))
         };
+        // f[0, 1] = 3, for the f of another exercise
+        let elsewhere = |definition: &Definition| definition.place.group != self.statement.place.group;
+        if self.are_numbers() && !self.claimed() && self.used().any(elsewhere) {
+            return false;
+        }
         !record.standard.is_empty()
             || !record.paired.is_empty()
             || !self.failure.integers.is_empty() && record.unknown.is_empty() && self.used().any(family)
@@ -50,7 +148,10 @@ impl Suspect<'_> {
         let record = &self.tally.record;
         let operator = self
             .any(&mut |part| matches!(part.kind, Kind::Big { .. } | Kind::Integral { upper: Some(_), .. }));
-        let whole = record.definitions.is_empty() && record.unknown.is_empty() && record.generic.is_empty();
+        let whole = record.definitions.is_empty()
+            && record.standard.is_empty()
+            && record.unknown.is_empty()
+            && record.generic.is_empty();
         let order = matches!(self.rel(), Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);
         let ranged = order
             && self.failure.integers.iter().all(|(name, _)| {
@@ -60,13 +161,24 @@ impl Suspect<'_> {
         whole && (ranged || operator && self.failure.inner && self.symbols().iter().all(Symbol::is_plain))
     }
 
-    /// Whether it calculates with numbers, and is said to follow; or has no solution, as x = x + 1.
+    /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.
+    fn is_expansion(&self) -> bool {
+        let [left, right] = self.sides();
+        let own = |name: &String| calls(left, name) && calls(right, name);
+        self.any(&mut |part| matches!(part.kind, Kind::Big { .. }))
+            && self.tally.record.unknown.iter().any(own)
+    }
+
+    /// Whether it calculates with numbers, and is said to follow; or has no solution, as x = x + 1,
+    /// (1 - t) + t = 0.
     fn is_calculation(&self) -> bool {
         let [left, right] = self.sides();
         let literal = |side: &Expr| matches!(side.kind, Kind::Number(_));
         let numbers = self.sides().iter().all(|side| bases(side).is_empty());
-        let circular = self.is_constant_apart() && contains(right, left);
-        self.claimed() && numbers && !(literal(left) && literal(right)) || circular && !bases(left).is_empty()
+        let circular = contains(right, left) && !bases(left).is_empty();
+        let plain = self.claimed() && self.tally.record.definitions.is_empty();
+        self.claimed() && numbers && !(literal(left) && literal(right))
+            || self.is_constant_apart() && !numbers && (circular || plain)
     }
 
     /// Whether the sides are polynomials in the same names that agree in half of their terms.

@@ -52,8 +52,8 @@ impl Suspect<'_> {
             return Some("a condition".to_owned());
         }
         let written = self.sides().into_iter().all(|side| bases(side).is_empty());
-        if self.statement.topics.has(Topic::Modular) && (written || self.are_numbers()) {
-            return Some("it may be meant modulo a number".to_owned());
+        if self.statement.topics.has(Topic::Modular) && self.tally.record.standard.is_empty() {
+            return Some("it may be meant modulo a number, or in another ring".to_owned());
         }
         // The Legendre symbol of a and p
         let quotient = |side: &Expr| matches!(&side.kind, Kind::Group(inner) if matches!(inner.kind, Kind::Div(..) | Kind::Number(_)));
