@@ -176,7 +176,8 @@ impl Suspect<'_> {
         let literal = |side: &Expr| matches!(side.kind, Kind::Number(_));
         let numbers = self.sides().iter().all(|side| bases(side).is_empty());
         let circular = contains(right, left) && !bases(left).is_empty();
-        let plain = self.claimed() && self.tally.record.definitions.is_empty();
+        let plain =
+            self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();
         self.claimed() && numbers && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }
