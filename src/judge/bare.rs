@@ -11,6 +11,9 @@ use num_traits::{One, Zero};
 /// Factors with their powers.
 type Product = Vec<(String, i64)>;
 
+/// Products with the numbers before them, none of them 0.
+type Bare = BTreeMap<Product, Rational>;
+
 /// Whether something is taken from itself or multiplied by 0: a - a, 0 a.
 pub(super) fn vanishes(expr: &Expr) -> bool {
     let mut found = false;
@@ -24,10 +27,9 @@ pub(super) fn vanishes(expr: &Expr) -> bool {
     found
 }
 
-/// A formula as a linear combination of products of what stands in it, nothing multiplied out: equations between
-/// sides that are equal so say nothing.
-pub(super) fn bare(expr: &Expr) -> BTreeMap<Product, Rational> {
-    let mut sum = BTreeMap::new();
+/// A formula as a linear combination of products of what stands in it. Cost: linear, each part is taken once.
+pub(super) fn bare(expr: &Expr) -> Bare {
+    let mut sum = Bare::new();
     let mut add = |key: Product, value: Rational| {
         let entry = sum.entry(key).or_insert_with(Rational::zero);
         *entry += value;
@@ -77,32 +79,33 @@ fn monomial(expr: &Expr, power: i64, factors: &mut BTreeMap<String, i64>) -> Rat
             return monomial(above, power, factors) * monomial(below, -power, factors);
         }
         Kind::Add(_) | Kind::Group(_) => {
+            let sum = bare(expr);
             // A sum that is a multiple of one thing: z + z
-            if let [(key, value)] = bare(expr).into_iter().collect::<Vec<_>>().as_slice() {
-                for (name, own) in key {
+            if let [(key, value)] = sum.iter().collect::<Vec<_>>().as_slice() {
+                for (name, own) in *key {
                     *factors.entry(name.clone()).or_default() += own * power;
                 }
-                return if power > 0 { value.clone() } else { value.recip() };
+                return if power > 0 { (*value).clone() } else { value.recip() };
             }
+            *factors.entry(text(&sum)).or_default() += power;
         }
-        _ => {}
+        _ => *factors.entry(bare_text(expr)).or_default() += power,
     }
-    *factors.entry(bare_text(expr)).or_default() += power;
     Rational::one()
 }
 
 /// The text of a formula with all that stands inside of it in its bare form.
 fn bare_text(expr: &Expr) -> String {
     let mut plain = expr.clone();
-    plain.for_each_child_mut(&mut |child| {
-        let product = |key: &Product| -> String {
-            key.iter().map(|(name, power)| format!("*{name}^{power}")).collect()
-        };
-        let terms = bare(child).into_iter().map(|(key, value)| format!("+{value}{}", product(&key)));
-        let name = format!("({})", terms.collect::<String>());
-        *child = Expr::new(Kind::Name(name), child.span);
-    });
+    plain.for_each_child_mut(&mut |child| *child = Expr::new(Kind::Name(text(&bare(child))), child.span));
     write::text(&plain)
+}
+
+fn text(sum: &Bare) -> String {
+    let product =
+        |key: &Product| -> String { key.iter().map(|(name, power)| format!("*{name}^{power}")).collect() };
+    let terms = sum.iter().map(|(key, value)| format!("+{value}{}", product(key)));
+    format!("({})", terms.collect::<String>())
 }
 
 fn is_one(expr: &Expr) -> bool {
@@ -113,5 +116,34 @@ fn is_one(expr: &Expr) -> bool {
             matches!(terms.as_slice(), [only] if only.sign == Sign::Plus && is_one(&only.expr))
         }
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Expr {
+        crate::language::latex::read(text).expect("it can be read")
+    }
+
+    #[test]
+    fn what_says_nothing() {
+        for (left, right) in
+            [("a", "a"), (r"\lambda x", r"+\lambda x"), (r"\frac{z+z}{2}", "z"), ("a x y", "a^1 x y")]
+        {
+            assert_eq!(bare(&read(left)), bare(&read(right)), "{left} = {right}");
+        }
+        for (left, right) in [("1+1", "2"), (r"3\cdot 4", "12"), ("(a+b)^2", "a^2+2ab+b^2"), ("a-b", "b-a")] {
+            assert_ne!(bare(&read(left)), bare(&read(right)), "{left} = {right}");
+        }
+        assert!(vanishes(&read("2 + (a - a)")) && vanishes(&read(r"0\cdot a")) && !vanishes(&read("a - b")));
+    }
+
+    /// Sums within products within sums: each is taken once, or this would not end.
+    #[test]
+    fn deep_formulas() {
+        let nested = (0..60).fold("1".to_owned(), |inner, _| format!("(b+{inner})c"));
+        assert!(!vanishes(&read(&nested)));
     }
 }

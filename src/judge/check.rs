@@ -3,11 +3,12 @@
 use std::rc::Rc;
 
 use super::context::{Body, Condition, Context, Definition, Letters, is_variable};
+use super::features::has_call;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
-use super::names::{Head, is_index_letter, is_range};
+use super::names::{Head, contains, is_index_letter, is_range};
 use super::object::{Declared, Object, Sort};
 use super::refute;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
@@ -302,12 +303,9 @@ impl Checker {
             return vec![listed];
         }
         // x = x + 1 defines nothing.
-        let circular = head.is_some() && chain.relations[0].0 == Rel::Eq && {
-            let mut found = false;
-            let left = &chain.sides[0].expr;
-            super::names::walk(&chain.sides[1].expr, &mut |part| found |= part.same_as(left));
-            found
-        };
+        let circular = head.is_some()
+            && chain.relations[0].0 == Rel::Eq
+            && contains(&chain.sides[1].expr, &chain.sides[0].expr);
         let first_known = first_known || circular;
         let defines = chain.relations[0].0 == Rel::Define && !first_known;
         let mut start = 0;
@@ -349,7 +347,7 @@ impl Checker {
                 && head.arguments.is_none()
                 && is_variable(&head.base)
                 && !matches!(statement.role, Some(Role::Introduced))
-                && !calls_something(&chain.sides[1].expr)
+                && !has_call(&chain.sides[1].expr)
                 && !defines;
             if passing {
                 findings[0].verdict = Verdict::Definition;
@@ -577,13 +575,6 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
         return true;
     };
     is_variable(only) || is_index_letter(only) || inside.contains(only)
-}
-
-/// Whether a function is applied in a formula: s = x(1/2) is a point, t = i/n a parameter.
-fn calls_something(expr: &Expr) -> bool {
-    let mut found = false;
-    super::names::walk(expr, &mut |part| found |= matches!(part.kind, Kind::Apply(..)));
-    found
 }
 
 /// A finding for a relation, not judged yet.

@@ -126,6 +126,18 @@ pub fn has_structure(side: &Expr) -> bool {
     found
 }
 
+/// Whether a function is applied in a formula: s = x(1/2) is a point, t = i/n a parameter.
+pub fn has_call(side: &Expr) -> bool {
+    let mut found = false;
+    walk(side, &mut |part| found |= matches!(part.kind, Kind::Apply(..)));
+    found
+}
+
+/// Whether an argument of a polar form says how often it stands there: t^n, 0^{n-i}.
+pub fn is_repeated(argument: &Expr) -> bool {
+    matches!(&argument.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)))
+}
+
 /// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.
 pub fn has_column(side: &Expr) -> bool {
     let mut found = false;

@@ -318,6 +318,13 @@ pub fn walk<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     expr.for_each_child(&mut |child| walk(child, visit));
 }
 
+/// Whether a formula is a part of another one.
+pub fn contains(whole: &Expr, sought: &Expr) -> bool {
+    let mut found = false;
+    walk(whole, &mut |part| found |= part.same_as(sought));
+    found
+}
+
 /// Whether a member of a family with one of these letters stands in an expression: t_i.
 pub fn has_members(expr: &Expr, letters: &[String]) -> bool {
     let mut found = false;

@@ -8,7 +8,7 @@
 
 use super::bare::{bare, vanishes};
 use super::check::Checker;
-use super::features::has_structure;
+use super::features::{has_call, has_structure};
 use super::model::{Choices, Curve};
 use super::names::{Head, bases, walk};
 use super::tally::{Outcomes, Tally};
@@ -71,7 +71,7 @@ pub fn find(
     // n = 10, 2 = 1, 2x + y = 1 become true with another number, whatever was meant.
     let computed = has_structure(left)
         || bases(left).is_empty() && !matches!(left.kind, Kind::Number(_))
-        || contains_call(left);
+        || has_call(left);
     let value = matches!(right.kind, Kind::Number(_)) && !computed;
     let mut best: Option<Repair> = None;
     for (left, right) in candidates {
@@ -98,12 +98,6 @@ pub fn find(
         best.get_or_insert(repair);
     }
     best.or_else(|| written_out(checker, setting, at, choices))
-}
-
-fn contains_call(expr: &Expr) -> bool {
-    let mut found = false;
-    walk(expr, &mut |part| found |= matches!(part.kind, Kind::Apply(..)));
-    found
 }
 
 /// Whether a relation held wherever it made sense, often enough.

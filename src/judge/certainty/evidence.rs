@@ -12,7 +12,7 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::compare;
 use crate::judge::context::{Body, Definition, is_variable};
 use crate::judge::features::has_structure;
-use crate::judge::names::{Head, bases, walk};
+use crate::judge::names::{Head, bases, contains};
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::language::lexicon::roles;
@@ -22,7 +22,7 @@ use crate::math::poly::{MonomialOrder, Symbol};
 impl Suspect<'_> {
     /// Why nothing shows that it is wrong, with the repair found.
     pub(in crate::judge) fn unfounded(&self, repair: Option<&Repair>) -> Option<String> {
-        let here = self.used_definitions_are_near();
+        let here = self.tally.record.definitions.iter().all(|(_, near)| *near);
         let near =
             repair.is_some_and(|repair| repair.near) && (self.claimed() || here && !self.names_something());
         let founded = near
@@ -35,10 +35,6 @@ impl Suspect<'_> {
         (!founded).then(|| {
             "it fails as it is read, and so does all that is near it: it may mean something else".to_owned()
         })
-    }
-
-    fn used_definitions_are_near(&self) -> bool {
-        self.tally.record.definitions.iter().all(|(_, near)| *near)
     }
 
     /// Whether its left side is a name, or a function of its variables, that may be given a value here: t = t_5,
@@ -197,11 +193,4 @@ impl Suspect<'_> {
             && common > 1
             && 2 * common >= own.len().max(others.len())
     }
-}
-
-/// Whether a formula is a part of another one.
-fn contains(whole: &Expr, sought: &Expr) -> bool {
-    let mut found = false;
-    walk(whole, &mut |part| found |= part.same_as(sought));
-    found
 }

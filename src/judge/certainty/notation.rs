@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Expr, Kind, Sign};
+use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::Sort;
 use crate::judge::topic::Topic;
@@ -68,8 +69,6 @@ impl Suspect<'_> {
             return Some("it may be an inverse function".to_owned());
         }
         // b^0(0), b[t^n]: a value of b, or a product?
-        let repeats =
-            |item: &Expr| matches!(&item.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)));
         let value = self.any(&mut |part| match &part.kind {
             Kind::Mul(factors) => factors.windows(2).any(|pair| {
                 let inner = match &pair[1].kind {
@@ -80,7 +79,7 @@ impl Suspect<'_> {
                 let lonely = |name: &Expr| matches!(&name.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()));
                 match &pair[0].kind {
                     Kind::Pow(base, _) => lonely(base) && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)),
-                    _ => lonely(&pair[0]) && repeats(inner),
+                    _ => lonely(&pair[0]) && is_repeated(inner),
                 }
             }),
             _ => false,

@@ -9,6 +9,7 @@ use super::calls::unclear;
 use super::steps::{Steps, not_yet_named};
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Expr, Kind, Sign, Term};
+use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bracket_beside_name, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -90,9 +91,7 @@ impl Model {
             _ => return None,
         };
         // b[0^{n-i}, 1^i]: arguments that repeat, no nodes
-        let repeats =
-            |node: &Expr| matches!(&node.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)));
-        if nodes.iter().any(repeats) {
+        if nodes.iter().any(is_repeated) {
             return Some(Err(unclear(&format!("what the bracket beside {} is", name.base), expr)));
         }
         let difference = self.divided_difference(machine, &factors[function], &nodes, expr);
