@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::context::{Body, Condition, Context, Definition, Letters, is_variable};
+use super::context::{Body, Condition, Context, Definition, Letters, Source, is_variable};
 use super::features::has_call;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
@@ -213,7 +213,7 @@ impl Checker {
             place: place.clone(),
             line: self.line(span),
             assumed: false,
-            queried: false,
+            source: Source::Page,
         };
         Rc::make_mut(&mut self.context).define(definition);
     }

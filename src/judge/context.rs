@@ -38,8 +38,19 @@ pub struct Definition {
     pub line: usize,
     /// Whether it is assumed, for its paragraph only.
     pub assumed: bool,
-    /// Whether a query gives it; the items of a list there are counted from 0.
-    pub queried: bool,
+    /// What says it.
+    pub source: Source,
+}
+
+/// What says a definition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The page, as it is read.
+    Page,
+    /// A declaration for the judge.
+    Declaration,
+    /// A query; the items of a list there are counted from 0.
+    Query,
 }
 
 /// A condition on names, such as α + β + γ = 1.

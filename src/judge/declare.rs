@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::check::Checker;
-use super::context::{Body, Definition};
+use super::context::{Body, Definition, Source};
 use super::names::{Head, bases, walk};
 use super::object::{Object, Sort};
 use super::statement::{Chain, Place, Statement};
@@ -147,8 +147,8 @@ impl Checker {
                 let line = self.file.line_column(span.start).0;
                 let body = Body::Formula(links[0].expr.clone());
                 let (place, conditions) = (place.clone(), Vec::new());
-                let (assumed, queried) = (false, true);
-                let definition = Definition { head, body, conditions, place, line, assumed, queried };
+                let (assumed, source) = (false, Source::Query);
+                let definition = Definition { head, body, conditions, place, line, assumed, source };
                 Rc::make_mut(&mut self.context).define(definition);
             }
         }
@@ -160,7 +160,12 @@ impl Checker {
             let defines = links[0].rel == Rel::Define
                 || (links[0].rel == Rel::Eq && links.len() == 1 && matches!(left.kind, Kind::Apply(..)));
             if defines && let Some(head) = Head::of(left) {
-                self.define(head, Body::Formula(links[0].expr.clone()), &[], place, at);
+                let body = Body::Formula(links[0].expr.clone());
+                let (place, line) = (place.clone(), self.line(at));
+                let (assumed, source) = (false, Source::Declaration);
+                let definition =
+                    Definition { head, body, conditions: Vec::new(), place, line, assumed, source };
+                Rc::make_mut(&mut self.context).define(definition);
                 return;
             }
             self.condition(expr.clone(), at, false, place);

@@ -2,7 +2,7 @@
 //! definition.
 
 use super::check::Checker;
-use super::context::{Body, Condition, Definition, is_variable};
+use super::context::{Body, Condition, Definition, Source, is_variable};
 use super::model::{Curve, capital_of};
 use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_range, walk};
 use super::refute::calls;
@@ -119,7 +119,7 @@ impl Checker {
         let whole = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
         whole
             && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| {
-                near && d.queried && d.head.lower.is_empty() && d.head.arguments.is_none()
+                near && d.source == Source::Query && d.head.lower.is_empty() && d.head.arguments.is_none()
             })
     }
 
@@ -188,7 +188,9 @@ impl Checker {
             _ => false,
         };
         let given = |definition: &Definition| {
-            definition.queried && definition.head.lower.is_empty() && definition.head.arguments.is_none()
+            definition.source == Source::Query
+                && definition.head.lower.is_empty()
+                && definition.head.arguments.is_none()
         };
         if part && self.context.visible(&head.base, place).next().is_some_and(|(_, d, near)| near && given(d))
         {

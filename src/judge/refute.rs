@@ -37,6 +37,8 @@ pub enum Decision {
     Recursion(Box<Head>),
     /// Not decided, and why.
     Open(String),
+    /// It may be a condition, unless something shows that it is a slip.
+    Condition(String),
     /// Suspicious: an index that belongs to nothing.
     Loose(String),
 }
@@ -368,7 +370,7 @@ pub fn decide(
     let member = |symbol: &&Symbol| matches!(symbol.indices(), [Index::Number(_), ..]);
     let constant = sl.is_empty() && number(left) || sr.is_empty() && number(right);
     if let (true, Some(symbol)) = (constant, sl.union(&sr).find(member)) {
-        return Decision::Open(format!("what {symbol} is is not said"));
+        return Decision::Condition(format!("what {symbol} is is not said"));
     }
     // Always (1 - t)^2 = 1: no equation to be solved for t.
     let variable = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());
@@ -395,7 +397,7 @@ pub fn decide(
         return refuted(failure);
     }
     if unknown.len() > 1 {
-        return Decision::Open(format!(
+        return Decision::Condition(format!(
             "a condition on {}",
             unknown.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(" and ")
         ));
@@ -413,17 +415,21 @@ pub fn decide(
         let differences = super::features::has_divided_differences(&[left, right]);
         let identity = bare && sums && calls(right, name);
         if !(identity || differences && sl == sr && !sl.is_empty()) {
-            return Decision::Open(format!("a condition on {name}, or it needs to be known what {name} is"));
+            return Decision::Condition(format!(
+                "a condition on {name}, or it needs to be known what {name} is"
+            ));
         }
         return refuted(failure);
     } else if !unknown.is_empty() {
         // F and its polar form: both sides must speak of them, perhaps by names for values.
         if !(generic(&failure.left) && generic(&failure.right)) {
-            return Decision::Open("a condition on the polar form, or a definition of its points".to_owned());
+            return Decision::Condition(
+                "a condition on the polar form, or a definition of its points".to_owned(),
+            );
         }
         let single = |side: &Expr| bare_values(side) || Head::of(side).is_some_and(|h| h.arguments.is_none());
         if single(left) && single(right) {
-            return Decision::Open("a condition on the polar form".to_owned());
+            return Decision::Condition("a condition on the polar form".to_owned());
         }
     }
     if inequality {
@@ -446,7 +452,7 @@ pub fn decide(
         only(&sl, &sr, base) && only(&sr, &sl, base) && bases(left).contains(*base) && !spoken_of(base)
     });
     if let (Some(base), true) = (open, head.is_none()) {
-        return Decision::Open(format!("a condition on {base}"));
+        return Decision::Condition(format!("a condition on {base}"));
     }
     // Which symbols the sides speak of.
     let common: Vec<&Symbol> = sl.intersection(&sr).collect();
@@ -462,7 +468,7 @@ pub fn decide(
         if numbers || expansion || family || identity || (same && (at > 0 || degrees_agree(&failure))) {
             return refuted(failure);
         }
-        return Decision::Open("an equation between names without a meaning".to_owned());
+        return Decision::Condition("an equation between names without a meaning".to_owned());
     }
     let letters = |symbols: &BTreeSet<Symbol>| -> BTreeSet<String> {
         symbols.iter().map(|symbol| symbol.base().to_owned()).collect()
@@ -484,7 +490,7 @@ pub fn decide(
     // c_2 - 2 c_1 + c_0 = …, where the page says no more of the c_i: a condition on them
     let unsaid = sl.difference(&sr).find(|symbol| !symbol.is_plain() && !br.contains(symbol.base()));
     if let (Some(symbol), None, true, false) = (unsaid, head, first, claimed) {
-        return Decision::Open(format!("a condition on {}", symbol.base()));
+        return Decision::Condition(format!("a condition on {}", symbol.base()));
     }
     if extra.iter().any(|symbol| symbol.is_plain()) && !standard && unknown.is_empty() {
         return missing_or_redefinition(head, first, "a name without a meaning occurs on the right");
@@ -503,7 +509,7 @@ pub fn decide(
         }
     }
     if bare_values(left) && bare_values(right) && at == 0 {
-        return Decision::Open("a condition on the values of a function".to_owned());
+        return Decision::Condition("a condition on the values of a function".to_owned());
     }
     // Definitions of other sections count only if the formula speaks of their coefficients.
     let far: Vec<usize> =
@@ -548,7 +554,7 @@ pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -
     if head.is_some() && first && !is_standard(head) {
         Decision::Redefinition(None)
     } else {
-        Decision::Open(reason.to_owned())
+        Decision::Condition(reason.to_owned())
     }
 }
 

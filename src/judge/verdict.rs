@@ -154,6 +154,24 @@ impl Checker {
                     None => refute::Decision::Refuted { failure, reasons },
                 }
             }
+            refute::Decision::Condition(reason) => {
+                let failure = witness::best_failure(tally, outcomes, chain);
+                let slip = failure.filter(|failure| {
+                    let suspect = Suspect { checker: self, tally, chain, at, statement, failure };
+                    suspect.is_slip(|| {
+                        let repair = repair::find(self, setting, at, attempt.choices, tally)?;
+                        finding.suggestion = Some(repair.latex());
+                        Some(repair)
+                    })
+                });
+                match slip {
+                    Some(failure) => {
+                        let reasons = witness::reasons(&failure, tally);
+                        refute::Decision::Refuted { failure: Box::new(failure), reasons }
+                    }
+                    None => refute::Decision::Open(reason),
+                }
+            }
             other => other,
         };
         match refutation {
@@ -173,7 +191,7 @@ impl Checker {
             }
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
             refute::Decision::Recursion(head) => return Judged::Recursion(head),
-            refute::Decision::Open(reason) => {
+            refute::Decision::Open(reason) | refute::Decision::Condition(reason) => {
                 finding.suggestion = None;
                 finding.reason = Some(reason);
             }

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::compare;
-use crate::judge::context::{Body, Definition, is_variable};
+use crate::judge::context::{Body, Definition, Source, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::names::{Head, bases, contains};
 use crate::judge::refute::calls;
@@ -22,9 +22,8 @@ use crate::math::poly::{MonomialOrder, Symbol};
 impl Suspect<'_> {
     /// Why nothing shows that it is wrong, with the repair found.
     pub(in crate::judge) fn unfounded(&self, repair: Option<&Repair>) -> Option<String> {
-        let here = self.tally.record.definitions.iter().all(|(_, near)| *near);
-        let near =
-            repair.is_some_and(|repair| repair.near) && (self.claimed() || here && !self.names_something());
+        let near = repair.is_some_and(|repair| repair.near)
+            && (self.claimed() || self.is_near_its_meaning() && (self.says_much() || self.means_one_thing()));
         let founded = near
             || self.chain.universal && self.claimed()
             || self.is_of_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece()
@@ -35,6 +34,33 @@ impl Suspect<'_> {
         (!founded).then(|| {
             "it fails as it is read, and so does all that is near it: it may mean something else".to_owned()
         })
+    }
+
+    /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
+    pub(in crate::judge) fn is_slip(&self, repair: impl FnOnce() -> Option<Repair>) -> bool {
+        self.says_much()
+            && self.is_near_its_meaning()
+            && !self.may_be_a_condition()
+            && self.doubt_of_form().is_none()
+            && repair().is_some_and(|repair| repair.near)
+    }
+
+    /// Whether what it uses was defined close to it, and it gives no name a value.
+    fn is_near_its_meaning(&self) -> bool {
+        self.tally.record.definitions.iter().all(|(_, near)| *near) && !self.names_something()
+    }
+
+    /// Whether no name in it has a meaning, or declarations and queries give all that it uses.
+    fn means_one_thing(&self) -> bool {
+        self.tally.record.unknown.is_empty()
+            && self.used().all(|definition| definition.source != Source::Page)
+    }
+
+    /// Whether it calculates so much that a small edit does not make it true by chance: next to f(s) = a - b there
+    /// is always something true.
+    fn says_much(&self) -> bool {
+        let calculations: usize = self.sides().into_iter().map(calculations).sum();
+        self.is_equation() && calculations > 2
     }
 
     /// Whether its left side is a name, or a function of its variables, that may be given a value here: t = t_5,
@@ -133,9 +159,13 @@ impl Suspect<'_> {
         if self.are_numbers() && !self.claimed() && self.used().any(elsewhere) {
             return false;
         }
+        let told = self.claimed() || self.sides().into_iter().any(has_structure);
         !record.standard.is_empty()
             || !record.paired.is_empty()
-            || !self.failure.integers.is_empty() && record.unknown.is_empty() && self.used().any(family)
+            || told
+                && !self.failure.integers.is_empty()
+                && record.unknown.is_empty()
+                && self.used().any(family)
     }
 
     /// Whether no name in it needs a meaning, and it is no equation: a sum or an integral in closed form, an inequality
@@ -174,6 +204,8 @@ impl Suspect<'_> {
         let circular = contains(right, left) && !bases(left).is_empty();
         let plain =
             self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();
+        // k = 1^k is one apart in one instance only
+        let circular = circular && !(self.are_numbers() && !self.failure.integers.is_empty());
         self.claimed() && numbers && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }
@@ -193,4 +225,27 @@ impl Suspect<'_> {
             && common > 1
             && 2 * common >= own.len().max(others.len())
     }
+}
+
+/// How many sums, products, powers and values of functions are calculated in it, apart from indices.
+fn calculations(expr: &Expr) -> usize {
+    let own = match &expr.kind {
+        Kind::Subscript(..) | Kind::Upper(..) => return 0,
+        Kind::Add(terms) => terms.len() - 1,
+        Kind::Mul(factors) => factors.len() - 1,
+        Kind::Apply(_, groups) => {
+            groups.iter().flatten().any(|argument| !matches!(argument.kind, Kind::Name(_))).into()
+        }
+        Kind::Pow(..)
+        | Kind::Div(..)
+        | Kind::Big { .. }
+        | Kind::Integral { .. }
+        | Kind::Binomial(..)
+        | Kind::Factorial(_)
+        | Kind::Prime(..) => 1,
+        _ => 0,
+    };
+    let mut all = own;
+    expr.for_each_child(&mut |child| all += calculations(child));
+    all
 }

@@ -38,8 +38,12 @@ pub(super) struct Suspect<'a> {
 impl Suspect<'_> {
     /// Why it may not be wrong after all.
     pub(super) fn doubt(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 7] = [
-            Self::unknown_function,
+        self.unknown_function().or_else(|| self.doubt_of_form())
+    }
+
+    /// Why it may not be wrong, whatever its names stand for.
+    fn doubt_of_form(&self) -> Option<String> {
+        let rules: [fn(&Self) -> Option<String>; 6] = [
             Self::operator,
             Self::equation_to_be_solved,
             Self::matrices,

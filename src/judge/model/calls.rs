@@ -2,6 +2,7 @@
 
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
+use crate::judge::context::Source;
 use crate::judge::names::{Head, is_index_letter};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -85,7 +86,9 @@ impl Model {
         let written_out = |item: &Expr| !matches!(item.kind, Kind::Ellipsis | Kind::Brace(..));
         groups.iter().flatten().all(written_out)
             && self.context.visible(name, &self.place).next().is_some_and(|(_, definition, _)| {
-                definition.queried && definition.head.arguments.is_none() && definition.head.lower.is_empty()
+                definition.source == Source::Query
+                    && definition.head.arguments.is_none()
+                    && definition.head.lower.is_empty()
             })
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Sign};
-use crate::judge::context::{Body, Definition};
+use crate::judge::context::{Body, Definition, Source};
 use crate::judge::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -92,7 +92,7 @@ impl Model {
     pub(super) fn item_of_query(&self, machine: &mut Machine, head: &Head) -> Option<Value> {
         let [index] = head.lower.as_slice() else { return None };
         let list = Head { lower: Vec::new(), ..head.clone() };
-        let given = self.context.visible(&head.base, &self.place).any(|(_, d, _)| d.queried);
+        let given = self.context.visible(&head.base, &self.place).any(|(_, d, _)| d.source == Source::Query);
         if !given || !head.upper.is_empty() || head.arguments.is_some() {
             return None;
         }

@@ -215,8 +215,13 @@ impl Lexer<'_> {
         let length = if letters > 0 { letters } else { tail.chars().next().map_or(0, char::len_utf8) };
         let name = tail[..length].to_owned();
         let end = start + 1 + length;
-        // a line break after a backslash is a space to TeX
-        let name = if name.len() == 1 && name.trim().is_empty() { " ".to_owned() } else { name };
+        // A line break after a backslash is a space to TeX; beside an alignment it is what Markdown or a converter
+        // left of two backslashes.
+        let name = match name.as_str() {
+            "\n" | "\r" if self.text.contains('&') => "\\".to_owned(),
+            "\n" | "\r" | "\t" => " ".to_owned(),
+            _ => name,
+        };
         let Some(command) = commands::lookup(&name) else {
             // \polar(F): the name of a function
             let called = self.text[end..self.end].trim_start().starts_with('(');

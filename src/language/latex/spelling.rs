@@ -18,6 +18,9 @@ impl Lexer<'_> {
         if CONNECTIVES.contains(&word) && (length > 2 || self.stands_alone(length)) {
             return self.push(Tok::Text(content.0, content.1), length);
         }
+        if length == 1 && self.joins_relations() {
+            return self.push(Tok::Text(content.0, content.1), length);
+        }
         // A name of several words such as polar_sum.
         let longest = self.run(|byte| byte.is_ascii_alphabetic() || byte == b'_');
         if longest > length
@@ -39,6 +42,13 @@ impl Lexer<'_> {
         for (offset, letter) in word.to_owned().char_indices() {
             self.push_from(start + offset, Tok::Letter(letter), start + offset + 1);
         }
+    }
+
+    /// Whether the letter here is a word between two relations, as its spaces say: a = 0\ e\ b = 1.
+    fn joins_relations(&self) -> bool {
+        let (before, after) = (&self.text[..self.at], &self.rest()[1..]);
+        let spaced = before.ends_with("\\ ") && after.starts_with("\\ ");
+        spaced && after.contains('=') && self.tokens.iter().any(|token| matches!(token.kind, Tok::Rel(_)))
     }
 
     /// Whether the word of `length` bytes here is all of an index.

@@ -54,6 +54,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("若", Role::Case),
     Before("如果", Role::Case),
     Before("当", Role::Case),
+    Before("特例", Role::Case),
+    Before("特殊情况", Role::Case),
     Before("对", Role::Case),
     Before("对于", Role::Case),
     Before("对任意", Role::All),

@@ -110,6 +110,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("for the case", Role::Case),
     Before("in the case", Role::Case),
     Before("in case", Role::Case),
+    Before("the case", Role::Case),
+    Before("special case", Role::Case),
     Before("when", Role::Case),
     Before("whenever", Role::Case),
     Before("as soon as", Role::Case),

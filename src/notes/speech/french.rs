@@ -78,6 +78,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("on a toujours", Role::Always),
     Before("dès que", Role::Case),
     Before("au cas où", Role::Case),
+    Before("le cas", Role::Case),
+    Before("cas particulier", Role::Case),
     Before("en", Role::Case),
     Before("sauf pour", Role::Except),
     Before("sauf si", Role::Except),
