@@ -67,6 +67,8 @@ fn errors_have_a_place_and_a_hint() {
         Code::MoreCases,
         Code::Letters,
         Code::Called,
+        Code::NoIdentity,
+        Code::NotReal,
         Code::UnclosedFormula,
         Code::UnclosedBlock,
         Code::HalfDefinition,

@@ -512,6 +512,45 @@ fn words_are_complete() {
     }
 }
 
+/// Every value of the polar form, every product and every root is proved; the changes of sign are counted again.
+#[test]
+fn real_roots() {
+    for (formula, degree, simple, ends) in [
+        ("t^3 - 3 t + 1", 3, None, ", -2, 2"),
+        ("t^2 - 2", 2, None, ", 0, 2"),
+        ("t^2 + 1", 2, None, ", -1, 1"),
+        ("2 t^4 - 6 t^2 + 1/3", 4, None, ""),
+        ("(t - 1/2)^2 (t - 3)", 3, Some(("(t - 1/2) (t - 3)", 2)), ", 0, 4"),
+        ("-3 (t^2 - 2)^3", 6, Some(("t^2 - 2", 2)), ""),
+        ("t (2 t - 1) (t - 1)", 3, None, ", 0, 1"),
+        ("t - 7", 1, None, ", 0, 10"),
+    ] {
+        let query = format!("derive(roots, {formula}{ends})");
+        let derivation = derived(&[], &query);
+        let mut context = polynomials(&[("F", formula, degree)]);
+        context.extend(simple.map(|(g, n)| polynomials(&[("G", g, n)])).into_iter().flatten());
+        assert!(assert_true(&query, &context, &derivation) > 2, "{query}");
+        for line in &derivation.lines {
+            let words = line.reason.text(Language::English);
+            let value = |one: &Expr| match &one.kind {
+                Kind::Chain(_, links) => text(&links[0].expr),
+                _ => panic!("{query}: no equation"),
+            };
+            let count = match words.split(' ').next() {
+                Some("no") => 0,
+                Some("one") => 1,
+                Some(number) if words.contains("changes of sign") => number.parse().unwrap(),
+                _ => continue,
+            };
+            let values: Vec<String> =
+                formulas(&line.formula).iter().map(value).filter(|value| value != "0").collect();
+            let signs: Vec<bool> = values.iter().map(|value| value.starts_with('-')).collect();
+            assert_eq!(signs.windows(2).filter(|pair| pair[0] != pair[1]).count(), count, "{query}: {words}");
+        }
+    }
+    assert_true_in_notes("roots", "", &derived(&[], "derive(roots, (t - 1/2)^2 (t - 3), 0, 4)"));
+}
+
 #[test]
 fn on_the_command_line() {
     assert_snapshot!(transcripts([
@@ -543,5 +582,10 @@ fn on_the_command_line() {
         vec!["eval", "derive(moments, [0, 2, 1], [1, 2, 3])"],
         vec!["eval", "derive(moments, [0, 1], [1, 2], ends=clamped)"],
         vec!["eval", "derive(matrix, 100000)"],
+        vec!["eval", "derive(roots, (t - 1)^2 (t^2 - 3), 0, 2)"],
+        vec!["eval", "derive(roots, (t - 1)^2 (t^2 - 3), 0, 2)", "--lang", "zh", "--format", "latex"],
+        vec!["eval", "derive(roots, 5)"],
+        vec!["eval", "derive(roots, t, 2, 1)"],
+        vec!["eval", "derive(roots, a t, 0, 1)"],
     ]));
 }

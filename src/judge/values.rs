@@ -29,7 +29,7 @@ pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnos
             equality(&mut judgement)?;
             judgement.verdict = match judgement.verdict {
                 Verdict::Proved => Verdict::Refuted,
-                Verdict::Refuted if numbers(left, right).is_some() => Verdict::Proved,
+                Verdict::Refuted if numbers(left, right) => Verdict::Proved,
                 _ => Verdict::Undecided,
             };
         }
@@ -56,8 +56,9 @@ pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnos
     Ok(judgement)
 }
 
-fn numbers(left: &Value, right: &Value) -> Option<(Rational, Rational)> {
-    Some((left.as_rational()?, right.as_rational()?))
+/// Whether both sides are numbers.
+fn numbers(left: &Value, right: &Value) -> bool {
+    left.as_real().is_some() && right.as_real().is_some()
 }
 
 fn order(judgement: &mut Judgement) {
@@ -68,6 +69,16 @@ fn order(judgement: &mut Judgement) {
         Rel::Gt => a > b,
         _ => a >= b,
     };
+    if let (Some(a), Some(b)) = (judgement.left.as_real(), judgement.right.as_real()) {
+        let holds = match rel {
+            Rel::Lt => a < b,
+            Rel::Le => a <= b,
+            Rel::Gt => a > b,
+            _ => a >= b,
+        };
+        judgement.verdict = if holds { Verdict::Proved } else { Verdict::Refuted };
+        return;
+    }
     let (Some(a), Some(b)) = (judgement.left.as_scalar(), judgement.right.as_scalar()) else { return };
     let difference = a.minus(b);
     if let Some(d) = difference.as_rational() {
@@ -87,6 +98,11 @@ fn order(judgement: &mut Judgement) {
 fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
     let (left, right) = (judgement.left.clone(), judgement.right.clone());
     match (&left, &right) {
+        (Value::Algebraic(_), _) | (_, Value::Algebraic(_))
+            if let (Some(a), Some(b)) = (left.as_real(), right.as_real()) =>
+        {
+            judgement.verdict = if a == b { Verdict::Proved } else { Verdict::Refuted };
+        }
         (Value::Scalar(a), Value::Scalar(b)) | (Value::Vector(a), Value::Vector(b)) => {
             equal_scalars(judgement, a, b);
         }

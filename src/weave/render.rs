@@ -120,6 +120,7 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             steps(&derivation.lines, derivation.language.unwrap_or(options.lang))
         }
         Value::Scalar(_)
+        | Value::Algebraic(_)
         | Value::Vector(_)
         | Value::Matrix(_)
         | Value::Geometry(_)

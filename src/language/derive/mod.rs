@@ -17,6 +17,7 @@
 //! | values by schemes; inserted knots | [`casteljau`], [`de_boor`], [`insertion`] |
 //! | C^k conditions | [`joining`] |
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
+//! | real roots in intervals of their own | [`roots()`] |
 //! | all words, in all languages | [`words`] |
 //!
 //! References: those of the modules whose results are derived: [`crate::math::blossom`],
@@ -30,6 +31,7 @@ mod matrices;
 mod moments;
 mod newton;
 mod polar;
+mod roots;
 mod schemes;
 pub mod words;
 
@@ -40,4 +42,5 @@ pub use matrices::{bernstein_matrix, power_matrix};
 pub use moments::moments;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
+pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

@@ -112,6 +112,12 @@ codes! {
     /// Example: `p = t^2 + 2t` and then `p(3)`, which is 15. Write `p * (3)` for the product.
     Called = "E210": "a formula was called",
 
+    /// An equation was asked as if it held for all values of its symbols.
+    ///
+    /// Example: `x^2 - 5x + 6 = 0` is refuted, since it fails for x = 0. `solve(x^2 - 5x + 6 = 0)` gives the
+    /// values for which it holds.
+    NoIdentity = "E211": "an equation that is no identity",
+
     /// Wrong number of arguments.
     ///
     /// Example: a polar form of degree 3 takes exactly 3 arguments.
@@ -171,6 +177,11 @@ codes! {
     ///
     /// Example: `figure_bezier(bezier([b_0, b_1]))`. Give the symbols values first.
     Undrawable = "E321": "cannot be drawn",
+
+    /// Some roots of a polynomial are not real, and only real ones are given.
+    ///
+    /// Example: `roots(t^2 + 1)`, which is an empty list.
+    NotReal = "E322": "roots that are not real",
 
     /// The time limit was reached.
     ///

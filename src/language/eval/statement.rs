@@ -9,7 +9,8 @@ use super::tools::Tools;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::words;
-use crate::language::value::{Value, Verdict};
+use crate::language::value::{Judgement, Value, Verdict};
+use crate::language::write::text;
 use crate::math::poly::Symbol;
 use num_traits::{One, Zero};
 
@@ -46,6 +47,16 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
         env.set(name.clone(), value.clone().plain());
     }
     Ok(Outcome { value, defined, notes: machine.notes })
+}
+
+/// The only symbol of an equation between polynomials with numbers as coefficients that is no identity.
+fn unknown_of(judgement: &Judgement) -> Option<Symbol> {
+    let equation = judgement.rel == Rel::Eq && judgement.verdict == Verdict::Refuted;
+    let difference = judgement.difference.as_ref().filter(|_| equation)?.as_scalar()?.as_polynomial()?;
+    match difference.variables() {
+        [only] if judgement.left.as_scalar().is_some() => Some(only.clone()),
+        _ => None,
+    }
 }
 
 impl Machine {
@@ -96,6 +107,15 @@ impl Machine {
         {
             let note = Diagnostic::note(Code::BadDefinition, format!("a claim: {name} has a value already"));
             self.note(note.at(left.span).hint(format!("write {name} := ... to give it another")));
+        }
+        if let Value::Claim(claim) = &value
+            && equals == Equals::DefinesUnbound
+            && let [judgement] = claim.judgements.as_slice()
+            && let Some(unknown) = unknown_of(judgement)
+        {
+            let note = Diagnostic::note(Code::NoIdentity, format!("it does not hold for every {unknown}"));
+            let equation = text(expr);
+            self.note(note.at(expr.span).hint(format!("solve({equation}) gives those for which it holds")));
         }
         if let Kind::Sequence(items) = &expr.kind {
             self.warn_of_commas(items);

@@ -174,6 +174,19 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "roots",
+        parameters: &[
+            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            optional("a", Takes::Number, "below all roots", "the lower end"),
+            optional("b", Takes::Number, "above all roots", "the upper end"),
+            VARIABLE,
+        ],
+        summary: "the real roots in [a, b], by Bernstein coefficients over intervals that are halved",
+        example: "derive(roots, t^2 - 2, 0, 2)",
+        call: |_, args| told(args, real_roots(args)?),
+        ..NEW
+    },
+    Builtin {
         name: "moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         summary: "the moments of a cubic spline by its system of equations",
@@ -321,6 +334,24 @@ fn newton(args: &Arguments) -> Result<Derivation> {
     let samples = Samples::read(args)?;
     let table = DividedDifferences::with_repeats(&samples.nodes, &samples.values);
     Ok(derive::newton(&table.map_err(Samples::failed(args))?, samples.form))
+}
+
+fn real_roots(args: &Arguments) -> Result<Derivation> {
+    let (polynomial, variable) = super::roots::numeric(args, 0)?;
+    if polynomial.degree().is_none_or(|n| n == 0) {
+        return Err(Diagnostic::error(Code::Domain, "a constant has no roots to be found")
+            .at(args.span(0))
+            .hint("give a polynomial of degree 1 or more: derive(roots, t^2 - 2)"));
+    }
+    let (a, b) = super::roots::interval(args, 1)?;
+    let bound = polynomial.root_bound();
+    let (a, b) = (a.unwrap_or_else(|| -&bound), b.unwrap_or(bound));
+    if a >= b {
+        return Err(Diagnostic::error(Code::Domain, format!("there is nothing between {a} and {b}"))
+            .at(args.span(1))
+            .hint("give two ends, the lower one first"));
+    }
+    Ok(derive::roots(&polynomial, &variable, &a, &b))
 }
 
 fn moments(args: &Arguments) -> Result<Derivation> {

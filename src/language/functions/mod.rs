@@ -17,6 +17,7 @@ mod polar;
 mod polynomials;
 mod rational;
 mod record;
+mod roots;
 mod solve;
 mod splines;
 mod surface_joins;

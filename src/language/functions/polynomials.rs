@@ -2,7 +2,7 @@
 
 use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
 use super::{Builtin, on_form, on_geometry, on_surface};
-use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::diagnostic::{At, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
@@ -232,31 +232,6 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the remainder of the division of F by G",
         example: "remainder(t^3 + 1, t - 1, t)",
         call: |_, args| divided(args).map(|(_, r)| Value::Scalar(r)),
-        ..NEW
-    },
-    Builtin {
-        name: "count_roots",
-        parameters: &[
-            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
-            required("a", Takes::Number, "the lower end, not counted"),
-            required("b", Takes::Number, "the upper end, counted"),
-        ],
-        summary: "how many different real roots a polynomial has in (a, b], exactly (Sturm)",
-        example: "count_roots(t^3 - t, 0, 2)",
-        call: |_, args| {
-            let given = args.univariate(0)?;
-            let list: Option<Vec<Rational>> = given.coefficients.iter().map(Fraction::as_rational).collect();
-            let list = list.ok_or_else(|| {
-                Diagnostic::error(Code::Type, "roots are counted for numbers as coefficients only")
-                    .at(args.span(0))
-            })?;
-            let roots = crate::math::poly::Poly::from_coefficients(list)
-                .count_roots(&args.rational(1)?, &args.rational(2)?);
-            match roots {
-                Some(count) => Ok(Value::int(count as i64)),
-                None => Err(Diagnostic::error(Code::Domain, "every number is a root of 0").at(args.span(0))),
-            }
-        },
         ..NEW
     },
     Builtin {

@@ -1,27 +1,29 @@
-//! `solve`: linear equations in unknowns.
+//! `solve`: linear equations in unknowns, and polynomial equations in one.
 
 use nalgebra::DMatrix;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 use super::parameter::{Parameter, Takes, named, optional, required};
 use super::record::Variant;
+use super::roots::note_complex;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::arithmetic::{add, negate};
-use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::ops::errors::{division_by_zero, linalg_error, wrong_kind};
 use crate::language::ops::formula::symbol_of;
 use crate::language::value::{Claim, PolarKind, Value, grouped_expr, polynomial_expr, symbol_expr};
 use crate::language::write::text;
 use crate::math::linalg::solutions;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 const PARAMETERS: &[Parameter] = &[
-    required("equations", Takes::Equations, "linear equations").shown("[equation, ...]"),
+    required("equations", Takes::Equations, "equations, linear or polynomials in one unknown")
+        .shown("[equation, ...]"),
     optional("unknowns", Takes::Any, "all symbols", "the unknown, or the list of them").shown("[x, ...]"),
     named(
         "all=t",
@@ -47,6 +49,11 @@ fn solve(machine: &mut Machine, args: &Arguments) -> Evaluated {
         Some((value, span)) => symbols(value, span)?,
         None => all_symbols(&equations),
     };
+    if let [unknown] = unknowns.as_slice()
+        && equations.iter().any(|p| p.degree_in(unknown) > 1)
+    {
+        return in_one_unknown(machine, args, &equations, unknown);
+    }
     let (matrix, right) = linear(&equations, &unknowns).at(span)?;
     let found = solutions(&matrix, &right).map_err(linalg_error).at(span)?;
     if let Some(condition) = condition(&found.minor) {
@@ -75,6 +82,69 @@ fn solve(machine: &mut Machine, args: &Arguments) -> Evaluated {
     let relation = |&i: &usize| Expr::relation(symbol_expr(&unknowns[i]), Rel::Eq, grouped_expr(&values[i]));
     let shown: Expr = Kind::List(found.determined.iter().map(relation).collect()).into();
     Ok(Value::written(Value::List(values.into_iter().map(Value::Scalar).collect()), shown))
+}
+
+/// The real solutions of polynomial equations in one unknown: the roots of their greatest common divisor.
+fn in_one_unknown(
+    machine: &mut Machine,
+    args: &Arguments,
+    equations: &[MultiPoly],
+    unknown: &Symbol,
+) -> Result<Value> {
+    let common = equations.iter().fold(MultiPoly::zero(), |common, p| common.gcd(p));
+    let coefficients = common.coefficients_in(unknown);
+    let numbers: Option<Poly> = coefficients.iter().map(MultiPoly::as_constant).collect();
+    let values = match numbers {
+        Some(polynomial) => {
+            let found = polynomial.real_roots(None, None).unwrap_or_default();
+            let real = found.iter().map(|(_, m)| m).sum();
+            note_complex(machine, real, polynomial.degree().unwrap_or(0), args);
+            found.into_iter().map(|(root, _)| Value::root(root, unknown)).collect()
+        }
+        None => by_linear_factors(machine, args.span(0), &common, unknown)?,
+    };
+    if values.is_empty() {
+        return Ok(Value::Text("no real solution".to_owned()));
+    }
+    let relation = |value: &Value| Expr::relation(symbol_expr(unknown), Rel::Eq, value.to_expr());
+    let shown: Expr = Kind::List(values.iter().map(relation).collect()).into();
+    Ok(Value::written(Value::List(values), shown))
+}
+
+/// The solutions of a product of factors that are linear in the unknown.
+fn by_linear_factors(
+    machine: &mut Machine,
+    span: Span,
+    product: &MultiPoly,
+    unknown: &Symbol,
+) -> Result<Vec<Value>> {
+    let mut values = Vec::new();
+    // What is divided by, and factors without the unknown: if one is 0, more is a solution.
+    let mut others = MultiPoly::one();
+    for (factor, _) in product.factors().factors {
+        match factor.coefficients_in(unknown).as_slice() {
+            [constant] => others = others.times(constant),
+            [constant, slope] => {
+                others = others.times(slope);
+                let root = Fraction::new(-constant.clone(), slope.clone());
+                values.push(Value::Scalar(root.map_err(|_| division_by_zero())?));
+            }
+            list => {
+                let x = text(&symbol_expr(unknown));
+                let message =
+                    format!("an equation of degree {} in {x} has symbols as coefficients", list.len() - 1);
+                return Err(Diagnostic::error(Code::Unsupported, message)
+                    .at(span)
+                    .hint("give the other symbols values first, then its roots are isolated")
+                    .hint("discriminant(F, x) says where it has a repeated root"));
+            }
+        }
+    }
+    if let Some(condition) = condition(&Fraction::from(others)) {
+        let note = format!("this holds where {condition}");
+        machine.note(Diagnostic::note(Code::Singular, note).at(span));
+    }
+    Ok(values)
 }
 
 /// The polynomials that are 0 where the equations hold.
@@ -149,7 +219,7 @@ fn linear(equations: &[MultiPoly], unknowns: &[Symbol]) -> Result<(DMatrix<Fract
                 };
                 return Err(Diagnostic::error(Code::Unsupported, message)
                     .hint("name the unknowns in which it is linear: solve(a x = b, x)")
-                    .hint("factor(F) takes a polynomial apart, count_roots(F, a, b) counts its roots"));
+                    .hint("polynomial equations are solved in one unknown; resultant(F, G, x) eliminates x from two"));
             }
             matrix[(i, j)] = Fraction::from(coefficient);
         }

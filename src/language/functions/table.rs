@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use super::record::Builtin;
 use super::{
     arrange, curves, derive, figures, interpolation, joins, matrices, numbers, polar, polynomials, rational,
-    splines, surfaces,
+    roots, splines, surfaces,
 };
 
 /// All functions, by topic.
@@ -38,6 +38,7 @@ pub static BUILTINS: &[&Builtin] = &{
         polar::TABLE,
         polynomials::TABLE,
         arrange::TABLE,
+        roots::TABLE,
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,

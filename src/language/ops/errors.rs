@@ -31,7 +31,14 @@ pub(crate) fn unsupported(what: &str) -> Diagnostic {
 
 /// The diagnostic for an operation that two kinds of values do not have.
 pub(crate) fn mismatch(operation: &str, left: &Value, right: &Value) -> Diagnostic {
-    Diagnostic::error(Code::Type, format!("{} and {} cannot be {operation}", left.kind(), right.kind()))
+    let message = format!("{} and {} cannot be {operation}", left.kind(), right.kind());
+    let error = Diagnostic::error(Code::Type, message);
+    match (left, right) {
+        (Value::Algebraic(_), _) | (_, Value::Algebraic(_)) => {
+            error.hint("numbers that are not rational are only compared: root_of(t^2 - 2, 1, 2) < 3/2")
+        }
+        _ => error,
+    }
 }
 
 /// The diagnostic for a quotient without a value.

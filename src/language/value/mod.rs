@@ -4,6 +4,7 @@
 //! checker and the writers speak of the same things. Every value turns back into a
 //! formula ([`Value::to_expr`]), which the writers print.
 
+mod algebraic;
 mod derivation;
 mod factors;
 mod function;
@@ -17,6 +18,7 @@ mod table;
 mod to_expr;
 mod written;
 
+pub use algebraic::{Algebraic, in_letter};
 pub use derivation::{Derivation, Language, Line, Words};
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
@@ -43,6 +45,8 @@ use crate::scene::Scene;
 pub enum Value {
     /// A number, polynomial or rational function, in any symbols.
     Scalar(Fraction),
+    /// A real algebraic number that is not rational.
+    Algebraic(Arc<Algebraic>),
     /// A vector argument v̂ (a difference of parameter values).
     Vector(Fraction),
     /// A polar form.
@@ -95,6 +99,7 @@ impl Value {
             Value::Scalar(f) if f.as_rational().is_some() => "a number",
             Value::Scalar(f) if f.as_polynomial().is_some() => "a polynomial",
             Value::Scalar(_) => "a rational function",
+            Value::Algebraic(_) => "an algebraic number",
             Value::Vector(_) => "a vector argument",
             Value::Polar(_) => "a polar form",
             Value::Function(_) | Value::Builtin(_) => "a function",

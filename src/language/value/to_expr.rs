@@ -498,6 +498,7 @@ impl Value {
     pub fn to_expr_in(&self, notation: Notation) -> Expr {
         match self {
             Value::Scalar(f) => scalar_expr(f, notation),
+            Value::Algebraic(root) => root.to_expr(),
             Value::Written(written) => written.expr.clone(),
             Value::Vector(f) => Kind::Accent(Accent::Hat, Box::new(polynomial_expr(f))).into(),
             Value::Polar(polar) => polar.equation(Expr::name("f"), notation),

@@ -90,8 +90,10 @@ fn aligned(lines: &[Line], language: Language, width: f64) -> String {
     let (margin, reasons) = (widest(&|row| measured(&row.0)), widest(&|row| measured(&row.2)));
     let below = margin + widest(&|row| measured(&row.1)) + reasons > width;
     let mut before = "";
-    let rows = parts.iter().map(|(left, right, reason)| {
-        let shown = if left == before { "" } else { left };
+    let rows = parts.iter().zip(lines).map(|((left, right, reason), line)| {
+        // The first of several formulas keeps its left side: they are read together.
+        let several = matches!(line.formula.kind, Kind::Sequence(_));
+        let shown = if left == before && !several { "" } else { left };
         before = left;
         let row = match below {
             false => format!("{shown} &{right} && {reason}"),

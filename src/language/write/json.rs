@@ -44,6 +44,14 @@ pub fn value_json(value: &Value, notation: Notation) -> Json {
                 "denominator": scalar(&Fraction::from(f.denominator().clone())),
                 "text": scalar(f), "latex": latex(&value.to_expr())}),
         },
+        Value::Algebraic(root) => {
+            let (lower, upper) = root.number.ends();
+            let list: Vec<String> =
+                root.number.polynomial().coefficients().iter().map(ToString::to_string).collect();
+            json!({"kind": "algebraic", "coefficients": list,
+                "interval": [lower.to_string(), upper.to_string()],
+                "text": text(&value.to_expr()), "latex": latex(&value.to_expr())})
+        }
         Value::Vector(f) => json!({"kind": "vector", "coordinate": scalar(f),
             "text": text(&value.to_expr()), "latex": latex(&value.to_expr())}),
         Value::Polar(polar) => polar_json(polar, notation),

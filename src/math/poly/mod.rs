@@ -16,12 +16,13 @@ mod gcd_tests;
 mod multiply;
 mod multivariate;
 mod one_variable;
+mod real_roots;
+mod resultant;
 mod ring_ops;
 mod symbol;
 mod univariate;
 mod univariate_gcd;
 mod univariate_ops;
-mod univariate_roots;
 #[cfg(test)]
 mod univariate_tests;
 
@@ -29,5 +30,6 @@ pub use coefficients::Coefficients;
 pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
+pub use real_roots::{AlgebraicNumber, Part, RealRoot};
 pub use symbol::{Index, Symbol};
 pub use univariate::Poly;

@@ -27,6 +27,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Joining(k) => format!("两条曲线的 `C^{k}` 拼接条件"),
         Title::Newton => "差商与牛顿插值公式".into(),
         Title::Moments => "三次样条的三弯矩法".into(),
+        Title::Roots => "用伯恩斯坦系数与笛卡尔符号法则分离实根".into(),
     }
 }
 
@@ -162,5 +163,26 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::MomentSystem(AtEnds::Given) => "三弯矩方程组，含给定的边界条件".into(),
         Reason::SystemSolved => "用消元法求解".into(),
         Reason::Piece(i) => format!("区间 `[x_{i}, x_{}]` 上的一段", i + 1),
+
+        Reason::SquareFreeFactors => "与导数求最大公因式，分解为无重根多项式的幂".into(),
+        Reason::SimpleRoots => "根相同，且都是单根".into(),
+        Reason::SignChanges { changes: 0, lower, upper } => {
+            format!("符号不变：`{lower}` 与 `{upper}` 之间没有根")
+        }
+        Reason::SignChanges { changes: 1, lower, upper } => {
+            format!("变号一次：`{lower}` 与 `{upper}` 之间恰有一个根")
+        }
+        Reason::SignChanges { changes, lower, upper } => {
+            format!("变号 `{changes}` 次：`{lower}` 与 `{upper}` 之间至多 `{changes}` 个根，区间二等分")
+        }
+        Reason::EndIsRoot => "区间端点是根".into(),
+        Reason::NoRoots => "因此没有根".into(),
+        Reason::RootsFound(multiplicities) if multiplicities.iter().all(|m| *m == 1) => {
+            "全部根，无理根给出所在区间".into()
+        }
+        Reason::RootsFound(multiplicities) => {
+            let list: Vec<String> = multiplicities.iter().map(|m| format!("`{m}`")).collect();
+            format!("全部根，重数依次为 {}", list.join("、"))
+        }
     }
 }

@@ -27,6 +27,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Joining(k) => format!("Conditions for two curves to meet `C^{k}`"),
         Title::Newton => "Divided differences and Newton's form".into(),
         Title::Moments => "A cubic spline by its moments".into(),
+        Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
 }
 
@@ -190,5 +191,28 @@ pub(super) fn reason(reason: &Reason) -> String {
         }
         Reason::SystemSolved => "its solution, by elimination".into(),
         Reason::Piece(i) => format!("the piece on `[x_{i}, x_{}]`", i + 1),
+
+        Reason::SquareFreeFactors => {
+            "powers of polynomials with simple roots, by gcds with derivatives".into()
+        }
+        Reason::SimpleRoots => "the same roots, each simple".into(),
+        Reason::SignChanges { changes: 0, lower, upper } => {
+            format!("no change of sign: no root between `{lower}` and `{upper}`")
+        }
+        Reason::SignChanges { changes: 1, lower, upper } => {
+            format!("one change of sign: exactly one root between `{lower}` and `{upper}`")
+        }
+        Reason::SignChanges { changes, lower, upper } => format!(
+            "{changes} changes of sign: at most {changes} roots between `{lower}` and `{upper}`, the interval is halved"
+        ),
+        Reason::EndIsRoot => "an end of an interval is a root".into(),
+        Reason::NoRoots => "so there is no root".into(),
+        Reason::RootsFound(multiplicities) if multiplicities.iter().all(|m| *m == 1) => {
+            "the roots, those that are not rational with an interval".into()
+        }
+        Reason::RootsFound(multiplicities) => {
+            let list: Vec<String> = multiplicities.iter().map(ToString::to_string).collect();
+            format!("the roots, with the multiplicities {}", list.join(", "))
+        }
     }
 }

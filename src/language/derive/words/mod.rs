@@ -42,6 +42,8 @@ pub enum Title {
     Newton,
     /// A cubic spline by moments.
     Moments,
+    /// Real roots by halved intervals.
+    Roots,
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -309,6 +311,26 @@ pub enum Reason {
     SystemSolved,
     /// Piece i.
     Piece(usize),
+
+    /// F as a product of powers of polynomials with simple roots.
+    SquareFreeFactors,
+    /// The polynomial with the same roots, each simple.
+    SimpleRoots,
+    /// The Bernstein coefficients over an interval, and how often their signs change.
+    SignChanges {
+        /// How often.
+        changes: usize,
+        /// The lower end of the interval.
+        lower: Rational,
+        /// Its upper end.
+        upper: Rational,
+    },
+    /// An end of an interval is a root.
+    EndIsRoot,
+    /// There are none.
+    NoRoots,
+    /// All roots, with these multiplicities.
+    RootsFound(Vec<usize>),
 }
 
 impl Title {

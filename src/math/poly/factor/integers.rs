@@ -12,8 +12,20 @@ use crate::math::poly::dense_modular::gcd;
 /// So many primes are tried for one with few factors.
 const PRIMES: usize = 4;
 
+/// Products of so many parts are a small part of the work, for any number of parts.
+pub(super) const FEW_PARTS: usize = 2;
+
+/// For so many parts all of their products are few.
+const ALL_PRODUCTS: usize = 12;
+
 /// The irreducible factors, primitive, of a primitive polynomial without repeated factors.
 pub(super) fn irreducible_factors(f: Vec<Int>) -> Vec<Vec<Int>> {
+    factors_of_parts(f, usize::MAX)
+}
+
+/// The same, but where there are many factors modulo a prime, products of more than `most` of them are not tried and
+/// may stay together.
+pub(super) fn factors_of_parts(f: Vec<Int>, most: usize) -> Vec<Vec<Int>> {
     match f.len() {
         0 | 1 => Vec::new(),
         2 => vec![f],
@@ -23,7 +35,7 @@ pub(super) fn irreducible_factors(f: Vec<Int>) -> Vec<Vec<Int>> {
                 return vec![f];
             }
             let (parts, modulus) = lifted(&f, &field, &parts);
-            put_together(f, parts, &modulus)
+            put_together(f, parts, &modulus, most)
         }
     }
 }
@@ -98,10 +110,10 @@ fn lifted(f: &[Int], field: &Modulus, parts: &[Vec<u64>]) -> (Vec<Vec<Int>>, Int
 }
 
 /// Products of the parts, few first, that divide f.
-fn put_together(mut f: Vec<Int>, mut parts: Vec<Vec<Int>>, modulus: &Int) -> Vec<Vec<Int>> {
+fn put_together(mut f: Vec<Int>, mut parts: Vec<Vec<Int>>, modulus: &Int, most: usize) -> Vec<Vec<Int>> {
     let mut factors = Vec::new();
     let mut size = 1;
-    while 2 * size <= parts.len() {
+    while 2 * size <= parts.len() && (size <= most || parts.len() <= ALL_PRODUCTS) {
         let lead = f[f.len() - 1].clone();
         let found = Combinations::new(parts.len(), size).find_map(|chosen| {
             budget::step();

@@ -55,6 +55,13 @@ impl Poly {
     }
 }
 
+/// Factors of a primitive polynomial without repeated factors, positive multiples of theirs: all linear ones, and others
+/// that are irreducible unless there are very many factors modulo a prime.
+pub(super) fn coarse_factors(p: Poly) -> Vec<Poly> {
+    let found = integers::factors_of_parts(p.into_parts().0, integers::FEW_PARTS);
+    found.into_iter().map(|p| Poly::from_integers(p, 1.into())).collect()
+}
+
 impl MultiPoly {
     /// The irreducible factors over Q. The constant of 0 is 0.
     ///

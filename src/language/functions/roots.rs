@@ -1,0 +1,249 @@
+//! Roots of polynomials: resultants, Sturm's chain, real roots.
+
+use super::Builtin;
+use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::{Arguments, Machine};
+use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::formula::{self, Univariate};
+use crate::language::value::{Value, in_letter};
+use crate::math::number::{Rational, integer};
+use crate::math::poly::{Fraction, MultiPoly, Poly, RealRoot, Symbol};
+use crate::math::ring::{Field, Ring};
+use num_traits::{Signed, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Roots of polynomials");
+
+/// The variable of a formula, at its place.
+const LETTER: Parameter =
+    optional("variable", Takes::Variable, "the only variable, or t", "the variable; others are constants")
+        .shown("t");
+
+const POLYNOMIAL: Parameter =
+    required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients");
+
+const WIDTH: Parameter = named(
+    "width=1/1000",
+    Takes::Number,
+    "1, or less near 0",
+    "how long the interval around a root may be that is not rational",
+);
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "roots",
+        parameters: &[
+            POLYNOMIAL,
+            optional("a", Takes::Number, "no bound", "the lower end"),
+            optional("b", Takes::Number, "no bound", "the upper end"),
+            WIDTH,
+            VARIABLE,
+        ],
+        summary: "the real roots in [a, b] in increasing order, each as often as its multiplicity; one that is not \
+            rational as root_of(...)",
+        example: "roots((t - 1)^2 (t^2 - 2))",
+        call: roots,
+        ..NEW
+    },
+    Builtin {
+        name: "root_of",
+        parameters: &[
+            POLYNOMIAL,
+            required("a", Takes::Number, "the lower end of an interval with one root"),
+            required("b", Takes::Number, "its upper end"),
+            WIDTH,
+            VARIABLE,
+        ],
+        summary: "the only real root in [a, b], a number that can be compared with others",
+        example: "root_of(t^2 - 2, 1, 2) < 3/2",
+        call: root_of,
+        ..NEW
+    },
+    Builtin {
+        name: "count_roots",
+        parameters: &[
+            POLYNOMIAL,
+            required("a", Takes::Number, "the lower end, not counted"),
+            required("b", Takes::Number, "the upper end, counted"),
+        ],
+        summary: "how many different real roots a polynomial has in (a, b], exactly (Sturm)",
+        example: "count_roots(t^3 - t, 0, 2)",
+        call: |_, args| {
+            let (polynomial, _) = numeric(args, 0)?;
+            let count = polynomial.count_roots(&args.rational(1)?, &args.rational(2)?);
+            count.map(|count| Value::int(count as i64)).ok_or_else(|| zero_polynomial(args))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "sturm",
+        parameters: &[POLYNOMIAL, VARIABLE],
+        summary: "Sturm's chain F, F', -(F mod F'), ... up to positive factors, the last one that is not 0 included",
+        example: "sturm(t^3 - 3t + 1)",
+        call: |_, args| {
+            let (polynomial, variable) = numeric(args, 0)?;
+            let chain = polynomial.sturm_chain();
+            if chain.is_empty() {
+                return Err(zero_polynomial(args));
+            }
+            let value = |p: &Poly| Value::Scalar(Fraction::from(in_letter(p, &variable)));
+            Ok(Value::List(chain.iter().map(value).collect()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "resultant",
+        parameters: &[
+            required("F", Takes::Scalar, "a polynomial"),
+            required("G", Takes::Scalar, "another one"),
+            LETTER,
+        ],
+        summary: "the resultant, 0 if and only if F and G have a common root or factor",
+        example: "resultant(x - t^2, y - t^3, t)",
+        call: |_, args| {
+            let (f, g) = (args.scalar(0)?, args.scalar(1)?);
+            let t = formula::variable_of(&f.plus(&g), args.optional_symbol(2)?).at(args.span(0))?;
+            let ((p, below_p), (q, below_q)) = (over_constant(args, 0, &t)?, over_constant(args, 1, &t)?);
+            // Res(P/a, Q/b) = Res(P, Q)/(a^n b^m)
+            let (m, n) = (p.degree_in(&t), q.degree_in(&t));
+            let value = Fraction::from(p.resultant(&q, &t));
+            Ok(Value::Scalar(value.times(&below_p.powered(n)).times(&below_q.powered(m))))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "discriminant",
+        parameters: &[required("F", Takes::Scalar, "the polynomial"), LETTER],
+        summary: "the discriminant, 0 if and only if F has a repeated root",
+        example: "discriminant(a x^2 + b x + c, x)",
+        call: |_, args| {
+            let f = args.scalar(0)?;
+            let t = formula::variable_of(&f, args.optional_symbol(1)?).at(args.span(0))?;
+            let (p, below) = over_constant(args, 0, &t)?;
+            let Some(value) = p.discriminant(&t) else {
+                let message = format!("a polynomial without {t} has no discriminant");
+                return Err(Diagnostic::error(Code::Domain, message).at(args.span(0)).hint(
+                    "give a polynomial of degree 1 or more, and its variable: discriminant(t^2 + p t + q, t)",
+                ));
+            };
+            Ok(Value::Scalar(Fraction::from(value).times(&below.powered(2 * p.degree_in(&t) - 2))))
+        },
+        ..NEW
+    },
+];
+
+/// A formula as a polynomial in the variable times a fraction without it.
+fn over_constant(args: &Arguments, i: usize, variable: &Symbol) -> Result<(MultiPoly, Fraction)> {
+    let f = args.scalar(i)?;
+    // Says what is wrong if the variable stands below.
+    formula::coefficients_in(&f, variable).at(args.span(i))?;
+    let below = Fraction::from(f.denominator().clone()).inverse().unwrap_or_else(Fraction::zero);
+    Ok((f.numerator().clone(), below))
+}
+
+/// The polynomial with these numbers as coefficients.
+pub(super) fn with_numbers(given: &Univariate) -> Option<Poly> {
+    given.coefficients.iter().map(Fraction::as_rational).collect()
+}
+
+/// A polynomial with numbers as coefficients, and its variable.
+pub(super) fn numeric(args: &Arguments, i: usize) -> Result<(Poly, Symbol)> {
+    let given = args.univariate(i)?;
+    let polynomial = with_numbers(&given).ok_or_else(|| {
+        let mut others: Vec<String> =
+            given.coefficients.iter().flat_map(Fraction::variables).map(|s| s.to_string()).collect();
+        others.sort();
+        others.dedup();
+        let message = "the signs of its values have to be known: numbers as coefficients are needed";
+        Diagnostic::error(Code::Type, message).at(args.span(i)).hint(format!(
+            "give {} a value first, for example {} := 3",
+            others.join(", "),
+            others[0]
+        ))
+    })?;
+    Ok((polynomial, given.variable))
+}
+
+fn zero_polynomial(args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Domain, "every number is a root of 0")
+        .at(args.span(0))
+        .hint("give a polynomial that is not 0")
+}
+
+/// The ends of an interval at two places, in order.
+pub(super) fn interval(args: &Arguments, i: usize) -> Result<(Option<Rational>, Option<Rational>)> {
+    let end = |i: usize| args.given(i).map(|_| args.rational(i)).transpose();
+    let (a, b) = (end(i)?, end(i + 1)?);
+    if let (Some(a), Some(b)) = (&a, &b)
+        && a > b
+    {
+        let error = Diagnostic::error(Code::Domain, format!("the interval [{a}, {b}] is empty"));
+        return Err(error.at(args.span(i + 1)).hint("give the lower end first"));
+    }
+    Ok((a, b))
+}
+
+fn width(args: &Arguments) -> Result<Option<Rational>> {
+    let Some((value, span)) = args.named("width") else { return Ok(None) };
+    let width = value.as_rational().ok_or_else(|| wrong_kind("a number", value).at(span))?;
+    if !width.is_positive() {
+        let error = Diagnostic::error(Code::Domain, "a width has to be positive").at(span);
+        return Err(error.hint("width=1/1000"));
+    }
+    Ok(Some(width))
+}
+
+fn shown(root: RealRoot, variable: &Symbol, width: Option<&Rational>) -> Value {
+    let root = match (root, width) {
+        (RealRoot::Irrational(number), Some(width)) => RealRoot::Irrational(number.refined(width)),
+        (root, _) => root,
+    };
+    Value::root(root, variable)
+}
+
+fn roots(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    let (polynomial, variable) = numeric(args, 0)?;
+    let ((a, b), width) = (interval(args, 1)?, width(args)?);
+    let found = polynomial.real_roots(a.as_ref(), b.as_ref()).ok_or_else(|| zero_polynomial(args))?;
+    if let (None, None) = (&a, &b) {
+        let real = found.iter().map(|(_, m)| m).sum();
+        note_complex(machine, real, polynomial.degree().unwrap_or(0), args);
+    }
+    let list = found.into_iter().flat_map(|(root, multiplicity)| {
+        let value = shown(root, &variable, width.as_ref());
+        std::iter::repeat_n(value, multiplicity)
+    });
+    Ok(Value::List(list.collect()))
+}
+
+fn root_of(_: &mut Machine, args: &Arguments) -> Result<Value> {
+    let (polynomial, variable) = numeric(args, 0)?;
+    let ((a, b), width) = (interval(args, 1)?, width(args)?);
+    let (from, to) = (a.clone().unwrap_or_else(|| integer(0)), b.clone().unwrap_or_else(|| integer(0)));
+    let mut found = polynomial.real_roots(a.as_ref(), b.as_ref()).ok_or_else(|| zero_polynomial(args))?;
+    match found.len() {
+        1 => Ok(shown(found.remove(0).0, &variable, width.as_ref())),
+        0 => {
+            let error = Diagnostic::error(Code::Domain, format!("there is no root in [{from}, {to}]"));
+            Err(error.at(args.span(0)).hint("roots(F) gives all real roots"))
+        }
+        count => {
+            let error = Diagnostic::error(Code::Domain, format!("there are {count} roots in [{from}, {to}]"));
+            Err(error
+                .at(args.span(0))
+                .hint("give an interval with one of them; roots(F, a, b) gives them all"))
+        }
+    }
+}
+
+/// Says how many roots are not real.
+pub(super) fn note_complex(machine: &mut Machine, real: usize, degree: usize, args: &Arguments) {
+    let message = match degree - real {
+        0 => return,
+        left if left == degree => format!("none of the {degree} roots is real"),
+        left => format!("{left} of the {degree} roots are not real"),
+    };
+    machine.note(Diagnostic::note(Code::NotReal, message).at(args.span(0)));
+}

@@ -1,0 +1,18 @@
+//! Real roots of [`Poly`](super::Poly): counted, isolated and compared, all exactly.
+//!
+//! | for | see |
+//! | --- | --- |
+//! | how many there are, by Sturm's theorem | `sturm` |
+//! | each in an interval of its own, by Bernstein coefficients and Descartes' rule of signs | `isolate` |
+//! | a root that is not rational, as a number that can be compared | [`AlgebraicNumber`] |
+//! | integer Bernstein coefficients, and how they are halved | `bernstein` |
+
+mod algebraic;
+mod bernstein;
+mod isolate;
+mod sturm;
+#[cfg(test)]
+mod tests;
+
+pub use algebraic::{AlgebraicNumber, RealRoot};
+pub use isolate::Part;
