@@ -551,6 +551,40 @@ fn real_roots() {
     assert_true_in_notes("roots", "", &derived(&[], "derive(roots, (t - 1/2)^2 (t - 3), 0, 4)"));
 }
 
+/// All coefficients of a certificate are proved to be values of the polar form, and none is negative.
+#[test]
+fn signs_on_intervals() {
+    for (formula, degree, rest, ends) in [
+        ("t^2 - t + 1/3", 2, None, ", 0, 1"),
+        ("t^4 - t + 1", 4, None, ""),
+        ("t (1 - t)", 2, None, ", 0, 1"),
+        ("(t^2 - 2)^2 (t + 1)", 5, Some(("t + 1", 1)), ", -1"),
+        ("t^2 (1 - t)", 3, Some(("1 - t", 1)), ", 0, 1"),
+        ("(t - 1)^2", 2, Some(("1", 0)), ""),
+        ("7", 0, None, ""),
+        ("0", 0, None, ", 0, 1"),
+        ("2 - t", 1, None, ", 3/2, 2"),
+    ] {
+        let query = format!("positivity({formula}{ends}, variable=t)");
+        let derivation = derived(&[], &query);
+        let mut context = polynomials(&[("F", formula, degree)]);
+        context.extend(rest.map(|(g, n)| polynomials(&[("G", g, n)])).into_iter().flatten());
+        assert!(assert_true(&query, &context, &derivation) > 1, "{query}");
+        for line in &derivation.lines {
+            if line.reason.text(Language::English).starts_with("no coefficient") {
+                assert!(!text(&line.formula).contains("= -"), "{query}: {}", text(&line.formula));
+            }
+        }
+    }
+    for (formula, ends) in [("t^2 - t", ", 0, 1"), ("t", ""), ("-7", ""), ("2 - t^2", ", 0, 3")] {
+        let query = format!("positivity({formula}{ends}, variable=t)");
+        let derivation = derived(&[], &query);
+        assert_true(&query, &polynomials(&[("F", formula, 0)]), &derivation);
+        assert!(text(&derivation.lines[1].formula).contains("= -"), "{query}");
+    }
+    assert_true_in_notes("positivity", "", &derived(&[], "positivity((t - 1)^2 (t + 1), 0, 2)"));
+}
+
 #[test]
 fn on_the_command_line() {
     assert_snapshot!(transcripts([

@@ -7,6 +7,7 @@
 use super::argument_reader::Failed;
 use crate::formula::Rel;
 use crate::formula::source::SourceFile;
+use crate::judge::inequality::{decided_in, positive};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
 use crate::language::value::{Claim, Judgement, Value, Verdict};
@@ -72,6 +73,12 @@ impl Conditions {
                 let reasons = vec!["it follows from a condition".to_owned()];
                 return Judgement { verdict: Verdict::Proved, witness: None, reasons, ..judgement.clone() };
             }
+            if !holds(judgement)
+                && let Some(decided) = decided_in(judgement, &self.judgements)
+                && (holds(&decided) || self.allow(session, &decided))
+            {
+                return decided;
+            }
             let open = !holds(judgement) && judgement.witness.is_some();
             if self.files.is_empty() || !open || self.allow(session, judgement) {
                 return judgement.clone();
@@ -103,20 +110,6 @@ impl Conditions {
             })
         })
     }
-}
-
-/// What an inequality says is positive, or not negative (false).
-fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
-    let (Value::Scalar(left), Value::Scalar(right)) = (&judgement.left, &judgement.right) else {
-        return None;
-    };
-    Some(match judgement.rel {
-        Rel::Gt => (left.minus(right), true),
-        Rel::Ge => (left.minus(right), false),
-        Rel::Lt => (right.minus(left), true),
-        Rel::Le => (right.minus(left), false),
-        _ => return None,
-    })
 }
 
 /// Whether an inequality follows from another one: d = k c + m with k > 0 and m ≥ 0.

@@ -26,6 +26,7 @@ mod family;
 mod features;
 pub mod finding;
 mod hypotheses;
+pub(crate) mod inequality;
 mod integers;
 mod known;
 mod lint;

@@ -1,5 +1,6 @@
 //! Comparing two values: is `a = b` so for all values of their symbols, and if not, why?
 
+use super::inequality::{self, Decision, Range};
 use super::same_geometry::{self, Comparison};
 use crate::formula::Rel;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -86,8 +87,26 @@ fn order(judgement: &mut Judgement) {
         judgement.verdict = if true_everywhere { Verdict::Proved } else { Verdict::Refuted };
         return;
     }
-    // One counterexample is enough to refute; none proves nothing.
-    if let Some(witness) = find_witness(a, b, |x, y| !holds(x, y)) {
+    let positive = if matches!(rel, Rel::Lt | Rel::Le) { -difference } else { difference };
+    let strict = matches!(rel, Rel::Lt | Rel::Gt);
+    let witness = match inequality::decide(&positive, strict, &Range::default()) {
+        Some(Decision::Holds) => {
+            judgement.verdict = Verdict::Proved;
+            return;
+        }
+        Some(Decision::Zero(root)) => {
+            judgement.reasons.push(format!("the sides are equal at the root of {root}"));
+            return;
+        }
+        Some(Decision::Fails(point)) => {
+            let put = |f: &Fraction| f.value(&|_| Some(point.clone()));
+            let assignment = positive.variables().into_iter().map(|s| (s, point.clone())).collect();
+            put(a).zip(put(b)).map(|(left, right)| Witness { assignment, left, right })
+        }
+        // One counterexample is enough to refute; none proves nothing.
+        _ => find_witness(a, b, |x, y| !holds(x, y)),
+    };
+    if let Some(witness) = witness {
         judgement.witness = Some(witness);
         judgement
             .reasons

@@ -18,6 +18,7 @@
 //! | C^k conditions | [`joining`] |
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
 //! | real roots in intervals of their own | [`roots()`] |
+//! | F ≥ 0 on an interval | [`positivity()`] |
 //! | all words, in all languages | [`words`] |
 //!
 //! References: those of the modules whose results are derived: [`crate::math::blossom`],
@@ -31,6 +32,7 @@ mod matrices;
 mod moments;
 mod newton;
 mod polar;
+mod positivity;
 mod roots;
 mod schemes;
 pub mod words;
@@ -42,5 +44,6 @@ pub use matrices::{bernstein_matrix, power_matrix};
 pub use moments::moments;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
+pub use positivity::positivity;
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

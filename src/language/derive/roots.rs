@@ -1,6 +1,6 @@
 //! How real roots are isolated: polar values over intervals that are halved, and Descartes' rule of signs.
 
-use super::lines::{chain, line, power, sequence, subscript, term};
+use super::lines::{chain, factor, line, power, sequence, subscript, term};
 use super::polar::{given, univariate};
 use super::schemes::label;
 use super::words::{Reason, Title};
@@ -30,7 +30,7 @@ pub fn roots(f: &Poly, variable: &Symbol, a: &Rational, b: &Rational) -> Derivat
         let factors = f
             .square_free_factors()
             .into_iter()
-            .filter_map(|(p, m)| power(grouped_expr(&formula(&p)).grouped(), m));
+            .filter_map(|(p, m)| power(factor(grouped_expr(&formula(&p))), m));
         let product = Expr::sum(vec![term(&Fraction::from(f.leading_coefficient()), factors.collect())]);
         let left = Expr::apply(Expr::name("F"), vec![symbol_expr(variable)]);
         lines.push(line(chain([left, product]), Reason::SquareFreeFactors));

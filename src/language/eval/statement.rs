@@ -49,12 +49,14 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
     Ok(Outcome { value, defined, notes: machine.notes })
 }
 
-/// The only symbol of an equation between polynomials with numbers as coefficients that is no identity.
+/// The only symbol of an equation that says of a polynomial in it that it is a number: nobody claims that for all values.
 fn unknown_of(judgement: &Judgement) -> Option<Symbol> {
     let equation = judgement.rel == Rel::Eq && judgement.verdict == Verdict::Refuted;
     let difference = judgement.difference.as_ref().filter(|_| equation)?.as_scalar()?.as_polynomial()?;
     match difference.variables() {
-        [only] if judgement.left.as_scalar().is_some() => Some(only.clone()),
+        [only] if [&judgement.left, &judgement.right].iter().any(|side| side.as_rational().is_some()) => {
+            Some(only.clone())
+        }
         _ => None,
     }
 }

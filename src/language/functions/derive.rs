@@ -23,7 +23,7 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 const ABOUT: Builtin = Builtin::about("Derivations");
 
 /// The language of the reasons.
-const LANG: Parameter =
+pub(super) const LANG: Parameter =
     named("lang=en", Takes::Word(&["en", "zh"]), "that of the session", "the language of the reasons");
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
@@ -212,7 +212,7 @@ fn no_subject(args: &Arguments) -> Diagnostic {
 }
 
 /// The derivation as a value, in the language that was asked for.
-fn told(args: &Arguments, mut derivation: Derivation) -> Evaluated {
+pub(super) fn told(args: &Arguments, mut derivation: Derivation) -> Evaluated {
     derivation.language = match args.named("lang") {
         Some((Value::Text(code), span)) => Some(
             code.parse::<Language>()

@@ -123,7 +123,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "solve",
         parameters: &[MATRIX, required("b", Takes::Any, "the right side, a list or matrix")],
         on_equations: solve::EQUATIONS,
-        summary: "the x with M x = b, for a list or matrix b; of equations, all solutions (linear ones, or in one unknown)",
+        summary: "the x with M x = b, for a list or matrix b; of equations, their solutions",
         example: "solve([2, 0; 0, 4], [1, 1])",
         call: |_, args| {
             let matrix = args.matrix(0)?;

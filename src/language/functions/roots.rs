@@ -1,7 +1,9 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
 use super::Builtin;
+use super::derive::{LANG, told};
 use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
+use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::wrong_kind;
@@ -41,8 +43,7 @@ pub(super) const TABLE: &[Builtin] = &[
             WIDTH,
             VARIABLE,
         ],
-        summary: "the real roots in [a, b] in increasing order, each as often as its multiplicity; one that is not \
-            rational as root_of(...)",
+        summary: "the real roots in increasing order, each as often as its multiplicity, exactly",
         example: "roots((t - 1)^2 (t^2 - 2))",
         call: roots,
         ..NEW
@@ -80,7 +81,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "sturm",
         parameters: &[POLYNOMIAL, VARIABLE],
-        summary: "Sturm's chain F, F', -(F mod F'), ... up to positive factors, the last one that is not 0 included",
+        summary: "Sturm's chain F, F', -(F mod F'), ... up to positive factors",
         example: "sturm(t^3 - 3t + 1)",
         call: |_, args| {
             let (polynomial, variable) = numeric(args, 0)?;
@@ -90,6 +91,24 @@ pub(super) const TABLE: &[Builtin] = &[
             }
             let value = |p: &Poly| Value::Scalar(Fraction::from(in_letter(p, &variable)));
             Ok(Value::List(chain.iter().map(value).collect()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "positivity",
+        parameters: &[
+            POLYNOMIAL,
+            optional("a", Takes::Number, "no bound", "the lower end"),
+            optional("b", Takes::Number, "no bound", "the upper end"),
+            VARIABLE,
+        ],
+        common: &[LANG],
+        summary: "why F >= 0 on [a, b], by coefficients that anybody can check, or where F < 0",
+        example: "positivity(t^2 - t + 1/3, 0, 1)",
+        call: |_, args| {
+            let (polynomial, variable) = numeric(args, 0)?;
+            let (a, b) = interval(args, 1)?;
+            told(args, derive::positivity(&polynomial, &variable, a.as_ref(), b.as_ref()))
         },
         ..NEW
     },

@@ -27,6 +27,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Joining(k) => format!("两条曲线的 `C^{k}` 拼接条件"),
         Title::Newton => "差商与牛顿插值公式".into(),
         Title::Moments => "三次样条的三弯矩法".into(),
+        Title::Positivity => "用伯恩斯坦系数判定多项式的符号".into(),
         Title::Roots => "用伯恩斯坦系数与笛卡尔符号法则分离实根".into(),
     }
 }
@@ -184,5 +185,15 @@ pub(super) fn reason(reason: &Reason) -> String {
             let list: Vec<String> = multiplicities.iter().map(|m| format!("`{m}`")).collect();
             format!("全部根，重数依次为 {}", list.join("、"))
         }
+
+        Reason::Negative => "取负值".into(),
+        Reason::WithoutSquares => "重数为奇数的因式，各取一次".into(),
+        Reason::SquareTimes => "平方非负，故与 `G` 同号或为零".into(),
+        Reason::NoneNegative { lower, upper } => {
+            format!("系数均非负：在 `{lower}` 到 `{upper}` 上非负")
+        }
+        Reason::NoneNegativeBeyond { end, up: true } => format!("系数均非负：从 `{end}` 起非负"),
+        Reason::NoneNegativeBeyond { end, .. } => format!("系数均非负：到 `{end}` 为止非负"),
+        Reason::PositiveConstant => "非负常数".into(),
     }
 }

@@ -27,6 +27,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Joining(k) => format!("Conditions for two curves to meet `C^{k}`"),
         Title::Newton => "Divided differences and Newton's form".into(),
         Title::Moments => "A cubic spline by its moments".into(),
+        Title::Positivity => "The sign of a polynomial, by its Bernstein coefficients".into(),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
 }
@@ -214,5 +215,19 @@ pub(super) fn reason(reason: &Reason) -> String {
             let list: Vec<String> = multiplicities.iter().map(ToString::to_string).collect();
             format!("the roots, with the multiplicities {}", list.join(", "))
         }
+
+        Reason::Negative => "a negative value".into(),
+        Reason::WithoutSquares => "the factors of odd multiplicity, each once".into(),
+        Reason::SquareTimes => "a square is not negative: it has the sign of `G` or is 0".into(),
+        Reason::NoneNegative { lower, upper } => {
+            format!("no coefficient is negative: not negative from `{lower}` to `{upper}`")
+        }
+        Reason::NoneNegativeBeyond { end, up: true } => {
+            format!("no coefficient is negative: not negative from `{end}` on")
+        }
+        Reason::NoneNegativeBeyond { end, .. } => {
+            format!("no coefficient is negative: not negative up to `{end}`")
+        }
+        Reason::PositiveConstant => "a constant that is not negative".into(),
     }
 }

@@ -44,6 +44,8 @@ pub enum Title {
     Moments,
     /// Real roots by halved intervals.
     Roots,
+    /// The sign of a polynomial on an interval.
+    Positivity,
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -331,6 +333,29 @@ pub enum Reason {
     NoRoots,
     /// All roots, with these multiplicities.
     RootsFound(Vec<usize>),
+
+    /// A value is negative.
+    Negative,
+    /// G, which has simple roots only.
+    WithoutSquares,
+    /// F = S² G.
+    SquareTimes,
+    /// No Bernstein coefficient over an interval is negative.
+    NoneNegative {
+        /// The lower end of the interval.
+        lower: Rational,
+        /// Its upper end.
+        upper: Rational,
+    },
+    /// No coefficient of F(c + x) or F(c − x) is negative.
+    NoneNegativeBeyond {
+        /// c
+        end: Rational,
+        /// Whether it is F(c + x).
+        up: bool,
+    },
+    /// A constant that is not negative.
+    PositiveConstant,
 }
 
 impl Title {

@@ -5,14 +5,17 @@
 //! | how many there are, by Sturm's theorem | `sturm` |
 //! | each in an interval of its own, by Bernstein coefficients and Descartes' rule of signs | `isolate` |
 //! | a root that is not rational, as a number that can be compared | [`AlgebraicNumber`] |
+//! | F ≥ 0 on an interval, with a certificate | [`Positivity`] |
 //! | integer Bernstein coefficients, and how they are halved | `bernstein` |
 
 mod algebraic;
 mod bernstein;
 mod isolate;
+mod sign;
 mod sturm;
 #[cfg(test)]
 mod tests;
 
 pub use algebraic::{AlgebraicNumber, RealRoot};
 pub use isolate::Part;
+pub use sign::Positivity;

@@ -122,30 +122,4 @@ impl Poly {
         let sturm = Sturm::new(&self.square_free_part());
         Some(sturm.sign_changes_at_infinity(true) - sturm.sign_changes_at_infinity(false))
     }
-
-    /// Whether F(t) ≥ 0 for every t in the closed interval [a, b]; true if a > b.
-    ///
-    /// F changes sign exactly at its roots of odd multiplicity. So F ≥ 0 on [a, b] iff
-    /// there is none in the open interval and F ≥ 0 at one more point that is no such root.
-    ///
-    /// ```
-    /// # use polarform::{number::integer, poly::Poly};
-    /// let f = Poly::variable().pow(2) * (Poly::variable() - Poly::from(3));
-    /// assert!(f.is_nonnegative_on(&integer(3), &integer(9)));
-    /// assert!(!f.is_nonnegative_on(&integer(-1), &integer(1)));
-    /// assert!((-f).is_nonnegative_on(&integer(-1), &integer(3)));
-    /// ```
-    pub fn is_nonnegative_on(&self, a: &Rational, b: &Rational) -> bool {
-        if self.is_zero() || a > b {
-            return true;
-        }
-        if a == b {
-            return !self.value(a).is_negative();
-        }
-        let odd: Poly =
-            self.square_free_factors().into_iter().filter(|(_, m)| m.is_odd()).map(|(p, _)| p).product();
-        let inside = odd.count_roots(a, b).unwrap_or(0) - usize::from(odd.value(b).is_zero());
-        let middle = (a + b) / Rational::from_integer(Int::from(2));
-        inside == 0 && odd.value(&middle).is_negative() == self.leading_coefficient().is_negative()
-    }
 }

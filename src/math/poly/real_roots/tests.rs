@@ -6,7 +6,7 @@ use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
 
 use super::bernstein;
-use super::{AlgebraicNumber, RealRoot};
+use super::{AlgebraicNumber, Positivity, RealRoot};
 use crate::math::number::{Int, Rational, binomial, integer, rational};
 use crate::math::poly::Poly;
 
@@ -24,6 +24,46 @@ fn irrational(f: &Poly, number: usize) -> AlgebraicNumber {
         RealRoot::Irrational(root) => root,
         RealRoot::Rational(q) => panic!("{q} is rational"),
     }
+}
+
+/// Whether a certificate proves that F ≥ 0 on [a, b], checked from its numbers alone.
+fn proves(shown: &Positivity, f: &Poly, a: Option<&Rational>, b: Option<&Rational>) -> bool {
+    let none_negative = |list: &[Rational]| list.iter().all(|c| !c.is_negative());
+    if *f != &shown.root_of_square * &shown.root_of_square * &shown.rest {
+        return false;
+    }
+    if f.is_zero() || a.zip(b).is_some_and(|(a, b)| a > b) {
+        return true;
+    }
+    let start = shown.below.as_ref().map(|(c, _)| c).or(a).unwrap();
+    let end = shown.above.as_ref().map(|(c, _)| c).or(b).unwrap();
+    let tails =
+        shown.below.iter().all(|(c, p)| {
+            *p == shown.rest.compose(&(Poly::constant(c.clone()) - Poly::variable()))
+                && none_negative(&p.coefficients())
+        }) && shown.above.iter().all(|(c, p)| *p == shown.rest.shift(c) && none_negative(&p.coefficients()));
+    let mut at = start.clone();
+    for (lower, upper, list) in &shown.parts {
+        let n = list.len() - 1;
+        // Σ b_i B_i^n is G, by values.
+        let same = (0..=n).all(|j| {
+            let s = rational(j as i64, n.max(1) as i64);
+            let term = |(i, c): (usize, &Rational)| {
+                c * Rational::from_integer(binomial(n, i))
+                    * crate::math::ring::Ring::powered(&s, i as u32)
+                    * crate::math::ring::Ring::powered(&(integer(1) - &s), (n - i) as u32)
+            };
+            let sum: Rational = list.iter().enumerate().map(term).sum();
+            sum == shown.rest.value(&(lower + (upper - lower) * &s))
+        });
+        if *lower != at || !same || !none_negative(list) {
+            return false;
+        }
+        at = upper.clone();
+    }
+    tails
+        && (at == *end || start > end)
+        && (a.is_some() || b.is_some() || !shown.parts.is_empty() || start == end)
 }
 
 /// Small, sparse and long coefficients.
@@ -129,6 +169,33 @@ proptest! {
         let (left, right) = bernstein::halves(&list);
         prop_assert!(same(&left, &f, &a, &middle));
         prop_assert!(same(&right, &f, &middle, &b));
+    }
+
+    /// A point is one, and without a point all that the certificate says is true and enough.
+    #[test]
+    fn signs_are_certified(f in any_poly(6), g in any_poly(4), k in 0u32..3, a in -6i64..7, b in -6i64..7) {
+        let (a, b) = (rational(a, 2), rational(b, 3));
+        let f = f * g.pow(k);
+        for (a, b) in [(None, None), (Some(&a), None), (None, Some(&b)), (Some(&a), Some(&b))] {
+            // F ≥ 0 has no other end than a square.
+            for f in [f.clone(), -f.clone(), &f * &f, (&f * &f) * (Poly::variable().pow(2) + Poly::one())] {
+                match f.positivity(a, b) {
+                    Err(point) => {
+                        prop_assert!(f.value(&point).is_negative());
+                        prop_assert!(a.is_none_or(|a| *a <= point) && b.is_none_or(|b| point <= *b));
+                    }
+                    Ok(shown) => prop_assert!(proves(&shown, &f, a, b), "{f} on {a:?}, {b:?}: {shown:?}"),
+                }
+            }
+        }
+        if let (a, b) = (&a, &b) && a < b && !f.is_zero() {
+            // By Sturm: no root of odd multiplicity inside, and the sign of one more point.
+            let odd: Poly = f.square_free_factors().into_iter().filter(|(_, m)| m % 2 == 1).map(|(p, _)| p).product();
+            let inside = odd.count_roots(a, b).unwrap_or(0) - usize::from(odd.value(b).is_zero());
+            let middle = odd.value(&((a + b) / integer(2)));
+            let sturm = inside == 0 && middle.is_negative() == f.leading_coefficient().is_negative();
+            prop_assert_eq!(f.is_nonnegative_on(a, b), sturm);
+        }
     }
 
     #[test]
