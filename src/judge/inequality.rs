@@ -74,7 +74,7 @@ pub fn decide(d: &Fraction, strict: bool, range: &Range) -> Option<Decision> {
 }
 
 /// What an inequality says is positive, or not negative (false).
-pub(crate) fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
+pub fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
     let (Value::Scalar(left), Value::Scalar(right)) = (&judgement.left, &judgement.right) else {
         return None;
     };
@@ -89,7 +89,7 @@ pub(crate) fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
 
 /// An inequality in one variable, decided in the range that conditions which are linear in it give. What fails there may
 /// be excluded by other conditions. `None` if they give no range, or nothing can be said.
-pub(crate) fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgement> {
+pub fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgement> {
     let (d, strict) = positive(claim)?;
     let [variable] = <[Symbol; 1]>::try_from(d.variables()).ok()?;
     let mut range: Option<Range> = None;

@@ -26,7 +26,7 @@ mod family;
 mod features;
 pub mod finding;
 mod hypotheses;
-pub(crate) mod inequality;
+pub mod inequality;
 mod integers;
 mod known;
 mod lint;
