@@ -41,7 +41,7 @@ impl Poly {
     /// # use polarform::{number::{integer, rational}, poly::Poly};
     /// let f = Poly::variable().pow(2) * (Poly::variable() - Poly::from(3));
     /// assert_eq!(f.negative_point(Some(&integer(3)), None), None);
-    /// assert_eq!(f.negative_point(None, None), Some(integer(-1)));
+    /// assert_eq!(f.negative_point(None, None), Some(integer(1)));
     /// assert_eq!(f.negative_point(Some(&integer(0)), Some(&rational(1, 3))), Some(rational(1, 4)));
     /// ```
     pub fn negative_point(&self, a: Option<&Rational>, b: Option<&Rational>) -> Option<Rational> {
