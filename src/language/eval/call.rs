@@ -9,6 +9,8 @@ use crate::language::ops::errors::division_by_zero;
 use crate::language::value::{Clause, Function, Parameter, Value};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::Ring;
+use num_traits::{One, Zero};
 
 impl Machine {
     /// Calls a function with its index and bracket arguments.
@@ -69,6 +71,9 @@ impl Machine {
                 Parameter::Exactly(_) => None,
             })
             .collect();
+        if let Some(value) = self.at_vectors(function, clause, values, &bindings, span)? {
+            return Ok(value);
+        }
         if let Some(formula) = &clause.formula {
             let scalars: Option<Vec<(Symbol, Fraction)>> = bindings
                 .iter()
@@ -102,6 +107,57 @@ impl Machine {
             error.span = Some(span);
             error
         })
+    }
+}
+
+impl Machine {
+    /// f(1̂, t) of a form that is written as a formula: an affine function c_0 + c_1 t_1 has the value
+    /// c_1 v at a vector v. `None` without vectors, and for functions of one argument that are linear: those
+    /// take vectors to vectors.
+    fn at_vectors(
+        &mut self,
+        function: &Arc<Function>,
+        clause: &Clause,
+        values: &[(Value, Span)],
+        bindings: &[(Symbol, Value)],
+        span: Span,
+    ) -> Result<Option<Value>, Diagnostic> {
+        if !bindings.iter().any(|(_, value)| matches!(value, Value::Vector(_))) {
+            return Ok(None);
+        }
+        let Some(formula) = &clause.formula else {
+            let Some(coordinates) = self.coordinates_of(function) else { return Ok(None) };
+            let value = |coordinate: &Value| match coordinate {
+                Value::Function(function) => self.call(function, values.to_vec(), span),
+                other => Ok(other.clone()),
+            };
+            return coordinates.iter().map(value).collect::<Result<_, _>>().map(|all| Some(Value::List(all)));
+        };
+        let (mut slope, mut lengths, mut points) = (formula.clone(), Fraction::one(), Vec::new());
+        for (name, argument) in bindings {
+            match argument {
+                Value::Vector(v) => {
+                    slope = slope.derivative(name);
+                    if slope.variables().contains(name) {
+                        let message = format!("this is not affine in {name}, so it takes no vector there");
+                        return Err(Diagnostic::error(Code::Domain, message).at(span).hint(
+                            "polar forms take vectors, such as hat(1): they are affine in each argument",
+                        ));
+                    }
+                    lengths = lengths.times(v);
+                }
+                Value::Scalar(point) => points.push((name.clone(), point.clone())),
+                _ => return Ok(None),
+            }
+        }
+        if let [(name, Value::Vector(_))] = bindings {
+            let start = formula.substitute(&[(name.clone(), Fraction::zero())]);
+            if start.is_ok_and(|start| start.is_zero()) {
+                return Ok(None);
+            }
+        }
+        let slope = slope.substitute(&points).map_err(|_| division_by_zero()).at(span)?;
+        Ok(Some(Value::Scalar(slope.times(&lengths))))
     }
 }
 

@@ -4,6 +4,7 @@ mod arrange;
 mod callable;
 mod curves;
 mod derive;
+mod differential;
 mod figures;
 mod interpolation;
 mod joins;

@@ -124,6 +124,7 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         summary: "the tensor-product polar form of a polynomial of degrees m in u and n in v",
         example: "polar_tensor(u v, u, v, 2, 2)",
+        each: true,
         call: |_, args| {
             let (u, v) = (args.symbol(1)?, args.symbol(2)?);
             let formula = formula_in(args, &[u.clone(), v.clone()])?;

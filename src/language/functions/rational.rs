@@ -1,18 +1,18 @@
 //! Rational curves and surfaces: conics, circles, surfaces of revolution.
 
 use super::curves::interval;
+use super::differential::{PARAMETER, derivatives};
 use super::parameter::{CURVE, END, Parameter, START, Takes, alternatives, named, required, size};
 use super::surfaces::{tensor, triangular};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
-use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
-use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezier, scalar_list};
-use crate::language::value::{Form, Geometry, Value};
+use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
+use crate::language::value::{Form, Value};
 use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, Point, RationalCurve};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
-use crate::math::spline::RationalSpline;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -224,25 +224,13 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "derivatives_at",
-        parameters: &[CURVE, required("t", Takes::Scalar, "the parameter"), size("k", "the highest order")],
+        parameters: &[CURVE, PARAMETER, size("k", "the highest order")],
         summary: "value and derivatives up to order k of a curve at t, or of a surface: (s, u, v, k)",
         example: "derivatives_at(bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2]), 0, 2)",
         on_surface: on_surface::DERIVATIVES_AT,
         call: |_, args| {
-            let (t, order) = (args.scalar(1)?, args.size(2)?);
-            crate::budget::charge_terms(order as u64);
-            let (list, form) = match args.value(0)? {
-                Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)) => {
-                    let (s, form) = args.spline(0)?;
-                    let s = RationalSpline::from_homogeneous(as_rational_spline(&s, form));
-                    (s.and_then(|s| s.derivatives(&t, order)).map_err(spline_error).at(args.span(1))?, form)
-                }
-                _ => {
-                    let list = rational_curve(args, 0)?.derivatives(&t, order);
-                    (list.map_err(curve_error).at(args.span(1))?, args.bezier(0)?.1)
-                }
-            };
-            let form = Form { rational: false, ..form };
+            let order = args.size(2)?;
+            let (list, form) = derivatives(args, order)?;
             Ok(Value::List(list.into_iter().map(|vector| form.plain(vector)).collect()))
         },
         ..NEW
@@ -297,7 +285,7 @@ fn rational(curve: RationalCurve<Fraction>) -> Value {
 }
 
 /// A Bézier curve as a rational one.
-fn rational_curve(args: &Arguments, i: usize) -> Result<RationalCurve<Fraction>> {
+pub(super) fn rational_curve(args: &Arguments, i: usize) -> Result<RationalCurve<Fraction>> {
     let (curve, form) = args.bezier(i)?;
     RationalCurve::from_homogeneous(as_rational_form(&curve, form)).map_err(curve_error).at(args.span(i))
 }

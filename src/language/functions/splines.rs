@@ -341,13 +341,20 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "refine",
-        parameters: &[SPLINE, required("knots", Takes::Scalars, "the finer knots").shown("[t_0, ..., t_k]")],
-        summary: "the same curve over finer knots (the Oslo algorithm)",
+        parameters: &[
+            SPLINE,
+            optional("knots", Takes::Scalars, "each knot interval halved", "the finer knots")
+                .shown("[t_0, ..., t_k]"),
+        ],
+        summary: "the same curve over finer knots (the Oslo algorithm), the outer ones as you like",
         example: "refine(bspline(1, [0, 0, 2, 2], [1, 5]), [0, 0, 1, 2, 2])",
         call: |_, args| {
             let (s, form) = args.spline(0)?;
-            let finer =
-                KnotVector::new(s.degree(), args.scalars(1)?).map_err(spline_error).at(args.span(1))?;
+            let finer = match args.given(1) {
+                Some(_) => KnotVector::new(s.degree(), args.scalars(1)?),
+                None => s.halved_knots(),
+            };
+            let finer = finer.map_err(spline_error).at(args.span(1))?;
             s.refine(finer).map(|s| spline(s, form)).map_err(spline_error).at(args.span(1))
         },
         ..NEW

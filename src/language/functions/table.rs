@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 
 use super::record::Builtin;
 use super::{
-    arrange, curves, derive, figures, interpolation, joins, matrices, numbers, polar, polynomials, rational,
-    roots, splines, surfaces,
+    arrange, curves, derive, differential, figures, interpolation, joins, matrices, numbers, polar,
+    polynomials, rational, roots, splines, surfaces,
 };
 
 /// All functions, by topic.
@@ -43,6 +43,7 @@ pub static BUILTINS: &[&Builtin] = &{
         curves::TABLE,
         splines::TABLE,
         rational::TABLE,
+        differential::TABLE,
         surfaces::TABLE,
         joins::TABLE,
         derive::TABLE,

@@ -207,28 +207,26 @@ pub(crate) fn translate(c: &Geometry, by: &Value) -> Result<Value> {
     }
 }
 
-/// The sum of two polynomial splines over the same knots.
-fn add_splines(a: &BSpline<Fraction>, b: &BSpline<Fraction>, form: Form) -> Result<Value> {
-    let points = a.points().iter().zip(b.points()).map(|(p, q)| p + &q.position()).collect();
-    BSpline::new(a.knots().clone(), points).map(|s| spline(s, form)).map_err(spline_error)
-}
-
-/// The sum of two polynomial Bézier curves over one interval, of the larger degree.
+/// The sum of two polynomial curves over one domain, of the larger degree; with a spline among them, a spline.
 pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
-    if let (Geometry::Spline(f, left), Geometry::Spline(g, right)) = (a, b)
-        && !left.rational
-        && left == right
-        && f.knots() == g.knots()
-        && f.dimension() == g.dimension()
-    {
-        return add_splines(f, g, *left);
+    if matches!(a, Geometry::Spline(..)) || matches!(b, Geometry::Spline(..)) {
+        let both = form_of_sum(a.form(), b.form())?;
+        let either = |c: &Geometry| match c {
+            Geometry::Spline(s, _) => Some(s.clone()),
+            Geometry::Bezier(curve, _) => as_spline(curve).ok(),
+            _ => None,
+        };
+        if let (Some(f), Some(g)) = (either(a), either(b)) {
+            return f.sum(&g).map(|s| spline(s, both)).map_err(spline_error);
+        }
     }
     let (Geometry::Bezier(f, left), Geometry::Bezier(g, right)) = (a, b) else {
         let message = format!("{} and {} cannot be added", a.kind(), b.kind());
         return Err(Diagnostic::error(Code::Type, message)
-            .hint("polynomial Bézier curves over one interval can be, and splines over the same knots"));
+            .hint("polynomial curves and splines over one interval can be"));
     };
-    if left.rational || right.rational || f.interval().ends() != g.interval().ends() {
+    let both = form_of_sum(*left, *right)?;
+    if f.interval().ends() != g.interval().ends() {
         return Err(Diagnostic::error(Code::Shape, "only polynomial curves over one interval can be added")
             .hint("over(c, a, b) moves a curve to another interval"));
     }
@@ -239,7 +237,17 @@ pub(crate) fn add(a: &Geometry, b: &Geometry) -> Result<Value> {
     let (f, g) = (f.elevate(n - f.degree()), g.elevate(n - g.degree()));
     let points = f.points().iter().zip(g.points()).map(|(p, q)| p + &q.position()).collect();
     let curve = BezierCurve::new(points, f.interval().clone()).map_err(curve_error)?;
-    Ok(bezier(curve, Form { scalar: left.scalar && right.scalar, rational: false }))
+    Ok(bezier(curve, both))
+}
+
+/// How the coordinates of a sum are read; weights cannot be added.
+fn form_of_sum(left: Form, right: Form) -> Result<Form> {
+    if left.rational || right.rational {
+        let message = "only polynomial curves over one interval can be added";
+        return Err(Diagnostic::error(Code::Shape, message)
+            .hint("homogeneous(c) is the polynomial curve of its homogeneous coordinates"));
+    }
+    Ok(Form { scalar: left.scalar && right.scalar, rational: false })
 }
 
 /// A curve scaled from the origin.

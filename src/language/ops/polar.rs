@@ -93,31 +93,35 @@ pub(crate) fn scale(a: &Fraction, f: &Polar) -> Result<Value> {
     Ok(Value::Polar(Arc::new(Polar { kind, variables: f.variables.clone() })))
 }
 
-/// The coordinates of a curve as polar forms of one degree, the largest.
+/// The coordinates of a curve or surface as polar forms of one degree, the largest.
 pub(crate) fn levelled(list: Vec<Value>) -> Vec<Value> {
-    let degree = |value: &Value| match value {
-        Value::Polar(polar) => match &polar.kind {
-            PolarKind::Univariate(form) => Some(form.degree()),
-            _ => None,
-        },
+    let degrees = |value: &Value| match value {
+        Value::Polar(polar) => Some(match &polar.kind {
+            PolarKind::Univariate(form) => (0, form.degree(), 0),
+            PolarKind::Tensor(form) => (1, form.degrees().0, form.degrees().1),
+            PolarKind::Total(form) => (2 + form.dimension(), form.degree(), 0),
+        }),
         _ => None,
     };
-    let Some(top) = list.iter().map(degree).collect::<Option<Vec<usize>>>().and_then(|d| d.into_iter().max())
-    else {
+    let Some(all) = list.iter().map(degrees).collect::<Option<Vec<_>>>() else { return list };
+    let Some(&(kind, ..)) = all.first().filter(|first| all.iter().all(|other| other.0 == first.0)) else {
         return list;
     };
-    list.into_iter()
-        .map(|value| match &value {
-            Value::Polar(polar) => match &polar.kind {
-                PolarKind::Univariate(form) => Value::Polar(Arc::new(Polar {
-                    kind: PolarKind::Univariate(form.elevate(top - form.degree())),
-                    variables: polar.variables.clone(),
-                })),
-                _ => value,
+    let top = all.iter().fold((kind, 0, 0), |top, other| (kind, top.1.max(other.1), top.2.max(other.2)));
+    let raised = |(value, own): (Value, (usize, usize, usize))| {
+        let Value::Polar(polar) = &value else { return value };
+        let by = (top.1 - own.1, top.2 - own.2);
+        let kind = match &polar.kind {
+            PolarKind::Univariate(form) => PolarKind::Univariate(form.elevate(by.0)),
+            PolarKind::Total(form) => PolarKind::Total(form.elevate(by.0)),
+            PolarKind::Tensor(form) => match form.elevate(by.0, by.1) {
+                Ok(form) => PolarKind::Tensor(form),
+                Err(_) => return value,
             },
-            _ => value,
-        })
-        .collect()
+        };
+        Value::Polar(Arc::new(Polar { kind, variables: polar.variables.clone() }))
+    };
+    list.into_iter().zip(all).map(raised).collect()
 }
 
 /// The form written out in the arguments of the arrangement; `None` if a coefficient is a

@@ -522,12 +522,12 @@ impl Value {
     }
 }
 
-/// `f(t1, t2) = [x, y]` for the polar forms of the coordinates of a curve.
+/// `f(t1, t2) = [x, y]` for the polar forms of the coordinates of a curve or surface.
 pub fn curve_expr(items: &[Value], name: Expr, notation: Notation) -> Option<Expr> {
     let polars: Option<Vec<&Polar>> = items
         .iter()
         .map(|item| match item {
-            Value::Polar(polar) if matches!(polar.kind, PolarKind::Univariate(_)) => Some(&**polar),
+            Value::Polar(polar) => Some(&**polar),
             _ => None,
         })
         .collect();

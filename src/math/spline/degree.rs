@@ -97,7 +97,7 @@ impl<C: Field> BSpline<C> {
     }
 
     /// Drops outer knots until the domain is that of self.
-    fn trimmed_to_domain(&self, knots: &[C], degree: usize) -> Result<KnotVector<C>, SplineError> {
+    pub(super) fn trimmed_to_domain(&self, knots: &[C], degree: usize) -> Result<KnotVector<C>, SplineError> {
         let (start, end) = self.domain();
         let last_start = knots.iter().rposition(|knot| knot == start).ok_or(SplineError::NoDomain)?;
         let first_end = knots.iter().position(|knot| knot == end).ok_or(SplineError::NoDomain)?;

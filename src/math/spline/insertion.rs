@@ -12,6 +12,7 @@ use super::{BSpline, KnotVector, SplineError};
 use crate::budget;
 use crate::math::blossom::Argument;
 use crate::math::curve::{Point, Vector, lerp};
+use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
 
 /// Why a knot cannot be removed: the derivative that jumps there.
@@ -119,26 +120,65 @@ impl<C: Field> BSpline<C> {
     }
 
     /// The same curve over finer knots: d'_i = f_j(τ_{i+1}, …, τ_{i+n}), each from the polar form
-    /// of a piece in its support (the Oslo algorithm, by blossoms). Equal to [`BSpline::insert_all`].
+    /// of a piece in its support (the Oslo algorithm, by blossoms). Equal to [`BSpline::insert_all`]
+    /// where the outer knots stay; outside of the domain the new knots may be any.
+    ///
+    /// Cost: for each control point a polar value, n²/2 affine combinations.
     ///
     /// # Errors
-    /// [`SplineError::NotSmooth`] if the new knots do not contain the old ones, and as
-    /// [`KnotVector::span_of`].
+    /// [`SplineError::Domains`] for another domain, [`SplineError::MissingKnot`] if an inner knot is
+    /// not there, or not as often.
+    ///
+    /// ```
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::{BSpline, KnotVector};
+    /// // uniform knots halved: Chaikin's corner cutting
+    /// let knots = KnotVector::uniform(2, 3, &z(-2), &z(1))?;
+    /// let s = BSpline::new(knots, [0, 4, 0].map(|x| vec![z(x)]).to_vec())?;
+    /// let fine = s.refine(s.halved_knots()?)?;
+    /// assert_eq!(fine.knots().knots()[0], z(-1));
+    /// assert_eq!(fine.points(), [[z(1)], [z(3)], [z(3)], [z(1)]]);
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
     pub fn refine(&self, finer: KnotVector<C>) -> Result<Self, SplineError> {
         let n = self.degree();
         if finer.degree() != n {
             return Err(crate::math::curve::CurveError::Degrees { left: n, right: finer.degree() }.into());
         }
-        for (i, (knot, multiplicity)) in self.knots().multiplicities().iter().enumerate() {
-            if finer.multiplicity(knot) < *multiplicity {
-                let place = self.knots().knots().iter().position(|other| other == knot).unwrap_or(i);
-                return Err(SplineError::MissingKnot { index: place });
+        if finer.domain()? != self.domain() {
+            return Err(SplineError::Domains);
+        }
+        for (knot, multiplicity) in self.inner_knots() {
+            if finer.multiplicity(&knot) < multiplicity {
+                let place = self.knots().knots().iter().position(|other| *other == knot);
+                return Err(SplineError::MissingKnot { index: place.unwrap_or(0) });
             }
         }
         self.relabelled(&finer, |span, label| {
             let arguments: Vec<Argument<C>> = label.iter().cloned().map(Argument::Point).collect();
             Ok(self.blossom(span, &arguments)?.into_point())
         })
+    }
+
+    /// The knots with the middle of each knot interval added, as many of them outside of the domain
+    /// as there have to be: [`BSpline::refine`] then doubles a uniform spline (Chaikin for degree 2, Lane and
+    /// Riesenfeld for every degree).
+    ///
+    /// # Errors
+    /// None for a spline; those of [`KnotVector::new`] are passed on.
+    pub fn halved_knots(&self) -> Result<KnotVector<C>, SplineError> {
+        let knots = self.knots().knots();
+        budget::charge_terms(2 * knots.len() as u64);
+        let half = Rational::new(Int::ONE, Int::from(2usize));
+        let mut finer = Vec::with_capacity(2 * knots.len());
+        for pair in knots.windows(2) {
+            finer.push(pair[0].clone());
+            if pair[0] != pair[1] {
+                finer.push(pair[0].plus(&pair[1]).scaled(&half));
+            }
+        }
+        finer.push(knots[knots.len() - 1].clone());
+        self.trimmed_to_domain(&finer, self.degree())
     }
 
     /// A spline over other knots from a rule for its control points: the value at a label of the

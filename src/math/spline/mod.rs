@@ -23,6 +23,7 @@ mod knots;
 mod parts;
 mod rational;
 mod rational_surface;
+mod sum;
 mod surface;
 #[cfg(test)]
 mod tests;

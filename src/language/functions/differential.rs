@@ -1,0 +1,146 @@
+//! Derivatives of curves at a parameter, and the curvatures that follow from them.
+
+use super::Builtin;
+use super::parameter::{CURVE, Parameter, Takes, required};
+use super::rational::rational_curve;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::Arguments;
+use crate::language::ops::calculus::nth_derivative;
+use crate::language::ops::errors::{curve_error, division_by_zero, spline_error};
+use crate::language::ops::formula::{is_parameter, variable_of};
+use crate::language::ops::geometry::as_rational_spline;
+use crate::language::value::{Form, Geometry, Value, polynomial_expr};
+use crate::math::curve::{self, CurveError, Vector};
+use crate::math::number::exact_root;
+use crate::math::poly::{Fraction, Symbol};
+use crate::math::spline::RationalSpline;
+use num_traits::{Signed, Zero};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Curvature");
+
+pub(super) const PARAMETER: Parameter = required("t", Takes::Scalar, "the parameter");
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "curvature",
+        parameters: &[CURVE, PARAMETER],
+        summary: "|c' x c''|/|c'|^3 where that is rational; in the plane positive in a left turn",
+        example: "curvature([t, t^2], 0)",
+        call: |_, args| {
+            let (squared, turn) = squared_and_turn(args)?;
+            if squared.is_zero() {
+                return Ok(Value::Scalar(squared));
+            }
+            let root = squared.as_rational().and_then(|q| exact_root(&q, 2)).ok_or_else(|| {
+                let square = crate::language::write::text(&polynomial_expr(&squared));
+                Diagnostic::error(Code::Irrational, format!("the curvature is the root of {square}"))
+                    .at(args.span(1))
+                    .hint("squared_curvature(c, t) is rational everywhere")
+            })?;
+            let Some(turn) = turn else { return Ok(Value::number(root)) };
+            let turn = turn.as_rational().ok_or_else(|| {
+                Diagnostic::error(Code::Undecided, "the sign of the curvature depends on symbols")
+                    .at(args.span(1))
+                    .hint("squared_curvature(c, t) has none")
+            })?;
+            Ok(Value::number(if turn.is_negative() { -root } else { root }))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "squared_curvature",
+        parameters: &[CURVE, PARAMETER],
+        summary: "the square of the curvature, which is rational: (|c'|^2 |c''|^2 - (c' c'')^2)/|c'|^6",
+        example: "squared_curvature([t, t^2], t)",
+        call: |_, args| Ok(Value::Scalar(squared_and_turn(args)?.0)),
+        ..NEW
+    },
+    Builtin {
+        name: "torsion",
+        parameters: &[CURVE, PARAMETER],
+        summary: "det(c', c'', c''')/|c' x c''|^2 of a curve in space",
+        example: "torsion([t, t^2, t^3], 0)",
+        call: |_, args| {
+            let (list, _) = derivatives(args, 3)?;
+            let torsion = curve::torsion(&list[1], &list[2], &list[3]);
+            torsion.map(Value::Scalar).map_err(|error| still(error, args))
+        },
+        ..NEW
+    },
+];
+
+/// The value and the derivatives up to an order of the curve at the first place, at the parameter
+/// at the second. A list of formulas, [t, t^2], is a curve on the whole line.
+pub(super) fn derivatives(args: &Arguments, order: usize) -> Result<(Vec<Vector<Fraction>>, Form)> {
+    crate::budget::charge_terms(order as u64);
+    let t = args.scalar(1)?;
+    let (list, form) = match args.value(0)? {
+        Value::Geometry(geometry) if matches!(**geometry, Geometry::Spline(..)) => {
+            let (s, form) = args.spline(0)?;
+            let s = RationalSpline::from_homogeneous(as_rational_spline(&s, form));
+            (s.and_then(|s| s.derivatives(&t, order)).map_err(spline_error).at(args.span(1))?, form)
+        }
+        Value::List(items) => match coordinates(items) {
+            Some(coordinates) => {
+                let at = |k: usize| -> Result<Vector<Fraction>> {
+                    let value = |(variable, formula): &(Symbol, Fraction)| {
+                        nth_derivative(formula, variable, k).substitute(&[(variable.clone(), t.clone())])
+                    };
+                    let list = coordinates.iter().map(value).collect::<std::result::Result<Vec<_>, _>>();
+                    Ok(list.map_err(|_| division_by_zero()).at(args.span(1))?.into())
+                };
+                ((0..=order).map(at).collect::<Result<_>>()?, Form::default())
+            }
+            None => of_bezier(args, &t, order)?,
+        },
+        _ => of_bezier(args, &t, order)?,
+    };
+    Ok((list, Form { rational: false, ..form }))
+}
+
+fn of_bezier(args: &Arguments, t: &Fraction, order: usize) -> Result<(Vec<Vector<Fraction>>, Form)> {
+    let list = rational_curve(args, 0)?.derivatives(t, order).map_err(curve_error).at(args.span(1))?;
+    Ok((list, args.bezier(0)?.1))
+}
+
+/// The coordinates of a curve that is given by formulas, each with its variable. Numbers alone are
+/// control points.
+fn coordinates(items: &[Value]) -> Option<Vec<(Symbol, Fraction)>> {
+    let of_function = |item: &Value| match item {
+        Value::Function(function) => function.as_formula().map(|(t, formula)| (t.clone(), formula.clone())),
+        _ => None,
+    };
+    if let Some(functions) = items.iter().map(of_function).collect() {
+        return Some(functions);
+    }
+    let formulas: Vec<&Fraction> = items.iter().map(Value::as_scalar).collect::<Option<_>>()?;
+    let first = formulas.iter().find(|formula| formula.variables().iter().any(is_parameter))?;
+    let variable = variable_of(first, None).ok()?;
+    Some(formulas.into_iter().map(|formula| (variable.clone(), formula.clone())).collect())
+}
+
+/// The square of the curvature, and in the plane det(c', c''), which has its sign.
+fn squared_and_turn(args: &Arguments) -> Result<(Fraction, Option<Fraction>)> {
+    let (list, _) = derivatives(args, 2)?;
+    let squared = curve::squared_curvature(&list[1], &list[2]).map_err(|error| still(error, args))?;
+    Ok((squared, curve::turn(&list[1], &list[2]).ok()))
+}
+
+/// The error where a curve stands still or runs straight on.
+fn still(error: CurveError, args: &Arguments) -> Diagnostic {
+    match error {
+        CurveError::Degenerate => {
+            Diagnostic::error(Code::Degenerate, "the derivatives vanish there, or are parallel")
+                .at(args.span(1))
+                .hint("derivatives_at(c, t, 3) shows them")
+        }
+        CurveError::DimensionsOf { left, right } => Diagnostic::error(
+            Code::Shape,
+            format!("a curve with {right} coordinates is needed, this one has {left}"),
+        )
+        .at(args.span(0)),
+        other => curve_error(other).at(args.span(0)),
+    }
+}
