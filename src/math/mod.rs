@@ -1,6 +1,7 @@
 //! The mathematics: exact numbers, polynomials, polar forms, curves and splines. It knows no text,
 //! no formulas and no places; what can go wrong is a small error of its own.
 
+pub mod approximation;
 pub mod basis;
 pub mod blossom;
 pub mod curve;

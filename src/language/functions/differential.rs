@@ -107,7 +107,7 @@ fn of_bezier(args: &Arguments, t: &Fraction, order: usize) -> Result<(Vec<Vector
 
 /// The coordinates of a curve that is given by formulas, each with its variable. Numbers alone are
 /// control points.
-fn coordinates(items: &[Value]) -> Option<Vec<(Symbol, Fraction)>> {
+pub(super) fn coordinates(items: &[Value]) -> Option<Vec<(Symbol, Fraction)>> {
     let of_function = |item: &Value| match item {
         Value::Function(function) => function.as_formula().map(|(t, formula)| (t.clone(), formula.clone())),
         _ => None,

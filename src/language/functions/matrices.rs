@@ -74,7 +74,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("from", Takes::Basis, "the basis of the given coefficients"),
             required("to", Takes::Basis, "the basis of the result"),
         ],
-        summary: "the matrix between bases: power, bernstein, taylor, lagrange, newton, hermite",
+        summary: "the matrix between bases: power, bernstein, legendre, taylor, lagrange, newton, hermite",
         example: "change_of_basis(2, [bernstein, 0, 2], power)",
         call: |_, args| {
             let n = sized(args, 0)?;
@@ -186,7 +186,7 @@ impl Arguments {
 
 /// Whether a word that stands alone names a basis; `bernstein` is the function of that name.
 pub(crate) fn is_basis(word: &str) -> bool {
-    matches!(word, "power" | "taylor" | "lagrange" | "newton" | "hermite")
+    matches!(word, "power" | "taylor" | "legendre" | "lagrange" | "newton" | "hermite")
 }
 
 /// `power`, `bernstein`, `[bernstein, a, b]`, `[lagrange, t_0, …]` and so on.
@@ -195,7 +195,7 @@ pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
         wrong_kind("a basis", value)
             .at(span)
             .hint("power, bernstein, [bernstein, a, b], [taylor, a], [lagrange, t0, t1, ...]")
-            .hint("or [newton, t0, t1, ...], [hermite, a, b]")
+            .hint("or [newton, t0, t1, ...], [hermite, a, b], [legendre, a, b]")
     };
     let (name, rest) = match value {
         Value::List(items) => items.split_first().ok_or_else(wrong)?,
@@ -219,6 +219,10 @@ pub(super) fn read_basis(value: &Value, span: Span) -> Result<Basis<Fraction>> {
         },
         "bernstein" => ends(&numbers).map(|(a, b)| Basis::Bernstein { a, b }),
         "hermite" => ends(&numbers).map(|(a, b)| Basis::HermiteEndpoints { a, b }),
+        "legendre" => match numbers.as_slice() {
+            [a, b] => Ok(Basis::Legendre { a: a.clone(), b: b.clone() }),
+            _ => Err(wrong()),
+        },
         "lagrange" => Ok(Basis::Lagrange(numbers)),
         "newton" => Ok(Basis::Newton(numbers)),
         _ => Err(wrong()),

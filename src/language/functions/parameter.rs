@@ -83,6 +83,8 @@ pub enum Takes {
     Matrix,
     /// A basis of polynomials.
     Basis,
+    /// A basis of polynomials, or the knots of B-splines.
+    BasisOrKnots,
     /// Equations.
     Equations,
     /// A list of anything.
@@ -100,14 +102,14 @@ pub enum Takes {
 }
 
 /// The bases of [`Takes::Basis`] that a word names.
-const BASES: &[&str] = &["power", "bernstein", "taylor", "lagrange", "newton", "hermite"];
+const BASES: &[&str] = &["power", "bernstein", "legendre", "taylor", "lagrange", "newton", "hermite"];
 
 impl Takes {
     /// The words that mean something here.
     pub fn words(self) -> &'static [&'static str] {
         match self {
             Takes::Word(words) => words,
-            Takes::Basis => BASES,
+            Takes::Basis | Takes::BasisOrKnots => BASES,
             _ => &[],
         }
     }
@@ -139,6 +141,7 @@ impl Takes {
             Takes::Triangle => "three points of the plane",
             Takes::Matrix => "a matrix",
             Takes::Basis => "power, bernstein or a list such as [bernstein, a, b] or [lagrange, t_0, ...]",
+            Takes::BasisOrKnots => "bernstein, [bernstein, a, b], another basis or knots",
             Takes::Equations => "equations",
             Takes::List => "a list",
             Takes::Figure => "a figure",

@@ -465,7 +465,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
-fn piecewise(function: Piecewise<Fraction>) -> Value {
+pub(super) fn piecewise(function: Piecewise<Fraction>) -> Value {
     let variable = free_parameter(function.breaks());
     Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable)))
 }
@@ -529,7 +529,7 @@ pub(super) fn knots(args: &Arguments) -> Result<KnotVector<Fraction>> {
     knots_at(args, 0, 1)
 }
 
-fn knots_at(args: &Arguments, degree: usize, list: usize) -> Result<KnotVector<Fraction>> {
+pub(super) fn knots_at(args: &Arguments, degree: usize, list: usize) -> Result<KnotVector<Fraction>> {
     KnotVector::new(args.size(degree)?, args.scalars(list)?).map_err(spline_error).at(args.span(list))
 }
 

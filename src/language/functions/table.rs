@@ -50,6 +50,8 @@ pub static BUILTINS: &[&Builtin] = &{
         interpolation::POLYNOMIALS,
         interpolation::SPLINES,
         interpolation::APPROXIMATION,
+        interpolation::SPLINE_FITS,
+        interpolation::ENERGY,
         figures::TABLE,
         numbers::TABLE,
     ];

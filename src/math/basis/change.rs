@@ -15,6 +15,7 @@ use num_traits::Zero;
 
 use super::bernstein::powers;
 use super::evaluate::reciprocal;
+use super::legendre::{legendre_to_power, power_to_legendre};
 use super::{Basis, BasisError, bernstein_to_power, power_to_bernstein};
 use crate::budget;
 use crate::math::linalg::multiply;
@@ -67,6 +68,7 @@ impl<F: Field> Basis<F> {
             Basis::Power => Basis::Taylor { at: -by.clone() },
             Basis::Taylor { at } => Basis::Taylor { at: moved(at) },
             Basis::Bernstein { a, b } => Basis::Bernstein { a: moved(a), b: moved(b) },
+            Basis::Legendre { a, b } => Basis::Legendre { a: moved(a), b: moved(b) },
             Basis::Lagrange(nodes) => Basis::Lagrange(nodes.iter().map(moved).collect()),
             Basis::Newton(nodes) => Basis::Newton(nodes.iter().map(moved).collect()),
             Basis::HermiteEndpoints { a, b } => Basis::HermiteEndpoints { a: moved(a), b: moved(b) },
@@ -88,6 +90,10 @@ fn local_polynomials<F: Field>(n: usize, basis: &Basis<F>) -> Local<F> {
         Basis::Bernstein { a, b } => {
             let matrix = bernstein_to_power(n);
             let columns = stretched(&matrix, &vec![0; n + 1], &b.minus(a));
+            Local { origin: a.clone(), columns }
+        }
+        Basis::Legendre { a, b } => {
+            let columns = stretched(&legendre_to_power(n), &vec![0; n + 1], &b.minus(a));
             Local { origin: a.clone(), columns }
         }
         Basis::HermiteEndpoints { a, b } => {
@@ -194,8 +200,8 @@ enum Target<F> {
     Power,
     Newton(Vec<F>),
     Lagrange(Vec<F>),
-    /// Start of the interval, powers of its length, A_n^{-1}.
-    Bernstein(F, Vec<F>, DMatrix<Rational>),
+    /// Start of the interval, powers of its length, the matrix from powers of the local parameter.
+    Stretched(F, Vec<F>, DMatrix<Rational>),
     /// The ends, and k! for the orders of derivatives.
     Hermite([F; 2], Vec<Rational>),
 }
@@ -208,7 +214,10 @@ impl<F: Field> Target<F> {
             Basis::Newton(nodes) => Target::Newton(nodes.clone()),
             Basis::Lagrange(nodes) => Target::Lagrange(nodes.clone()),
             Basis::Bernstein { a, b } => {
-                Target::Bernstein(a.clone(), powers(n, &b.minus(a)), power_to_bernstein(n))
+                Target::Stretched(a.clone(), powers(n, &b.minus(a)), power_to_bernstein(n))
+            }
+            Basis::Legendre { a, b } => {
+                Target::Stretched(a.clone(), powers(n, &b.minus(a)), power_to_legendre(n))
             }
             Basis::HermiteEndpoints { a, b } => {
                 let factorials = (0..n.div_ceil(2)).map(|k| Rational::from_integer(factorial(k)));
@@ -229,7 +238,7 @@ impl<F: Field> Target<F> {
                 let polynomial = Coefficients::new(polynomial);
                 nodes.iter().map(|node| polynomial.value(node)).collect()
             }
-            Target::Bernstein(start, lengths, matrix) => {
+            Target::Stretched(start, lengths, matrix) => {
                 divide_out(&mut polynomial, std::iter::repeat_n(start, lengths.len()));
                 for (coefficient, power) in polynomial.iter_mut().zip(lengths) {
                     if !coefficient.is_zero() {
@@ -250,13 +259,13 @@ impl<F: Field> Target<F> {
     }
 }
 
-/// The product of a lower triangular matrix and a column.
+/// The product of a triangular matrix and a column.
 fn apply<F: Field>(matrix: &DMatrix<Rational>, column: &[F]) -> Vec<F> {
     let mut result = vec![F::zero(); column.len()];
     for (j, x) in column.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
-        for (i, sum) in result.iter_mut().enumerate().skip(j) {
+        for (sum, entry) in result.iter_mut().zip(matrix.column(j)).filter(|(_, entry)| !entry.is_zero()) {
             budget::step();
-            *sum += x.scaled(&matrix[(i, j)]);
+            *sum += x.scaled(entry);
         }
     }
     result

@@ -1,7 +1,7 @@
 //! Values of all basis functions at a point.
 
 use super::bernstein::{bernstein_all, powers};
-use super::{Basis, BasisError};
+use super::{Basis, BasisError, legendre_all};
 use crate::budget;
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Field;
@@ -29,6 +29,10 @@ pub fn evaluate_basis<F: Field>(n: usize, basis: &Basis<F>, t: &F) -> Result<Vec
         Basis::Power => powers(n, t),
         Basis::Taylor { at } => powers(n, &t.minus(at)),
         Basis::Bernstein { a, b } => bernstein_all(n, &t.minus(a).times(&reciprocal(&b.minus(a)))),
+        Basis::Legendre { a, b } => {
+            let x = t.plus(t).minus(a).minus(b).times(&reciprocal(&b.minus(a)));
+            legendre_all(n, &x)
+        }
         Basis::Newton(nodes) => {
             let mut values = vec![F::one()];
             for (k, node) in nodes.iter().take(n).enumerate() {

@@ -24,6 +24,7 @@
 mod bernstein;
 mod change;
 mod evaluate;
+mod legendre;
 mod matrices;
 
 use std::fmt;
@@ -33,6 +34,7 @@ use crate::math::ring::Field;
 pub use bernstein::{bernstein, bernstein_all};
 pub use change::change_of_basis;
 pub use evaluate::evaluate_basis;
+pub use legendre::legendre_all;
 pub use matrices::{bernstein_to_power, lowering, power_to_bernstein, raising};
 
 /// A basis φ_0, …, φ_n of the polynomials of degree at most n.
@@ -49,6 +51,14 @@ pub enum Basis<F> {
     },
     /// φ_j = B_j^n((t − a)/(b − a)); the coefficients are the Bézier ordinates over [a, b].
     Bernstein {
+        /// The start of the interval.
+        a: F,
+        /// Its end, different from `a`.
+        b: F,
+    },
+    /// φ_j = P_j((2t − a − b)/(b − a)), the Legendre polynomials of the interval [a, b]: orthogonal there, 1 at b.
+    /// The Bézier ordinates of φ_j over [a, b] are (−1)^{i+j} C(j, i).
+    Legendre {
         /// The start of the interval.
         a: F,
         /// Its end, different from `a`.
@@ -149,10 +159,12 @@ impl<F: Field> Basis<F> {
     pub fn validate(&self, n: usize) -> Result<(), BasisError> {
         match self {
             Basis::Power | Basis::Taylor { .. } => Ok(()),
-            Basis::Bernstein { a, b } | Basis::HermiteEndpoints { a, b } if a == b => {
+            Basis::Bernstein { a, b } | Basis::Legendre { a, b } | Basis::HermiteEndpoints { a, b }
+                if a == b =>
+            {
                 Err(BasisError::EqualEnds)
             }
-            Basis::Bernstein { .. } => Ok(()),
+            Basis::Bernstein { .. } | Basis::Legendre { .. } => Ok(()),
             Basis::HermiteEndpoints { .. } if n.is_multiple_of(2) => {
                 Err(BasisError::EvenDegree { degree: n })
             }

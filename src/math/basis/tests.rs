@@ -118,6 +118,20 @@ fn bernstein_values() {
     }
 }
 
+/// The Bézier ordinates of the j-th Legendre polynomial are (−1)^{i+j} C(j, i).
+#[test]
+fn legendre_polynomials_in_bezier_form() {
+    let ends = || (rational(-1, 2), rational(5, 3));
+    for n in 0..7 {
+        let ((a, b), (c, d)) = (ends(), ends());
+        let matrix = change_of_basis(n, &Basis::Legendre { a, b }, &Basis::Bernstein { a: c, b: d }).unwrap();
+        for i in 0..=n {
+            let value = whole(binomial(n, i));
+            assert_eq!(matrix[(i, n)], if (i + n) % 2 == 0 { value } else { -value });
+        }
+    }
+}
+
 /// For the cubic on [0, 1], as in every textbook.
 #[test]
 fn cubic_hermite_polynomials() {
@@ -151,6 +165,7 @@ fn errors_name_what_is_wrong() {
     for n in 0..4 {
         fails(n, &Basis::Bernstein { a: one(), b: one() }, BasisError::EqualEnds, ends);
         fails(n, &Basis::HermiteEndpoints { a: one(), b: one() }, BasisError::EqualEnds, ends);
+        fails(n, &Basis::Legendre { a: one(), b: one() }, BasisError::EqualEnds, ends);
     }
     fails(
         2,
@@ -183,6 +198,7 @@ fn bases<F: Field>(n: usize, distinct: &[F], any: &[F]) -> Vec<Basis<F>> {
         Basis::Taylor { at: any[0].clone() },
         Basis::Bernstein { a: F::zero(), b: F::one() },
         Basis::Bernstein { a: b.clone(), b: a.clone() },
+        Basis::Legendre { a: a.clone(), b: b.clone() },
         Basis::Lagrange(distinct[..=n].to_vec()),
         Basis::Newton(any[..=n].to_vec()),
         Basis::Newton(distinct[..n].to_vec()),

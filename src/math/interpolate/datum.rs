@@ -201,7 +201,7 @@ pub(super) fn distinct<C: Ring>(nodes: &[C]) -> Result<(), InterpolationError> {
 
 /// Each node is larger than the one before it, as far as their difference is a number.
 /// Symbolic nodes are taken to be in the order given; neighbours must differ.
-pub(super) fn increasing<C: Ring>(nodes: &[C]) -> Result<(), InterpolationError> {
+pub(in crate::math) fn increasing<C: Ring>(nodes: &[C]) -> Result<(), InterpolationError> {
     for (i, pair) in nodes.windows(2).enumerate() {
         match compare(&pair[0], &pair[1]) {
             Some(Ordering::Equal) => {

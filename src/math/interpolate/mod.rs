@@ -41,6 +41,7 @@ mod vandermonde;
 mod tests;
 
 pub use condition::{Condition, Norm, matrix_condition, power_bernstein_condition};
+pub(in crate::math) use datum::increasing;
 pub use datum::{Datum, value_of};
 pub use error::InterpolationError;
 pub use hermite::{hermite_basis, hermite_bezier};

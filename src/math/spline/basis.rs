@@ -55,6 +55,40 @@ impl<C: Field> KnotVector<C> {
             .collect()
     }
 
+    /// j and the values N_{j−n}(t), …, N_j(t) of the functions that are not 0 on the knot interval
+    /// [t_j, t_{j+1}] of t; the end of the domain belongs to the last one.
+    ///
+    /// Cost: n² products and quotients (the recurrence of Cox and de Boor, each value once).
+    ///
+    /// # Errors
+    /// As [`KnotVector::span_of`].
+    ///
+    /// ```
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::KnotVector;
+    /// let knots = KnotVector::uniform(2, 3, &z(0), &z(1))?;
+    /// assert_eq!(knots.values_at(&q(5, 2))?, (2, vec![q(1, 8), q(3, 4), q(1, 8)]));
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn values_at(&self, t: &C) -> Result<(usize, Vec<C>), SplineError> {
+        let span = self.span_of(t)?;
+        let knots = self.knots();
+        let mut values = vec![C::one()];
+        for k in 1..=self.degree() {
+            let mut saved = C::zero();
+            for (r, value) in values.iter_mut().enumerate() {
+                budget::step();
+                let (start, end) = (&knots[span + 1 + r - k], &knots[span + 1 + r]);
+                let unit = end.minus(start).inverse().expect("the interval contains the span");
+                let share = value.times(&unit);
+                *value = saved.plus(&end.minus(t).times(&share));
+                saved = t.minus(start).times(&share);
+            }
+            values.push(saved);
+        }
+        Ok((span, values))
+    }
+
     /// Whether a basis function ends with the last knot, which belongs to it.
     fn is_last(&self, i: usize) -> bool {
         self.knots()[i + self.degree() + 1] == self.knots()[self.knots().len() - 1]
@@ -127,6 +161,25 @@ fn assembled<C: Field>(window: &[C], local: &Local<C>, closed: bool) -> Piecewis
 mod tests {
     use super::*;
     use crate::math::number::rational as q;
+
+    #[test]
+    fn values_are_those_of_the_pieces() {
+        let knots = [q(-1, 3), q(0, 1), q(0, 1), q(1, 2), q(5, 7), q(5, 7), q(5, 7), q(3, 1), q(10, 3)];
+        for n in 0..5 {
+            let Ok(knots) = KnotVector::new(n, knots.to_vec()) else { continue };
+            let Ok((a, b)) = knots.domain() else { continue };
+            for k in 0..=12 {
+                let t = a + (b - a) * q(k, 12);
+                let (span, values) = knots.values_at(&t).unwrap();
+                for i in 0..knots.count() {
+                    let expected = knots.basis_function(i).unwrap().value(&t).unwrap();
+                    let place = (i + n).checked_sub(span).filter(|place| *place <= n);
+                    let found = place.map_or_else(|| q(0, 1), |place| values[place].clone());
+                    assert_eq!(found, expected, "degree {n}, N_{i} at {t}");
+                }
+            }
+        }
+    }
 
     /// The recurrence over integers against the one over the field.
     #[test]

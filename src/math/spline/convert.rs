@@ -19,6 +19,32 @@ impl<C: Field> KnotVector<C> {
         BSpline::new(self.clone(), (0..m).map(unit).collect())
     }
 
+    /// The matrix from the n + 1 control points that matter on the interval [t_j, t_{j+1}] to the Bézier
+    /// points of the piece there: its columns are the Bézier ordinates of N_{j−n}, …, N_j (the Bézier
+    /// extraction of finite elements). Cost: n³/3 affine combinations of n + 1 coordinates.
+    ///
+    /// # Errors
+    /// [`SplineError::NoDomain`] unless j is one of [`KnotVector::spans`].
+    ///
+    /// ```
+    /// use nalgebra::DMatrix;
+    /// use polarform::number::{integer as z, rational as q};
+    /// use polarform::spline::KnotVector;
+    /// let uniform = KnotVector::uniform(2, 3, &z(0), &z(1))?.extraction(2)?;
+    /// let rows = [[q(1, 2), q(1, 2), z(0)], [z(0), z(1), z(0)], [z(0), q(1, 2), q(1, 2)]];
+    /// assert_eq!(uniform, DMatrix::from_row_slice(3, 3, &rows.concat()));
+    /// # Ok::<(), polarform::spline::SplineError>(())
+    /// ```
+    pub fn extraction(&self, span: usize) -> Result<DMatrix<C>, SplineError> {
+        let n = self.degree();
+        if !self.spans().contains(&span) {
+            return Err(SplineError::NoDomain);
+        }
+        let window = KnotVector::new(n, self.knots()[span - n..=span + n + 1].to_vec())?;
+        let piece = window.unit_spline()?.bezier_piece(n)?;
+        Ok(DMatrix::from_fn(n + 1, n + 1, |i, j| piece.points()[i][j].clone()))
+    }
+
     /// The matrix M from the control points to the Bézier points of all pieces: n + 1 rows for
     /// each knot interval of the domain (common points twice), one column for each control point.
     ///
@@ -36,9 +62,15 @@ impl<C: Field> KnotVector<C> {
     /// # Ok::<(), polarform::spline::SplineError>(())
     /// ```
     pub fn to_bezier_matrix(&self) -> Result<DMatrix<C>, SplineError> {
-        let pieces = self.unit_spline()?.bezier_pieces();
-        let rows: Vec<Point<C>> = pieces.into_iter().flat_map(|piece| piece.points().to_vec()).collect();
-        Ok(DMatrix::from_fn(rows.len(), self.count(), |i, j| rows[i][j].clone()))
+        self.domain()?;
+        let (n, spans) = (self.degree(), self.spans());
+        let (rows, columns) = (spans.len() * (n + 1), self.count());
+        budget::charge_terms((rows as u64).saturating_mul(columns as u64));
+        let mut matrix = DMatrix::zeros(rows, columns);
+        for (k, &span) in spans.iter().enumerate() {
+            matrix.view_mut((k * (n + 1), span - n), (n + 1, n + 1)).copy_from(&self.extraction(span)?);
+        }
+        Ok(matrix)
     }
 
     /// The matrix from the n + 1 control points that matter on the interval [t_j, t_{j+1}] to the

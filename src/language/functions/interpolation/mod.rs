@@ -2,13 +2,17 @@
 
 mod approximation;
 mod data;
+mod energy;
 mod polynomials;
+mod spline_fits;
 mod splines;
 mod tables;
 
 pub(crate) use approximation::TABLE as APPROXIMATION;
 pub(crate) use data::Samples;
+pub(crate) use energy::TABLE as ENERGY;
 pub(crate) use polynomials::TABLE as POLYNOMIALS;
+pub(crate) use spline_fits::TABLE as SPLINE_FITS;
 pub(crate) use splines::TABLE as SPLINES;
 pub(crate) use splines::{ENDS, MOMENTS, SLOPES, ends};
 
