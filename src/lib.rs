@@ -39,6 +39,7 @@
 //! | numbers: fractions of integers of any size | [`number`] |
 //! | polynomials, fractions of them, symbols | [`poly`] |
 //! | curves, surfaces, splines, interpolation | [`curve`], [`spline`], [`interpolate`], [`piecewise`] |
+//! | subdivision of polygons and around vertices of meshes | [`subdivision`] |
 //! | Gram matrices, energies, best approximations, splines from values | [`approximation`] |
 //! | polar forms: in one variable, tensor-product, of total degree | [`blossom`] |
 //! | A_n, raising the degree, change of basis | [`basis`] |
@@ -95,4 +96,5 @@ pub use formula::source;
 pub use language::{derive, diagnostic, eval, functions, latex, syntax, value, write};
 pub use math::{
     approximation, basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline,
+    subdivision,
 };

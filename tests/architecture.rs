@@ -45,7 +45,7 @@ const MATH: Order = Order {
         &["basis", "blossom", "piecewise"],
         &["curve", "interpolate"],
         &["spline"],
-        &["approximation"],
+        &["approximation", "subdivision"],
     ],
 };
 

@@ -17,7 +17,7 @@ const TOOLS: Tools = Tools {
     names: functions::names,
     alias: functions::alias,
     synonym: functions::synonym,
-    is_word: functions::is_basis,
+    is_word: functions::is_word,
     argument_word: functions::is_argument_word,
     judge,
 };

@@ -12,3 +12,4 @@ pub mod piecewise;
 pub mod poly;
 pub mod ring;
 pub mod spline;
+pub mod subdivision;

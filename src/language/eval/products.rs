@@ -6,6 +6,7 @@
 use std::iter::Peekable;
 use std::slice::Iter;
 
+use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
 use crate::formula::source::Span;
@@ -221,6 +222,18 @@ impl Machine {
                     return Ok(None);
                 }
                 self.call(function, values, span)?
+            }
+            // (s + r)(1/2), the sum of two curves at a parameter
+            Value::Geometry(_) | Value::Piecewise(_) => {
+                let values = self.arguments(&[group])?;
+                if !values.iter().all(|(value, _)| matches!(value, Value::Scalar(_))) {
+                    return Ok(None);
+                }
+                match function {
+                    Value::Geometry(curve) => curves::call_geometry(curve, &values, span)?,
+                    Value::Piecewise(function) => curves::call_piecewise(function, &values, span)?,
+                    _ => return Ok(None),
+                }
             }
             _ => return Ok(None),
         };

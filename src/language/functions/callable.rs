@@ -85,6 +85,12 @@ const ALIASES: &[(&str, &str)] = &[
     ("bezier_curve", "bezier"),
     ("nullspace", "null_space"),
     ("eye", "identity"),
+    ("gram_matrix", "gram"),
+    ("mass_matrix", "gram"),
+    ("charpoly", "characteristic_polynomial"),
+    ("eigenvals", "eigenvalues"),
+    ("spline_interpolation", "interpolating_spline"),
+    ("de_boor_fix", "deboor_fix"),
 ];
 
 /// Functions that somebody may mean by other names.
@@ -114,6 +120,14 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("natural_spline", "cubic_spline"),
     ("revolution", "revolve"),
     ("delta", "differences"),
+    ("stiffness_matrix", "gram"),
+    ("dual_bernstein", "dual_basis"),
+    ("smoothing_spline", "least_squares_spline"),
+    ("quasi_interpolant", "schoenberg"),
+    ("subdivision", "subdivide_polygon"),
+    ("chaikin", "subdivide_polygon"),
+    ("corner_cutting", "subdivide_polygon"),
+    ("catmull_clark", "vertex_matrix"),
 ];
 
 /// The function that somebody means by another name.

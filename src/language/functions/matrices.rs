@@ -185,7 +185,7 @@ impl Arguments {
 }
 
 /// Whether a word that stands alone names a basis; `bernstein` is the function of that name.
-pub(crate) fn is_basis(word: &str) -> bool {
+pub(super) fn is_basis(word: &str) -> bool {
     matches!(word, "power" | "taylor" | "legendre" | "lagrange" | "newton" | "hermite")
 }
 

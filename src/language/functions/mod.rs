@@ -21,17 +21,22 @@ mod record;
 mod roots;
 mod solve;
 mod splines;
+mod subdivision;
 mod surface_joins;
 mod surfaces;
 mod table;
 
 pub(crate) use callable::{alias, callable, is_argument_word, names, synonym};
-pub(crate) use matrices::is_basis;
 
 pub use arrange::Arrangement;
 pub use parameter::{Need, Parameter, Takes};
 pub use record::{Builtin, Variant};
 pub use table::{BUILTINS, builtin};
+
+/// Whether a word that stands in a list names a basis or a subdivision scheme.
+pub(crate) fn is_word(word: &str) -> bool {
+    matrices::is_basis(word) || subdivision::is_scheme(word)
+}
 
 #[cfg(test)]
 mod tests;

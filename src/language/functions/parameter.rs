@@ -85,6 +85,8 @@ pub enum Takes {
     Basis,
     /// A basis of polynomials, or the knots of B-splines.
     BasisOrKnots,
+    /// A subdivision scheme, or its mask.
+    Scheme,
     /// Equations.
     Equations,
     /// A list of anything.
@@ -104,12 +106,16 @@ pub enum Takes {
 /// The bases of [`Takes::Basis`] that a word names.
 const BASES: &[&str] = &["power", "bernstein", "legendre", "taylor", "lagrange", "newton", "hermite"];
 
+/// The schemes of [`Takes::Scheme`] that a word names.
+const SCHEMES: &[&str] = &["chaikin", "cubic", "four_point", "de_rham"];
+
 impl Takes {
     /// The words that mean something here.
     pub fn words(self) -> &'static [&'static str] {
         match self {
             Takes::Word(words) => words,
             Takes::Basis | Takes::BasisOrKnots => BASES,
+            Takes::Scheme => SCHEMES,
             _ => &[],
         }
     }
@@ -142,6 +148,9 @@ impl Takes {
             Takes::Matrix => "a matrix",
             Takes::Basis => "power, bernstein or a list such as [bernstein, a, b] or [lagrange, t_0, ...]",
             Takes::BasisOrKnots => "bernstein, [bernstein, a, b], another basis or knots",
+            Takes::Scheme => {
+                "chaikin, cubic, four_point, de_rham, [lane_riesenfeld, n], [corner_cutting, lambda, mu] or a mask"
+            }
             Takes::Equations => "equations",
             Takes::List => "a list",
             Takes::Figure => "a figure",

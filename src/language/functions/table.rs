@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use super::record::Builtin;
 use super::{
     arrange, curves, derive, differential, figures, interpolation, joins, matrices, numbers, polar,
-    polynomials, rational, roots, splines, surfaces,
+    polynomials, rational, roots, splines, subdivision, surfaces,
 };
 
 /// All functions, by topic.
@@ -42,6 +42,7 @@ pub static BUILTINS: &[&Builtin] = &{
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,
+        subdivision::TABLE,
         rational::TABLE,
         differential::TABLE,
         surfaces::TABLE,

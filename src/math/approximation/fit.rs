@@ -9,7 +9,7 @@ use num_traits::Signed;
 
 use super::{ApproximationError, spline_gram};
 use crate::budget;
-use crate::math::curve::{Point, Vector};
+use crate::math::curve::Point;
 use crate::math::interpolate::{InterpolationError, increasing};
 use crate::math::linalg::{rank, solve};
 use crate::math::number::{Int, Rational};
@@ -23,17 +23,6 @@ pub struct Smoothing<C> {
     pub weight: C,
     /// r
     pub order: usize,
-}
-
-/// A spline fitted to data.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FittedSpline<C> {
-    /// The spline.
-    pub spline: BSpline<C>,
-    /// y_i − S(x_i)
-    pub residuals: Vec<Vector<C>>,
-    /// Σ w_i |y_i − S(x_i)|²
-    pub squared_norm: C,
 }
 
 /// The values N_{j−n}(x), …, N_j(x) at each node, and j.
@@ -72,17 +61,15 @@ fn as_points<C: Field>(solution: &DMatrix<C>) -> Vec<Point<C>> {
 ///
 /// ```
 /// use polarform::approximation::{ApproximationError, interpolating_spline};
-/// use polarform::number::integer as z;
+/// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::KnotVector;
 /// let knots = || KnotVector::clamped(2, &z(0), &[z(2)], &z(4));
 /// let values = [0, 1, 9, 16].map(|y| [z(y)].into());
 /// let s = interpolating_spline(knots()?, &[0, 1, 3, 4].map(z), &values)?;
 /// assert_eq!(s.points(), [[z(0)], [z(0)], [z(8)], [z(16)]]); // t²
-/// let crowded = interpolating_spline(knots()?, &[0, 2, 3, 4].map(z), &values);
-/// assert!(crowded.is_ok());
-/// let outside = interpolating_spline(KnotVector::clamped(1, &z(0), &[z(1), z(2)], &z(3))?,
-///     &[0, 2, 3].map(z).into_iter().chain([z(3)]).collect::<Vec<_>>(), &values);
-/// assert!(outside.is_err());
+/// let hats = KnotVector::clamped(1, &z(0), &[z(2), z(3)], &z(4))?;
+/// let early = interpolating_spline(hats, &[q(0, 1), q(1, 1), q(3, 2), q(4, 1)], &values);
+/// assert_eq!(early, Err(ApproximationError::SchoenbergWhitney { index: 2 }));
 /// # Ok::<(), ApproximationError>(())
 /// ```
 pub fn interpolating_spline<C: Field>(
@@ -132,8 +119,7 @@ pub fn interpolating_spline<C: Field>(
 /// let knots = KnotVector::clamped(1, &z(0), &[], &z(3))?;
 /// let values = [0, 1, 1, 2].map(|y| [z(y)].into());
 /// let fit = fitted_spline(knots, &[0, 1, 2, 3].map(z), &values, None, None)?;
-/// assert_eq!(fit.spline.points(), [[q(1, 10)], [q(19, 10)]]);
-/// assert_eq!(fit.squared_norm, q(1, 5));
+/// assert_eq!(fit.points(), [[q(1, 10)], [q(19, 10)]]);
 /// # Ok::<(), ApproximationError>(())
 /// ```
 pub fn fitted_spline<C: Field>(
@@ -142,7 +128,7 @@ pub fn fitted_spline<C: Field>(
     values: &[Point<C>],
     weights: Option<&[C]>,
     smoothing: Option<&Smoothing<C>>,
-) -> Result<FittedSpline<C>, ApproximationError> {
+) -> Result<BSpline<C>, ApproximationError> {
     knots.domain()?;
     let size = as_many(nodes, values)?;
     let weights = weights.map_or_else(|| vec![C::one(); nodes.len()], <[C]>::to_vec);
@@ -182,16 +168,7 @@ pub fn fitted_spline<C: Field>(
         }
     }
     let singular = |_| InterpolationError::Singular { unknowns: m, rank: rank(&matrix) };
-    let spline = BSpline::new(knots, as_points(&solve(&matrix, &right).map_err(singular)?))?;
-    let mut residuals = Vec::with_capacity(nodes.len());
-    let mut squared_norm = C::zero();
-    for ((node, value), weight) in nodes.iter().zip(values).zip(&weights) {
-        let residual = value - &spline.value(node)?;
-        let square = residual.iter().fold(C::zero(), |sum, x| sum.plus(&x.times(x)));
-        squared_norm += square.times(weight);
-        residuals.push(residual);
-    }
-    Ok(FittedSpline { spline, residuals, squared_norm })
+    Ok(BSpline::new(knots, as_points(&solve(&matrix, &right).map_err(singular)?))?)
 }
 
 /// Some of the nodes satisfy the condition of Schoenberg and Whitney: each function takes the first node

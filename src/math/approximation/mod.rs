@@ -31,10 +31,10 @@ use crate::math::curve::CurveError;
 use crate::math::interpolate::InterpolationError;
 use crate::math::spline::SplineError;
 
-pub use fit::{FittedSpline, Smoothing, averaged_knots, fitted_spline, interpolating_spline};
+pub use fit::{Smoothing, averaged_knots, fitted_spline, interpolating_spline};
 pub use functional::{de_boor_fix, schoenberg};
 pub use gram::{bernstein_gram, dual_bernstein, energy, spline_energy, spline_gram};
-pub use reduction::{Reduction, best_reduction};
+pub use reduction::best_reduction;
 
 /// Why there is no such approximation.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -40,6 +40,14 @@ fn unit(n: usize, i: usize) -> Vec<Rational> {
     (0..=n).map(|k| z(i64::from(k == i))).collect()
 }
 
+/// N_j at the nodes, as splines with one control point 1.
+fn values_by_blossom(knots: &KnotVector<Rational>, nodes: &[Rational]) -> DMatrix<Rational> {
+    let unit = |j: usize| (0..knots.count()).map(|k| vec![z(i64::from(k == j))]).collect();
+    let functions: Vec<_> =
+        (0..knots.count()).map(|j| BSpline::new(knots.clone(), unit(j)).unwrap()).collect();
+    DMatrix::from_fn(nodes.len(), knots.count(), |i, j| functions[j].value(&nodes[i]).unwrap()[0].clone())
+}
+
 fn curve(points: &[Rational], interval: &Interval<Rational>) -> BezierCurve<Rational> {
     BezierCurve::new(points.iter().map(|x| vec![x.clone()]).collect(), interval.clone()).unwrap()
 }
@@ -112,7 +120,7 @@ proptest! {
             }
         };
         let (a, b) = interval.ends();
-        let own: Vec<Rational> = found.curve.points().iter().map(|p| p[0].clone()).collect();
+        let own: Vec<Rational> = found.points().iter().map(|p| p[0].clone()).collect();
         let residual = power(&points, &interval).minus(&power(&own, &interval));
         for i in ends..=m.saturating_sub(ends) {
             if i + ends <= m {
@@ -123,9 +131,8 @@ proptest! {
             prop_assert!(residual.nth_derivative(r).value(a).is_zero());
             prop_assert!(residual.nth_derivative(r).value(b).is_zero());
         }
-        prop_assert_eq!(&found.squared_error, &by_powers(&residual, &residual, a, b));
         if drop == 0 {
-            prop_assert!(found.squared_error.is_zero());
+            prop_assert!(by_powers(&residual, &residual, a, b).is_zero());
         }
         if ends == 0 {
             // the same by the dual basis
@@ -187,11 +194,10 @@ proptest! {
         }
         // As many nodes as functions: the best fit is the interpolant; a heavy penalty costs accuracy.
         let fit = fitted_spline(knots.clone(), &nodes, &values, None, None).unwrap();
-        prop_assert_eq!(fit.spline.points(), s.points());
-        prop_assert!(fit.squared_norm.is_zero());
+        prop_assert_eq!(fit.points(), s.points());
         let smoothing = Smoothing { weight: z(5), order: 1 };
         let smooth = fitted_spline(knots, &nodes, &values, None, Some(&smoothing)).unwrap();
-        prop_assert!(spline_energy(&smooth.spline, 1) <= spline_energy(&s, 1));
+        prop_assert!(spline_energy(&smooth, 1) <= spline_energy(&s, 1));
     }
 
     /// No other spline is nearer: in every direction the derivative of what is made least vanishes.
@@ -208,9 +214,7 @@ proptest! {
         let weights: Vec<Rational> = weights[..nodes.len()].iter().map(|&w| z(w)).collect();
         let smoothing = penalty.map(|(weight, order)| Smoothing { weight: z(weight), order });
         let found = fitted_spline(knots.clone(), &nodes, &values, Some(&weights), smoothing.as_ref());
-        let matrix = DMatrix::from_fn(nodes.len(), knots.count(), |i, j| {
-            knots.basis_function(j).unwrap().value(&nodes[i]).unwrap()
-        });
+        let matrix = values_by_blossom(&knots, &nodes);
         let weighted = DMatrix::from_fn(nodes.len(), knots.count(), |i, j| &matrix[(i, j)] * &weights[i]);
         let mut normal = multiply(&matrix.transpose(), &weighted).unwrap();
         if let Some(smoothing) = &smoothing {
@@ -219,7 +223,7 @@ proptest! {
         let full = crate::math::linalg::rank(&normal) == knots.count();
         prop_assert_eq!(found.is_ok(), full, "{:?}", found);
         if let Ok(fit) = found {
-            let d = DMatrix::from_fn(knots.count(), 1, |i, _| fit.spline.points()[i][0].clone());
+            let d = DMatrix::from_fn(knots.count(), 1, |i, _| fit.points()[i][0].clone());
             let y = DMatrix::from_fn(nodes.len(), 1, |i, _| values[i][0].clone());
             prop_assert_eq!(multiply(&normal, &d).unwrap(), multiply(&weighted.transpose(), &y).unwrap());
         }
@@ -240,9 +244,7 @@ proptest! {
             return Ok(());
         }
         let values: Vec<Point<Rational>> = (0..m).map(|i| [z(i as i64)].into()).collect();
-        let matrix = DMatrix::from_fn(m, m, |i, j| {
-            knots.basis_function(j).unwrap().value(&nodes[i]).unwrap()
-        });
+        let matrix = values_by_blossom(&knots, &nodes);
         let regular = crate::math::linalg::rank(&matrix) == m;
         let found = interpolating_spline(knots, &nodes, &values);
         prop_assert_eq!(found.is_ok(), regular, "{:?}", found);
@@ -301,7 +303,7 @@ fn what_cannot_be_approximated() {
         best_reduction(&c, 3, 0),
         Err(crate::math::curve::CurveError::Degrees { left: 2, right: 3 }.into())
     );
-    assert_eq!(best_reduction(&c, 0, 0).unwrap().curve.points(), [[q(8, 3)]]);
+    assert_eq!(best_reduction(&c, 0, 0).unwrap().points(), [[q(8, 3)]]);
     let single = KnotVector::new(2, [0, 1, 2, 3].map(z).to_vec()).unwrap();
     assert!(spline_gram(&single, 0).is_err());
     let knots = || KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
@@ -317,7 +319,7 @@ fn what_cannot_be_approximated() {
     // A penalty on the slope leaves constants free, a node ties them.
     let smoothing = Smoothing { weight: z(1), order: 1 };
     let one = fitted_spline(knots(), &[z(1)], &values[2..], None, Some(&smoothing)).unwrap();
-    assert_eq!(one.spline.points(), [[z(2)], [z(2)], [z(2)]]);
+    assert_eq!(one.points(), [[z(2)], [z(2)], [z(2)]]);
     let zero = energy(&curve(&[4, 4].map(z), &Interval::unit()), 1);
     assert!(zero.is_zero());
 }

@@ -14,6 +14,7 @@
 //! Gaussian elimination", Math. Comp. 22 (1968); K. O. Geddes, S. R. Czapor, G. Labahn,
 //! *Algorithms for Computer Algebra* (1992), chapter 9.
 
+mod characteristic;
 mod elimination;
 mod fraction_free;
 mod lifting;
@@ -29,6 +30,7 @@ use crate::budget;
 use crate::math::number::{Int, Rational, over_one_denominator};
 use crate::math::ring::{Field, Ring};
 
+pub use characteristic::characteristic_polynomial;
 pub use product::multiply;
 pub use solutions::{Solutions, solutions};
 

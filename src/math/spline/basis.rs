@@ -170,6 +170,10 @@ mod tests {
             let Ok((a, b)) = knots.domain() else { continue };
             for k in 0..=12 {
                 let t = a + (b - a) * q(k, 12);
+                // Where all functions before the end jump, those after it count as functions.
+                if t == *b && knots.multiplicity(b) > n {
+                    continue;
+                }
                 let (span, values) = knots.values_at(&t).unwrap();
                 for i in 0..knots.count() {
                     let expected = knots.basis_function(i).unwrap().value(&t).unwrap();

@@ -27,8 +27,7 @@ use nalgebra::DMatrix;
 use num_traits::One;
 
 const FUNCTIONS: Parameter =
-    required("basis", Takes::BasisOrKnots, "the functions: polynomials or the B-splines over these knots")
-        .shown("bernstein or [t_0, ..., t_k]");
+    required("basis", Takes::BasisOrKnots, "the functions; knots stand for B-splines");
 
 const INTERVAL: Parameter =
     named("interval=[a, b]", Takes::Interval, "that of the basis, or [0, 1]", "over which is integrated");
@@ -140,7 +139,7 @@ pub(crate) const TABLE: &[Builtin] = &[
                 let place = args.named("ends").map_or_else(|| args.span(0), |(_, span)| span);
                 approximation_error(error).at(place)
             })?;
-            Ok(bezier(found.curve, form))
+            Ok(bezier(found, form))
         },
         ..NEW
     },
@@ -190,7 +189,7 @@ fn spline_of(args: &Arguments, i: usize) -> Result<(BSpline<Fraction>, Form)> {
 
 /// The functions of a basis.
 enum Functions {
-    Polynomials(usize, Basis<Fraction>, Interval<Fraction>),
+    Polynomials(usize, Box<Basis<Fraction>>, Box<Interval<Fraction>>),
     Splines(KnotVector<Fraction>),
 }
 
@@ -218,7 +217,7 @@ impl Functions {
             }
             _ => Interval::unit(),
         };
-        Ok(Functions::Polynomials(n, basis, given.unwrap_or(own)))
+        Ok(Functions::Polynomials(n, Box::new(basis), Box::new(given.unwrap_or(own))))
     }
 
     fn gram(&self, args: &Arguments, order: usize) -> Result<DMatrix<Fraction>> {
@@ -227,7 +226,7 @@ impl Functions {
             Functions::Polynomials(n, basis, interval) => {
                 let gram = bernstein_gram(*n, interval, order);
                 let bernstein = bernstein(interval);
-                if *basis == bernstein {
+                if **basis == bernstein {
                     return Ok(gram);
                 }
                 let change = change_of_basis(*n, basis, &bernstein).map_err(basis_error).at(args.span(1))?;
@@ -240,7 +239,7 @@ impl Functions {
     /// The coefficients of the dual basis, one column for each function.
     fn dual(&self, args: &Arguments) -> Result<DMatrix<Fraction>> {
         match self {
-            Functions::Polynomials(n, basis, interval) if *basis == bernstein(interval) => {
+            Functions::Polynomials(n, basis, interval) if **basis == bernstein(interval) => {
                 Ok(dual_bernstein(*n).map(|q| interval.inverse_width().scaled(&q)))
             }
             _ => inverse(&self.gram(args, 0)?).map_err(linalg_error).at(args.span(1)),

@@ -97,7 +97,7 @@ pub(crate) const TABLE: &[Builtin] = &[
                 Some((other, span)) => return Err(wrong_kind("a number or formula", other).at(span)),
             };
             let fit = fitted_spline(knots.clone(), &nodes, &values, weights.as_deref(), smoothing.as_ref());
-            fit.map(|fit| spline(fit.spline, form)).map_err(|error| {
+            fit.map(|fit| spline(fit, form)).map_err(|error| {
                 use InterpolationError as E;
                 let place = match &error {
                     ApproximationError::Interpolation(

@@ -1,0 +1,346 @@
+//! Subdivision of polygons and meshes, and the eigenvalues that decide how it behaves.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use super::parameter::{Parameter, Takes, named, optional, required, size};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Rel};
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::Arguments;
+use crate::language::eval::arguments::word_of;
+use crate::language::ops::errors::{linalg_error, wrong_kind};
+use crate::language::ops::geometry::{points_of, scalar_list};
+use crate::language::value::{Cell, Form, Table, Value, polynomial_expr, symbol_expr};
+use crate::math::curve::Point;
+use crate::math::linalg::characteristic_polynomial;
+use crate::math::number::rational;
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
+use crate::math::subdivision::{
+    Contraction, Scheme, SubdivisionError, VertexScheme, contraction, limit_stencil, vertex_matrix,
+};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Subdivision");
+
+/// Norms are tried for so many steps if nothing else is said.
+const STEPS: usize = 8;
+
+const SCHEME: Parameter = required("scheme", Takes::Scheme, "the scheme, or its mask");
+
+const POLYGON: Parameter = required("points", Takes::Points, "the points").shown("[p_0, ..., p_m]");
+
+const CLOSED: Parameter =
+    named("closed=1", Takes::Flag, "0", "whether the last point is followed by the first one");
+
+const MATRIX: Parameter = required("M", Takes::Matrix, "the matrix");
+
+const LETTER: Parameter =
+    named("variable=lambda", Takes::Variable, "lambda", "the variable of the polynomial");
+
+const MESHES: &[&str] = &["catmull_clark", "doo_sabin", "loop", "warren"];
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "subdivide_polygon",
+        parameters: &[POLYGON, SCHEME, optional("k", Takes::Size, "1", "how many steps"), CLOSED],
+        summary: "the polygon after k steps of a subdivision scheme; an open one loses its ends",
+        example: "subdivide_polygon([0, 4, 8, 4], chaikin)",
+        call: |_, args| {
+            let (points, form) = polygon(args)?;
+            let (scheme, steps) = (scheme(args, 1)?, args.optional_size(2)?.unwrap_or(1));
+            let finer = scheme.refine_often(&points, args.flag("closed", false)?, steps);
+            listed(finer.map_err(subdivision_error).at(args.span(0))?, form)
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "subdivision_mask",
+        parameters: &[SCHEME],
+        summary: "the coefficients a_k of p'_i = sum of a_(i - 2j) p_j; index 0 stands in the middle",
+        example: "subdivision_mask([lane_riesenfeld, 3])",
+        call: |_, args| Ok(scalar_list(scheme(args, 0)?.mask().iter().cloned())),
+        ..NEW
+    },
+    Builtin {
+        name: "subdivision_symbol",
+        parameters: &[SCHEME, named("variable=z", Takes::Variable, "z", "the variable of the symbol")],
+        summary: "the symbol, the sum of a_k z^k",
+        example: "factor(subdivision_symbol(chaikin))",
+        call: |_, args| {
+            let scheme = scheme(args, 0)?;
+            let z = letter(args, "z")?;
+            let polynomial = scheme.symbol().value(&z);
+            let shift = num_traits::pow(z, scheme.first().unsigned_abs() as usize);
+            Ok(Value::Scalar(if scheme.first() < 0 { polynomial / shift } else { polynomial.times(&shift) }))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "sum_rules",
+        parameters: &[SCHEME],
+        summary: "the order k of the sum rules: (1 + z)^k divides the symbol, and no higher power",
+        example: "sum_rules(four_point)",
+        call: |_, args| Ok(Value::int(scheme(args, 0)?.sum_rules() as i64)),
+        ..NEW
+    },
+    Builtin {
+        name: "subdivision_matrix",
+        parameters: &[SCHEME, size("m", "the number of points"), CLOSED],
+        summary: "the matrix of a step for m points: a_(i - 2j) in row i and column j",
+        example: "subdivision_matrix(chaikin, 3, closed=1)",
+        call: |_, args| {
+            let (scheme, m) = (scheme(args, 0)?, args.size(1)?);
+            let matrix = scheme.matrix(m, args.flag("closed", false)?);
+            matrix.map(Value::Matrix).map_err(subdivision_error).at(args.span(1))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "local_matrix",
+        parameters: &[SCHEME],
+        summary: "the matrix of a_(i - 2j) around a point; left eigenvectors give limits and tangents",
+        example: "local_matrix(cubic)",
+        call: |_, args| Ok(Value::Matrix(scheme(args, 0)?.local_matrix())),
+        ..NEW
+    },
+    Builtin {
+        name: "subdivision_smoothness",
+        parameters: &[SCHEME, named("steps=L", Takes::Size, "8", "the most steps whose norm is tried")],
+        summary: "how smooth the limits are, by the norms of the iterated difference schemes",
+        example: "subdivision_smoothness(four_point)",
+        call: |_, args| {
+            let (scheme, most) = (scheme(args, 0)?, args.named_size("steps")?.unwrap_or(STEPS));
+            let mut table = Table::with_header(["class", "difference scheme", "steps", "norm"]);
+            for order in 0..=scheme.sum_rules() {
+                let found = contraction(&scheme, order, most).map_err(subdivision_error).at(args.span(0))?;
+                let (words, numbers) = match &found {
+                    Contraction::Shown { steps, norm } => ("contracts", Some((*steps, norm.clone()))),
+                    Contraction::NoFactor => ("there is none", None),
+                    Contraction::Eigenvalue => ("has an eigenvalue of modulus 1 or more", None),
+                    Contraction::Open { steps, norm } => {
+                        ("is not known to contract", Some((*steps, norm.clone())))
+                    }
+                };
+                let mut row = vec![super::joins::class("C", Some(order)), Cell::words(words)];
+                match numbers {
+                    Some((steps, norm)) => {
+                        row.extend([Value::int(steps as i64), Value::number(norm)].map(Cell::Value));
+                    }
+                    None => row.extend([Cell::Empty, Cell::Empty]),
+                }
+                table.rows.push(row);
+                if !matches!(found, Contraction::Shown { .. }) {
+                    break;
+                }
+            }
+            Ok(Value::Table(Arc::new(table)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "limit_stencil",
+        parameters: &[SCHEME, optional("r", Takes::Size, "0", "the order of the derivative")],
+        summary: "the weights of p_(i+j) in the limit point at p_i, or in the derivative there",
+        example: "limit_stencil(four_point, 1)",
+        call: |_, args| {
+            let stencil = stencil(args, 0, 1)?;
+            let mut table = Table::with_header(["j", "weight"]);
+            for (j, weight) in (stencil.first..).zip(stencil.weights) {
+                table.rows.push([Value::int(j), Value::Scalar(weight)].map(Cell::Value).to_vec());
+            }
+            Ok(Value::Table(Arc::new(table)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "limit_points",
+        parameters: &[
+            POLYGON,
+            SCHEME,
+            optional("r", Takes::Size, "0", "the order of the derivative"),
+            CLOSED,
+        ],
+        summary: "the points to which those of a polygon converge, or the derivatives there",
+        example: "limit_points([[0, 0], [4, 0], [4, 4], [0, 4]], cubic, closed=1)",
+        call: |_, args| {
+            let (points, form) = polygon(args)?;
+            let limits = stencil(args, 1, 2)?.apply(&points, args.flag("closed", false)?);
+            listed(limits.map_err(subdivision_error).at(args.span(0))?, form)
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "vertex_matrix",
+        parameters: &[
+            required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
+            size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
+        ],
+        summary: "the matrix of a step around a vertex: itself, its neighbours, opposite corners",
+        example: "vertex_matrix(catmull_clark, 3)",
+        call: |_, args| {
+            let scheme = match word_of(args.value(0)?) {
+                Some("catmull_clark") => VertexScheme::CatmullClark,
+                Some("doo_sabin") => VertexScheme::DooSabin,
+                Some("loop") => VertexScheme::Loop,
+                Some("warren") => VertexScheme::Warren,
+                _ => {
+                    let error = wrong_kind("a scheme for meshes", args.value(0)?).at(args.span(0));
+                    return Err(error.hint("catmull_clark, doo_sabin, loop or warren"));
+                }
+            };
+            let matrix = vertex_matrix(scheme, args.size(1)?).map_err(subdivision_error).at(args.span(1))?;
+            Ok(Value::Matrix(matrix.map(Fraction::from)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "characteristic_polynomial",
+        parameters: &[MATRIX, LETTER],
+        summary: "det(lambda I - M)",
+        example: "characteristic_polynomial([1, 1; 1, 0])",
+        call: |_, args| {
+            let lambda = letter(args, "lambda")?;
+            Ok(Value::Scalar(Coefficients::new(characteristic(args)?).value(&lambda)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "eigenvalues",
+        parameters: &[MATRIX, LETTER],
+        summary: "the rational eigenvalues with their multiplicities, the others by their equations",
+        example: "eigenvalues(local_matrix(four_point))",
+        call: |_, args| {
+            let lambda = letter(args, "lambda")?;
+            let symbol = variable(args, "lambda")?;
+            let polynomial = Coefficients::new(characteristic(args)?).value(&lambda);
+            let mut table = Table::with_header(["eigenvalue", "multiplicity"]);
+            for (factor, multiplicity) in polynomial.numerator().factors().factors {
+                let coefficients = factor.coefficients_in(&symbol);
+                let value = match coefficients.as_slice() {
+                    [] | [_] => continue,
+                    [constant, slope] => Cell::Value(Value::Scalar(
+                        -Fraction::from(constant.clone()) / Fraction::from(slope.clone()),
+                    )),
+                    _ => {
+                        let left = polynomial_expr(&Fraction::from(factor.clone()));
+                        Cell::Formula(Expr::relation(left, Rel::Eq, Expr::int(0)))
+                    }
+                };
+                table.rows.push(vec![value, Cell::Value(Value::int(multiplicity as i64))]);
+            }
+            Ok(Value::Table(Arc::new(table)))
+        },
+        ..NEW
+    },
+];
+
+/// The diagnostic for an error of subdivision.
+fn subdivision_error(error: SubdivisionError) -> Diagnostic {
+    use SubdivisionError as E;
+    let message = error.to_string();
+    let (code, hint) = match error {
+        E::EmptyMask => (Code::Shape, "such as [1, 3, 3, 1]/4"),
+        E::TooFewPoints { .. } => (Code::ControlPoints, "closed=1 takes any number of points"),
+        E::Dimensions { .. } => (Code::ControlPoints, "give every point the same number of coordinates"),
+        E::Symbols => (Code::Undecided, "give the symbols values first"),
+        E::NotShown { .. } => (Code::Undecided, "subdivision_smoothness(scheme) tells what is known"),
+        E::NotDetermined { .. } => (Code::Undecided, "eigenvalues(local_matrix(scheme)) shows why"),
+        E::Valence { .. } => (Code::Domain, "the regular valence is 4, for triangles 6"),
+        E::Irrational { .. } => (Code::Irrational, "warren has rational weights, as has catmull_clark"),
+    };
+    Diagnostic::error(code, message).hint(hint)
+}
+
+/// Whether a word that stands alone names a scheme.
+pub(super) fn is_scheme(word: &str) -> bool {
+    matches!(word, "lane_riesenfeld" | "corner_cutting")
+        || Takes::Scheme.words().contains(&word)
+        || MESHES.contains(&word)
+}
+
+fn scheme(args: &Arguments, i: usize) -> Result<Scheme<Fraction>> {
+    read_scheme(args.value(i)?, args.span(i))
+}
+
+/// A word, a list such as [four_point, w], or a mask.
+fn read_scheme(value: &Value, span: Span) -> Result<Scheme<Fraction>> {
+    let wrong = || {
+        wrong_kind("a subdivision scheme", value)
+            .at(span)
+            .hint("chaikin, cubic, four_point, de_rham, [lane_riesenfeld, n], [four_point, w],")
+            .hint("[corner_cutting, lambda, mu], or a mask such as [1, 3, 3, 1]/4")
+    };
+    let number = |p: i64, q: i64| Fraction::from(rational(p, q));
+    let (word, rest) = match value {
+        Value::List(items) => {
+            let scalars = |items: &[Value]| -> Option<Vec<Fraction>> {
+                items.iter().map(|item| item.as_scalar().cloned()).collect()
+            };
+            if let Some(mask) = scalars(items) {
+                // As many coefficients before the middle as the masks with names have.
+                let first = -((mask.len().max(1) as i64 - 1) / 2);
+                return Scheme::new(mask, first).map_err(subdivision_error).at(span);
+            }
+            let (first, rest) = items.split_first().ok_or_else(wrong)?;
+            (word_of(first).ok_or_else(wrong)?, scalars(rest).ok_or_else(wrong)?)
+        }
+        single => (word_of(single).ok_or_else(wrong)?, Vec::new()),
+    };
+    Ok(match (word, rest.as_slice()) {
+        ("chaikin", []) => Scheme::lane_riesenfeld(2),
+        ("cubic", []) => Scheme::lane_riesenfeld(3),
+        ("de_rham", []) => Scheme::corner_cutting(&number(1, 3), &number(1, 3)),
+        ("four_point", []) => Scheme::four_point(&number(1, 16)),
+        ("four_point", [w]) => Scheme::four_point(w),
+        ("corner_cutting", [both]) => Scheme::corner_cutting(both, both),
+        ("corner_cutting", [lambda, mu]) => Scheme::corner_cutting(lambda, mu),
+        ("lane_riesenfeld", [n]) => {
+            let n = Value::Scalar(n.clone()).as_int().and_then(|n| usize::try_from(n).ok());
+            Scheme::lane_riesenfeld(n.ok_or_else(wrong)?)
+        }
+        _ => return Err(wrong()),
+    })
+}
+
+fn stencil(args: &Arguments, i: usize, order: usize) -> Result<crate::math::subdivision::Stencil<Fraction>> {
+    let order = args.optional_size(order)?.unwrap_or(0);
+    limit_stencil(&scheme(args, i)?, order, STEPS).map_err(subdivision_error).at(args.span(i))
+}
+
+fn polygon(args: &Arguments) -> Result<(Vec<Point<Fraction>>, Form)> {
+    let value = args.value(0)?;
+    let (points, scalar) = points_of(value).ok_or_else(|| {
+        wrong_kind("a list of points", value)
+            .at(args.span(0))
+            .hint("such as [[0, 0], [4, 0], [4, 4]], or [p_0, p_1, p_2] for symbols")
+    })?;
+    Ok((points, Form { scalar, rational: false }))
+}
+
+fn listed(points: Vec<Point<Fraction>>, form: Form) -> Result<Value> {
+    Ok(Value::List(points.into_iter().map(|point| form.plain(point)).collect()))
+}
+
+fn characteristic(args: &Arguments) -> Result<Vec<Fraction>> {
+    let matrix = args.matrix(0)?;
+    let used = variable(args, "lambda")?;
+    if matrix.iter().any(|entry| entry.variables().contains(&used)) {
+        let shown = crate::language::write::text(&symbol_expr(&used));
+        let message = format!("{shown} occurs in the matrix, so it cannot be the variable");
+        return Err(Diagnostic::error(Code::AmbiguousVariable, message)
+            .at(args.span(0))
+            .hint("name another variable: variable=x"));
+    }
+    characteristic_polynomial(&matrix).map_err(linalg_error).at(args.span(0))
+}
+
+fn variable(args: &Arguments, usual: &str) -> Result<Symbol> {
+    Ok(args.variable()?.unwrap_or_else(|| Symbol::new(usual)))
+}
+
+fn letter(args: &Arguments, usual: &str) -> Result<Fraction> {
+    Ok(Fraction::from(MultiPoly::symbol(variable(args, usual)?)))
+}
