@@ -205,7 +205,7 @@ impl Suspect<'_> {
         let plain =
             self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();
         // k = 1^k is one apart in one instance only
-        let circular = circular && !(self.are_numbers() && !self.failure.integers.is_empty());
+        let circular = circular && (self.failure.integers.is_empty() || !self.are_numbers());
         self.claimed() && numbers && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }
