@@ -135,6 +135,20 @@ fn declarations_count() {
 }
 
 #[test]
+fn chains_go_on_in_the_next_formula() {
+    let start = "$$(a+b)^2 = a^2+2ab+b^2 =$$\n\n";
+    for next in ["$$(b-a)^2$$", "$$= (b-a)^2$$"] {
+        assert_eq!(verdicts(&format!("{start}{next}")), [Verdict::Proved, Verdict::Refuted], "{next}");
+    }
+    assert_eq!(verdicts(&format!("{start}What follows is $c = (b-a)^2$."))[0], Verdict::Proved);
+}
+
+#[test]
+fn formulas_of_doxygen() {
+    assert_eq!(verdicts(r"So \f$1+1=2\f$ and \f[1+1=3\f]"), [Verdict::Proved, Verdict::Refuted]);
+}
+
+#[test]
 fn one_unread_side_spoils_itself_only() {
     let findings = check("$$(t+1)^2 = \\unknowncommand{t} = t^2 + 2t + 1 = t^2 + 2t$$");
     let words: Vec<&str> = findings.iter().map(|finding| finding.verdict.word()).collect();

@@ -165,8 +165,10 @@ impl<'a> Inline<'a> {
 
     fn command(&mut self, at: usize) -> usize {
         let rest = &self.text[at..];
-        // The signs of LaTeX, and as some generators of pages want them, with the backslash escaped.
+        // The signs of LaTeX, and as some generators of pages want them, with the backslash escaped; of Doxygen.
         for (open, close, style) in [
+            (r"\f$", r"\f$", Style::Inline),
+            (r"\f[", r"\f]", Style::Display),
             (r"\[", r"\]", Style::Display),
             (r"\(", r"\)", Style::Inline),
             (r"\\[", r"\\]", Style::Display),
@@ -175,7 +177,8 @@ impl<'a> Inline<'a> {
             let from = at + open.len();
             if rest.starts_with(open)
                 && let Some(end) = display_end(self.text, from, close, false)
-                && (is_bracketed_formula(&self.text[from..end])
+                && (open.starts_with(r"\f")
+                    || is_bracketed_formula(&self.text[from..end])
                     || style == Style::Inline && is_difference(&self.text[from..end]))
             {
                 return self.formula(style, Span::new(from, end), at, end + close.len());

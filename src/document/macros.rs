@@ -12,6 +12,7 @@
 //! Reference: Knuth, *The TeXbook*, chapter 20; for `\NewDocumentCommand` the LaTeX manual `usrguide`.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
 
 use super::arguments::{
     Argument, Given, MAX_GROUP, MAX_GROUP_AFTER_FAILURE, Reader, call, command_name, specification,
@@ -42,6 +43,27 @@ pub(super) struct Macros {
     /// Whether a group had no end.
     failed: bool,
 }
+
+/// What packages for formulas define: physics, commath and their like. A page may define it in its own way.
+const PACKAGES: &str = r"
+    \NewDocumentCommand{\abs}{s m}{\left|#2\right|}
+    \NewDocumentCommand{\norm}{s m}{\left\|#2\right\|}
+    \NewDocumentCommand{\vb}{s m}{\mathbf{#2}}
+    \newcommand{\dd}{\mathrm{d}}
+    \NewDocumentCommand{\dv}{s m m}{\frac{\mathrm{d}#2}{\mathrm{d}#3}}
+    \NewDocumentCommand{\pdv}{s m m}{\frac{\partial #2}{\partial #3}}
+    \newcommand{\qty}{}
+    \newcommand{\pmqty}[1]{\begin{pmatrix}#1\end{pmatrix}}
+    \newcommand{\bmqty}[1]{\begin{bmatrix}#1\end{bmatrix}}
+";
+
+static OF_PACKAGES: LazyLock<Macros> = LazyLock::new(|| {
+    let mut known = Macros::default();
+    for (at, _) in PACKAGES.match_indices('\\').filter(|(at, _)| is_definer(command_name(PACKAGES, *at))) {
+        known.define(PACKAGES, at);
+    }
+    known
+});
 
 /// The commands that define others.
 const DEFINERS: &[&str] = &[
@@ -153,7 +175,11 @@ impl Macros {
     /// The text without its definitions and with its macros replaced, and the first problem met.
     pub(super) fn expand(&mut self, input: Text) -> (Text, Option<Diagnostic>) {
         let defines = || DEFINERS.iter().any(|name| input.text.contains(name));
-        if !input.text.contains('\\') || (self.table.is_empty() && !defines()) {
+        let packaged = || {
+            let mut commands = input.text.match_indices('\\').map(|(at, _)| command_name(&input.text, at));
+            commands.any(|name| OF_PACKAGES.table.contains_key(name))
+        };
+        if !input.text.contains('\\') || (self.table.is_empty() && !defines() && !packaged()) {
             return (input, None);
         }
         let mut output = Text::default();
@@ -196,7 +222,7 @@ impl Expansion<'_> {
                 said = at;
                 continue;
             }
-            let Some(known) = self.macros.table.get(name) else {
+            let Some(known) = self.macros.table.get(name).or_else(|| OF_PACKAGES.table.get(name)) else {
                 at = after;
                 continue;
             };

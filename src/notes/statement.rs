@@ -64,6 +64,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         topics: Topics::default(),
         last: String::new(),
         gap: String::new(),
+        trailing: None,
         formula: 0,
     };
     for item in &document.items {
@@ -95,6 +96,8 @@ struct Reader<'a> {
     /// The last words, for what the sentence speaks of.
     last: String,
     gap: String,
+    /// The relation after which the last formula ends.
+    trailing: Option<(Rel, Span)>,
     formula: usize,
 }
 
@@ -216,6 +219,7 @@ impl Reader<'_> {
                 Ok(expr) => vec![latex::Row {
                     span: Span::new(0, formula.text.len()),
                     leading: None,
+                    trailing: None,
                     expr,
                     problems: Vec::new(),
                 }],
@@ -227,7 +231,12 @@ impl Reader<'_> {
         let mut words = false;
         // Where a row goes on that begins with a sign: not with a formula in the reason of the row before.
         let mut main = None;
-        for row in rows {
+        let before = self.trailing.take().filter(|_| self.gap.trim().is_empty());
+        self.trailing =
+            rows.last().and_then(|row| row.trailing).map(|(rel, sign)| (rel, formula.in_file(sign)));
+        for (number, row) in rows.into_iter().enumerate() {
+            let leading = row.leading.map(|(rel, sign)| (rel, formula.in_file(sign)));
+            let leading = leading.or(before.filter(|_| number == 0));
             let (mut said, mut reason) = (false, false);
             let mut expr = row.expr;
             read_conditions(&mut expr);
@@ -251,10 +260,9 @@ impl Reader<'_> {
                 let text = matches!(side.expr.kind, Kind::Text(_));
                 reason |= said && text;
                 said |= !text;
-                match (&side.expr.kind, at, row.leading) {
+                match (&side.expr.kind, at, leading) {
                     (Kind::Text(text), ..) => words = is_condition_word(text),
                     (_, 0, Some((rel, sign))) => {
-                        let sign = formula.in_file(sign);
                         if !self.go_on(main, rel, sign, side.clone(), &row.problems) {
                             self.push(Said::Bare(side, row.problems.clone()));
                         }
@@ -269,7 +277,7 @@ impl Reader<'_> {
                     }
                     _ => self.push(Said::Bare(side, row.problems.clone())),
                 }
-                let continues = at == 0 && row.leading.is_some() && main.is_some();
+                let continues = at == 0 && leading.is_some() && main.is_some();
                 if !text && !reason && !continues {
                     main = self.statements.len().checked_sub(1).filter(|&last| last >= first);
                 }

@@ -222,7 +222,7 @@ impl Lexer<'_> {
             "\n" | "\r" | "\t" => " ".to_owned(),
             _ => name,
         };
-        let Some(command) = commands::lookup(&name) else {
+        let Some(command) = commands::lookup(&name).or_else(|| operator_of(&name)) else {
             // \polar(F): the name of a function
             let called = self.text[end..self.end].trim_start().starts_with('(');
             return match (self.words)(&name, called) {
@@ -584,4 +584,11 @@ fn ascii(c: char) -> Option<Tok> {
         '~' => Tok::Skip,
         _ => return None,
     })
+}
+
+/// The operator that a macro of another file surely stands for: \Sum, \Prod, \Int.
+fn operator_of(name: &str) -> Option<&'static commands::Command> {
+    let small = name.to_lowercase();
+    let capital = small.len() > 2 && name.chars().skip(1).eq(small.chars().skip(1));
+    commands::lookup(&small).filter(|known| capital && matches!(known.role(), Role::Big(_) | Role::Integral))
 }

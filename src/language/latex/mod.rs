@@ -159,7 +159,8 @@ pub fn read_rows(text: &str) -> Vec<Row> {
         Err(problem) if problem.code == Code::Empty => return Vec::new(),
         Err(problem) => {
             let expr = Expr::new(Kind::Unread(String::new()), Span::default());
-            return vec![Row { span: Span::default(), leading: None, expr, problems: vec![problem] }];
+            let (leading, trailing) = (None, None);
+            return vec![Row { span: Span::default(), leading, trailing, expr, problems: vec![problem] }];
         }
     };
     rows::read_rows(text, span, false)

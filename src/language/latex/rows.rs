@@ -13,13 +13,13 @@ pub struct Row {
     pub span: Span,
     /// The relation the row begins with, if it goes on with a chain begun above, and its place.
     pub leading: Option<(Rel, Span)>,
+    /// The relation the row ends with, if the chain goes on in the next formula, and its place.
+    pub trailing: Option<(Rel, Span)>,
     /// What was read, after the leading relation. Pieces that could not be read are [`Kind::Unread`].
     pub expr: Expr,
     /// Why they could not be read.
     pub problems: Vec<Diagnostic>,
 }
-
-impl Row {}
 
 /// The part of `text` between the signs that delimit a formula, without spaces around it.
 pub(super) fn formula_span(text: &str) -> Span {
@@ -115,6 +115,8 @@ fn joined(reader: &mut Reader, row: Window) {
 
 fn read_row(reader: &mut Reader, window: Window, columns: bool, leading: bool) -> Row {
     let span = reader.span_of(window.clone());
+    let trailing = if leading { trailing(reader, window.clone()) } else { None };
+    let window = window.start..trailing.map_or(window.end, |(.., end)| end);
     (reader.pos, reader.end) = (window.start, window.end);
     // a colon announces the row
     let leading = if leading { reader.relation().filter(|&(rel, _)| rel != Rel::Colon) } else { None };
@@ -127,5 +129,19 @@ fn read_row(reader: &mut Reader, window: Window, columns: bool, leading: bool) -
             Expr::new(Kind::Unread(reader.text[place.range()].to_owned()), place)
         }
     };
-    Row { span, leading, expr, problems: std::mem::take(&mut reader.problems) }
+    let trailing = trailing.map(|(rel, place, _)| (rel, place));
+    Row { span, leading, trailing, expr, problems: std::mem::take(&mut reader.problems) }
+}
+
+/// The relation after which the row ends, its place, and the end of the row before it.
+fn trailing(reader: &Reader, window: Window) -> Option<(Rel, Span, usize)> {
+    let inner = reader.trim(window);
+    let last = inner.clone().next_back()?;
+    let Tok::Rel(rel @ (Rel::Eq | Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge | Rel::Equiv)) =
+        reader.tokens[last].kind
+    else {
+        return None;
+    };
+    let before = reader.trim(inner.start..last);
+    (!before.is_empty()).then(|| (rel, reader.span_of(last..last + 1), before.end))
 }
