@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use polarform::document::Item;
-use polarform::document::read_files;
+use polarform::document::{Reading, read_files};
 use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options as CheckOptions, check_document};
 use polarform::source::SourceFile;
@@ -69,7 +69,7 @@ fn results_and_pictures_are_up_to_date() {
 fn every_formula_is_right() {
     let mut statements = 0;
     for path in chapters() {
-        for document in read_files(&path, None).expect("the notes are readable") {
+        for document in read_files(&path, &Reading::default()).expect("the notes are readable") {
             let report = check_document(&document, &CheckOptions::default());
             assert!(report.problems.is_empty(), "{}: {:#?}", path.display(), report.problems);
             let unread = |finding: &&Finding| finding.verdict == Verdict::Unread;
@@ -91,7 +91,7 @@ fn every_formula_is_right() {
 fn a_real_renderer_accepts_every_formula() {
     let options = katex::Opts::builder().output_type(katex::OutputType::Mathml).build().expect("all is set");
     for path in chapters() {
-        for document in read_files(&path, None).expect("the notes are readable") {
+        for document in read_files(&path, &Reading::default()).expect("the notes are readable") {
             for item in &document.items {
                 let Item::Formula(formula) = item else { continue };
                 if let Err(error) = katex::render_with_opts(&formula.text, &options) {
@@ -128,7 +128,7 @@ fn the_lecture_of_two_pages_is_up_to_date() {
     assert!(read(&folder.join("polarform.sty")) == PACKAGE, "UPDATE_DOCS=1 writes the package anew");
 
     // Equations to be solved are no claims.
-    for document in read_files(&path, None).expect("the lecture is readable") {
+    for document in read_files(&path, &Reading::default()).expect("the lecture is readable") {
         let report = check_document(&document, &CheckOptions::default());
         let bad = [Verdict::Refuted, Verdict::Unread];
         let wrong: Vec<_> = report.findings.iter().filter(|finding| bad.contains(&finding.verdict)).collect();

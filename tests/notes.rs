@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use polarform::document::Document;
-use polarform::document::{Container, document, read_files};
+use polarform::document::{Container, Reading, document, read_files};
 use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options, check_document};
 use polarform::source::SourceFile;
@@ -25,7 +25,7 @@ fn the_project_s_own_notes_pass() {
     files.extend(std::fs::read_dir(root.join("docs")).unwrap().map(|entry| entry.unwrap().path()));
     files.retain(|path| path.extension().is_some_and(|e| e == "md"));
     for file in files {
-        for document in read_files(&file, None).unwrap() {
+        for document in read_files(&file, &Reading::default()).unwrap() {
             let report = check_document(&document, &Options::default());
             let wrong: Vec<&Finding> = report.findings.iter().filter(|f| f.is_suspicious()).collect();
             assert!(wrong.is_empty(), "{}: {wrong:#?}", file.display());

@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polarform::document::read_files;
+use polarform::document::{Reading, read_files};
 use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options, check_document};
 
@@ -79,7 +79,7 @@ fn every_relation_gets_its_verdict() {
     let mut tally = Tally::default();
     for page in pages() {
         let name = page.file_name().unwrap().to_string_lossy().into_owned();
-        let documents = read_files(&page, None).unwrap();
+        let documents = read_files(&page, &Reading::default()).unwrap();
         let document = &documents[0];
         let report = check_document(document, &Options::default());
         let mut relations: Vec<&Finding> = report.findings.iter().filter(|f| f.relation > 0).collect();

@@ -108,7 +108,7 @@ fn settings_and_what_is_known() {
     assert_eq!(run(&["notes", "check", &page, "--config", &config]).status, Some(0));
     folder.write("polarform.toml", "[notes]\nignore = [\"nothing\"]\n");
     let ran = run(&["notes", "check", &page, "--config", &config]);
-    assert!(ran.status == Some(2) && ran.err.contains("nothing is no rule"), "{}", ran.err);
+    assert!(ran.status == Some(2) && ran.err.contains("'nothing' is no rule"), "{}", ran.err);
 }
 
 #[test]

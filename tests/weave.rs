@@ -121,9 +121,10 @@ fn files_that_cannot_be_woven() {
     let folder = Folder::new("bad_files");
     let latin = folder.write("latin.md", b"caf\xe9 {{ 1 }}\n");
     let good = folder.write("good.md", "{{ 1 + 1 }}\n");
+    fs::create_dir(folder.path("empty")).expect("it can be made");
     for (arguments, code, what) in [
         (vec![folder.path("missing.md")], "E501", "there is no such file"),
-        (vec![folder.path("")], "E501", "this is a directory"),
+        (vec![folder.path("empty")], "E501", "this is a directory"),
         (vec![latin.clone()], "E606", "line 1 is not UTF-8"),
         (vec![good.clone(), "-o".into(), folder.path("none/out.md")], "E501", "the folder must exist"),
         (vec![good.clone(), "-o".into(), folder.path("")], "E501", "this is a directory"),

@@ -3,10 +3,13 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 use super::figure_arguments::FigureArguments;
-use super::notes_arguments::Notes;
+use super::notes_arguments::{Notes, PageKind};
+use super::script::formula;
 use crate::budget::{Limits, MOST_DEPTH};
 use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
@@ -21,6 +24,7 @@ Examples:
   polarform check \"f(0,1) = 1/2\" --given \"f := polar(t^2 + t)\"
   polarform eval \"f := polar(t^3)\" \"f(0, 1, hat(1))\"
 
+In the place of a formula, '-' stands for the text on standard input.
 Exit status: 0 done, all claims true; 1 a claim is refuted; 2 not read or not decided.";
 
 /// Exact polynomials and their polar forms (blossoms): ask, write, check.
@@ -37,29 +41,33 @@ pub(super) struct Arguments {
 #[derive(Debug, Args)]
 pub(super) struct Global {
     /// How to print results
-    #[arg(long, global = true, value_name = "FORMAT", value_parser = parse_format,
-          help = "Output: text, unicode, latex, json or sympy; for figures also svg [default: text]")]
+    #[arg(long, global = true, value_name = "FORMAT", ignore_case = true, value_parser = format_names(),
+          help = "How to print results; svg is for figures [default: text]")]
     pub format: Option<FormatArgument>,
     /// How to write polar forms
     #[arg(long, global = true, value_enum, default_value_t = NotationArgument::Grouped)]
     pub notation: NotationArgument,
-    /// How to arrange formulas: usual, collect, expand, factor, in_powers, in_bernstein
-    #[arg(long, global = true, default_value = "usual", value_name = "NAME", value_parser = parse_arrangement)]
+    /// How to arrange formulas
+    #[arg(long, global = true, default_value = "usual", value_name = "NAME",
+          value_parser = one_of(Arrangement::ALL, Arrangement::name))]
     pub arrange: Arrangement,
     /// With the verdict of a claim, tell also which notations were read with their standard meaning
     #[arg(long, short = 'v', global = true)]
     pub verbose: bool,
+    /// Only what is wrong: no verdicts of what is true, no notes, no numbers at the end
+    #[arg(long, short = 'q', global = true, conflicts_with = "verbose")]
+    pub quiet: bool,
     /// Break LaTeX that is wider, in points (an article: 345)
     #[arg(long, global = true, value_name = "POINTS")]
     pub width: Option<u16>,
     /// The language of derivations
     #[arg(long, global = true, default_value = "en", value_name = "LANG",
-          value_parser = parse_language, help = "The language of derivations: en or zh")]
+          value_parser = one_of(Language::ALL, Language::code))]
     pub lang: Language,
     /// Color of messages
     #[arg(long, global = true, value_enum, default_value_t = Color::Auto)]
     pub color: Color,
-    /// Time allowed for each statement (0: no limit) [default: 60; 5 for a formula of notes]
+    /// Time allowed for each statement or formula of notes (0: no limit) [default: 60]
     #[arg(long, global = true, value_name = "SECONDS", allow_negative_numbers = true,
           value_parser = parse_seconds)]
     pub timeout: Option<f64>,
@@ -81,13 +89,21 @@ pub(super) enum FormatArgument {
     Svg,
 }
 
-fn parse_format(text: &str) -> Result<FormatArgument, String> {
-    if text == "svg" {
-        return Ok(FormatArgument::Svg);
-    }
-    text.parse()
-        .map(FormatArgument::Words)
-        .map_err(|error: crate::language::write::UnknownFormat| error.to_string())
+/// One of some values by its name; help, errors and shells list the names.
+fn one_of<T, const N: usize>(all: [T; N], name: fn(T) -> &'static str) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let known =
+        move |text: String| all.into_iter().find(|one| name(*one) == text).expect("it is one of them");
+    PossibleValuesParser::new(all.map(name)).map(known)
+}
+
+fn format_names() -> impl TypedValueParser<Value = FormatArgument> {
+    let names = Format::ALL.map(Format::name).into_iter().chain(["svg"]);
+    // What is no name of a format is the one left.
+    PossibleValuesParser::new(names)
+        .map(|name| name.parse().map_or(FormatArgument::Svg, FormatArgument::Words))
 }
 
 fn parse_seconds(text: &str) -> Result<f64, String> {
@@ -95,18 +111,6 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
     seconds
         .filter(|seconds| seconds.is_finite() && *seconds >= 0.0)
         .ok_or_else(|| "expected a number of seconds such as 2.5, or 0 for no limit".to_owned())
-}
-
-fn parse_language(text: &str) -> Result<Language, String> {
-    text.parse()
-}
-
-fn parse_arrangement(text: &str) -> Result<Arrangement, String> {
-    text.parse()
-}
-
-fn parse_method(text: &str) -> Result<Method, String> {
-    text.parse()
 }
 
 impl Global {
@@ -189,7 +193,7 @@ pub(super) enum Command {
     #[command(after_help = "Example:\n  polarform eval \"F(t) := t^2 + 2t\" \"polar(F)(0, 1)\"")]
     Eval {
         /// Statements; ';' separates several in one argument
-        #[arg(required = true, value_name = "EXPR")]
+        #[arg(required = true, value_name = "EXPR", value_parser = formula)]
         statements: Vec<String>,
     },
     /// Run a script of statements
@@ -244,7 +248,7 @@ pub(super) enum Command {
         polarform check \"f(t1, t2) = t1 t2 + t1 + t2\" --given \"f := polar(t^2 + 2t)\"")]
     Check {
         /// The claim, in plain notation or LaTeX
-        #[arg(allow_hyphen_values = true)]
+        #[arg(allow_hyphen_values = true, value_parser = formula)]
         claim: String,
         /// Definitions the claim uses, in order
         #[arg(long, value_name = "DEF")]
@@ -266,13 +270,44 @@ pub(super) enum Command {
     #[command(after_help = "Examples:\n  \
         polarform weave lecture.md                 in place: {{ f(0, 1) }}, ```polarform blocks\n  \
         polarform weave lecture.md -o out.md       a copy with results only (- for standard output)\n  \
-        polarform weave --check lecture.md         is everything up to date?\n  \
+        polarform weave --check lectures           is everything up to date, also in folders?\n  \
         polarform weave lecture.tex                \\polarform{f(0, 1)}; then pdflatex lecture\n  \
         polarform weave --write-style .            the package polarform.sty\n\n\
         docs/weave.md tells the rest.\n\
         Exit status: 1 if a claim is refuted or, with --check, a result is out of date;\n\
         2 if a query failed: its old result stays; else 0.")]
     Weave(Weave),
+    /// Serve an editor: verdicts on notes while they are written (Language Server Protocol)
+    #[command(
+        after_help = "An editor starts this command and speaks with it on standard input and output;\n\
+        docs/tools.md tells how Neovim, Helix, Emacs and others are set up."
+    )]
+    Lsp {
+        /// The only way there is; some editors ask for it
+        #[arg(long)]
+        stdio: bool,
+    },
+    /// Write completions for a shell
+    #[command(after_help = "Examples:\n  \
+        polarform completions bash > ~/.local/share/bash-completion/completions/polarform\n  \
+        polarform completions zsh > ~/.zfunc/_polarform       (a folder of fpath)\n  \
+        polarform completions fish > ~/.config/fish/completions/polarform.fish")]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Write the manual page of a command, or all of them into a folder
+    #[command(after_help = "Examples:\n  \
+        polarform man notes check | man -l -\n  \
+        polarform man -o ~/.local/share/man/man1")]
+    Man {
+        /// The command (if not given: the program)
+        #[arg(conflicts_with = "output")]
+        command: Vec<String>,
+        /// Write the pages of all commands into this folder
+        #[arg(long, short, value_name = "FOLDER")]
+        output: Option<PathBuf>,
+    },
     /// Explain an error code such as E304
     Explain {
         /// The code; without one, all codes are listed
@@ -289,7 +324,7 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct PolarArguments {
     /// The polynomial, in plain notation or LaTeX
-    #[arg(allow_hyphen_values = true)]
+    #[arg(allow_hyphen_values = true, value_parser = formula)]
     pub polynomial: String,
     /// The number of arguments (the degree of the polynomial if not given)
     #[arg(long, short = 'n', value_name = "N")]
@@ -298,8 +333,7 @@ pub(super) struct PolarArguments {
     #[arg(long, value_name = "NAME")]
     pub variable: Option<String>,
     /// How to derive it
-    #[arg(long, value_parser = parse_method, default_value = "elementary", value_name = "METHOD",
-          help = "elementary, probability, taylor, parts, laguerre or bezier")]
+    #[arg(long, value_parser = one_of(Method::ALL, Method::name), default_value = "elementary", value_name = "METHOD")]
     pub method: Method,
     /// The value at these arguments; hat(v) is a vector
     #[arg(long, value_name = "U1,U2,...", allow_hyphen_values = true)]
@@ -339,7 +373,7 @@ pub(super) struct MatrixArguments {
 #[derive(Debug, Args)]
 pub(super) struct BezierArguments {
     /// Control points: points such as [0, 1], numbers or symbols, separated by commas
-    #[arg(allow_hyphen_values = true)]
+    #[arg(allow_hyphen_values = true, value_parser = formula)]
     pub points: String,
     /// The interval (0 and 1 if not given)
     #[arg(long, value_name = "A,B", allow_hyphen_values = true)]
@@ -379,7 +413,7 @@ pub(super) struct Change {
 #[derive(Debug, Args)]
 pub(super) struct BsplineArguments {
     /// Control points, also as --points
-    #[arg(value_name = "POINTS", allow_hyphen_values = true, group = "control")]
+    #[arg(value_name = "POINTS", allow_hyphen_values = true, value_parser = formula, group = "control")]
     pub listed: Option<String>,
     /// The degree
     #[arg(long, short = 'n', value_name = "N")]
@@ -482,9 +516,12 @@ pub(super) enum Interpolation {
 /// How to weave.
 #[derive(Debug, Args)]
 pub(super) struct Weave {
-    /// Files of notes: .md and the like, .tex, .ipynb
+    /// Files of notes (.md and the like, .tex, .ipynb), folders of them, '-' for standard input
     #[arg(required_unless_present_any = ["mdbook", "write_style"], value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    /// How standard input is written (if not given: as it looks)
+    #[arg(long = "as", value_enum, value_name = "KIND")]
+    pub kind: Option<PageKind>,
     /// Write a copy that holds results in place of queries ('-' for standard output)
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -506,10 +543,10 @@ pub(super) struct Weave {
 #[derive(Debug, Args)]
 pub(super) struct Two {
     /// The first polynomial
-    #[arg(allow_hyphen_values = true)]
+    #[arg(allow_hyphen_values = true, value_parser = formula)]
     pub f: String,
     /// The second polynomial
-    #[arg(allow_hyphen_values = true)]
+    #[arg(allow_hyphen_values = true, value_parser = formula)]
     pub g: String,
     /// Show the steps
     #[arg(long)]

@@ -1,7 +1,6 @@
 //! The commands: each is a short way to say a query of the language.
 
-use std::fs;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -10,6 +9,7 @@ use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
 use super::given::give;
 use super::output::{Output, Trouble};
+use super::script::script_file;
 use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
@@ -142,6 +142,9 @@ fn dispatch(command: &Command, global: &Global, session: &mut Session, output: &
         Command::Figure(figure) => super::figure::run(figure, global, session, output),
         Command::Notes(notes) => super::notes::run(notes, global, output),
         Command::Weave(arguments) => super::weave::run(arguments, global, output),
+        Command::Lsp { .. } => super::lsp::run(global, super::notes::SECONDS),
+        Command::Completions { shell } => super::manual::completions(*shell, output),
+        Command::Man { command, output: folder } => super::manual::man(command, folder.as_deref(), output),
         Command::Explain { code } => explain(output, code.as_deref()),
         Command::Functions { name } => functions(output, name.as_deref()),
     }
@@ -383,6 +386,12 @@ impl<'a> Printer<'a> {
 /// Prints what a statement did.
 pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> {
     let claim = matches!(answer.outcome.value, Value::Claim(_));
+    if output.quiet
+        && let Value::Claim(claim) = &answer.outcome.value
+        && matches!(claim.verdict(), Verdict::Proved | Verdict::Sampled)
+    {
+        return Ok(Status::Fine);
+    }
     let notes = || answer.outcome.notes.iter().filter(|note| output.verbose || !claim || !is_usual(note));
     // A verdict goes before what is to be said of it.
     if claim {
@@ -409,38 +418,8 @@ fn is_usual(note: &Diagnostic) -> bool {
     note.code == Code::StandardMeaning && note.hints.is_empty()
 }
 
-/// Larger scripts are refused rather than read.
-const LONGEST_INPUT: u64 = 64 << 20;
-
 fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ran {
     run_all(session, output, &script_file(path)?, stop)
-}
-
-/// The text of a script; `-` is standard input.
-fn script_file(path: &Path) -> Result<SourceFile, Box<Failure>> {
-    let standard = path == Path::new("-");
-    let name = if standard { "<stdin>".to_owned() } else { path.display().to_string() };
-    let failed = |message: String| {
-        Box::new(Failure {
-            problem: Diagnostic::error(Code::File, message),
-            file: SourceFile::new(name.clone(), ""),
-        })
-    };
-    let mut bytes = Vec::new();
-    let result = if standard {
-        io::stdin().lock().take(LONGEST_INPUT + 1).read_to_end(&mut bytes)
-    } else {
-        fs::File::open(path).and_then(|file| file.take(LONGEST_INPUT + 1).read_to_end(&mut bytes))
-    };
-    result.map_err(|error| failed(format!("cannot read {name}: {error}")))?;
-    if bytes.len() as u64 > LONGEST_INPUT {
-        return Err(failed(format!("{name} is longer than {} MB", LONGEST_INPUT >> 20)));
-    }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        failed(format!("{name} is not UTF-8 text (byte {at})"))
-    })?;
-    Ok(SourceFile::new(name.clone(), text))
 }
 
 fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {

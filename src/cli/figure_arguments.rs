@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::script::formula;
+
 /// A figure.
 #[derive(Debug, Args)]
 pub(super) struct FigureArguments {
@@ -11,7 +13,7 @@ pub(super) struct FigureArguments {
     #[arg(value_enum)]
     pub kind: FigureKind,
     /// Curves, points, numbers: formulas of the language
-    #[arg(required = true, value_name = "QUERY", allow_negative_numbers = true)]
+    #[arg(required = true, value_name = "QUERY", allow_negative_numbers = true, value_parser = formula)]
     pub queries: Vec<String>,
     /// The file to write: .svg, .pdf, .png, .tex or .tikz, .txt, .json
     #[arg(long, short, value_name = "FILE")]

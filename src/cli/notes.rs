@@ -17,21 +17,21 @@ use super::notes_config::Config;
 use super::notes_input::{Input, STANDARD, expanded, gather, identity, read_all};
 use super::output::Output;
 use super::watch::Watch;
-use crate::document::Container;
+use crate::document::{Container, Reading, read_macros};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::write::Format;
 use crate::notes::report::{
-    Tally, TextOptions, fixed, render_html, render_json, render_listing, render_listing_json, render_sarif,
-    render_summary, render_text,
+    Tally, TextOptions, fixed, render_github, render_html, render_json, render_junit, render_listing,
+    render_listing_json, render_sarif, render_summary, render_text,
 };
 use crate::notes::{Options, check_document, listing};
 use crate::session::Failure;
 use crate::weave::{read_input, replace_file};
 
 /// Seconds for one formula where nothing else is said.
-const SECONDS: f64 = 60.0;
+pub(super) const SECONDS: f64 = 60.0;
 
 /// So often the files are checked again after suggestions were put in.
 const MAX_ROUNDS: usize = 20;
@@ -43,8 +43,19 @@ pub(super) fn run(notes: &Notes, global: &Global, output: &Output) -> Ran {
     match notes {
         Notes::List { files, kind, jobs } => list(files, kind.map(Container::from), *jobs, global, output),
         Notes::Check(arguments) => {
-            let config = Config::load(arguments.config.as_deref()).map_err(failed)?;
-            let files = expanded(&arguments.files, |path| config.excludes(path));
+            let here = std::env::current_dir().unwrap_or_default();
+            let config = Config::load(arguments.config.as_deref(), &here)?;
+            let named = match arguments.files.is_empty() {
+                // In reports they are called as if they were named here.
+                true => config.files.iter().map(|path| short(path, &here)).collect(),
+                false => arguments.files.clone(),
+            };
+            if named.is_empty() {
+                let hint =
+                    "name files or folders, or list them in polarform.toml: [notes] files = [\"lectures\"]";
+                return Err(usage("there is nothing to check", hint));
+            }
+            let files = expanded(&named, |path| config.excludes(path));
             let kind = kind(arguments, global.format())?;
             let check = Check { arguments, files, config, kind, global, output };
             check.refuse_overwriting()?;
@@ -55,6 +66,15 @@ pub(super) fn run(notes: &Notes, global: &Global, output: &Output) -> Ran {
                 () => check.once(),
             }
         }
+    }
+}
+
+/// The name of a file as it would be given here.
+fn short(path: &Path, here: &Path) -> PathBuf {
+    match path.strip_prefix(here) {
+        Ok(rest) if rest.as_os_str().is_empty() => PathBuf::from("."),
+        Ok(rest) => rest.to_owned(),
+        Err(_) => path.to_owned(),
     }
 }
 
@@ -70,7 +90,8 @@ fn list(
     }
     let files = expanded(files, |_| false);
     let pool = pool(jobs, files.len())?;
-    let inputs = read_all(&pool, &files, kind, false, |document| FileReport {
+    let reading = Reading { kind, ..Reading::default() };
+    let inputs = read_all(&pool, &files, &reading, false, output.quiet, |document| FileReport {
         file: document.file.clone(),
         findings: listing(document),
         problems: document.problems.clone(),
@@ -94,6 +115,7 @@ fn kind(arguments: &NotesCheck, format: Format) -> Result<ReportKind, Stop> {
             () if ends(&[".sarif", ".sarif.json"]) => Some(ReportKind::Sarif),
             () if ends(&[".json"]) => Some(ReportKind::Json),
             () if ends(&[".html", ".htm"]) => Some(ReportKind::Html),
+            () if ends(&[".xml"]) => Some(ReportKind::Junit),
             () => None,
         }
     };
@@ -101,9 +123,10 @@ fn kind(arguments: &NotesCheck, format: Format) -> Result<ReportKind, Stop> {
         (Some(kind), _) => Ok(kind),
         (None, Format::Json) => Ok(ReportKind::Json),
         (None, Format::Text | Format::Unicode) => Ok(by_name().unwrap_or(ReportKind::Text)),
-        (None, Format::Latex | Format::Sympy) => {
-            Err(usage("a report has no such format", "choose --report text, json, sarif or html"))
-        }
+        (None, Format::Latex | Format::Sympy) => Err(usage(
+            "a report has no such format",
+            "choose --report text, json, sarif, html, github or junit",
+        )),
     }
 }
 
@@ -122,7 +145,8 @@ impl Check<'_> {
     /// A report must not take the place of the notes.
     fn refuse_overwriting(&self) -> Result<(), Stop> {
         let Some(target) = &self.arguments.output else { return Ok(()) };
-        let sources = self.files.iter().chain(&self.arguments.context);
+        let shared = self.arguments.context.iter().chain(&self.arguments.macros);
+        let sources = self.files.iter().chain(shared);
         if sources.into_iter().any(|source| identity(source) == identity(target)) {
             let message = format!("the report would overwrite {}", target.display());
             return Err(usage(&message, "give another name after -o"));
@@ -140,6 +164,13 @@ impl Check<'_> {
         Ok(Options { limits: self.global.limits_or(SECONDS), context })
     }
 
+    fn reading(&self) -> Result<Reading, Stop> {
+        let macros = self.arguments.macros.as_ref().or(self.config.macros.as_ref());
+        let macros = macros.map(|path| read_macros(path)).transpose().map_err(failed)?;
+        let kind = self.arguments.kind.map(Container::from);
+        Ok(Reading { kind, macros: macros.unwrap_or_default(), text: None })
+    }
+
     fn once(&self) -> Ran {
         let inputs = self.all()?;
         if let Some(path) = &self.arguments.write_baseline {
@@ -154,15 +185,15 @@ impl Check<'_> {
     fn all(&self) -> Result<Vec<Input>, Stop> {
         let options = self.options()?;
         let pool = pool(self.arguments.jobs, self.files.len())?;
-        Ok(self.checked(&pool, &self.files, &options))
+        self.checked(&pool, &self.files, &options)
     }
 
-    fn checked(&self, pool: &ThreadPool, files: &[PathBuf], options: &Options) -> Vec<Input> {
+    fn checked(&self, pool: &ThreadPool, files: &[PathBuf], options: &Options) -> Result<Vec<Input>, Stop> {
         let fixing = self.arguments.fix || self.arguments.diff;
-        let kind = self.arguments.kind.map(Container::from);
-        read_all(pool, files, kind, fixing, |document| {
+        let reading = self.reading()?;
+        Ok(read_all(pool, files, &reading, fixing, self.output.quiet, |document| {
             self.config.filtered(check_document(document, options), self.arguments.write_baseline.is_some())
-        })
+        }))
     }
 
     /// Shows the suggestions as a patch.
@@ -193,7 +224,7 @@ impl Check<'_> {
         }
         let options = self.options()?;
         let pool = pool(self.arguments.jobs, self.files.len())?;
-        let mut inputs = self.checked(&pool, &self.files, &options);
+        let mut inputs = self.checked(&pool, &self.files, &options)?;
         let mut written = 0;
         for _ in 0..MAX_ROUNDS {
             let mut changed = Vec::new();
@@ -212,13 +243,13 @@ impl Check<'_> {
             if changed.is_empty() {
                 break;
             }
-            for new in self.checked(&pool, &changed, &options) {
+            for new in self.checked(&pool, &changed, &options)? {
                 if let Some(old) = inputs.iter_mut().find(|input| input.path == new.path) {
                     *old = new;
                 }
             }
         }
-        say(&format!("{written} {} put in", if written == 1 { "change" } else { "changes" }));
+        self.output.remark(&format!("{written} {} put in", if written == 1 { "change" } else { "changes" }));
         self.publish(&inputs)
     }
 
@@ -250,12 +281,15 @@ impl Check<'_> {
         let text = match self.kind {
             ReportKind::Text => {
                 let terminal = self.arguments.output.is_none() && io::stdout().is_terminal();
-                let options = TextOptions { color: color.wanted(terminal), verbose: self.arguments.verbose };
+                let (color, verbose) = (color.wanted(terminal), self.arguments.verbose);
+                let options = TextOptions { color, verbose, quiet: self.output.quiet };
                 render_text(&reports, options)
             }
             ReportKind::Json => render_json(&reports),
             ReportKind::Sarif => render_sarif(&reports),
             ReportKind::Html => render_html(&reports),
+            ReportKind::Github => render_github(&reports, self.arguments.verbose),
+            ReportKind::Junit => render_junit(&reports),
         };
         match &self.arguments.output {
             None => self.output.text(&text)?,
@@ -264,12 +298,14 @@ impl Check<'_> {
                     let message = format!("cannot write {}: {error}", path.display());
                     failed(Diagnostic::error(Code::File, message))
                 })?;
-                let summary = render_summary(&reports, color.wanted(io::stdout().is_terminal()));
-                self.output.text(&format!("{summary}written to {}\n", path.display()))?;
+                if !self.output.quiet {
+                    let summary = render_summary(&reports, color.wanted(io::stdout().is_terminal()));
+                    self.output.text(&format!("{summary}written to {}\n", path.display()))?;
+                }
             }
         }
         if let Some(remark) = self.config.remark() {
-            say(&remark);
+            self.output.remark(&remark);
         }
         let refuted = reports.iter().any(|report| report.count(Verdict::Refuted) > 0);
         let mut read = inputs.iter().all(|input| input.read);
@@ -315,10 +351,10 @@ impl Check<'_> {
             )));
         }
         // What changes during the check is noticed afterwards.
-        for path in files.iter().chain(&self.arguments.context) {
+        for path in files.iter().chain(&self.arguments.context).chain(&self.arguments.macros) {
             watch.follow(path, path).map_err(trouble)?;
         }
-        let mut inputs = self.checked(&pool, files, &options);
+        let mut inputs = self.checked(&pool, files, &options)?;
         let mut status = Status::Fine;
         loop {
             if interrupt.load(Ordering::Relaxed) {
@@ -330,11 +366,12 @@ impl Check<'_> {
                     watch.follow(Path::new(report.file.name()), &input.path).map_err(trouble)?;
                 }
             }
-            say(&format!("watching {}; Ctrl-C ends", counted(files.len())));
+            self.output.remark(&format!("watching {}; Ctrl-C ends", counted(files.len())));
             let Some(changed) = watch.wait() else { return Ok(status) };
             let names: Vec<String> = changed.iter().map(|path| path.display().to_string()).collect();
-            say(&format!("{} changed", names.join(", ")));
-            let everything = self.arguments.context.as_ref().is_some_and(|path| changed.contains(path));
+            self.output.remark(&format!("{} changed", names.join(", ")));
+            let mut shared = self.arguments.context.iter().chain(&self.arguments.macros);
+            let everything = shared.any(|path| changed.contains(path));
             if everything {
                 match self.options() {
                     // The interrupt that Ctrl-C sets stays the same.
@@ -345,7 +382,7 @@ impl Check<'_> {
             }
             let again: Vec<PathBuf> =
                 files.iter().filter(|path| everything || changed.contains(*path)).cloned().collect();
-            for new in self.checked(&pool, &again, &options) {
+            for new in self.checked(&pool, &again, &options)? {
                 if let Some(old) = inputs.iter_mut().find(|input| input.path == new.path) {
                     *old = new;
                 }
@@ -403,6 +440,7 @@ mod tests {
                 config: None,
                 write_baseline: None,
                 context: None,
+                macros: None,
                 verbose: false,
                 report,
                 output: output.map(PathBuf::from),
@@ -416,6 +454,7 @@ mod tests {
         assert_eq!(kind(None, None, Format::Json), Some(ReportKind::Json));
         assert_eq!(kind(None, Some("a.HTML"), text), Some(ReportKind::Html));
         assert_eq!(kind(None, Some("a.sarif.json"), text), Some(ReportKind::Sarif));
+        assert_eq!(kind(None, Some("a.xml"), text), Some(ReportKind::Junit));
         assert_eq!(kind(Some(ReportKind::Text), Some("a.json"), Format::Json), Some(ReportKind::Text));
         assert_eq!(kind(None, None, Format::Sympy), None);
     }

@@ -16,7 +16,8 @@ pub(super) enum Notes {
         polarform notes check lectures/*.tex --context definitions.txt\n  \
         polarform notes check lecture.md -o report.html --watch\n  \
         polarform notes check lectures --diff\n  \
-        polarform notes check - < lecture.md\n\n\
+        polarform notes check - < lecture.md\n  \
+        polarform notes check lectures --report github      in GitHub Actions\n\n\
         Exit status: 1 if a formula is refuted, else 2 if a file or all of its formulas could not be read, else 0.")]
     Check(NotesCheck),
     /// The formulas as they are read, printed anew as LaTeX
@@ -36,8 +37,8 @@ pub(super) enum Notes {
 /// How to check lecture notes.
 #[derive(Debug, Args)]
 pub(super) struct NotesCheck {
-    /// Files of notes, folders of them, '-' for standard input
-    #[arg(required = true, value_name = "FILE")]
+    /// Files of notes, folders of them, '-' for standard input (if not given: those of polarform.toml)
+    #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// How the files are written (if not given: by the endings of their names)
     #[arg(long = "as", value_enum, value_name = "KIND")]
@@ -45,6 +46,9 @@ pub(super) struct NotesCheck {
     /// Declarations for all files: definitions, degrees, ranges, in the query language
     #[arg(long, value_name = "FILE")]
     pub context: Option<PathBuf>,
+    /// Macros for all files: LaTeX with \newcommand and its kin
+    #[arg(long, value_name = "FILE")]
+    pub macros: Option<PathBuf>,
     /// A line for every formula
     #[arg(long, short)]
     pub verbose: bool,
@@ -110,4 +114,8 @@ pub(super) enum ReportKind {
     Sarif,
     /// A page for a browser
     Html,
+    /// Annotations of GitHub Actions, on standard output
+    Github,
+    /// The XML of JUnit, for GitLab, Jenkins and others
+    Junit,
 }

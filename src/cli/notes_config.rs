@@ -1,8 +1,10 @@
-//! `polarform.toml`: what is not reported, and declarations for all files.
+//! `polarform.toml`: what is checked and what is not reported, and what all files share.
 //!
 //! ```toml
 //! [notes]
+//! files = ["lectures"]
 //! context = "definitions.txt"
+//! macros = "macros.tex"
 //! ignore = ["undecided", "E601"]
 //! exclude = ["drafts"]
 //! baseline = "known.json"
@@ -11,23 +13,34 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use serde_json::{Value, json};
-use toml::Table;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
+use super::argument_reader::Failed;
+use crate::formula::source::{SourceFile, Span};
 use crate::judge::finding::{FileReport, Finding};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::notes::report::{Rule, fingerprints};
+use crate::session::Failure;
 
 /// The name of the file.
-const NAME: &str = "polarform.toml";
+pub(super) const NAME: &str = "polarform.toml";
+
+/// What stands in its section.
+const KEYS: [&str; 6] = ["files", "context", "macros", "ignore", "exclude", "baseline"];
 
 /// The settings for a check.
 #[derive(Debug, Default)]
 pub(super) struct Config {
+    /// What is checked if nothing else is named.
+    pub files: Vec<PathBuf>,
     pub context: Option<PathBuf>,
+    pub macros: Option<PathBuf>,
     rules: Vec<Rule>,
     codes: Vec<Code>,
     exclude: Vec<PathBuf>,
@@ -38,64 +51,84 @@ pub(super) struct Config {
 }
 
 impl Config {
-    /// Reads the settings: from the file that is named, else from the nearest one here or in a folder above.
-    pub fn load(named: Option<&Path>) -> Result<Config, Diagnostic> {
-        let here = std::env::current_dir().unwrap_or_default();
-        let found = || here.ancestors().map(|folder| folder.join(NAME)).find(|path| path.is_file());
+    /// Reads the settings: from the file that is named, else from the nearest one in a folder or above it.
+    pub fn load(named: Option<&Path>, folder: &Path) -> Failed<Config> {
+        let found = || folder.ancestors().map(|folder| folder.join(NAME)).find(|path| path.is_file());
         let Some(path) = named.map(Path::to_owned).or_else(found) else { return Ok(Config::default()) };
         let text = fs::read_to_string(&path).map_err(|error| {
-            Diagnostic::error(Code::File, format!("cannot read {}: {error}", path.display()))
+            let problem = Diagnostic::error(Code::File, format!("cannot read {}: {error}", path.display()));
+            Box::new(Failure { problem, file: SourceFile::new("<files>", "") })
         })?;
+        let file = SourceFile::new(path.display().to_string(), text);
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        Config::parse(&text, &path, &folder)
+        Config::parse(&file, &folder).map_err(|problem| Box::new(Failure { problem, file }))
     }
 
-    fn parse(text: &str, path: &Path, folder: &Path) -> Result<Config, Diagnostic> {
-        let wrong = |what: String, hint: &str| {
-            Diagnostic::error(Code::Usage, format!("{}: {what}", path.display())).hint(hint.to_owned())
-        };
-        let table: Table = text
-            .parse()
-            .map_err(|error: toml::de::Error| wrong(error.message().to_owned(), "see docs/notes.md"))?;
+    fn parse(file: &SourceFile, folder: &Path) -> Result<Config, Diagnostic> {
+        let table = DeTable::parse(file.text()).map_err(|error| {
+            let span = error.span().unwrap_or_default();
+            wrong(span, format!("this is not TOML: {}", error.message()))
+                .hint("docs/notes.md shows such a file")
+        })?;
         let mut config = Config::default();
-        for (name, section) in &table {
-            let section = section.as_table().filter(|_| name == "notes");
-            let section =
-                section.ok_or_else(|| wrong(format!("{name} is unknown"), "the section is [notes]"))?;
-            for (key, value) in section {
-                let words =
-                    || strings(value).ok_or_else(|| wrong(format!("{key} takes strings"), "write [\"…\"]"));
-                match key.as_str() {
-                    "context" => config.context = words()?.first().map(|name| folder.join(name)),
-                    "exclude" => config.exclude = words()?.iter().map(|name| folder.join(name)).collect(),
-                    "ignore" => {
-                        for word in words()? {
-                            let rule = Rule::ALL.into_iter().find(|rule| rule.id() == word);
-                            match (rule, word.parse::<Code>()) {
-                                (Some(rule), _) => config.rules.push(rule),
-                                (None, Ok(code)) => config.codes.push(code),
-                                _ => {
-                                    let rules = Rule::ALL.map(Rule::id).join(", ");
-                                    let hint =
-                                        format!("the rules are {rules}, and codes of problems such as E601");
-                                    return Err(wrong(format!("{word} is no rule"), &hint));
-                                }
-                            }
-                        }
-                    }
-                    "baseline" => {
-                        if let Some(name) = words()?.first() {
-                            config.known = baseline(&folder.join(name))?;
-                        }
-                    }
-                    _ => {
-                        let hint = "context, ignore, exclude and baseline are known";
-                        return Err(wrong(format!("{key} is unknown"), hint));
-                    }
-                }
+        for (name, section) in table.get_ref() {
+            let unknown = || {
+                wrong(name.span(), format!("'{}' is unknown here", name.get_ref()))
+                    .hint("all settings stand below the line [notes]")
+            };
+            let section = section.get_ref().as_table().filter(|_| name.get_ref() == "notes");
+            for (key, value) in section.ok_or_else(unknown)? {
+                config.set(key, value, folder)?;
             }
         }
         Ok(config)
+    }
+
+    fn set(
+        &mut self,
+        key: &Spanned<impl AsRef<str>>,
+        value: &Spanned<DeValue>,
+        folder: &Path,
+    ) -> Result<(), Diagnostic> {
+        let name = key.get_ref().as_ref();
+        let path = || one(name, value).map(|text| folder.join(text));
+        let paths = || Ok(strings(name, value)?.into_iter().map(|(text, _)| folder.join(text)).collect());
+        match name {
+            "files" => self.files = paths()?,
+            "context" => self.context = Some(path()?),
+            "macros" => self.macros = Some(path()?),
+            "exclude" => self.exclude = paths()?,
+            "baseline" => {
+                self.known = baseline(&path()?).map_err(|problem| problem.at(place(value.span())))?;
+            }
+            "ignore" => {
+                for (word, span) in strings(name, value)? {
+                    match (Rule::ALL.into_iter().find(|rule| rule.id() == word), word.parse::<Code>()) {
+                        (Some(rule), _) => self.rules.push(rule),
+                        (None, Ok(code)) => self.codes.push(code),
+                        (None, Err(())) => {
+                            let rules = Rule::ALL.map(Rule::id);
+                            let hint = match nearest(word, rules) {
+                                Some(best) => format!("did you mean \"{best}\"?"),
+                                None => format!(
+                                    "the rules are {}, and codes of problems such as E601",
+                                    rules.join(", ")
+                                ),
+                            };
+                            return Err(wrong(span, format!("'{word}' is no rule")).hint(hint));
+                        }
+                    }
+                }
+            }
+            _ => {
+                let hint = match nearest(name, KEYS) {
+                    Some(best) => format!("did you mean '{best}'?"),
+                    None => format!("the settings are {}", KEYS.join(", ")),
+                };
+                return Err(wrong(key.span(), format!("there is no setting '{name}'")).hint(hint));
+            }
+        }
+        Ok(())
     }
 
     /// Whether a file in a folder is left out.
@@ -164,13 +197,32 @@ fn file_name(file: &crate::formula::source::SourceFile) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// One string or a list of them.
-fn strings(value: &toml::Value) -> Option<Vec<String>> {
-    match value {
-        toml::Value::String(one) => Some(vec![one.clone()]),
-        toml::Value::Array(all) => all.iter().map(|one| one.as_str().map(str::to_owned)).collect(),
+fn place(range: Range<usize>) -> Span {
+    Span::new(range.start, range.end)
+}
+
+fn wrong(range: Range<usize>, what: String) -> Diagnostic {
+    Diagnostic::error(Code::Usage, what).at(place(range))
+}
+
+/// One string, which names something.
+fn one<'a>(key: &str, value: &'a Spanned<DeValue>) -> Result<&'a str, Diagnostic> {
+    let text = value.get_ref().as_str().filter(|text| !text.is_empty());
+    text.ok_or_else(|| {
+        wrong(value.span(), format!("'{key}' takes one string")).hint(format!("write {key} = \"…\""))
+    })
+}
+
+/// One string or a list of them, with their places.
+fn strings<'a>(key: &str, value: &'a Spanned<DeValue>) -> Result<Vec<(&'a str, Range<usize>)>, Diagnostic> {
+    let found: Option<Vec<_>> = match value.get_ref() {
+        DeValue::String(text) => Some(vec![(text.as_ref(), value.span())]),
+        DeValue::Array(all) => all.iter().map(|one| Some((one.get_ref().as_str()?, one.span()))).collect(),
         _ => None,
-    }
+    };
+    found.ok_or_else(|| {
+        wrong(value.span(), format!("'{key}' takes strings")).hint(format!("write {key} = [\"…\", \"…\"]"))
+    })
 }
 
 fn baseline(path: &Path) -> Result<BTreeSet<(String, String)>, Diagnostic> {
@@ -191,24 +243,42 @@ mod tests {
     use super::*;
 
     fn parse(text: &str) -> Result<Config, Diagnostic> {
-        Config::parse(text, Path::new("polarform.toml"), Path::new(""))
+        Config::parse(&SourceFile::new(NAME, text), Path::new("book"))
     }
 
     #[test]
     fn settings() {
-        let config = parse("[notes]\nignore = [\"undecided\", \"E601\"]\ncontext = \"a.txt\"\n").unwrap();
+        let config = parse(
+            "[notes]\nignore = [\"undecided\", \"E601\"]\ncontext = \"a.txt\"\nmacros = 'm.tex'\n\
+             files = ['a', 'b.md']\n",
+        )
+        .unwrap();
         assert_eq!((config.rules, config.codes), (vec![Rule::Undecided], vec![Code::UnclosedFormula]));
-        assert_eq!(config.context.as_deref(), Some(Path::new("a.txt")));
-        for (text, words) in [
-            ("[notes]\nignore = [\"nothing\"]", "nothing is no rule"),
-            ("[notes]\nignores = []", "ignores is unknown"),
-            ("[other]", "other is unknown"),
-            ("[notes]\nignore = 3", "takes strings"),
-            ("[notes", "polarform.toml"),
-            ("[notes]\nbaseline = \"none.json\"", "none.json"),
+        assert_eq!(config.context.as_deref(), Some(Path::new("book/a.txt")));
+        assert_eq!(config.macros.as_deref(), Some(Path::new("book/m.tex")));
+        assert_eq!(config.files, [Path::new("book/a"), Path::new("book/b.md")]);
+        assert!(parse("").unwrap().files.is_empty());
+    }
+
+    #[test]
+    fn what_is_wrong_is_shown_where_it_stands() {
+        for (text, at, words) in [
+            ("[notes]\nignore = [\"E601\", \"nothing\"]", "\"nothing\"", "'nothing' is no rule"),
+            ("[notes]\nignore = \"refutd\"", "\"refutd\"", "is no rule"),
+            ("[notes]\nignores = []", "ignores", "no setting 'ignores'"),
+            ("[other]", "other", "'other' is unknown"),
+            ("notes = 3", "notes", "'notes' is unknown"),
+            ("[notes]\nignore = 3", "3", "takes strings"),
+            ("[notes]\nfiles = ['a', 3]", "['a', 3]", "takes strings"),
+            ("[notes]\ncontext = ['a', 'b']", "['a', 'b']", "takes one string"),
+            ("[notes]\nmacros = ''", "''", "takes one string"),
+            ("[notes]\nbaseline = \"none.json\"", "\"none.json\"", "none.json"),
         ] {
             let problem = parse(text).unwrap_err();
             assert!(problem.message.contains(words) && !problem.hints.is_empty(), "{problem:?}");
+            assert_eq!(&text[problem.span.expect("it has a place").range()], at, "{problem:?}");
         }
+        assert!(parse("[notes").unwrap_err().message.contains("not TOML"));
+        assert_eq!(parse("[notes]\nignore = 'refutd'").unwrap_err().hints, ["did you mean \"refuted\"?"]);
     }
 }

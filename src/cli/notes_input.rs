@@ -10,7 +10,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::{ThreadPool, prelude::*};
 
-use crate::document::{Container, Document, MAX_BYTES, read_files, read_text};
+use crate::document::{Container, Document, MAX_BYTES, Reading, read_files, read_text};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -81,16 +81,17 @@ fn is_page(path: &Path) -> bool {
 pub(super) fn read_all(
     pool: &ThreadPool,
     files: &[PathBuf],
-    kind: Option<Container>,
+    reading: &Reading,
     fixing: bool,
+    quiet: bool,
     report: impl Fn(&Document) -> FileReport + Sync,
 ) -> Vec<Input> {
-    let bar = progress(files.len());
+    let bar = if quiet { ProgressBar::hidden() } else { progress(files.len()) };
     let inputs = pool.install(|| {
         files
             .par_iter()
             .map(|path| {
-                let input = read_one(path, kind, fixing, &report);
+                let input = read_one(path, reading, fixing, &report);
                 bar.inc(1);
                 input
             })
@@ -113,20 +114,19 @@ fn progress(files: usize) -> ProgressBar {
     bar
 }
 
-fn read_one(
-    path: &Path,
-    kind: Option<Container>,
-    fixing: bool,
-    report: impl Fn(&Document) -> FileReport,
-) -> Input {
+fn read_one(path: &Path, reading: &Reading, fixing: bool, report: impl Fn(&Document) -> FileReport) -> Input {
     let name = path.display().to_string();
     let documents = if path.is_dir() {
         Err(Diagnostic::error(Code::File, format!("{name} is a directory without notes"))
             .hint("name the files in it; their endings tell how they are written, or --as does"))
     } else if name == STANDARD {
-        guarded(|| standard_input(kind)).and_then(|result| result).map(|document| vec![document])
+        let document = guarded(|| {
+            let (bytes, kind) = standard_input(reading.kind)?;
+            read_text("standard input", bytes, kind, &reading.macros)
+        });
+        document.and_then(|result| result).map(|document| vec![document])
     } else {
-        guarded(|| read_files(path, kind)).and_then(|result| result)
+        guarded(|| read_files(path, reading)).and_then(|result| result)
     };
     let unread =
         |file: SourceFile, problem| FileReport { file, findings: Vec::new(), problems: vec![problem] };
@@ -153,8 +153,9 @@ fn read_one(
     }
 }
 
-/// The page on standard input; without --as it is LaTeX or a notebook if it looks like one, else Markdown.
-fn standard_input(kind: Option<Container>) -> Result<Document, Diagnostic> {
+/// The page on standard input, and how it is written: without --as it is LaTeX or a notebook if it looks like one,
+/// else Markdown.
+pub(super) fn standard_input(kind: Option<Container>) -> Result<(Vec<u8>, Container), Diagnostic> {
     let mut bytes = Vec::new();
     io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| {
         Diagnostic::error(Code::File, format!("standard input cannot be read: {error}"))
@@ -168,7 +169,7 @@ fn standard_input(kind: Option<Container>) -> Result<Document, Diagnostic> {
         () => Container::Markdown,
     };
     let kind = kind.unwrap_or_else(guess);
-    read_text("standard input", bytes, kind)
+    Ok((bytes, kind))
 }
 
 /// A defect in one file does not spoil the others.
@@ -236,7 +237,7 @@ mod tests {
     fn a_defect_or_a_directory_spoils_one_file_only() {
         let empty = std::env::temp_dir().join(format!("polarform-{}-empty", std::process::id()));
         fs::create_dir_all(&empty).expect("it can be made");
-        let folder = read_one(&empty, None, false, |_| unreachable!("there is no document"));
+        let folder = read_one(&empty, &Reading::default(), false, |_| unreachable!("there is no document"));
         assert!(!folder.read);
         assert!(folder.reports[0].problems[0].message.ends_with("is a directory without notes"));
         fs::remove_dir(&empty).expect("it is empty");

@@ -6,7 +6,7 @@ use super::arguments::Global;
 use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind};
-use crate::language::diagnostic::{Code, Diagnostic, render, render_json};
+use crate::language::diagnostic::{Code, Diagnostic, Severity, render, render_json};
 use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
     Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
@@ -31,6 +31,8 @@ pub(super) struct Output {
     width: f64,
     /// Whether usual readings are told, too.
     pub verbose: bool,
+    /// Whether only what is wrong is told.
+    pub quiet: bool,
     color: bool,
     limits: crate::budget::Limits,
 }
@@ -46,6 +48,7 @@ impl Output {
             language,
             width,
             verbose: global.verbose,
+            quiet: global.quiet,
             color,
             limits: global.limits(),
         }
@@ -72,12 +75,23 @@ impl Output {
 
     /// A problem, on standard error.
     pub fn problem(&self, problem: &Diagnostic, file: &SourceFile) {
+        if self.quiet && problem.severity == Severity::Note {
+            return;
+        }
         let text = match self.format {
             Format::Json => render_json(problem, file).to_string(),
             _ => render(problem, file, self.color),
         };
         // When standard error is gone there is nobody left to tell.
         let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+
+    /// A remark on standard error, on what is done beside the results.
+    pub fn remark(&self, text: &str) {
+        if !self.quiet {
+            // When standard error is gone there is nobody left to tell.
+            let _ = writeln!(io::stderr().lock(), "{text}");
+        }
     }
 
     /// A statement that failed.

@@ -11,6 +11,8 @@ use serde_json::json;
 use super::Status;
 use super::arguments::{Global, Weave};
 use super::commands::{Ran, Stop};
+use super::notes_config::Config;
+use super::notes_input::{STANDARD, expanded, identity, standard_input};
 use super::output::Output;
 use crate::document::Container;
 use crate::formula::source::{SourceFile, Span};
@@ -51,8 +53,10 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
         let message = format!("several files cannot go to {}", target.display());
         return Err(usage(&message, "weave them one after the other"));
     }
+    let here = std::env::current_dir().unwrap_or_default();
+    let config = Config::load(None, &here)?;
     let mut status = Status::Fine;
-    for path in &arguments.files {
+    for path in &weavable(&arguments.files, &config) {
         let result = catch_unwind(AssertUnwindSafe(|| weaver.file(path))).unwrap_or_else(|_| {
             Err(failed(
                 Diagnostic::error(Code::Internal, "polarform met a defect of its own")
@@ -70,6 +74,20 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
     Ok(status)
 }
 
+/// The files, and those of folders into which results can be written: LaTeX is woven from its main file.
+fn weavable(files: &[PathBuf], config: &Config) -> Vec<PathBuf> {
+    let mut all = expanded(files, |path| config.excludes(path));
+    all.retain(|path| {
+        files.contains(path)
+            || match Container::of(path) {
+                Ok(Container::Latex) => fs::read(path)
+                    .is_ok_and(|bytes| String::from_utf8_lossy(&bytes).contains(r"\documentclass")),
+                kind => matches!(kind, Ok(Container::Markdown | Container::Notebook)),
+            }
+    });
+    all
+}
+
 struct Weaver<'a> {
     arguments: &'a Weave,
     options: Options,
@@ -78,10 +96,44 @@ struct Weaver<'a> {
 
 impl Weaver<'_> {
     fn say(&self, line: &str) -> io::Result<()> {
-        if self.output.format == Format::Json { Ok(()) } else { self.output.line(line) }
+        if self.output.format == Format::Json || self.output.quiet { Ok(()) } else { self.output.line(line) }
+    }
+
+    /// Standard input with its results, on standard output.
+    fn standard(&self) -> Ran {
+        let (bytes, kind) = standard_input(self.arguments.kind.map(Container::from)).map_err(failed)?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            let message = format!("standard input is not UTF-8 (byte {at})");
+            failed(Diagnostic::error(Code::Encoding, message).hint("turn it into UTF-8 first"))
+        })?;
+        let file = SourceFile::new("standard input", text);
+        let woven = match kind {
+            Container::Markdown => weave_markdown(&file, &self.options),
+            Container::Notebook => weave_notebook(&file, &self.options),
+            Container::Latex | Container::Rst => {
+                let hint = "weave Markdown or a notebook so, and LaTeX as a file";
+                return Err(usage("results are written into no such page from standard input", hint));
+            }
+        };
+        self.tell(&woven);
+        if !self.arguments.check {
+            self.output.text(&woven.text)?;
+            return Ok(ended(&woven));
+        }
+        self.finish(file.name(), &woven)
     }
 
     fn file(&self, path: &Path) -> Ran {
+        if path == Path::new(STANDARD) {
+            return match self.arguments.output.as_deref() {
+                Some(target) if target != Path::new(STANDARD) => Err(usage(
+                    "a page from standard input goes to standard output",
+                    "leave out -o, and write > FILE after the command",
+                )),
+                _ => self.standard(),
+            };
+        }
         let input = read_input(path).map_err(failed)?;
         match (Container::of(path).map_err(failed)?, &self.arguments.output) {
             (Container::Rst, _) => Err(usage(
@@ -137,15 +189,10 @@ impl Weaver<'_> {
         if self.output.format == Format::Json {
             self.output.line(&summary(name, woven).to_string())?;
         } else {
-            self.output.line(&format!("{name}: {what}"))?;
+            self.say(&format!("{name}: {what}"))?;
         }
-        Ok(if woven.failed {
-            Status::Failed
-        } else if woven.refuted > 0 || (self.arguments.check && changed > 0) {
-            Status::Refuted
-        } else {
-            Status::Fine
-        })
+        let stale = if self.arguments.check && changed > 0 { Status::Refuted } else { Status::Fine };
+        Ok(ended(woven).max(stale))
     }
 
     /// The options for a document whose pictures stand beside it.
@@ -194,7 +241,7 @@ impl Weaver<'_> {
     /// A copy that holds results in place of queries. With a problem there is none.
     fn copy(&self, kind: Container, path: &Path, input: &Input, target: &Path) -> Ran {
         let name = path.display().to_string();
-        let standard = target == Path::new("-");
+        let standard = target == Path::new(STANDARD);
         if !standard && identity(path) == identity(target) {
             return Err(usage(
                 "the copy would take the place of its source",
@@ -281,6 +328,15 @@ impl Weaver<'_> {
     }
 }
 
+/// How the queries went.
+fn ended(woven: &Woven) -> Status {
+    match (woven.failed, woven.refuted) {
+        (true, _) => Status::Failed,
+        (false, 0) => Status::Fine,
+        (false, _) => Status::Refuted,
+    }
+}
+
 fn summary(name: &str, woven: &Woven) -> serde_json::Value {
     let stale: BTreeSet<(String, usize)> = woven
         .stale
@@ -312,11 +368,6 @@ fn first_difference(old: &str, new: &str) -> Span {
         at += a.len();
     }
     Span::new(at.min(old.len()), old.len())
-}
-
-/// The same for all names of a file.
-fn identity(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
 fn failed(problem: Diagnostic) -> Stop {

@@ -20,25 +20,39 @@ pub const MAX_BYTES: u64 = 64 << 20;
 const MAX_FILES: usize = 1000;
 const MAX_DEPTH: usize = 20;
 
+/// How files are read.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// How the first file is written, if the ending of its name does not tell.
+    pub kind: Option<Container>,
+    /// Macros that are known before the first line.
+    pub macros: Macros,
+    /// What stands in the first file, if that is not yet saved: it is then not read.
+    pub text: Option<String>,
+}
+
 /// Reads a file of notes and all that it includes (by `\input` and its kin in LaTeX, by the directive `include` of
 /// MyST and reStructuredText, by `{{< include … >}}` of Quarto, by `{{#include …}}` of mdBook), in this order: the
 /// file itself, then the others in the order of reading. They share their macros.
 ///
-/// The ending of the name tells how it is written, unless `kind` says so.
+/// The ending of the name tells how it is written, unless `reading` says so.
 ///
 /// # Errors
 /// [`Code::File`] if the file cannot be read or is too long, [`Code::FileKind`] if its ending is unknown; an
 /// included one is a problem of the one that includes it.
-pub fn read_files(path: &Path, kind: Option<Container>) -> Result<Vec<Document>, Diagnostic> {
-    let known = kind.map_or_else(|| Container::of(path), Ok);
+pub fn read_files(path: &Path, reading: &Reading) -> Result<Vec<Document>, Diagnostic> {
+    let known = reading.kind.map_or_else(|| Container::of(path), Ok);
     if let Err(problem) = &known
         && path.is_file()
     {
         return Err(problem.clone());
     }
-    let (file, problems) = load(path)?;
+    let (file, problems) = match &reading.text {
+        None => load(path)?,
+        Some(text) => (SourceFile::new(path.display().to_string(), text.as_str()), Vec::new()),
+    };
     let kind = known?;
-    let out = Collector::with(Default::default(), problems);
+    let out = Collector::with(reading.macros.clone(), problems);
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();
     let mut loader = Loader { folder, documents: Vec::new(), open: Vec::new(), read: HashSet::new() };
     match kind {
@@ -52,13 +66,28 @@ pub fn read_files(path: &Path, kind: Option<Container>) -> Result<Vec<Document>,
 ///
 /// # Errors
 /// If the bytes are too many or no text.
-pub fn read_text(name: &str, bytes: Vec<u8>, kind: Container) -> Result<Document, Diagnostic> {
+pub fn read_text(
+    name: &str,
+    bytes: Vec<u8>,
+    kind: Container,
+    macros: &Macros,
+) -> Result<Document, Diagnostic> {
     let (file, problems) = decoded(name, bytes)?;
-    Ok(one(file, kind, problems))
+    Ok(one(file, kind, Collector::with(macros.clone(), problems)))
 }
 
-fn one(file: SourceFile, kind: Container, problems: Vec<Diagnostic>) -> Document {
-    let mut out = Collector::with(Default::default(), problems);
+/// The macros that a file of LaTeX defines.
+///
+/// # Errors
+/// If the file cannot be read, or is too long.
+pub fn read_macros(path: &Path) -> Result<Macros, Diagnostic> {
+    let (file, problems) = load(path)?;
+    let mut out = Collector::with(Macros::default(), problems);
+    scan(file.text(), Container::Latex, &mut out);
+    Ok(out.macros)
+}
+
+fn one(file: SourceFile, kind: Container, mut out: Collector) -> Document {
     scan(file.text(), kind, &mut out);
     for Include { name, place } in std::mem::take(&mut out.includes) {
         let unread = Diagnostic::warning(Code::Include, format!("the included file {name} was not read"));

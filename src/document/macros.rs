@@ -36,7 +36,7 @@ struct Macro {
 
 /// The macros defined so far.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Macros {
+pub struct Macros {
     table: HashMap<String, Macro>,
     /// Environments of the kind of theorems: `\newtheorem{name}{Title}`.
     pub(super) theorems: HashSet<String>,

@@ -37,8 +37,9 @@ mod tex_parts;
 mod text;
 mod vocabulary;
 
-pub use files::{MAX_BYTES, read_files, read_text};
+pub use files::{MAX_BYTES, Reading, read_files, read_macros, read_text};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};
+pub use macros::Macros;
 pub use notebook::{Cell, markdown_cells};
 pub use parts::{Opening, Part, PartKind, latex_parts, markdown_parts, options_in, query_at};
 

@@ -1,5 +1,7 @@
 //! A page: its statements, judged in their order.
 
+use std::sync::atomic::Ordering;
+
 use super::statement::statements;
 use crate::budget::Limits;
 use crate::document::Document;
@@ -16,7 +18,7 @@ pub struct Options {
     pub context: Option<String>,
 }
 
-/// Checks every formula of a document.
+/// Checks every formula of a document. When the limits are interrupted it ends with what it has found so far.
 ///
 /// Cost: the statements are tried on up to some hundred small instances each; each chain has the
 /// limits of the options.
@@ -31,6 +33,9 @@ pub fn check_document(document: &Document, options: &Options) -> FileReport {
         );
     }
     for statement in &statements {
+        if options.limits.interrupt.load(Ordering::Relaxed) {
+            break;
+        }
         checker.statement(statement);
     }
     let problems = [document.problems.clone(), checker.problems].concat();

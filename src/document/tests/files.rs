@@ -7,7 +7,7 @@ use super::*;
 
 /// The file itself, without those that it includes.
 fn read_file(path: &std::path::Path) -> Result<Document, crate::language::diagnostic::Diagnostic> {
-    Ok(read_files(path, None)?.swap_remove(0))
+    Ok(read_files(path, &Reading::default())?.swap_remove(0))
 }
 
 /// A folder of its own, removed at the end.
@@ -54,7 +54,7 @@ fn included_files() {
             ("parts/three.tex", b"\\documentclass{subfiles} $no$\n\\begin{document}\n$three$\n\\end{document}"),
         ],
     );
-    let all = read_files(&folder.0.join("main.tex"), None).unwrap();
+    let all = read_files(&folder.0.join("main.tex"), &Reading::default()).unwrap();
     let wanted: [(&str, Vec<&str>); 5] = [
         ("main.tex", vec!["a", "Y"]),
         ("macros.tex", vec![]),
@@ -79,7 +79,7 @@ fn inclusions_that_fail() {
             ("bin.tex", b"\0"),
         ],
     );
-    let all = read_files(&folder.0.join("a.tex"), None).unwrap();
+    let all = read_files(&folder.0.join("a.tex"), &Reading::default()).unwrap();
     assert_eq!(found(&all).into_iter().map(|notes| notes.1).collect::<Vec<_>>(), [vec!["a", "c"], vec!["b"]]);
     let place = |notes: &Document| {
         let problem = &notes.problems[0];
@@ -114,7 +114,11 @@ fn kinds_that_are_not_read() {
     assert!(typst.message.contains("Typst is not read") && typst.hints[0].contains("pandoc"), "{typst:?}");
     let unknown = read_file(&folder.0.join("b.xyz")).unwrap_err();
     assert!(unknown.message.contains(".xyz") && unknown.hints[0].contains("--as"), "{unknown:?}");
-    let named = read_files(&folder.0.join("b.xyz"), Some(Container::Markdown)).unwrap();
+    let named = read_files(
+        &folder.0.join("b.xyz"),
+        &Reading { kind: Some(Container::Markdown), ..Reading::default() },
+    )
+    .unwrap();
     assert_eq!(found(&named)[0].1, ["b"]);
     assert_eq!(found(&[read_file(&folder.0.join("c.rst")).unwrap()])[0].1, ["c"]);
     let missing = read_file(&folder.0.join("none.typ")).unwrap_err();
@@ -123,9 +127,13 @@ fn kinds_that_are_not_read() {
 
 #[test]
 fn text_from_elsewhere() {
-    let notes = read_text("standard input", b"$a$".to_vec(), Container::Markdown).unwrap();
+    let notes =
+        read_text("standard input", b"$a$".to_vec(), Container::Markdown, &Macros::default()).unwrap();
     assert_eq!((notes.file.name(), formulas(&notes).len()), ("standard input", 1));
-    assert_eq!(read_text("x", b"\0".to_vec(), Container::Markdown).unwrap_err().code, Code::Encoding);
+    assert_eq!(
+        read_text("x", b"\0".to_vec(), Container::Markdown, &Macros::default()).unwrap_err().code,
+        Code::Encoding
+    );
 }
 
 #[test]
@@ -175,7 +183,7 @@ fn files_that_pages_include() {
             ("g.md", b"{{#include c.md:3}} {{#include no.md}} {{< include a.html >}}\n\n```{include} c.md\n:start-line: 2\n```\n$g$\n"),
         ],
     );
-    let all = read_files(&folder.0.join("book/a.md"), None).unwrap();
+    let all = read_files(&folder.0.join("book/a.md"), &Reading::default()).unwrap();
     let wanted = [
         ("a.md".to_owned(), vec!["X", "a"]),
         ("b.md".to_owned(), vec!["b"]),
@@ -185,13 +193,18 @@ fn files_that_pages_include() {
     assert_eq!(found(&all), wanted);
     let told: Vec<&str> = all.iter().flat_map(|notes| &notes.problems).map(|p| p.message.as_str()).collect();
     assert_eq!(told, ["../a.md includes itself"]);
-    let all = read_files(&folder.0.join("e.rst"), None).unwrap();
+    let all = read_files(&folder.0.join("e.rst"), &Reading::default()).unwrap();
     assert_eq!(found(&all), [("e.rst".to_owned(), vec!["e"]), ("f.rst".to_owned(), vec!["f"])]);
-    let all = read_files(&folder.0.join("g.md"), None).unwrap();
+    let all = read_files(&folder.0.join("g.md"), &Reading::default()).unwrap();
     assert_eq!(found(&all), [("g.md".to_owned(), vec!["g"])]);
     let codes: Vec<Code> = all[0].problems.iter().map(|problem| problem.code).collect();
     assert_eq!(codes, [Code::Include; 4]);
-    let text =
-        read_text("standard input", b"{{< include a.qmd >}} $a$\n".to_vec(), Container::Markdown).unwrap();
+    let text = read_text(
+        "standard input",
+        b"{{< include a.qmd >}} $a$\n".to_vec(),
+        Container::Markdown,
+        &Macros::default(),
+    )
+    .unwrap();
     assert_eq!((formulas(&text).len(), text.problems[0].code), (1, Code::Include));
 }

@@ -1,4 +1,5 @@
-//! Reports about checked files: text for a terminal, JSON, SARIF 2.1.0 and a page of HTML.
+//! Reports about checked files: text for a terminal, JSON, SARIF 2.1.0, annotations of GitHub, JUnit and a page of
+//! HTML.
 //!
 //! Each report is a pure function of the findings. Wherever a place is given, lines and columns
 //! count from 1; columns count characters, in SARIF UTF-16 code units (the specification's
@@ -8,8 +9,10 @@
 mod excerpt;
 mod fingerprint;
 mod fixes;
+mod github;
 mod html;
 mod json;
+mod junit;
 mod listing;
 mod mathml;
 mod place;
@@ -23,8 +26,10 @@ use std::ops::AddAssign;
 
 pub use fingerprint::{Rule, fingerprints};
 pub use fixes::{Fix, fixed, fixes};
+pub use github::render_github;
 pub use html::render_html;
 pub use json::render_json;
+pub use junit::render_junit;
 pub use listing::{render_listing, render_listing_json};
 pub use sarif::render_sarif;
 pub use table::render_summary;
@@ -175,6 +180,24 @@ fn further_words(tally: &Tally) -> Vec<String> {
     ];
     let some = kinds.into_iter().filter(|(count, ..)| *count > 0);
     some.map(|(count, one, many)| counted(count, one, many)).collect()
+}
+
+/// The rule that a verdict falls under, if any, and what is said: the reason, the counterexample and the suggestion,
+/// each on a line.
+pub fn message(finding: &Finding) -> Option<(Rule, String)> {
+    let rule = Rule::of(finding)?;
+    let otherwise = match rule {
+        Rule::Refuted | Rule::Suspicious => "the two sides differ",
+        Rule::Undecided => "a condition or a definition is missing",
+        Rule::Unread => "outside what polarform reads",
+    };
+    let mut message = format!("{}: {}", rule.id(), finding.reason.as_deref().unwrap_or(otherwise));
+    for (label, text) in [("counterexample", &finding.witness), ("suggestion", &finding.suggestion)] {
+        if let Some(text) = text {
+            message.push_str(&format!("\n{label}: {text}"));
+        }
+    }
+    Some((rule, message))
 }
 
 /// The verdicts of claims in the order in which a person asks for them.

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 
 use super::json::pretty;
 use super::place::{Locator, Region};
-use super::{Rule, fingerprints};
-use crate::judge::finding::{FileReport, Finding};
+use super::{Rule, fingerprints, message};
+use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
 /// Where the pages about this version stand.
@@ -72,7 +72,7 @@ pub fn render_sarif(reports: &[FileReport]) -> String {
         let mut locator = Locator::new(&report.file);
         for (finding, fingerprint) in report.findings.iter().zip(fingerprints(report)) {
             let region = region(locator.region(finding.span));
-            if let Some((rule, message)) = verdict(finding) {
+            if let Some((rule, message)) = message(finding) {
                 let mut result = result(rule, &message, &artifact, &region, &fingerprint);
                 if let Some(suggestion) = &finding.suggestion {
                     result["fixes"] = json!([fix(suggestion, report.file.name(), &artifact, &region)]);
@@ -117,23 +117,6 @@ pub fn render_sarif(reports: &[FileReport]) -> String {
             "results": results,
         }],
     }))
-}
-
-/// The rule that a verdict falls under, if any, and what is said.
-fn verdict(finding: &Finding) -> Option<(Rule, String)> {
-    let rule = Rule::of(finding)?;
-    let otherwise = match rule {
-        Rule::Refuted | Rule::Suspicious => "the two sides differ",
-        Rule::Undecided => "a condition or a definition is missing",
-        Rule::Unread => "outside what polarform reads",
-    };
-    let mut message = format!("{}: {}", rule.id(), finding.reason.as_deref().unwrap_or(otherwise));
-    for (label, text) in [("counterexample", &finding.witness), ("suggestion", &finding.suggestion)] {
-        if let Some(text) = text {
-            message.push_str(&format!("\n{label}: {text}"));
-        }
-    }
-    Some((rule, message))
 }
 
 fn result(rule: Rule, message: &str, artifact: &Value, region: &Value, fingerprint: &str) -> Value {

@@ -29,6 +29,8 @@ pub struct TextOptions {
     pub color: bool,
     /// A line for every finding, not only for those a person should look at.
     pub verbose: bool,
+    /// Only what a person should look at: no numbers, nothing of what was not read.
+    pub quiet: bool,
 }
 
 /// The report for a terminal: a snippet for each refuted or suspicious finding, then a summary.
@@ -75,11 +77,13 @@ pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
             out.push_str(&snippet(finding, &report.file, &mut locator, options.color));
             out.push_str("\n\n");
         }
-        if !options.verbose {
+        if !options.verbose && !options.quiet {
             unread(&mut out, report, options.color);
         }
     }
-    out.push_str(&render_summary(reports, options.color));
+    if !options.quiet {
+        out.push_str(&render_summary(reports, options.color));
+    }
     out
 }
 

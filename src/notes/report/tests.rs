@@ -144,8 +144,8 @@ fn text() {
 #[test]
 fn text_in_color_says_the_same() {
     for verbose in [false, true] {
-        let plain = render_text(&both(), TextOptions { color: false, verbose });
-        let colored = render_text(&both(), TextOptions { color: true, verbose });
+        let plain = render_text(&both(), TextOptions { color: false, verbose, quiet: false });
+        let colored = render_text(&both(), TextOptions { color: true, verbose, quiet: false });
         let mut stripped = String::new();
         let mut rest = colored.as_str();
         while let Some((before, after)) = rest.split_once('\x1b') {
@@ -374,13 +374,26 @@ proptest! {
     #[test]
     fn any_report_can_be_written(reports in prop::collection::vec(report(), 0..3)) {
         for verbose in [false, true] {
-            let text = render_text(&reports, TextOptions { color: false, verbose });
+            let text = render_text(&reports, TextOptions { color: false, verbose, quiet: false });
             prop_assert!(!text.contains('\x1b'), "{}", text);
         }
         for json in [render_json(&reports), render_sarif(&reports), render_listing_json(&reports)] {
             prop_assert!(serde_json::from_str::<Value>(&json).is_ok());
         }
         prop_assert!(!render_listing(&reports, false).contains('\x1b'));
+        let xml = render_junit(&reports);
+        prop_assert!(roxmltree::Document::parse(&xml).is_ok(), "{}", xml);
+        for verbose in [false, true] {
+            // Whatever stands in the notes, each line is one command, and the last one has the numbers.
+            let text = render_github(&reports, verbose);
+            let lines: Vec<&str> = text.split_terminator('\n').collect();
+            let (last, commands) = lines.split_last().expect("there are numbers");
+            prop_assert!(last.starts_with("polarform: ") && !text.contains('\r'), "{}", text);
+            for command in commands {
+                let known = ["error", "warning", "notice"].map(|level| format!("::{level} file=x.md"));
+                prop_assert!(known.iter().any(|start| command.starts_with(start)), "{}", command);
+            }
+        }
         prop_assert_eq!(render_html(&reports).matches("<script").count(), 1);
     }
 }
