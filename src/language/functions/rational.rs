@@ -9,10 +9,13 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::formula;
 use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
 use crate::language::value::{Form, Value};
 use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, Point, RationalCurve};
+use crate::math::number::integer;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::Ring;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -94,6 +97,16 @@ pub(super) const TABLE: &[Builtin] = &[
                 value.as_polynomial().map_or_else(|| value.clone(), |p| Fraction::from(p.primitive_part())),
             ))
         },
+        ..NEW
+    },
+    Builtin {
+        name: "implicit",
+        parameters: &[
+            required("curve", Takes::Any, "a Bézier curve, or its coordinates as formulas").shown("c")
+        ],
+        summary: "the polynomial in x and y that vanishes on a polynomial or rational curve of the plane",
+        example: "implicit([t^2 - 1, t^3 - t])",
+        call: |_, args| implicit(args).map(|equation| Value::Scalar(Fraction::from(equation))),
         ..NEW
     },
     Builtin {
@@ -318,4 +331,51 @@ fn form(args: &Arguments, words: &[&'static str]) -> Result<&'static str> {
     words.iter().find(|known| **known == word).copied().ok_or_else(|| {
         Diagnostic::error(Code::Domain, format!("the form is {}", alternatives(words))).at(span)
     })
+}
+
+/// The irreducible equation of a plane curve.
+fn implicit(args: &Arguments) -> Result<MultiPoly> {
+    let coordinates = match args.value(0)? {
+        Value::List(items) if items.iter().all(|item| item.as_scalar().is_some()) => by_formulas(args)?,
+        _ => {
+            let (curve, form) = args.bezier(0)?;
+            let mut power = curve.power();
+            if !form.rational {
+                power.push(vec![Fraction::from(integer(1))]);
+            }
+            power
+        }
+    };
+    let Ok(coordinates) = <[Vec<Fraction>; 3]>::try_from(coordinates) else {
+        let error =
+            Diagnostic::error(Code::Shape, "only curves of the plane have one equation").at(args.span(0));
+        return Err(error.hint("give two coordinates: implicit([t^2, t^3])"));
+    };
+    let [x, y] = ["x", "y"].map(Symbol::new);
+    if coordinates.iter().flatten().any(|c| c.variables().iter().any(|s| *s == x || *s == y)) {
+        let error = Diagnostic::error(Code::Domain, "x and y are the coordinates of the equation");
+        return Err(error.at(args.span(0)).hint("choose other letters for the control points"));
+    }
+    curve::implicit_equation(&coordinates, [&x, &y]).ok_or_else(|| {
+        let error = Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0));
+        error.hint("a point has no single equation; give a curve")
+    })
+}
+
+/// Homogeneous coordinates of a curve that is given by a formula for each coordinate, over one denominator.
+fn by_formulas(args: &Arguments) -> Result<Vec<Vec<Fraction>>> {
+    let formulas = args.scalars(0)?;
+    // A sum of all letters has the same ones, and none cancels.
+    let letters = formulas.iter().flat_map(Fraction::variables).map(MultiPoly::symbol);
+    let all = Fraction::from(letters.fold(MultiPoly::constant(integer(0)), |sum, x| sum.plus(&x)));
+    let t = formula::variable_of(&all, None).at(args.span(0))?;
+    let below = formulas.iter().fold(MultiPoly::constant(integer(1)), |product, f| {
+        // The least common multiple.
+        let common = product.gcd(f.denominator());
+        let rest = f.denominator().div_exact(&common).unwrap_or_else(|| f.denominator().clone());
+        product.times(&rest)
+    });
+    let weight = Fraction::from(below);
+    let scaled = formulas.iter().map(|f| f.times(&weight)).chain([weight.clone()]);
+    scaled.map(|f| formula::coefficients_in(&f, &t).at(args.span(0))).collect()
 }

@@ -18,6 +18,7 @@ pub(crate) mod display;
 mod domain;
 mod edge;
 mod hull;
+mod implicit;
 mod integers;
 mod join;
 mod patch;
@@ -41,6 +42,7 @@ pub use curvature::{squared_curvature, torsion, turn};
 pub use domain::{Corner, Interval, Triangle};
 pub use edge::EdgeEquation;
 pub use hull::convex_hull;
+pub use implicit::implicit_equation;
 pub use join::{
     Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
     joining_conditions,
