@@ -15,6 +15,7 @@ use crate::judge::features::has_structure;
 use crate::judge::names::{Head, bases, contains};
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
+use crate::judge::statement::Role;
 use crate::language::lexicon::roles;
 use crate::language::value::Value;
 use crate::math::poly::{MonomialOrder, Symbol};
@@ -204,8 +205,10 @@ impl Suspect<'_> {
         let circular = contains(right, left) && !bases(left).is_empty();
         let plain =
             self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();
-        // k = 1^k is one apart in one instance only
-        let circular = circular && (self.failure.integers.is_empty() || !self.are_numbers());
+        // k = 1^k is one apart in one instance only; "set k = k + 1" is an assignment
+        let circular = circular
+            && (self.failure.integers.is_empty() || !self.are_numbers())
+            && self.statement.role != Some(Role::Introduced);
         self.claimed() && numbers && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }

@@ -114,8 +114,7 @@ impl Machine {
         }
         let value = self.with_locals(own, |machine| machine.eval(body))?;
         // The derivative of an undefined F is not 0.
-        if let (Some(symbol), Some(name), false) =
-            (symbol_of(&value), name_of(body, self), self.has_reading())
+        if let (Some(symbol), Some(name)) = (symbol_of(&value), name_of(body, self))
             && symbol == name
             && !orders.iter().any(|(variable, _)| *variable == symbol)
         {

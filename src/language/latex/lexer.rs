@@ -142,6 +142,15 @@ impl Lexer<'_> {
             return self.push(Tok::Number, length);
         }
         match count {
+            // 0.d_1 d_2 is no 0, and not followed by anything else
+            1 if self.text[..start].ends_with(|c: char| c.is_ascii_digit())
+                && self.rest()[1..].starts_with(|c: char| c.is_ascii_alphabetic()) =>
+            {
+                let problem =
+                    Diagnostic::error(Code::UnexpectedCharacter, "a letter after the point of a number")
+                        .hint("write a product without the point: 2 x");
+                self.bad(start, start + 2, problem);
+            }
             1 => {
                 // recognisers of scanned text write `. . .`
                 let mut dots = self.rest().char_indices().filter(|(_, c)| !matches!(c, ' ' | '\t'));

@@ -78,6 +78,7 @@ pub(super) const CUES: &[Cue] = &[
     Before("define", Role::Introduced),
     Before("set", Role::Introduced),
     Before("put", Role::Introduced),
+    Before("increment", Role::Introduced),
     Before("write", Role::Introduced),
     Before("denote by", Role::Introduced),
     Before("given by", Role::Introduced),
