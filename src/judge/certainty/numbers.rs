@@ -67,6 +67,14 @@ impl Suspect<'_> {
         else {
             return None;
         };
+        // 125/2 = 62, and 1 is left
+        let integer_part = |side: &Expr, value: &Rational, other: &Rational| {
+            matches!(&side.kind, Kind::Div(..)) && other.is_integer() && value.floor() == *other
+        };
+        let [one, other] = self.sides();
+        if integer_part(one, &left, &right) || integer_part(other, &right, &left) {
+            return Some("it may be a division with remainder".to_owned());
+        }
         // As many digits as the side shows.
         let mut finest: Option<Rational> = None;
         for side in self.sides() {
