@@ -97,10 +97,15 @@ impl Poly {
             return Err(point);
         }
         let (mut square, mut rest) = (Poly::one(), Poly::constant(self.leading_coefficient()));
-        for (factor, multiplicity) in self.square_free_factors() {
-            square *= factor.pow((multiplicity / 2) as u32);
-            if multiplicity.is_odd() {
-                rest *= factor;
+        if a.is_some() && a == b {
+            // At one number the rest may be negative where the square is 0: -t^2 at 0.
+            rest = self.clone();
+        } else {
+            for (factor, multiplicity) in self.square_free_factors() {
+                square *= factor.pow((multiplicity / 2) as u32);
+                if multiplicity.is_odd() {
+                    rest *= factor;
+                }
             }
         }
         let above = b.is_none().then(|| beyond(&rest, a.cloned().unwrap_or_else(Rational::zero)));

@@ -106,6 +106,15 @@ fn check(f: &Poly, a: Option<&Rational>, b: Option<&Rational>) -> Result<(), Tes
     Ok(())
 }
 
+#[test]
+fn one_number_is_an_interval() {
+    let f = -Poly::variable().pow(2);
+    let zero = integer(0);
+    let shown = f.positivity(Some(&zero), Some(&zero)).expect("it is 0 there");
+    assert!(proves(&shown, &f, Some(&zero), Some(&zero)), "{shown:?}");
+    assert_eq!(f.positivity(Some(&integer(1)), Some(&integer(1))).unwrap_err(), integer(1));
+}
+
 proptest! {
     #[test]
     fn roots_keep_their_promises(f in any_poly(9), a in -6i64..7, b in -6i64..7, k in 1u32..3, g in any_poly(4)) {
