@@ -90,6 +90,11 @@ pub(super) fn is_definer(name: &str) -> bool {
 }
 
 impl Macros {
+    /// What the page, or else a package, defines under a name.
+    fn known(&self, name: &str) -> Option<&Macro> {
+        self.table.get(name).or_else(|| OF_PACKAGES.table.get(name))
+    }
+
     /// What a macro without arguments stands for.
     pub(super) fn body(&self, name: &str) -> Option<&str> {
         self.table.get(name).filter(|known| known.arguments.is_empty()).map(|known| known.body.as_str())
@@ -174,12 +179,8 @@ impl Macros {
 
     /// The text without its definitions and with its macros replaced, and the first problem met.
     pub(super) fn expand(&mut self, input: Text) -> (Text, Option<Diagnostic>) {
-        let defines = || DEFINERS.iter().any(|name| input.text.contains(name));
-        let packaged = || {
-            let mut commands = input.text.match_indices('\\').map(|(at, _)| command_name(&input.text, at));
-            commands.any(|name| OF_PACKAGES.table.contains_key(name))
-        };
-        if !input.text.contains('\\') || (self.table.is_empty() && !defines() && !packaged()) {
+        let mut commands = input.text.match_indices('\\').map(|(at, _)| command_name(&input.text, at));
+        if !commands.any(|name| is_definer(name) || self.known(name).is_some()) {
             return (input, None);
         }
         let mut output = Text::default();
@@ -222,7 +223,7 @@ impl Expansion<'_> {
                 said = at;
                 continue;
             }
-            let Some(known) = self.macros.table.get(name).or_else(|| OF_PACKAGES.table.get(name)) else {
+            let Some(known) = self.macros.known(name) else {
                 at = after;
                 continue;
             };

@@ -206,15 +206,20 @@ impl Checker {
 
     /// Adds a definition that later formulas use.
     pub(super) fn define(&mut self, head: Head, body: Body, conditions: &[Expr], place: &Place, span: Span) {
-        let definition = Definition {
-            head,
-            body,
-            conditions: conditions.to_vec(),
-            place: place.clone(),
-            line: self.line(span),
-            assumed: false,
-            source: Source::Page,
-        };
+        self.define_by(Source::Page, head, body, conditions, place, span);
+    }
+
+    pub(super) fn define_by(
+        &mut self,
+        source: Source,
+        head: Head,
+        body: Body,
+        conditions: &[Expr],
+        place: &Place,
+        span: Span,
+    ) {
+        let (conditions, place, line) = (conditions.to_vec(), place.clone(), self.line(span));
+        let definition = Definition { head, body, conditions, place, line, assumed: false, source };
         Rc::make_mut(&mut self.context).define(definition);
     }
 

@@ -5,8 +5,6 @@
 //! formula is not judged. What a block of queries defines is declared, too: weaving runs the block, and
 //! the text around it speaks of its names.
 
-use std::rc::Rc;
-
 use super::check::Checker;
 use super::context::{Body, Definition, Source};
 use super::names::{Head, bases, walk};
@@ -144,12 +142,7 @@ impl Checker {
                 _ => false,
             };
             if defines {
-                let line = self.file.line_column(span.start).0;
-                let body = Body::Formula(links[0].expr.clone());
-                let (place, conditions) = (place.clone(), Vec::new());
-                let (assumed, source) = (false, Source::Query);
-                let definition = Definition { head, body, conditions, place, line, assumed, source };
-                Rc::make_mut(&mut self.context).define(definition);
+                self.define_by(Source::Query, head, Body::Formula(links[0].expr.clone()), &[], place, span);
             }
         }
     }
@@ -161,11 +154,7 @@ impl Checker {
                 || (links[0].rel == Rel::Eq && links.len() == 1 && matches!(left.kind, Kind::Apply(..)));
             if defines && let Some(head) = Head::of(left) {
                 let body = Body::Formula(links[0].expr.clone());
-                let (place, line) = (place.clone(), self.line(at));
-                let (assumed, source) = (false, Source::Declaration);
-                let definition =
-                    Definition { head, body, conditions: Vec::new(), place, line, assumed, source };
-                Rc::make_mut(&mut self.context).define(definition);
+                self.define_by(Source::Declaration, head, body, &[], place, at);
                 return;
             }
             self.condition(expr.clone(), at, false, place);

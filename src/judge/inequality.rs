@@ -75,10 +75,12 @@ pub fn decide(d: &Fraction, strict: bool, range: &Range) -> Option<Decision> {
 
 /// What an inequality says is positive, or not negative (false).
 pub fn positive(judgement: &Judgement) -> Option<(Fraction, bool)> {
-    let (Value::Scalar(left), Value::Scalar(right)) = (&judgement.left, &judgement.right) else {
-        return None;
-    };
-    Some(match judgement.rel {
+    positive_of(judgement.rel, &judgement.left, &judgement.right)
+}
+
+fn positive_of(rel: Rel, left: &Value, right: &Value) -> Option<(Fraction, bool)> {
+    let (left, right) = (left.as_scalar()?, right.as_scalar()?);
+    Some(match rel {
         Rel::Gt => (left.minus(right), true),
         Rel::Ge => (left.minus(right), false),
         Rel::Lt => (right.minus(left), true),
@@ -145,17 +147,14 @@ pub(super) fn inequality(
     conditions: &[Expr],
     domain: Domain,
 ) -> Outcome {
-    let (Value::Scalar(a), Value::Scalar(b)) = (left, right) else {
+    let Some((difference, strict)) = positive_of(rel, left, right) else {
         return Outcome::Unclear("only numbers can be ordered".to_owned());
     };
-    let (larger, smaller) = if matches!(rel, Rel::Ge | Rel::Gt) { (a, b) } else { (b, a) };
-    let difference = larger.minus(smaller);
-    let strict = matches!(rel, Rel::Lt | Rel::Gt);
     let fails = |assignment: Vec<(Symbol, Rational)>| {
-        let put = |formula: &Fraction| {
-            formula.value(&|s| assignment.iter().find(|(name, _)| name == s).map(|(_, value)| value.clone()))
-        };
-        let (Some(left_value), Some(right_value)) = (put(a), put(b)) else {
+        let number =
+            |s: &Symbol| assignment.iter().find(|(name, _)| name == s).map(|(_, value)| value.clone());
+        let put = |value: &Value| value.as_scalar()?.value(&number);
+        let (Some(left_value), Some(right_value)) = (put(left), put(right)) else {
             return Outcome::Unclear("it fails somewhere in the range".to_owned());
         };
         let witness = Witness { assignment, left: left_value, right: right_value };

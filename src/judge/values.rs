@@ -11,7 +11,7 @@ use crate::math::blossom::laws::Arrangement;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 /// Judges one relation between two values.
 pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnostic> {
@@ -81,14 +81,12 @@ fn order(judgement: &mut Judgement) {
         return;
     }
     let (Some(a), Some(b)) = (judgement.left.as_scalar(), judgement.right.as_scalar()) else { return };
-    let difference = a.minus(b);
-    if let Some(d) = difference.as_rational() {
-        let true_everywhere = holds(&d, &Rational::zero());
+    let Some((positive, strict)) = inequality::positive(judgement) else { return };
+    if let Some(d) = positive.as_rational() {
+        let true_everywhere = d.is_positive() || d.is_zero() && !strict;
         judgement.verdict = if true_everywhere { Verdict::Proved } else { Verdict::Refuted };
         return;
     }
-    let positive = if matches!(rel, Rel::Lt | Rel::Le) { -difference } else { difference };
-    let strict = matches!(rel, Rel::Lt | Rel::Gt);
     let witness = match inequality::decide(&positive, strict, &Range::default()) {
         Some(Decision::Holds) => {
             judgement.verdict = Verdict::Proved;

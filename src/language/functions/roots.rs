@@ -26,6 +26,10 @@ const LETTER: Parameter =
 const POLYNOMIAL: Parameter =
     required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients");
 
+const LOWER: Parameter = optional("a", Takes::Number, "no bound", "the lower end");
+
+const UPPER: Parameter = optional("b", Takes::Number, "no bound", "the upper end");
+
 const WIDTH: Parameter = named(
     "width=1/1000",
     Takes::Number,
@@ -36,13 +40,7 @@ const WIDTH: Parameter = named(
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "roots",
-        parameters: &[
-            POLYNOMIAL,
-            optional("a", Takes::Number, "no bound", "the lower end"),
-            optional("b", Takes::Number, "no bound", "the upper end"),
-            WIDTH,
-            VARIABLE,
-        ],
+        parameters: &[POLYNOMIAL, LOWER, UPPER, WIDTH, VARIABLE],
         summary: "the real roots in increasing order, each as often as its multiplicity, exactly",
         example: "roots((t - 1)^2 (t^2 - 2))",
         call: roots,
@@ -96,12 +94,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "positivity",
-        parameters: &[
-            POLYNOMIAL,
-            optional("a", Takes::Number, "no bound", "the lower end"),
-            optional("b", Takes::Number, "no bound", "the upper end"),
-            VARIABLE,
-        ],
+        parameters: &[POLYNOMIAL, LOWER, UPPER, VARIABLE],
         common: &[LANG],
         summary: "why F >= 0 on [a, b], by coefficients that anybody can check, or where F < 0",
         example: "positivity(t^2 - t + 1/3, 0, 1)",

@@ -7,8 +7,9 @@
 //! S. Basu, R. Pollack, M.-F. Roy, "Algorithms in Real Algebraic Geometry", section 2.2.2.
 
 use num_integer::Integer;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
+use super::bernstein;
 use crate::math::number::{Int, Rational};
 use crate::math::poly::{Poly, dense, dense_compose};
 
@@ -38,28 +39,18 @@ impl Sturm {
 
     /// V(x)
     fn sign_changes(&self, x: &Rational) -> usize {
-        let signs = self.0.iter().map(|p| dense_compose::homogeneous_value(p, x.numer(), x.denom()).signum());
-        count_changes(signs)
+        let value = |p: &Vec<Int>| dense_compose::homogeneous_value(p, x.numer(), x.denom());
+        bernstein::sign_changes(&self.0.iter().map(value).collect::<Vec<_>>())
     }
 
     /// V at infinity or, with `negative`, at minus infinity.
     fn sign_changes_at_infinity(&self, negative: bool) -> usize {
-        let signs = self.0.iter().filter_map(|p| {
+        let sign = |p: &Vec<Int>| {
             let sign = p.last()?.signum();
             Some(if negative && p.len().is_even() { -sign } else { sign })
-        });
-        count_changes(signs)
+        };
+        bernstein::sign_changes(&self.0.iter().filter_map(sign).collect::<Vec<_>>())
     }
-}
-
-fn count_changes(signs: impl Iterator<Item = Int>) -> usize {
-    let mut previous = Int::ZERO;
-    let mut changes = 0;
-    for sign in signs.filter(|s| !s.is_zero()) {
-        changes += usize::from((&sign * &previous).is_negative());
-        previous = sign;
-    }
-    changes
 }
 
 impl Poly {
