@@ -136,9 +136,14 @@ impl Drop for Restore {
 /// assert_eq!(result, Err(Stop::Terms { needed: 1000, allowed: 10 }));
 /// ```
 pub fn run<T>(limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
+    run_since(Instant::now(), limits, work)
+}
+
+/// The same with work that began earlier, some of which is done: the limit on time counts from then on.
+pub fn run_since<T>(began: Instant, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
     let active = Active {
         limits: limits.clone(),
-        deadline: limits.time.and_then(|time| Instant::now().checked_add(time)),
+        deadline: limits.time.and_then(|time| began.checked_add(time)),
         countdown: STEPS_PER_LOOK,
         spent: 0,
     };
@@ -234,6 +239,17 @@ mod tests {
         });
         assert_eq!(stopped, Err::<(), _>(Stop::Time(Duration::from_millis(5))));
         steps(1_000_000); // no limits outside
+    }
+
+    #[test]
+    fn time_may_have_begun_earlier() {
+        let limits = Limits { time: Some(Duration::from_secs(3600)), ..Limits::default() };
+        let early = Instant::now().checked_sub(Duration::from_secs(3601));
+        if let Some(early) = early {
+            let stopped = run_since(early, &limits, || steps(1000));
+            assert_eq!(stopped, Err(Stop::Time(Duration::from_secs(3600))));
+        }
+        assert_eq!(run_since(Instant::now(), &limits, || steps(1000)), Ok(()));
     }
 
     #[test]

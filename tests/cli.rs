@@ -194,12 +194,14 @@ fn files_that_can_be_run_and_files_that_cannot() {
 
     let binary = Scratch::new("binary.pf", b"1 + 1\n\xff\xfe\n");
     let directory = env!("CARGO_TARGET_TMPDIR");
-    for (path, words) in
-        [("no/such/file.pf", "no/such/file.pf"), (directory, "directory"), (binary.path(), "UTF-8")]
-    {
+    for (path, code, words) in [
+        ("no/such/file.pf", "E501", "no/such/file.pf"),
+        (directory, "E501", "directory"),
+        (binary.path(), "E606", "UTF-8"),
+    ] {
         let ran = run(&["run", path]);
         assert_eq!((ran.status, ran.out.as_str()), (Some(2), ""), "{path}");
-        assert!(ran.err.contains("error[E501]") && ran.err.contains(words), "{}", ran.err);
+        assert!(ran.err.starts_with(&format!("error[{code}]")) && ran.err.contains(words), "{}", ran.err);
     }
 }
 
@@ -472,6 +474,66 @@ fn help_that_cannot_be_printed_is_a_failure() {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let status = crate::common::command(&[argument]).stdout(full).status().unwrap();
         assert!(!status.success(), "{argument}");
+    }
+}
+
+/// Whatever is read has an end, wherever its name is given.
+#[cfg(target_os = "linux")]
+#[test]
+fn files_without_an_end_are_refused() {
+    let folder = crate::common::folder::Folder::new("endless");
+    let (page, zero) = (folder.write("a.md", "$1 + 1 = 2$\n"), "/dev/zero");
+    let settings = ["context", "macros", "baseline"]
+        .map(|key| folder.write(&format!("{key}.toml"), format!("[notes]\n{key} = '{zero}'\n")));
+    let mut cases = vec![
+        vec!["run", zero],
+        vec!["weave", "/dev/zero"],
+        vec!["notes", "check", &page, "--context", zero],
+        vec!["notes", "check", &page, "--macros", zero],
+        vec!["notes", "check", &page, "--config", zero],
+        vec!["notes", "check", "--as", "markdown", zero],
+    ];
+    cases.extend(settings.iter().map(|path| vec!["notes", "check", &page, "--config", path]));
+    for arguments in cases {
+        let ran = run(&arguments);
+        assert_eq!(ran.status, Some(2), "{arguments:?}: {}", ran.out);
+        assert!(ran.err.contains("longer than 64 MiB"), "{arguments:?}: {}", ran.err);
+    }
+    for arguments in
+        [vec!["run", "-"], vec!["weave", "-"], vec!["weave", "--mdbook"], vec!["notes", "check", "-"]]
+    {
+        let endless = std::fs::File::open(zero).unwrap();
+        let output = crate::common::command(&arguments).stdin(endless).output().unwrap();
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(told.contains("longer than 64 MiB"), "{arguments:?}: {told}");
+    }
+}
+
+/// A name with characters that a terminal obeys is shown without them.
+#[cfg(unix)]
+#[test]
+fn names_of_files_are_shown_harmlessly() {
+    let folder = crate::common::folder::Folder::new("names");
+    let page = folder.write("a\u{1b}[31m\n.md", "{{ 1 + 1 }} and $1 + 1 = 2$\n");
+    let missing = folder.path("b\u{1b}[31m.md");
+    let report = folder.path("c\u{1b}[31m.json");
+    for arguments in [
+        vec!["weave", page.as_str()],
+        vec!["weave", &missing],
+        vec!["run", &missing],
+        vec!["notes", "check", &page],
+        vec!["notes", "check", &missing],
+        vec!["notes", "check", &page, "--report", "json", "-o", &report],
+        vec!["notes", "list", &page],
+    ] {
+        let ran = run(&arguments);
+        assert!(
+            !ran.out.contains('\u{1b}') && !ran.err.contains('\u{1b}'),
+            "{arguments:?}: {}{}",
+            ran.out,
+            ran.err
+        );
     }
 }
 

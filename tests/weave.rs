@@ -144,6 +144,37 @@ fn files_that_cannot_be_woven() {
     assert!(folder.read("good.md").starts_with("$2$<!-- {{ 1 + 1 }} -->\n"));
 }
 
+/// Pictures are written beside their document, whatever links stand there.
+#[cfg(unix)]
+#[test]
+fn links_out_of_the_folder_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let (folder, outside) = (Folder::new("links"), Folder::new("outside"));
+    let notes = folder.write("notes.md", "```polarform picture=figures/a\nfigure_basis(2)\n```\n");
+    symlink(&outside.0, folder.path("figures")).unwrap();
+    let refused = |what: &str| {
+        let ran = run(&["weave", &notes]);
+        assert_eq!(ran.status, Some(2));
+        assert!(ran.err.contains(what), "{}", ran.err);
+    };
+    refused("leads out of the folder");
+    assert!(outside.files().is_empty());
+    fs::remove_file(folder.path("figures")).unwrap();
+    fs::create_dir(folder.path("figures")).unwrap();
+    let other = outside.write("b.svg", "<svg class=\"polarform\"/>");
+    symlink(&other, folder.path("figures/a.svg")).unwrap();
+    refused("leads out of the folder");
+    fs::remove_file(&other).unwrap();
+    refused("leads nowhere");
+    assert!(outside.files().is_empty());
+    // Within the folder, links are followed.
+    fs::remove_dir_all(folder.path("figures")).unwrap();
+    fs::create_dir(folder.path("pictures")).unwrap();
+    symlink(folder.path("pictures"), folder.path("figures")).unwrap();
+    assert_eq!(run(&["weave", &notes]).status, Some(0));
+    assert!(folder.read("pictures/a.svg").contains("class=\"polarform"));
+}
+
 #[test]
 fn blocks_that_are_never_closed_and_bad_options() {
     let folder = Folder::new("unclosed");

@@ -122,6 +122,7 @@ impl<'o> ArgumentReader<'o> {
     pub fn evaluate(&self, session: &mut Session, mut query: Expr) -> Failed<Value> {
         let texts: Vec<&str> = self.files.iter().map(|(_, file)| file.text()).collect();
         let waiting = Waiting::of(&texts.join(", "));
+        self.output.begin();
         let evaluated = session.evaluate(&mut query, Equals::Claims);
         drop(waiting);
         match evaluated {

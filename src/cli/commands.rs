@@ -349,6 +349,7 @@ impl<'a> Printer<'a> {
     /// Runs the statement at `span` and prints its answers; whether to go on.
     fn run(&mut self, session: &mut Session, span: Span) -> bool {
         let mut waiting = Some(Waiting::of(self.file.slice(span)));
+        self.output.begin();
         session.run_span(self.file, span, |_, result| {
             waiting = None;
             self.answer(result)
@@ -403,6 +404,8 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
     if !claim {
         output.value(&answer.outcome.value, answer.name())?;
     }
+    // Of several statements the next one begins.
+    output.begin();
     Ok(match &answer.outcome.value {
         Value::Claim(claim) => match claim.verdict() {
             Verdict::Proved | Verdict::Sampled => Status::Fine,

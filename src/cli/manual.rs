@@ -11,7 +11,7 @@ use clap_mangen::Man;
 use super::Status;
 use super::arguments::Arguments;
 use super::commands::{Ran, Stop};
-use super::output::Output;
+use super::output::{Output, shown};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::session::Failure;
@@ -35,7 +35,7 @@ pub(super) fn man(words: &[String], folder: Option<&Path>, output: &Output) -> R
             let message = format!("cannot write the pages into {}: {error}", folder.display());
             failed(Diagnostic::error(Code::File, message).hint("name another folder"), "")
         })?;
-        output.remark(&format!("{count} manual pages written to {}", folder.display()));
+        output.remark(&format!("{count} manual pages written to {}", shown(folder)));
         return Ok(Status::Fine);
     }
     let mut command = &program;

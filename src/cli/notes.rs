@@ -15,9 +15,9 @@ use super::commands::{Ran, Stop};
 use super::notes_arguments::{Notes, NotesCheck, ReportKind};
 use super::notes_config::Config;
 use super::notes_input::{Input, STANDARD, expanded, gather, identity, read_all};
-use super::output::Output;
+use super::output::{Output, shown};
 use super::watch::Watch;
-use crate::document::{Container, Reading, read_macros};
+use crate::document::{Container, Reading, read_macros, read_string};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::{FileReport, Verdict};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -157,9 +157,7 @@ impl Check<'_> {
     fn options(&self) -> Result<Options, Stop> {
         let context = match self.arguments.context.as_ref().or(self.config.context.as_ref()) {
             None => None,
-            Some(path) => Some(fs::read_to_string(path).map_err(|error| {
-                failed(Diagnostic::error(Code::File, format!("cannot read {}: {error}", path.display())))
-            })?),
+            Some(path) => Some(read_string(path).map_err(failed)?),
         };
         Ok(Options { limits: self.global.limits_or(SECONDS), context })
     }
@@ -300,7 +298,7 @@ impl Check<'_> {
                 })?;
                 if !self.output.quiet {
                     let summary = render_summary(&reports, color.wanted(io::stdout().is_terminal()));
-                    self.output.text(&format!("{summary}written to {}\n", path.display()))?;
+                    self.output.text(&format!("{summary}written to {}\n", shown(path)))?;
                 }
             }
         }
@@ -368,7 +366,7 @@ impl Check<'_> {
             }
             self.output.remark(&format!("watching {}; Ctrl-C ends", counted(files.len())));
             let Some(changed) = watch.wait() else { return Ok(status) };
-            let names: Vec<String> = changed.iter().map(|path| path.display().to_string()).collect();
+            let names: Vec<String> = changed.iter().map(|path| shown(path)).collect();
             self.output.remark(&format!("{} changed", names.join(", ")));
             let mut shared = self.arguments.context.iter().chain(&self.arguments.macros);
             let everything = shared.any(|path| changed.contains(path));

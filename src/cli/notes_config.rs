@@ -22,6 +22,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::argument_reader::Failed;
+use crate::document::read_string;
 use crate::formula::source::{SourceFile, Span};
 use crate::judge::finding::{FileReport, Finding};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
@@ -55,10 +56,8 @@ impl Config {
     pub fn load(named: Option<&Path>, folder: &Path) -> Failed<Config> {
         let found = || folder.ancestors().map(|folder| folder.join(NAME)).find(|path| path.is_file());
         let Some(path) = named.map(Path::to_owned).or_else(found) else { return Ok(Config::default()) };
-        let text = fs::read_to_string(&path).map_err(|error| {
-            let problem = Diagnostic::error(Code::File, format!("cannot read {}: {error}", path.display()));
-            Box::new(Failure { problem, file: SourceFile::new("<files>", "") })
-        })?;
+        let text = read_string(&path)
+            .map_err(|problem| Box::new(Failure { problem, file: SourceFile::new("<files>", "") }))?;
         let file = SourceFile::new(path.display().to_string(), text);
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
         Config::parse(&file, &folder).map_err(|problem| Box::new(Failure { problem, file }))
@@ -230,7 +229,7 @@ fn baseline(path: &Path) -> Result<BTreeSet<(String, String)>, Diagnostic> {
         Diagnostic::error(Code::File, format!("{}: {what}", path.display()))
             .hint(format!("write it anew with --write-baseline {}", path.display()))
     };
-    let text = fs::read_to_string(path).map_err(|error| wrong(&error.to_string()))?;
+    let text = read_string(path)?;
     let list: Value = serde_json::from_str(&text).map_err(|_| wrong("this is not a baseline"))?;
     let known = list["known"].as_array().ok_or_else(|| wrong("this is not a baseline"))?;
     let word = |entry: &Value, name: &str| entry[name].as_str().map(str::to_owned);

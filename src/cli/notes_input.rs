@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -10,7 +10,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::{ThreadPool, prelude::*};
 
-use crate::document::{Container, Document, MAX_BYTES, Reading, read_files, read_text};
+use crate::document::{Container, Document, Reading, read_files, read_stream, read_text};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -156,11 +156,7 @@ fn read_one(path: &Path, reading: &Reading, fixing: bool, report: impl Fn(&Docum
 /// The page on standard input, and how it is written: without --as it is LaTeX or a notebook if it looks like one,
 /// else Markdown.
 pub(super) fn standard_input(kind: Option<Container>) -> Result<(Vec<u8>, Container), Diagnostic> {
-    let mut bytes = Vec::new();
-    io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| {
-        Diagnostic::error(Code::File, format!("standard input cannot be read: {error}"))
-            .hint("hand in a page, for example with < lecture.md")
-    })?;
+    let bytes = read_stream("standard input", io::stdin().lock())?;
     let begins = |with: &str| bytes.trim_ascii_start().starts_with(with.as_bytes());
     let holds = |part: &str| bytes.windows(part.len()).any(|window| window == part.as_bytes());
     let guess = || match () {

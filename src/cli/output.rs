@@ -1,12 +1,17 @@
 //! Printing results and problems.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use smallvec::SmallVec;
 
 use super::arguments::Global;
 use crate::figure::{TikzOptions, figure_json, terminal, tikz, value_json};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind};
-use crate::language::diagnostic::{Code, Diagnostic, Severity, render, render_json};
+use crate::language::diagnostic::{Code, Diagnostic, Severity, harmless, render, render_json};
 use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
     Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
@@ -18,6 +23,9 @@ use crate::session::Failure;
 
 /// Polar forms of a larger degree are written out without building the formula.
 const STREAM_ABOVE: usize = 6;
+
+/// What an argument is called, as it is printed.
+type Name = SmallVec<[u8; 16]>;
 
 /// The columns and rows of a preview.
 pub(super) const PREVIEW: (usize, usize) = (72, 20);
@@ -35,6 +43,8 @@ pub(super) struct Output {
     pub quiet: bool,
     color: bool,
     limits: crate::budget::Limits,
+    /// When the statement began that is printed.
+    began: Mutex<Instant>,
 }
 
 impl Output {
@@ -51,7 +61,13 @@ impl Output {
             quiet: global.quiet,
             color,
             limits: global.limits(),
+            began: Mutex::new(Instant::now()),
         }
+    }
+
+    /// A statement begins: what is printed of it has the time that its evaluation leaves.
+    pub fn begin(&self) {
+        *self.began.lock().unwrap_or_else(PoisonError::into_inner) = Instant::now();
     }
 
     /// One line of results.
@@ -149,32 +165,42 @@ impl Output {
             // What is too long is refused before its first line is out.
             crate::budget::charge_terms(expanded_terms(form));
             let argument = |i: usize| symbol_expr(&polar.variables[0].numbered(i as i64));
-            let names: Result<Vec<String>, Trouble> =
-                (1..=form.degree()).map(|i| self.written(&argument(i))).collect();
+            // There may be a million of them, and each is short.
+            let names: Result<Vec<Name>, Trouble> = (1..=form.degree())
+                .map(|i| {
+                    crate::budget::step();
+                    Ok(Name::from_slice(self.written(&argument(i))?.as_bytes()))
+                })
+                .collect();
             let names = names?;
-            let head = match self.format {
-                Format::Sympy => String::new(),
+            let mut out = BufWriter::new(io::stdout().lock());
+            if self.format != Format::Sympy {
                 // What stands around one argument stands around all: a formula of each takes room.
-                _ => {
-                    let function = Box::new(name.unwrap_or_else(|| Expr::name("f")));
-                    let call = self.written(&Kind::Apply(function, vec![vec![argument(1)]]).into())?;
-                    let (before, after) = call.rsplit_once(&names[0]).expect("the argument is written");
-                    format!("{before}{}{after} = ", names.join(", "))
+                let function = Box::new(name.unwrap_or_else(|| Expr::name("f")));
+                let call = self.written(&Kind::Apply(function, vec![vec![argument(1)]]).into())?;
+                let first = self.written(&argument(1))?;
+                let (before, after) = call.rsplit_once(&first).expect("the argument is written");
+                out.write_all(before.as_bytes())?;
+                for (i, name) in names.iter().enumerate() {
+                    crate::budget::step();
+                    out.write_all(if i > 0 { b", " } else { b"" })?;
+                    out.write_all(name)?;
                 }
-            };
-            let mut out = io::stdout().lock();
-            out.write_all(head.as_bytes())?;
+                write!(out, "{after} = ")?;
+            }
             match self.notation {
                 Notation::Grouped => write_grouped(&mut out, form, &names, self.format)?,
                 _ => write_expanded(&mut out, form, &names, self.format)?,
             }
-            Ok(out.write_all(b"\n")?)
+            out.write_all(b"\n")?;
+            Ok(out.flush()?)
         })?
     }
 
-    /// Does something large under the limits.
+    /// Does something large under the limits on a statement.
     pub fn limited<T>(&self, work: impl FnOnce() -> T) -> Result<T, Trouble> {
-        crate::budget::run(&self.limits, work)
+        let began = *self.began.lock().unwrap_or_else(PoisonError::into_inner);
+        crate::budget::run_since(began, &self.limits, work)
             .map_err(|stop| Trouble::Problem(Box::new(crate::session::stopped(&stop))))
     }
 
@@ -182,6 +208,11 @@ impl Output {
     pub fn written(&self, expr: &Expr) -> Result<String, Trouble> {
         write_expr(expr, self.format).map_err(|error| Trouble::problem(error.to_string()))
     }
+}
+
+/// The name of a file in a line of results.
+pub(super) fn shown(path: &Path) -> String {
+    harmless(&path.display().to_string())
 }
 
 /// Why something could not be printed.

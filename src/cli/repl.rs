@@ -13,10 +13,11 @@ use rustyline::{Config, Editor};
 use super::Status;
 use super::argument_reader::{ArgumentReader, call, named};
 use super::commands;
-use super::output::{Output, Trouble};
+use super::output::{Output, Trouble, shown};
 use super::repl_helper::Helper;
 use super::waiting::Waiting;
 use crate::budget::MOST_DEPTH;
+use crate::document::read_string;
 use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind};
@@ -232,6 +233,7 @@ impl Repl<'_> {
         let mut trouble = None;
         let (output, log) = (&*self.output, &mut self.log);
         let mut waiting = Some(Waiting::of(text));
+        output.begin();
         self.session.run_file(&file, |_, result| match result {
             Ok(answer) => {
                 waiting = None;
@@ -423,14 +425,14 @@ impl Repl<'_> {
             script.push('\n');
         }
         fs::write(path, script).map_err(|error| file_problem(path, &error))?;
-        Ok(self.output.line(&format!("saved {} statements to {path}", self.log.len()))?)
+        Ok(self.output.line(&format!("saved {} statements to {}", self.log.len(), shown(Path::new(path))))?)
     }
 
     fn load(&mut self, path: &str) -> Result<(), Trouble> {
         if path.is_empty() {
             return Err(usage(":load FILE"));
         }
-        let script = fs::read_to_string(path).map_err(|error| file_problem(path, &error))?;
+        let script = read_string(Path::new(path)).map_err(|problem| Trouble::Problem(Box::new(problem)))?;
         self.statements(&script)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
@@ -13,10 +13,10 @@ use super::arguments::{Global, Weave};
 use super::commands::{Ran, Stop};
 use super::notes_config::Config;
 use super::notes_input::{STANDARD, expanded, identity, standard_input};
-use super::output::Output;
-use crate::document::Container;
+use super::output::{Output, shown};
+use crate::document::{Container, read_bytes, read_stream, standing, utf8};
 use crate::formula::source::{SourceFile, Span};
-use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::diagnostic::{Code, Diagnostic, harmless};
 use crate::language::write::Format;
 use crate::session::Failure;
 use crate::weave::{
@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
     if let Some(folder) = &arguments.write_style {
         let path = folder.join(STYLE);
         write_file(&path, PACKAGE).map_err(failed)?;
-        weaver.say(&format!("{} written", path.display()))?;
+        weaver.say(&format!("{} written", shown(&path)))?;
     }
     if let (Some(target), [_, _, ..]) = (&arguments.output, arguments.files.as_slice()) {
         let message = format!("several files cannot go to {}", target.display());
@@ -80,7 +80,7 @@ fn weavable(files: &[PathBuf], config: &Config) -> Vec<PathBuf> {
     all.retain(|path| {
         files.contains(path)
             || match Container::of(path) {
-                Ok(Container::Latex) => fs::read(path)
+                Ok(Container::Latex) => read_bytes(path)
                     .is_ok_and(|bytes| String::from_utf8_lossy(&bytes).contains(r"\documentclass")),
                 kind => matches!(kind, Ok(Container::Markdown | Container::Notebook)),
             }
@@ -102,11 +102,7 @@ impl Weaver<'_> {
     /// Standard input with its results, on standard output.
     fn standard(&self) -> Ran {
         let (bytes, kind) = standard_input(self.arguments.kind.map(Container::from)).map_err(failed)?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let at = error.utf8_error().valid_up_to();
-            let message = format!("standard input is not UTF-8 (byte {at})");
-            failed(Diagnostic::error(Code::Encoding, message).hint("turn it into UTF-8 first"))
-        })?;
+        let text = utf8("standard input", bytes).map_err(failed)?;
         let file = SourceFile::new("standard input", text);
         let woven = match kind {
             Container::Markdown => weave_markdown(&file, &self.options),
@@ -189,7 +185,7 @@ impl Weaver<'_> {
         if self.output.format == Format::Json {
             self.output.line(&summary(name, woven).to_string())?;
         } else {
-            self.say(&format!("{name}: {what}"))?;
+            self.say(&format!("{}: {what}", harmless(name)))?;
         }
         let stale = if self.arguments.check && changed > 0 { Status::Refuted } else { Status::Fine };
         Ok(ended(woven).max(stale))
@@ -207,7 +203,9 @@ impl Weaver<'_> {
         let folder = document.parent().unwrap_or(Path::new(""));
         for (name, svg) in &woven.pictures {
             let path = folder.join(name);
-            if fs::read_to_string(&path).is_ok_and(|before| before == *svg) {
+            stays_inside(folder, &path)?;
+            let before = standing(&path);
+            if before.as_deref() == Some(svg.as_bytes()) {
                 continue;
             }
             if self.arguments.check {
@@ -215,7 +213,7 @@ impl Weaver<'_> {
                 woven.stale.push((file, Span::default()));
                 continue;
             }
-            if fs::read(&path).is_ok_and(|before| !is_ours(&before)) {
+            if path.exists() && !before.is_some_and(|before| is_ours(&before)) {
                 let message = format!("{} is there already and no picture of polarform", path.display());
                 let problem = Diagnostic::error(Code::File, message).hint("name another file: picture=...");
                 return Err(failed(problem));
@@ -248,7 +246,7 @@ impl Weaver<'_> {
                 "leave out -o to weave in place",
             ));
         }
-        let before = if standard { None } else { fs::read_to_string(target).ok() };
+        let before = if standard { None } else { standing_text(target) };
         let markdown = kind == Container::Markdown;
         if let Some(before) = before.as_ref().filter(|_| markdown)
             && copy_is_fresh(&input.file, before, &self.with_pictures(target))
@@ -268,7 +266,7 @@ impl Weaver<'_> {
                 woven.stale.push((old.clone(), first_difference(old.text(), &woven.text)));
             }
         } else if woven.failed {
-            self.say(&format!("{} was not written", target.display()))?;
+            self.say(&format!("{} was not written", shown(target)))?;
         } else if standard {
             self.output.text(&woven.text)?;
             return Ok(if woven.refuted > 0 { Status::Refuted } else { Status::Fine });
@@ -283,7 +281,7 @@ impl Weaver<'_> {
 
     fn latex(&self, path: &Path, input: &Input) -> Ran {
         let side = side_name(path);
-        let before = fs::read_to_string(&side).unwrap_or_default();
+        let before = standing_text(&side).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let mut load = |name: &str| {
             let named = [folder.join(format!("{name}.tex")), folder.join(name)];
@@ -300,7 +298,7 @@ impl Weaver<'_> {
             let style = folder.join(STYLE);
             if !style.exists() && input.file.text().contains(r"\documentclass") {
                 write_file(&style, PACKAGE).map_err(failed)?;
-                self.say(&format!("{} written", style.display()))?;
+                self.say(&format!("{} written", shown(&style)))?;
             }
         }
         self.finish(&path.display().to_string(), &woven)
@@ -312,11 +310,8 @@ impl Weaver<'_> {
             // Markdown with formulas is for every renderer.
             return Ok(Status::Fine);
         }
-        let mut text = String::new();
-        let read = io::stdin().lock().read_to_string(&mut text);
-        read.map_err(|error| {
-            failed(Diagnostic::error(Code::File, format!("cannot read the book: {error}")))
-        })?;
+        let text = read_stream("the book", io::stdin().lock()).and_then(|bytes| utf8("the book", bytes));
+        let text = text.map_err(failed)?;
         let woven = weave_book(&text, &self.options)
             .map_err(|error| usage(&error.to_string(), "mdBook starts this command; see docs/weave.md"))?;
         self.tell(&woven);
@@ -376,6 +371,30 @@ fn failed(problem: Diagnostic) -> Stop {
 
 fn usage(message: &str, hint: &str) -> Stop {
     failed(Diagnostic::error(Code::Usage, message).hint(hint))
+}
+
+/// The text that stands where one is to be written.
+fn standing_text(path: &Path) -> Option<String> {
+    standing(path).and_then(|bytes| String::from_utf8(bytes).ok())
+}
+
+/// Pictures stay in the folder of their document: a link that leads out of it is not followed.
+fn stays_inside(folder: &Path, path: &Path) -> Result<(), Stop> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    // What is not there yet will stand in the nearest folder that is.
+    let nearest = path.ancestors().find_map(|part| fs::canonicalize(part).ok());
+    let inside = fs::canonicalize(folder).is_ok_and(|folder| match nearest {
+        Some(nearest) => nearest.starts_with(folder),
+        // Nothing of a short path such as a.svg is there yet.
+        None => true,
+    });
+    if inside {
+        return Ok(());
+    }
+    let message = format!("{} leads out of the folder of the document", path.display());
+    Err(failed(
+        Diagnostic::error(Code::File, message).hint("remove the link, or name another file: picture=..."),
+    ))
 }
 
 /// Whether a file is a picture that was woven before.

@@ -1,20 +1,17 @@
 //! Files of notes, and the files they include.
 
 use std::collections::HashSet;
-use std::fs::{self, File};
-use std::io::{self, Read};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::collect::{Collector, Include};
 use super::decode::decode;
+use super::input::read_bytes;
 use super::macros::Macros;
 use super::{Container, scan, tex};
 use crate::document::Document;
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
-
-/// A longer file is refused.
-pub const MAX_BYTES: u64 = 64 << 20;
 
 /// How many files one may include, and how deep.
 const MAX_FILES: usize = 1000;
@@ -65,7 +62,7 @@ pub fn read_files(path: &Path, reading: &Reading) -> Result<Vec<Document>, Diagn
 /// Takes apart what was read from somewhere else than a file, such as standard input; it is called `name`.
 ///
 /// # Errors
-/// If the bytes are too many or no text.
+/// If the bytes are no text.
 pub fn read_text(
     name: &str,
     bytes: Vec<u8>,
@@ -292,34 +289,13 @@ impl Loader {
 
 /// The text of a file, with what had to be guessed.
 fn load(path: &Path) -> Result<(SourceFile, Vec<Diagnostic>), Diagnostic> {
-    let name = path.display().to_string();
-    let failed = |error: io::Error| match error.kind() {
-        io::ErrorKind::NotFound => problem(&name, "there is no such file", "check the path"),
-        io::ErrorKind::PermissionDenied => {
-            problem(&name, "the file may not be read", "check its permissions")
-        }
-        _ => problem(&name, &error.to_string(), "check the path"),
-    };
-    if fs::metadata(path).map_err(failed)?.is_dir() {
-        return Err(problem(&name, "this is a directory", "name the files in it"));
-    }
-    let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)).map_err(failed)?;
-    decoded(&name, bytes)
+    decoded(&path.display().to_string(), read_bytes(path)?)
 }
 
 fn decoded(name: &str, bytes: Vec<u8>) -> Result<(SourceFile, Vec<Diagnostic>), Diagnostic> {
-    if bytes.len() as u64 > MAX_BYTES {
-        let what = format!("the file has more than {} MiB, which is the limit", MAX_BYTES >> 20);
-        return Err(problem(name, &what, "split it"));
-    }
     let (text, problems) = decode(bytes).map_err(|problem| {
         let message = format!("{name}: {}", problem.message);
         Diagnostic { message, ..problem }
     })?;
     Ok((SourceFile::new(name, text), problems))
-}
-
-fn problem(name: &str, what: &str, hint: &str) -> Diagnostic {
-    Diagnostic::error(Code::File, format!("{name}: {what}")).hint(hint)
 }

@@ -24,6 +24,7 @@ mod files;
 mod front;
 mod html;
 mod inline;
+mod input;
 mod item;
 mod macros;
 mod notebook;
@@ -37,7 +38,8 @@ mod tex_parts;
 mod text;
 mod vocabulary;
 
-pub use files::{MAX_BYTES, Reading, read_files, read_macros, read_text};
+pub use files::{Reading, read_files, read_macros, read_text};
+pub use input::{MAX_BYTES, read_bytes, read_stream, read_string, standing, utf8};
 pub use item::{Document, Enclosure, Formula, Item, Places, Style};
 pub use macros::Macros;
 pub use notebook::{Cell, markdown_cells};

@@ -1,9 +1,11 @@
 //! Running the built program and writing down what it did.
 
+pub mod attack;
 pub mod derivations;
 pub mod errors;
 pub mod expressions;
 pub mod folder;
+pub mod mutation;
 pub mod pictures;
 
 use std::io::Write;

@@ -12,7 +12,7 @@ use std::time::Duration;
 use super::places::Places;
 use crate::budget::Limits;
 use crate::cli::notes_config::Config;
-use crate::document::{Container, Document, Reading, read_files, read_macros, read_text};
+use crate::document::{Container, Document, Reading, read_files, read_macros, read_string, read_text};
 use crate::formula::source::SourceFile;
 use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -140,10 +140,10 @@ fn judged(
             Err(problem) => *remark = Some(problem.message),
         }
     }
-    let context = config.context.as_ref().and_then(|path| {
-        let read = std::fs::read_to_string(path);
-        read.map_err(|error| *remark = Some(format!("cannot read {}: {error}", path.display()))).ok()
-    });
+    let context = config
+        .context
+        .as_ref()
+        .and_then(|path| read_string(path).map_err(|problem| *remark = Some(problem.message)).ok());
     let document = match &job.path {
         Some(path) => {
             let reading = Reading { kind: job.kind, macros, text: Some(job.text.clone()) };

@@ -5,7 +5,7 @@ mod render;
 mod suggest;
 
 pub use code::Code;
-pub use render::{render, render_json};
+pub use render::{harmless, render, render_json};
 #[cfg(feature = "notes")]
 pub(crate) use render::{shortened, with_column};
 pub use suggest::nearest;

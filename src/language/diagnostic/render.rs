@@ -126,6 +126,11 @@ pub fn render_json(problem: &Diagnostic, file: &SourceFile) -> Value {
     })
 }
 
+/// A text on one line, such as the name of a file, without characters that would move the cursor of a terminal.
+pub fn harmless(text: &str) -> String {
+    normalize_untrusted_str(text).replace('\n', " ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

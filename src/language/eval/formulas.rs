@@ -5,6 +5,7 @@
 
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
+use super::tools::Callable;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -79,24 +80,38 @@ impl Machine {
         span: Span,
     ) -> Result<Option<Value>, Diagnostic> {
         let Some(formula) = value.as_scalar().filter(|_| self.reading.is_none()) else { return Ok(None) };
-        let by_function = self.is_call_of_function(callee);
-        if !by_function && !self.is_computed(callee) || formula.as_rational().is_some() {
+        let function = self.called_function(callee);
+        if function.is_none() && !self.is_computed(callee) {
             return Ok(None);
+        }
+        let alone = matches!(argument.kind, Kind::Name(_) | Kind::Subscript(..)) || is_numeric(argument);
+        let ambiguous = |reason: String| {
+            Diagnostic::error(Code::AmbiguousProduct, "is this the value of the result or a product?")
+                .at(argument.span)
+                .reason(reason)
+        };
+        let product = "write * (...) for the product";
+        if formula.as_rational().is_some() {
+            // lagrange([0, 1], [5, 5])(2): a function that happens to be constant.
+            if !function.is_some_and(|function| function.gives_function()) {
+                return Ok(None);
+            }
+            if !alone {
+                return Err(ambiguous("the result is constant".to_owned()).hint(product));
+            }
+            let note =
+                Diagnostic::note(Code::Called, "the result, which is constant, is called as a function");
+            self.note(note.at(span).hint(product));
+            return Ok(Some(value.clone()));
         }
         let Ok(variable) = variable_of(formula, None) else { return Ok(None) };
         if !is_parameter(&variable) || !formula.variables().contains(&variable) {
             return Ok(None);
         }
-        let alone = matches!(argument.kind, Kind::Name(_) | Kind::Subscript(..)) || is_numeric(argument);
-        if !alone && by_function {
-            return Err(Diagnostic::error(
-                Code::AmbiguousProduct,
-                "is this the value of the result or a product?",
-            )
-            .at(argument.span)
-            .reason(format!("the result is a formula in {variable}"))
-            .hint(format!("write subs(..., {variable}=...) for the value"))
-            .hint("or write * (...) for the product"));
+        if !alone && function.is_some() {
+            return Err(ambiguous(format!("the result is a formula in {variable}"))
+                .hint(format!("write subs(..., {variable}=...) for the value"))
+                .hint(format!("or {product}")));
         }
         if !alone {
             return Ok(None);
@@ -105,7 +120,7 @@ impl Machine {
         self.note(
             Diagnostic::note(Code::Called, format!("the result is called as a function of {variable}"))
                 .at(span)
-                .hint("write * (...) for the product"),
+                .hint(product),
         );
         let value = formula.substitute(&[(variable, at)]).map_err(|_| division_by_zero()).at(span)?;
         Ok(Some(Value::Scalar(value)))
@@ -137,11 +152,11 @@ impl Machine {
         }
     }
 
-    /// Whether an expression is the call of a function of the program.
-    fn is_call_of_function(&self, expr: &Expr) -> bool {
-        let Kind::Apply(callee, _) = &expr.kind else { return false };
-        matches!(&callee.kind, Kind::Name(name)
-            if (self.tools.function)(name).is_some() && self.lookup(&Symbol::new(name)).is_none())
+    /// The function of the program of which an expression is the call.
+    fn called_function(&self, expr: &Expr) -> Option<&'static dyn Callable> {
+        let Kind::Apply(callee, _) = &expr.kind else { return None };
+        let Kind::Name(name) = &callee.kind else { return None };
+        (self.tools.function)(name).filter(|_| self.lookup(&Symbol::new(name)).is_none())
     }
 
     /// The value of a formula at an argument.

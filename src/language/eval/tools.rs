@@ -39,6 +39,9 @@ pub trait Callable {
     /// Whether it works on equations, which nobody judges then.
     fn takes_equations(&self) -> bool;
 
+    /// Whether what it gives is a function, also where the formula of that is a number.
+    fn gives_function(&self) -> bool;
+
     /// Its value.
     ///
     /// # Errors

@@ -191,6 +191,10 @@ impl Callable for Builtin {
         self.on_equations.is_some()
     }
 
+    fn gives_function(&self) -> bool {
+        self.gives_function
+    }
+
     fn run(&self, machine: &mut Machine, arguments: Arguments) -> Evaluated {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =

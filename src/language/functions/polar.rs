@@ -177,6 +177,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the polynomial F(t) = f(t, ..., t)",
         example: "diagonal(polar(t^2 + 1))",
         each: true,
+        gives_function: true,
         call: |_, args| {
             let f = args.polar(0)?;
             Ok(Value::Scalar(f.diagonal()))

@@ -110,6 +110,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
+        gives_function: true,
         call: |_, args| {
             let order = args.optional_size(2)?.unwrap_or(1);
             match args.value(0)? {
@@ -144,6 +145,7 @@ pub(super) const TABLE: &[Builtin] = &[
         on_curve: on_geometry::DERIVATIVE,
         on_surface: on_surface::DERIVATIVE,
         on_form: on_form::DERIVATIVE,
+        gives_function: true,
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))
@@ -185,6 +187,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "F(G(t)); also written F ∘ G",
         example: "compose(t^2 + 2t, t^3 + 1)",
         on_curve: on_geometry::COMPOSE,
+        gives_function: true,
         call: |_, args| calculus::compose(args.value(0)?, args.value(1)?),
         ..NEW
     },
@@ -223,6 +226,7 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: DIVISION,
         summary: "the quotient of the division of F by G with remainder",
         example: "quotient(t^3 + 1, t - 1, t)",
+        gives_function: true,
         call: |_, args| divided(args).map(|(q, _)| Value::Scalar(q)),
         ..NEW
     },
@@ -231,6 +235,7 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: DIVISION,
         summary: "the remainder of the division of F by G",
         example: "remainder(t^3 + 1, t - 1, t)",
+        gives_function: true,
         call: |_, args| divided(args).map(|(_, r)| Value::Scalar(r)),
         ..NEW
     },

@@ -27,6 +27,8 @@ pub struct Builtin {
     pub topic: &'static str,
     /// Whether it works coordinate by coordinate when its first argument is a list.
     pub each: bool,
+    /// Whether what it gives is a function, also where the formula of that is a number: `diff(t, t)(2)` is 1.
+    pub gives_function: bool,
     /// What it does when its first argument is a curve or piecewise polynomial, if that differs.
     pub on_curve: Option<Variant>,
     /// What it does when its first argument is a surface, if that differs.
@@ -95,6 +97,7 @@ impl Builtin {
             example: "",
             topic,
             each: false,
+            gives_function: false,
             on_curve: None,
             on_surface: None,
             on_form: None,

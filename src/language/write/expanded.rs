@@ -51,7 +51,7 @@ pub fn expanded_terms(form: &PolarForm<Rational>) -> u64 {
 pub fn write_expanded(
     out: &mut dyn Write,
     form: &PolarForm<Rational>,
-    names: &[String],
+    names: &[impl AsRef<[u8]>],
     format: Format,
 ) -> io::Result<()> {
     stream(out, form, names, format, false)
@@ -74,7 +74,7 @@ pub fn write_expanded(
 pub fn write_grouped(
     out: &mut dyn Write,
     form: &PolarForm<Rational>,
-    names: &[String],
+    names: &[impl AsRef<[u8]>],
     format: Format,
 ) -> io::Result<()> {
     stream(out, form, names, format, true)
@@ -83,7 +83,7 @@ pub fn write_grouped(
 fn stream(
     out: &mut dyn Write,
     form: &PolarForm<Rational>,
-    names: &[String],
+    names: &[impl AsRef<[u8]>],
     format: Format,
     grouped: bool,
 ) -> io::Result<()> {
@@ -95,16 +95,17 @@ fn stream(
         Format::Sympy => b"*",
         _ => b" ",
     };
-    let names: Vec<&[u8]> = names.iter().map(|name| name.as_bytes()).collect();
     let mut sink = Sink { out, buffer: Vec::with_capacity(2 * CHUNK) };
-    let weights = form.weights();
+    let coefficients = form.coefficients();
+    let mut weights: Vec<(usize, Rational)> = binomials_where(n, |k| !coefficients[k].is_zero())
+        .filter(|(k, _)| !coefficients[*k].is_zero())
+        .map(|(k, binomial)| (k, &coefficients[k] / Rational::from_integer(binomial)))
+        .collect();
+    weights.sort_unstable_by_key(|(k, _)| *k);
     // A single sum needs no brackets.
-    let alone = weights.iter().filter(|w| !w.is_zero()).count() == 1 && weights.iter().any(One::is_one);
+    let alone = weights.len() == 1 && weights[0].1.is_one();
     let mut first = true;
-    for (k, w) in weights.iter().enumerate().rev() {
-        if w.is_zero() {
-            continue;
-        }
+    for (k, w) in weights.into_iter().rev() {
         let bracket = grouped && k > 0 && k < n;
         let lead = coefficient(&w.abs(), k == 0, bracket, format);
         let separator: &[u8] = if w.is_negative() { b" - " } else { b" + " };
@@ -119,10 +120,10 @@ fn stream(
         if bracket {
             sink.buffer.extend_from_slice(&prefix[skip..]);
             sink.buffer.extend_from_slice(if alone { b"" } else { b"(" });
-            sink.monomials(b" + ", 3, k, &names, times)?;
+            sink.monomials(b" + ", 3, k, names, times)?;
             sink.buffer.extend_from_slice(if alone { b"" } else { b")" });
         } else {
-            sink.monomials(&prefix, skip, k, &names, times)?;
+            sink.monomials(&prefix, skip, k, names, times)?;
         }
     }
     if first {
@@ -164,7 +165,7 @@ impl Sink<'_> {
         prefix: &[u8],
         skip: usize,
         k: usize,
-        names: &[&[u8]],
+        names: &[impl AsRef<[u8]>],
         times: &[u8],
     ) -> io::Result<()> {
         let n = names.len();
@@ -180,13 +181,13 @@ impl Sink<'_> {
                     line.extend_from_slice(times);
                 }
                 starts[i] = line.len();
-                line.extend_from_slice(names[chosen[i]]);
+                line.extend_from_slice(names[chosen[i]].as_ref());
             }
             // The last place runs through all remaining names: the innermost loop.
             if let Some(last) = k.checked_sub(1) {
                 for name in &names[chosen[last]..] {
                     line.truncate(starts[last]);
-                    line.extend_from_slice(name);
+                    line.extend_from_slice(name.as_ref());
                     self.buffer.extend_from_slice(&line[skip..]);
                     skip = 0;
                 }

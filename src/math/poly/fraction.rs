@@ -7,6 +7,7 @@
 
 use std::fmt;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::sync::{Arc, LazyLock};
 
 use num_traits::{One, Zero};
 
@@ -27,8 +28,11 @@ use crate::math::ring::{Field, Ring};
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Fraction {
     numerator: MultiPoly,
-    denominator: MultiPoly,
+    /// Nothing for 1, which nearly all are: a polynomial takes no room for its denominator.
+    below: Option<Arc<MultiPoly>>,
 }
+
+static ONE: LazyLock<MultiPoly> = LazyLock::new(MultiPoly::one);
 
 /// Division by zero in an operation on fractions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +48,7 @@ impl std::error::Error for DivisionByZero {}
 
 impl From<MultiPoly> for Fraction {
     fn from(numerator: MultiPoly) -> Self {
-        Fraction { numerator, denominator: MultiPoly::one() }
+        Fraction { numerator, below: None }
     }
 }
 
@@ -67,6 +71,10 @@ impl Fraction {
         Ok(Fraction::from_coprime(exact(&numerator, &g), exact(&denominator, &g)))
     }
 
+    fn over(numerator: MultiPoly, denominator: MultiPoly) -> Self {
+        Fraction { numerator, below: (!denominator.is_one()).then(|| Arc::new(denominator)) }
+    }
+
     /// The canonical form of a quotient without common polynomial factor.
     fn from_coprime(numerator: MultiPoly, denominator: MultiPoly) -> Self {
         if numerator.is_zero() {
@@ -75,17 +83,19 @@ impl Fraction {
         let primitive = denominator.primitive_part();
         // denominator = factor · primitive with a rational factor.
         let factor = denominator.leading_coefficient() / primitive.leading_coefficient();
-        let result = Fraction { numerator: numerator.scaled(&factor.recip()), denominator: primitive };
+        let result = Fraction::over(numerator.scaled(&factor.recip()), primitive);
         debug_assert!(result.is_canonical());
         result
     }
 
     /// Whether the representation is the canonical one; always true from outside.
     pub fn is_canonical(&self) -> bool {
-        self.denominator == self.denominator.primitive_part()
-            && !self.denominator.is_zero()
-            && (self.numerator.gcd(&self.denominator).is_one() || self.numerator.is_zero())
-            && (!self.numerator.is_zero() || self.denominator.is_one())
+        let denominator = self.denominator();
+        *denominator == denominator.primitive_part()
+            && !denominator.is_zero()
+            && (self.numerator.gcd(denominator).is_one() || self.numerator.is_zero())
+            && (!self.numerator.is_zero() || denominator.is_one())
+            && self.below.as_ref().is_none_or(|denominator| !denominator.is_one())
     }
 
     /// The numerator; it holds all rational factors.
@@ -95,12 +105,12 @@ impl Fraction {
 
     /// The denominator, a primitive polynomial.
     pub fn denominator(&self) -> &MultiPoly {
-        &self.denominator
+        self.below.as_deref().unwrap_or(&ONE)
     }
 
     /// The polynomial this is, if the denominator is 1.
     pub fn as_polynomial(&self) -> Option<&MultiPoly> {
-        self.denominator.is_one().then_some(&self.numerator)
+        self.below.is_none().then_some(&self.numerator)
     }
 
     /// The rational number this is, if it is constant.
@@ -111,7 +121,7 @@ impl Fraction {
     /// All symbols that occur, in natural order.
     pub fn variables(&self) -> Vec<Symbol> {
         let mut list: Vec<Symbol> =
-            self.numerator.variables().iter().chain(self.denominator.variables()).cloned().collect();
+            self.numerator.variables().iter().chain(self.denominator().variables()).cloned().collect();
         list.sort_unstable();
         list.dedup();
         list
@@ -124,12 +134,12 @@ impl Fraction {
     pub fn pow(&self, exponent: i32) -> Result<Self, DivisionByZero> {
         let k = exponent.unsigned_abs();
         if exponent >= 0 {
-            return Ok(Fraction { numerator: self.numerator.pow(k), denominator: self.denominator.pow(k) });
+            return Ok(self.powered(k));
         }
         if self.is_zero() {
             return Err(DivisionByZero);
         }
-        Ok(Fraction::from_coprime(self.denominator.pow(k), self.numerator.pow(k)))
+        Ok(Fraction::from_coprime(self.denominator().pow(k), self.numerator.pow(k)))
     }
 
     /// Replaces symbols by fractions, all at once.
@@ -143,20 +153,20 @@ impl Fraction {
             .collect();
         if let Some(plain) = plain {
             let numerator = self.numerator.substitute(&plain);
-            if self.denominator.is_one() {
+            if self.below.is_none() {
                 return Ok(Fraction::from(numerator));
             }
-            return Fraction::new(numerator, self.denominator.substitute(&plain));
+            return Fraction::new(numerator, self.denominator().substitute(&plain));
         }
         let numerator = substitute_fractions(&self.numerator, replacements);
-        let denominator = substitute_fractions(&self.denominator, replacements);
+        let denominator = substitute_fractions(self.denominator(), replacements);
         let inverse = denominator.inverse().ok_or(DivisionByZero)?;
         Ok(numerator.times(&inverse))
     }
 
     /// ∂/∂symbol, by the quotient rule.
     pub fn derivative(&self, symbol: &Symbol) -> Self {
-        let (n, d) = (&self.numerator, &self.denominator);
+        let (n, d) = (&self.numerator, self.denominator());
         if d.degree_in(symbol) == 0 {
             return Fraction::new(n.derivative(symbol), d.clone()).unwrap_or_else(|_| self.clone());
         }
@@ -166,7 +176,7 @@ impl Fraction {
 
     /// The value at numbers for all symbols; `None` if one is missing or the denominator vanishes.
     pub fn value(&self, value: &dyn Fn(&Symbol) -> Option<Rational>) -> Option<Rational> {
-        let denominator = self.denominator.value(value).as_constant()?;
+        let denominator = self.denominator().value(value).as_constant()?;
         if denominator.is_zero() {
             return None;
         }
@@ -204,16 +214,16 @@ impl Ring for Fraction {
 
     fn plus(&self, other: &Self) -> Self {
         let (a, b) = (self, other);
-        if a.denominator.is_one() && b.denominator.is_one() {
+        if a.below.is_none() && b.below.is_none() {
             return Fraction::from(a.numerator.plus(&b.numerator));
         }
         // With g = gcd of the denominators only g can share a factor with the new numerator
         // (Henrici; Knuth, TAOCP vol. 2, 4.5.1).
-        let g = a.denominator.gcd(&b.denominator);
-        let (x, y) = (exact(&a.denominator, &g), exact(&b.denominator, &g));
+        let g = a.denominator().gcd(b.denominator());
+        let (x, y) = (exact(a.denominator(), &g), exact(b.denominator(), &g));
         let top = a.numerator.times(&y).plus(&b.numerator.times(&x));
         let h = top.gcd(&g);
-        Fraction::from_coprime(exact(&top, &h), x.times(&exact(&b.denominator, &h)))
+        Fraction::from_coprime(exact(&top, &h), x.times(&exact(b.denominator(), &h)))
     }
 
     fn minus(&self, other: &Self) -> Self {
@@ -222,29 +232,29 @@ impl Ring for Fraction {
 
     fn times(&self, other: &Self) -> Self {
         let (a, b) = (self, other);
-        if a.denominator.is_one() && b.denominator.is_one() {
+        if a.below.is_none() && b.below.is_none() {
             return Fraction::from(a.numerator.times(&b.numerator));
         }
-        let g = a.numerator.gcd(&b.denominator);
-        let h = b.numerator.gcd(&a.denominator);
+        let g = a.numerator.gcd(b.denominator());
+        let h = b.numerator.gcd(a.denominator());
         if a.is_zero() || b.is_zero() {
             return Fraction::zero();
         }
         Fraction::from_coprime(
             exact(&a.numerator, &g).times(&exact(&b.numerator, &h)),
-            exact(&a.denominator, &h).times(&exact(&b.denominator, &g)),
+            exact(a.denominator(), &h).times(&exact(b.denominator(), &g)),
         )
     }
 
     fn size(&self) -> u64 {
-        self.numerator.size() + self.denominator.size() - 1
+        self.numerator.size() + self.denominator().size() - 1
     }
 
     fn scaled(&self, q: &Rational) -> Self {
         if q.is_zero() {
             return Fraction::zero();
         }
-        Fraction { numerator: self.numerator.scaled(q), denominator: self.denominator.clone() }
+        Fraction { numerator: self.numerator.scaled(q), below: self.below.clone() }
     }
 
     fn as_rational(&self) -> Option<Rational> {
@@ -252,13 +262,17 @@ impl Ring for Fraction {
     }
 
     fn powered(&self, exponent: u32) -> Self {
-        Fraction { numerator: self.numerator.pow(exponent), denominator: self.denominator.pow(exponent) }
+        let numerator = self.numerator.pow(exponent);
+        match &self.below {
+            None => Fraction::from(numerator),
+            Some(denominator) => Fraction::over(numerator, denominator.pow(exponent)),
+        }
     }
 }
 
 impl Field for Fraction {
     fn inverse(&self) -> Option<Self> {
-        (!self.is_zero()).then(|| Fraction::from_coprime(self.denominator.clone(), self.numerator.clone()))
+        (!self.is_zero()).then(|| Fraction::from_coprime(self.denominator().clone(), self.numerator.clone()))
     }
 }
 
@@ -276,14 +290,14 @@ impl One for Fraction {
         Fraction::from(MultiPoly::one())
     }
     fn is_one(&self) -> bool {
-        self.numerator.is_one() && self.denominator.is_one()
+        self.numerator.is_one() && self.below.is_none()
     }
 }
 
 impl Neg for Fraction {
     type Output = Fraction;
     fn neg(self) -> Fraction {
-        Fraction { numerator: -self.numerator, denominator: self.denominator }
+        Fraction { numerator: -self.numerator, below: self.below }
     }
 }
 
@@ -309,7 +323,7 @@ impl fmt::Display for Fraction {
         let part = |p: &MultiPoly| if p.len() > 1 { format!("({p})") } else { p.to_string() };
         match self.as_polynomial() {
             Some(p) => write!(f, "{p}"),
-            None => write!(f, "{}/{}", part(&self.numerator), part(&self.denominator)),
+            None => write!(f, "{}/{}", part(&self.numerator), part(self.denominator())),
         }
     }
 }

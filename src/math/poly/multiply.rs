@@ -9,6 +9,8 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
+use num_traits::Zero;
+
 use super::multivariate::{Exponents, MultiPoly, Terms, aligned};
 use super::one_variable;
 use crate::budget;
@@ -153,6 +155,10 @@ fn dense(left: &[(u64, i64)], right: &[(u64, i64)], packing: &Packing) -> Terms 
     terms
 }
 
+/// The sums of all products, in a table. Many products go band by band, from the largest monomials down: a table that
+/// fits into the cache is faster than one for all, and there is never more in memory than the result and a band.
+///
+/// S. C. Johnson, "Sparse polynomial arithmetic", SIGSAM Bulletin 8 (1974), merges the rows in this order by a heap.
 fn table<C, D: std::ops::AddAssign + Default>(
     left: &[(u64, C)],
     right: &[(u64, C)],
@@ -160,17 +166,47 @@ fn table<C, D: std::ops::AddAssign + Default>(
     multiply: impl Fn(&C, &C) -> D,
     finish: impl Fn(D) -> Int,
 ) -> Terms {
+    let mut terms = Terms::new();
     let mut sums: HashMap<u64, D, BuildHasherDefault<WordHasher>> = HashMap::default();
-    for (key, c) in left {
-        budget::steps((right.len() / 64) as u32 + 1);
-        budget::charge_terms(sums.len() as u64);
-        for (other, d) in right {
-            *sums.entry(key + other).or_default() += multiply(c, d);
+    // For each row, the first product that is still to come.
+    let mut next = vec![0; left.len()];
+    for lowest in bands(left, right) {
+        for ((key, c), next) in left.iter().zip(&mut next) {
+            let rest = &right[*next..];
+            let count = rest.partition_point(|(other, _)| key + other >= lowest);
+            if count == 0 {
+                continue;
+            }
+            budget::steps((count / 64) as u32 + 1);
+            budget::charge_terms((terms.len() + sums.len()) as u64);
+            for (other, d) in &rest[..count] {
+                *sums.entry(key + other).or_default() += multiply(c, d);
+            }
+            *next += count;
         }
+        let mut list: Vec<(u64, D)> = sums.drain().collect();
+        list.sort_unstable_by_key(|(key, _)| std::cmp::Reverse(*key));
+        let band = list.into_iter().map(|(key, sum)| (packing.unpack(key), finish(sum)));
+        terms.extend(band.filter(|(_, c)| !c.is_zero()));
     }
-    let mut list: Vec<(u64, D)> = sums.into_iter().collect();
-    list.sort_unstable_by_key(|(key, _)| std::cmp::Reverse(*key));
-    list.into_iter().map(|(key, sum)| (packing.unpack(key), finish(sum))).collect()
+    terms
+}
+
+/// The lower ends of bands of about as many products each, descending to 0.
+fn bands<C>(left: &[(u64, C)], right: &[(u64, C)]) -> Vec<u64> {
+    const PRODUCTS: usize = 1 << 16;
+    const SAMPLES: usize = 64;
+    let wanted = (left.len() * right.len()) / PRODUCTS;
+    let some = |terms: &[(u64, C)]| -> Vec<u64> {
+        terms.iter().step_by(terms.len().div_ceil(SAMPLES)).map(|(key, _)| *key).collect()
+    };
+    let (x, y) = (some(left), some(right));
+    let mut sample: Vec<u64> = x.iter().flat_map(|a| y.iter().map(move |b| a + b)).collect();
+    sample.sort_unstable_by_key(|key| std::cmp::Reverse(*key));
+    let step = (sample.len() / (wanted + 1)).max(1);
+    let mut ends: Vec<u64> = sample.into_iter().skip(step).step_by(step).take(wanted).collect();
+    ends.push(0);
+    ends
 }
 
 /// Multiplicative hashing of one word; the keys come from our own arithmetic.

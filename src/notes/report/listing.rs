@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 use super::counted;
 use super::json::{pretty, problems};
 use super::place::Locator;
-use super::terminal::{BOLD, painted, plain};
+use super::terminal::{BOLD, painted};
 use crate::judge::finding::{FileReport, Finding, Verdict};
+use crate::language::diagnostic::harmless;
 
 /// The formulas of some files as they were read, printed anew as LaTeX; with what could not be read.
 pub fn render_listing(reports: &[FileReport], color: bool) -> String {
@@ -14,7 +15,7 @@ pub fn render_listing(reports: &[FileReport], color: bool) -> String {
     for report in reports {
         let unread = report.count(Verdict::Unread);
         let entries = counted(report.findings.len(), "entry", "entries");
-        let mut head = format!("{}: {entries}", plain(report.file.name()));
+        let mut head = format!("{}: {entries}", harmless(report.file.name()));
         if unread > 0 {
             head.push_str(&format!(", {unread} not read"));
         }
@@ -40,7 +41,7 @@ fn entry(finding: &Finding) -> String {
 
 /// All of a text on one line.
 fn words(text: &str) -> String {
-    plain(&text.split_whitespace().collect::<Vec<_>>().join(" "))
+    harmless(&text.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 /// The same as JSON: `{"files": [{"file", "formulas": [{"line", "column", "end_line", "latex",

@@ -2,9 +2,10 @@
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use super::terminal::{BOLD, painted, plain};
+use super::terminal::{BOLD, painted};
 use super::{CLAIMS, Tally, further_words, verdict_words};
 use crate::judge::finding::FileReport;
+use crate::language::diagnostic::harmless;
 
 /// How many claims got which verdict, and what else there is; for several files with a table.
 pub fn render_summary(reports: &[FileReport], color: bool) -> String {
@@ -13,7 +14,7 @@ pub fn render_summary(reports: &[FileReport], color: bool) -> String {
     let (mut out, indent) = match reports {
         [] => return String::new(),
         [one] => {
-            let line = format!("{}: {}", plain(one.file.name()), verdict_words(&tally));
+            let line = format!("{}: {}", harmless(one.file.name()), verdict_words(&tally));
             (format!("{}\n", painted(&line, BOLD, color)), "  ")
         }
         _ => (table(reports, &tally), ""),
@@ -31,7 +32,7 @@ fn table(reports: &[FileReport], total: &Tally) -> String {
     table.set_header(heads.chain(["definitions"]));
     for report in reports {
         let tally = Tally::of(std::slice::from_ref(report));
-        table.add_row(row(plain(report.file.name()), &tally));
+        table.add_row(row(harmless(report.file.name()), &tally));
     }
     table.add_row(row("total".to_owned(), total));
     for column in table.column_iter_mut() {

@@ -8,7 +8,7 @@ use super::place::Locator;
 use super::table::render_summary;
 use crate::formula::source::SourceFile;
 use crate::judge::finding::{FileReport, Finding, Verdict};
-use crate::language::diagnostic::{shortened, with_column};
+use crate::language::diagnostic::{harmless, shortened, with_column};
 
 const RED: &str = "\x1b[1;31m";
 const GREEN: &str = "\x1b[32m";
@@ -89,7 +89,7 @@ pub fn render_text(reports: &[FileReport], options: TextOptions) -> String {
 
 /// One line for each finding: the verdict, where, the formula, why.
 fn lines(out: &mut String, report: &FileReport, color: bool) {
-    out.push_str(&painted(&plain(report.file.name()), BOLD, color));
+    out.push_str(&painted(&harmless(report.file.name()), BOLD, color));
     out.push('\n');
     let mut locator = Locator::new(&report.file);
     let places: Vec<String> = report
@@ -128,7 +128,7 @@ fn unread(out: &mut String, report: &FileReport, color: bool) {
     if all.is_empty() {
         return;
     }
-    let title = format!("{}: not read", plain(report.file.name()));
+    let title = format!("{}: not read", harmless(report.file.name()));
     out.push_str(&painted(&title, BOLD, color));
     out.push('\n');
     let mut locator = Locator::new(&report.file);
@@ -205,11 +205,6 @@ pub(super) fn painted(text: &str, style: &str, color: bool) -> String {
     if color { format!("{style}{text}{PLAIN}") } else { text.to_owned() }
 }
 
-/// The text without characters that would move the cursor of a terminal.
-pub(super) fn plain(text: &str) -> String {
-    normalize_untrusted_str(text).replace('\n', " ")
-}
-
 /// The text on one line of limited width.
 pub(super) fn one_line(text: &str, columns: usize) -> String {
     let mut line = String::new();
@@ -223,7 +218,7 @@ pub(super) fn one_line(text: &str, columns: usize) -> String {
             break;
         }
     }
-    let mut line = plain(&line);
+    let mut line = harmless(&line);
     if line.width() > columns {
         line.truncate(fitting(&line, columns - 1));
         line.push('…');

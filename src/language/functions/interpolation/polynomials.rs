@@ -52,6 +52,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[NODES, VALUES, RESULT_VARIABLE],
         summary: "the polynomial of degree at most n through n + 1 points, by Lagrange's formula",
         example: "lagrange([0, 1, 2], [1, 3, 2])",
+        gives_function: true,
         call: |_, args| {
             let samples = Samples::read(args)?;
             let power = polynomial_through(&samples.nodes, &samples.values);
@@ -118,6 +119,7 @@ pub(crate) const TABLE: &[Builtin] = &[
         parameters: &[DATA, RESULT_VARIABLE],
         summary: "the polynomial with given values and derivatives at the nodes",
         example: "hermite([[0, 0, 0], [1, 1, 0]])",
+        gives_function: true,
         call: |_, args| {
             let (table, _, samples) = hermite_differences(args)?;
             Ok(polynomial(&table.newton_form().to_power(), samples.form, &samples.variable(args)?))

@@ -1,0 +1,21 @@
+//! Pages of notes in each format; the first byte says which.
+#![no_main]
+
+#[path = "../../tests/common/attack.rs"]
+mod attack;
+
+use std::sync::LazyLock;
+
+use attack::{Family, given};
+use libfuzzer_sys::fuzz_target;
+use polarform::session::Session;
+
+static GIVEN: LazyLock<Session> = LazyLock::new(given);
+
+fuzz_target!(|input: &[u8]| {
+    let Some((format, page)) = input.split_first() else { return };
+    let family = Family::NOTES[usize::from(*format) % Family::NOTES.len()];
+    if let Err(problem) = family.attack(page, &GIVEN) {
+        panic!("{family:?}: {problem}");
+    }
+});
