@@ -18,6 +18,7 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly_ctx, fmpq_poly, fmpz, fmpz_mpoly_ct
 from scipy import interpolate as scipy_interpolate
 
 pari = cypari.pari
+sys.setrecursionlimit(100_000)
 NAMES = ("t", "u", "x", "y", "z")
 RING = fmpq_mpoly_ctx.get(NAMES, "lex")
 GENERATORS = dict(zip(NAMES, RING.gens()))

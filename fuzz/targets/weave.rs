@@ -2,6 +2,7 @@
 #![no_main]
 
 #[path = "../../tests/common/attack.rs"]
+#[allow(dead_code, reason = "a target is one family")]
 mod attack;
 
 use std::sync::LazyLock;

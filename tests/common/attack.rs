@@ -135,7 +135,9 @@ fn notes(kind: Container, input: &[u8], limits: &Limits) -> Outcome {
     let Ok(document) = read_text(name, input.to_vec(), kind, &Macros::default()) else { return Ok(()) };
     let file = &document.file;
     let whole = |span: Span| file.text().get(span.start..span.end).is_some();
-    let report = check_document(&document, &Checking { limits: limits.clone(), context: None });
+    // A page has many formulas, and it is the page that matters here.
+    let limits = Limits { steps: Some(10_000), ..limits.clone() };
+    let report = check_document(&document, &Checking { limits, context: None });
     for problem in &report.problems {
         internal(problem, file)?;
     }

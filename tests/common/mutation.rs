@@ -33,7 +33,15 @@ pub fn tokens(names: &[&str]) -> Vec<String> {
 
 /// A place on a character boundary.
 fn place(random: &mut Random, input: &str) -> usize {
-    input.floor_char_boundary(random.below(input.len() + 1))
+    floor(input, random.below(input.len() + 1))
+}
+
+/// The nearest character boundary at or before a byte.
+fn floor(input: &str, mut at: usize) -> usize {
+    while !input.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
 }
 
 /// A change of a seed, of `longest` bytes at most or so.
@@ -65,7 +73,7 @@ pub fn mutated(random: &mut Random, seeds: &[String], tokens: &[String], longest
             }
         }
         if input.len() > longest {
-            let cut = place(random, &input[..input.floor_char_boundary(longest / 2)]);
+            let cut = place(random, &input[..floor(&input, longest / 2)]);
             input.truncate(cut);
         }
     }

@@ -21,7 +21,6 @@ pub struct Form {
 
 /// A curve or surface.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "values hold it behind an Arc")]
 pub enum Geometry {
     /// A Bézier curve.
     Bezier(BezierCurve<Fraction>, Form),
