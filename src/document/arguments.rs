@@ -1,5 +1,6 @@
 //! Names of commands, groups in braces, arguments.
 
+use crate::formula::source::Pieces;
 use std::ops::Range;
 
 /// How far a group may reach; and once one was found without end, which keeps the time linear.
@@ -8,11 +9,11 @@ pub(super) const MAX_GROUP_AFTER_FAILURE: usize = 1 << 11;
 
 /// The name of the command at `at`, where a backslash stands: letters, or one other character.
 pub(super) fn command_name(text: &str, at: usize) -> &str {
-    let rest = &text[at + 1..];
+    let rest = text.piece(at + 1..);
     let letters = rest.bytes().take_while(|byte| byte.is_ascii_alphabetic() || *byte == b'@').count();
     match letters {
-        0 => &rest[..rest.chars().next().map_or(0, char::len_utf8)],
-        _ => &rest[..letters],
+        0 => rest.piece(..rest.chars().next().map_or(0, char::len_utf8)),
+        _ => rest.piece(..letters),
     }
 }
 
@@ -72,7 +73,7 @@ pub(super) fn specification(text: &str) -> Option<Vec<Argument>> {
     let mut arguments = Vec::new();
     loop {
         reader.spaces();
-        let Some(kind) = text[reader.at..].chars().next() else { return Some(arguments) };
+        let Some(kind) = text.piece(reader.at..).chars().next() else { return Some(arguments) };
         reader.at += kind.len_utf8();
         arguments.push(match kind {
             'm' => Argument::Mandatory,
@@ -94,7 +95,7 @@ pub(super) struct Reader<'a> {
 
 impl Reader<'_> {
     fn rest(&self) -> &str {
-        &self.text[self.at..]
+        self.text.piece(self.at..)
     }
 
     pub(super) fn spaces(&mut self) {
@@ -134,7 +135,7 @@ impl Reader<'_> {
         self.spaces();
         self.rest().starts_with('{').then_some(())?;
         let range = self.enclosed('}')?;
-        Some(self.text[range].to_owned())
+        Some(self.text.piece(range).to_owned())
     }
 
     /// What stands in brackets, if they are the next thing.
@@ -155,7 +156,7 @@ impl Reader<'_> {
     /// What stands from the sign here to its partner, outside of inner braces.
     fn enclosed(&mut self, close: char) -> Option<Range<usize>> {
         let start = self.at + 1;
-        let end = start + find_outside(&self.text[start..], &close.to_string(), self.reach)?;
+        let end = start + find_outside(self.text.piece(start..), &close.to_string(), self.reach)?;
         self.at = end + 1;
         Some(start..end)
     }
@@ -163,7 +164,7 @@ impl Reader<'_> {
     /// Up to the signs, which are passed.
     pub(super) fn until(&mut self, sign: &str) -> Option<Range<usize>> {
         let start = self.at;
-        let end = start + find_outside(&self.text[start..], sign, self.reach)?;
+        let end = start + find_outside(self.text.piece(start..), sign, self.reach)?;
         self.at = end + sign.len();
         Some(start..end)
     }
@@ -188,7 +189,7 @@ impl Reader<'_> {
     /// The parameters of \def: `#1#2`, or with signs between them.
     pub(super) fn pattern(&mut self) -> Option<Vec<Argument>> {
         let end = self.at + self.rest().bytes().take(200).position(|byte| byte == b'{')?;
-        let text = &self.text[self.at..end];
+        let text = self.text.piece(self.at..end);
         self.at = end;
         let mut parts = text.split('#');
         let mut arguments = Vec::new();
@@ -212,7 +213,7 @@ fn find_outside(text: &str, sign: &str, reach: usize) -> Option<usize> {
     let mut at = 0;
     while at < text.len().min(reach) {
         let byte = text.as_bytes()[at];
-        if depth == 0 && text.is_char_boundary(at) && text[at..].starts_with(sign) {
+        if depth == 0 && text.is_char_boundary(at) && text.piece(at..).starts_with(sign) {
             return Some(at);
         }
         match byte {

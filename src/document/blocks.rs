@@ -19,7 +19,7 @@ use super::parts::{Part, PartKind, options_in};
 use super::rst;
 use super::signs::{braced_name, display_end, inline_end, is_math_environment, line_at};
 use crate::document::{Enclosure, Item, Places, Style};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes the Markdown text apart.
@@ -181,13 +181,13 @@ impl Blocks<'_> {
             } else if nests && let Some(title) = cursor.admonition() {
                 self.begin(Open::Admonition(indent + 4), fresh, matched);
                 self.set_margin();
-                inline::heading(&self.text[title.range()], title.start, self.out);
+                inline::heading(self.text.piece(title.range()), title.start, self.out);
                 self.out.end_paragraph();
                 return next;
             } else if nests && let Some(closing) = cursor.division() {
                 self.end_paragraph();
                 let colons = cursor.rest().bytes().take_while(|&byte| byte == b':').count();
-                let name = cursor.rest()[colons..].trim_start();
+                let name = cursor.rest().piece(colons..).trim_start();
                 if name.starts_with("{math}") || name.starts_with("{include}") {
                     self.close_unless(fresh, matched);
                     self.fence(b':', colons, indent, &cursor);
@@ -248,7 +248,7 @@ impl Blocks<'_> {
 
     /// Begins a fenced block, or a directive of MyST in which Markdown goes on.
     fn fence(&mut self, mark: u8, len: usize, indent: usize, cursor: &Cursor) {
-        let rest = &cursor.rest()[len..];
+        let rest = cursor.rest().piece(len..);
         let begin = cursor.end() - rest.trim_start().len();
         let info = Span::new(begin, begin + rest.trim().len());
         let start = Span::new(cursor.at(), cursor.at() + len);
@@ -257,7 +257,7 @@ impl Blocks<'_> {
             self.begin(Open::Directive { mark, len, start }, true, 0);
             self.options = Some(false);
             let title = begin + rest.trim().find('}').map_or(0, |at| at + 1);
-            inline::heading(&self.text[title..info.end], title, self.out);
+            inline::heading(self.text.piece(title..info.end), title, self.out);
             return self.out.end_paragraph();
         }
         let wanted = content != Content::Code || options_in(rest).is_some() || self.out.layout.is_some();
@@ -267,7 +267,7 @@ impl Blocks<'_> {
 
     /// Whether the fence closes the innermost directive that it can.
     fn closes_directive(&mut self, mark: u8, len: usize, cursor: &Cursor) -> bool {
-        if !cursor.rest()[len..].trim().is_empty() {
+        if !cursor.rest().piece(len..).trim().is_empty() {
             return false;
         }
         let closes =
@@ -311,7 +311,7 @@ impl Blocks<'_> {
     /// A heading that is underlined: the lines of the paragraph are its text.
     fn underline(&mut self, cursor: &mut Cursor) -> bool {
         let (Some(first), Some(last)) = (self.lines.first(), self.lines.last()) else { return false };
-        if cursor.indent() >= 4 || self.text[last.range()].trim_end().ends_with("$$") {
+        if cursor.indent() >= 4 || self.text.piece(last.range()).trim_end().ends_with("$$") {
             return false;
         }
         cursor.skip_spaces();
@@ -334,7 +334,7 @@ impl Blocks<'_> {
     fn heading(&mut self, level: u8, span: Span) {
         self.out.push(Item::Heading { level, span });
         self.set_margin();
-        inline::heading(&self.text[span.range()], span.start, self.out);
+        inline::heading(self.text.piece(span.range()), span.start, self.out);
         self.out.end_paragraph();
     }
 
@@ -358,7 +358,8 @@ impl Blocks<'_> {
             self.note_code(&fence, lines, span, closed);
             if fence.content == Content::Formula {
                 // What stands behind the name on the first line belongs to the formula.
-                let name = self.text[fence.info.range()].find('}').map_or(fence.info.len(), |at| at + 1);
+                let name =
+                    self.text.piece(fence.info.range()).find('}').map_or(fence.info.len(), |at| at + 1);
                 let first = Span::new(fence.info.start + name, fence.info.end);
                 let mut all = vec![first];
                 all.extend_from_slice(without_options(self.text, lines));
@@ -371,13 +372,13 @@ impl Blocks<'_> {
                     lines.first().map_or(at, |line| line.start)..lines.last().map_or(at, |line| line.end);
                 rst::scan(self.text, range, self.out);
             } else if fence.content == Content::Include {
-                let name = self.text[fence.info.range()].split_once('}').map_or("", |(_, name)| name);
-                let options = lines.iter().map(|line| &self.text[line.range()]);
+                let name = self.text.piece(fence.info.range()).split_once('}').map_or("", |(_, name)| name);
+                let options = lines.iter().map(|line| self.text.piece(line.range()));
                 super::directives::included(name, options, fence.start.to(fence.info), self.out);
             } else if fence.content == Content::Unknown {
-                let lines: Vec<&str> = lines.iter().map(|line| &self.text[line.range()]).collect();
+                let lines: Vec<&str> = lines.iter().map(|line| self.text.piece(line.range())).collect();
                 super::directives::count_unseen(&lines, fence.info, self.out);
-            } else if closed && options_in(&self.text[fence.info.range()]).is_some() {
+            } else if closed && options_in(self.text.piece(fence.info.range())).is_some() {
                 let code = masked(self.text, lines);
                 self.out.queries(&code, lines.first().map_or(at, |line| line.start));
             }
@@ -409,7 +410,7 @@ impl Blocks<'_> {
         };
         for line in lines {
             part.places.push(part.text.len(), line.start, true);
-            part.text.push_str(self.text[line.range()].trim_end_matches('\r'));
+            part.text.push_str(self.text.piece(line.range()).trim_end_matches('\r'));
             part.text.push('\n');
         }
         layout.parts.push(part);
@@ -474,7 +475,7 @@ impl Blocks<'_> {
         let bytes = self.text.as_bytes();
         while at < end {
             match bytes[at] {
-                b'`' => at = code_span(&self.text[..end], at),
+                b'`' => at = code_span(self.text.piece(..end), at),
                 b'\\' => {
                     if let Some(close) = self.opening_command(at) {
                         return Some(close);
@@ -490,7 +491,7 @@ impl Blocks<'_> {
                     Some(close) => return Some(close + 2),
                     None => at += 2,
                 },
-                b'$' => at = inline_end(&self.text[..end], at).unwrap_or(at) + 1,
+                b'$' => at = inline_end(self.text.piece(..end), at).unwrap_or(at) + 1,
                 _ => at += 1,
             }
         }
@@ -498,12 +499,12 @@ impl Blocks<'_> {
     }
 
     fn opening_command(&mut self, at: usize) -> Option<usize> {
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         for (open, close) in [(r"\[", r"\]"), (r"\\[", r"\\]")] {
             if rest.starts_with(open) {
                 let from = at + open.len();
                 let found = display_end(self.text, from, close, false)?;
-                let formula = inline::is_bracketed_formula(&self.text[from..found]);
+                let formula = inline::is_bracketed_formula(self.text.piece(from..found));
                 return formula.then_some(found + close.len());
             }
         }
@@ -525,8 +526,8 @@ impl Blocks<'_> {
         let is_joined = |row: usize| joined.binary_search(&row).is_ok();
         let table = (1..lines.len()).find(|&row| {
             !is_joined(row)
-                && self.text[lines[row - 1].range()].contains('|')
-                && is_delimiter_row(&self.text[lines[row].range()])
+                && self.text.piece(lines[row - 1].range()).contains('|')
+                && is_delimiter_row(self.text.piece(lines[row].range()))
         });
         let first_row = table.map_or(lines.len(), |row| row - 1);
         let words = &lines[..first_row];
@@ -566,7 +567,7 @@ fn is_delimiter_row(line: &str) -> bool {
 fn masked<'a>(text: &'a str, lines: &[Span]) -> Cow<'a, str> {
     let (Some(first), Some(last)) = (lines.first(), lines.last()) else { return "".into() };
     if lines.windows(2).all(|pair| pair[0].end + 1 == pair[1].start) {
-        return text[first.start..last.end].into();
+        return text.piece(first.start..last.end).into();
     }
     let mut masked = String::with_capacity(last.end - first.start);
     for line in lines {
@@ -575,7 +576,7 @@ fn masked<'a>(text: &'a str, lines: &[Span]) -> Cow<'a, str> {
             masked.push('\n');
             masked.extend(std::iter::repeat_n(' ', gap - 1));
         }
-        masked.push_str(&text[line.range()]);
+        masked.push_str(text.piece(line.range()));
     }
     masked.into()
 }

@@ -3,7 +3,7 @@
 use super::arguments::command_name;
 use super::text::Text;
 use crate::formula::Kind;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::syntax;
 use crate::language::write::latex;
 
@@ -17,7 +17,7 @@ pub(super) fn cleaned(text: &str, start: usize, comments: bool) -> Text {
     let mut clean = Text::plain("", start);
     let mut said = 0;
     let mut at = 0;
-    while let Some(found) = text[at..].find(|c| c == '\\' || (comments && c == '%')) {
+    while let Some(found) = text.piece(at..).find(|c| c == '\\' || (comments && c == '%')) {
         at += found;
         if let Some((end, query)) = query(text, at) {
             plain(&mut clean, text, start, said..at);
@@ -25,8 +25,8 @@ pub(super) fn cleaned(text: &str, start: usize, comments: bool) -> Text {
             (said, at) = (end, end);
             continue;
         }
-        let end = if text[at..].starts_with('%') {
-            at + text[at..].find('\n').unwrap_or(text.len() - at)
+        let end = if text.piece(at..).starts_with('%') {
+            at + text.piece(at..).find('\n').unwrap_or(text.len() - at)
         } else {
             match dropped(text, at) {
                 Ok(end) => end,
@@ -38,7 +38,7 @@ pub(super) fn cleaned(text: &str, start: usize, comments: bool) -> Text {
         };
         plain(&mut clean, text, start, said..at);
         // As many blanks as characters, so that lines of ASCII stay as long as they are.
-        for (i, c) in text[at..end].char_indices() {
+        for (i, c) in text.piece(at..end).char_indices() {
             let place = Span::new(start + at + i, start + at + i + c.len_utf8());
             clean.push_whole(if c == '\n' { "\n" } else { " " }, place);
         }
@@ -55,7 +55,7 @@ fn query(text: &str, at: usize) -> Option<(usize, String)> {
     }
     let open = at + "\\polarform".len();
     let end = braces_end(text, open)?;
-    let inner = text[open..end].trim().strip_prefix('{')?.strip_suffix('}')?;
+    let inner = text.piece(open..end).trim().strip_prefix('{')?.strip_suffix('}')?;
     if syntax::looks_like_latex(inner) {
         return Some((end, format!("\\left({inner}\\right)")));
     }
@@ -68,7 +68,7 @@ fn query(text: &str, at: usize) -> Option<(usize, String)> {
 fn plain(clean: &mut Text, text: &str, start: usize, part: std::ops::Range<usize>) {
     if !part.is_empty() {
         clean.places.push(clean.text.len(), start + part.start, true);
-        clean.text.push_str(&text[part]);
+        clean.text.push_str(text.piece(part));
     }
 }
 
@@ -79,7 +79,7 @@ fn dropped(text: &str, at: usize) -> Result<usize, usize> {
     match name {
         "nonumber" | "notag" => Ok(after),
         "label" | "tag" | "intertext" | "shortintertext" => {
-            let star = after + usize::from(text[after..].starts_with('*'));
+            let star = after + usize::from(text.piece(after..).starts_with('*'));
             Ok(braces_end(text, star).unwrap_or(after))
         }
         _ => Err(after),
@@ -88,10 +88,10 @@ fn dropped(text: &str, at: usize) -> Result<usize, usize> {
 
 /// The byte after the group in braces at `at`.
 pub(super) fn braces_end(text: &str, at: usize) -> Option<usize> {
-    let open = at + (text[at..].len() - text[at..].trim_start().len());
+    let open = at + (text.piece(at..).len() - text.piece(at..).trim_start().len());
     let mut depth = 0_usize;
     let mut escaped = false;
-    for (i, byte) in text[open..].bytes().enumerate().take(MAX_LABEL) {
+    for (i, byte) in text.piece(open..).bytes().enumerate().take(MAX_LABEL) {
         match byte {
             _ if escaped => {
                 escaped = false;

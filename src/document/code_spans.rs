@@ -3,7 +3,7 @@
 use super::inline::NEARBY;
 use super::signs::inline_end;
 use crate::document::Style;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 
 /// What a page means by code spans, besides code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,7 +38,7 @@ fn code_spans(text: &str) -> impl Iterator<Item = (Span, usize)> {
     let mut at = 0;
     std::iter::from_fn(move || {
         loop {
-            let open = at + text[at..].find('`')?;
+            let open = at + text.piece(at..).find('`')?;
             let run = run_of(text, open, b'`');
             at = open + run;
             if let Some(end) = closing_run(text, at, run) {
@@ -58,13 +58,13 @@ fn double_backquotes(text: &str) -> bool {
     }
     signs.iter().any(|sign| text.contains(sign))
         || code_spans(text).any(|(inner, run)| {
-            let content = &text[inner.range()];
+            let content = text.piece(inner.range());
             run == 2 && is_latex(content) && !content.contains('`')
         })
 }
 
 fn is_latex(content: &str) -> bool {
-    let mut signs = content.match_indices('\\').map(|(sign, _)| &content[sign + 1..]);
+    let mut signs = content.match_indices('\\').map(|(sign, _)| content.piece(sign + 1..));
     let command = signs.any(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()));
     command || content.contains("_{") || content.contains("^{")
 }
@@ -78,17 +78,17 @@ fn dollars(text: &str) -> Dollars {
     let mut latex = false;
     let mut said = 0;
     for (inner, run) in code_spans(text) {
-        if outside(&text[said..inner.start - run]) {
+        if outside(text.piece(said..inner.start - run)) {
             return Dollars::Code;
         }
         said = inner.end + run;
-        let content = &text[inner.range()];
+        let content = text.piece(inner.range());
         let formula = dollars_in_code(content).is_some() && run == 1;
         formulas += usize::from(formula);
         latex |= formula && is_latex(content);
     }
     match formulas {
-        _ if outside(&text[said..]) => Dollars::Code,
+        _ if outside(text.piece(said..)) => Dollars::Code,
         3.. if latex => Dollars::Formulas,
         2.. => Dollars::Unclear,
         _ => Dollars::Code,
@@ -105,7 +105,7 @@ fn outside(text: &str) -> bool {
 pub(super) fn dollars_in_code(content: &str) -> Option<(Style, Span)> {
     let text = content.trim();
     let signs = if text.starts_with("$$") { 2 } else { 1 };
-    let open = &"$$"[..signs];
+    let open = "$$".piece(..signs);
     let inner = text.strip_prefix(open)?.strip_suffix(open)?;
     let letter = inner.chars().filter(|c| c.is_alphanumeric()).count() == 1;
     let formula = letter || inner.contains(['\\', '^', '_', '=', '+', '-', '<', '>', '(']);
@@ -131,7 +131,7 @@ pub(super) fn run_of(text: &str, at: usize, mark: u8) -> usize {
 pub(super) fn closing_run(text: &str, from: usize, run: usize) -> Option<usize> {
     let mut at = from;
     while at < from + NEARBY {
-        at += text[at..].bytes().position(|byte| byte == b'`')?;
+        at += text.piece(at..).bytes().position(|byte| byte == b'`')?;
         let len = run_of(text, at, b'`');
         at += len;
         if len == run {

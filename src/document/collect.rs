@@ -8,7 +8,7 @@ use super::parts::Layout;
 use super::plain;
 use super::signs::line_at;
 use crate::document::{Document, Enclosure, Formula, Item, Style};
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::latex;
 
@@ -126,7 +126,7 @@ impl Collector {
             let line = line_at(text, at);
             let end = if at < tried { at + line.len() } else { derivation_end(text, at) };
             tried = tried.max(end);
-            let all = &text[at..end];
+            let all = text.piece(at..end);
             let joined = (line.len() < all.len())
                 .then(|| plain::find(&all.replace(['\n', '\r'], " "), continues))
                 .filter(|found| found.iter().any(|found| found.range.contains(&line.len())));
@@ -136,11 +136,11 @@ impl Collector {
             };
             let mut said = 0;
             for found in found {
-                self.words_of(&piece[said..found.range.start], start + at + said);
+                self.words_of(piece.piece(said..found.range.start), start + at + said);
                 said = found.range.end;
                 self.formula(Style::Plain, &found.text, start + at + found.range.start);
             }
-            self.words_of(&piece[said..], start + at + said);
+            self.words_of(piece.piece(said..), start + at + said);
             at += piece.len() + 1;
         }
     }
@@ -218,7 +218,7 @@ fn command(line: &str) -> Option<std::ops::Range<usize>> {
     };
     line.match_indices('\\').take(MAX_COMMANDS).find_map(|(at, _)| {
         let name = command_name(line, at);
-        let escaped = line[..at].ends_with('\\');
+        let escaped = line.piece(..at).ends_with('\\');
         (!escaped && mathematical(name)).then(|| at..at + 1 + name.len())
     })
 }

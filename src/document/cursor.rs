@@ -1,5 +1,7 @@
 //! A place within a line of Markdown, in bytes and in columns (tabs stop at every fourth).
 
+use crate::formula::source::Pieces;
+
 /// Walks over the marks at the beginning of a line.
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
@@ -26,7 +28,7 @@ impl<'a> Cursor<'a> {
     }
 
     pub(super) fn rest(&self) -> &'a str {
-        &self.text[self.at..self.end]
+        self.text.piece(self.at..self.end)
     }
 
     pub(super) fn is_blank(&self) -> bool {
@@ -100,14 +102,14 @@ impl<'a> Cursor<'a> {
         let mark = self.peek().filter(|byte| matches!(byte, b'`' | b'~'))?;
         let rest = self.rest();
         let len = rest.bytes().take_while(|&byte| byte == mark).count();
-        (len >= 3 && (mark == b'~' || !rest[len..].contains('`'))).then_some((mark, len))
+        (len >= 3 && (mark == b'~' || !rest.piece(len..).contains('`'))).then_some((mark, len))
     }
 
     /// The level of a heading that begins with `#`, and the bytes of its text.
     pub(super) fn heading(&self) -> Option<(u8, crate::formula::source::Span)> {
         let rest = self.rest().trim_end();
         let level = rest.bytes().take_while(|&byte| byte == b'#').count();
-        let text = &rest[level..];
+        let text = rest.piece(level..);
         if !(1..=6).contains(&level) || !(text.is_empty() || text.starts_with([' ', '\t'])) {
             return None;
         }
@@ -133,15 +135,15 @@ impl<'a> Cursor<'a> {
         let len = match rest.as_bytes().get(digits)? {
             b'-' | b'*' | b'+' if digits == 0 => 1,
             // What a term means, in lists of definitions.
-            b':' if digits == 0 && !rest[1..].trim().is_empty() => 1,
+            b':' if digits == 0 && !rest.piece(1..).trim().is_empty() => 1,
             b'[' if digits == 0 && rest.starts_with("[^") => return self.footnote(indent),
             b'.' | b')' if (1..=9).contains(&digits) => digits + 1,
             _ => return None,
         };
-        let text = &rest[len..];
+        let text = rest.piece(len..);
         let blank = text.trim().is_empty();
         let separate = blank || text.starts_with([' ', '\t']);
-        if !separate || (interrupts && (blank || (digits > 0 && &rest[..digits] != "1"))) {
+        if !separate || (interrupts && (blank || (digits > 0 && rest.piece(..digits) != "1"))) {
             return None;
         }
         self.skip_marks(len);
@@ -154,7 +156,7 @@ impl<'a> Cursor<'a> {
     /// Passes the mark of a footnote, `[^name]:`; its further lines are indented by four columns.
     fn footnote(&mut self, indent: usize) -> Option<usize> {
         let close = self.rest().bytes().take(60).position(|byte| byte == b']')?;
-        self.rest()[close + 1..].starts_with(':').then(|| {
+        self.rest().piece(close + 1..).starts_with(':').then(|| {
             self.skip_marks(close + 2);
             self.skip_spaces();
             indent + 4

@@ -5,7 +5,7 @@
 
 use super::collect::{Collector, Include};
 use super::vocabulary::THEOREMS;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// What the content of a block is.
@@ -171,7 +171,7 @@ pub(super) fn is_option(line: &str) -> bool {
 
 /// The lines of a directive without the options before them.
 pub(super) fn without_options<'a>(text: &str, lines: &'a [Span]) -> &'a [Span] {
-    let line = |at: usize| text[lines[at].range()].trim();
+    let line = |at: usize| text.piece(lines[at].range()).trim();
     let mut first = 0;
     if !lines.is_empty() && line(0) == "---" {
         first = (1..lines.len()).find(|&at| line(at) == "---").map_or(0, |at| at + 1);
@@ -218,7 +218,7 @@ fn partly(name: &str, place: Span) -> Diagnostic {
 pub(super) fn shortcode(rest: &str, at: usize, out: &mut Collector) -> Option<usize> {
     let (open, close) = if rest.starts_with("{{<") { ("{{<", ">}}") } else { ("{{", "}}") };
     let line = rest.strip_prefix(open)?.lines().next()?;
-    let inner = &line[..line.find(close)?];
+    let inner = line.piece(..line.find(close)?);
     let sign = if open == "{{<" { "include" } else { "#include" };
     let name = inner.trim().strip_prefix(sign).filter(|name| name.starts_with(' '))?;
     let len = open.len() + inner.len() + close.len();

@@ -4,6 +4,8 @@
 //! blank lines. Reference: CommonMark 0.31, blocks of HTML of the kinds 1, 2, 3 and 5; `highlight` and `comment`
 //! of Liquid.
 
+use crate::formula::source::Pieces;
+
 /// What opens a stretch without text, and what closes it. The names of tags stand without `>`.
 const KINDS: [(&str, &str); 9] = [
     ("<!--", "-->"),
@@ -37,7 +39,7 @@ pub(super) struct Hidden {
 impl Hidden {
     /// What opens at `at`. The places of successive calls increase.
     pub(super) fn at(&mut self, text: &str, at: usize) -> Found {
-        let rest = &text[at..];
+        let rest = text.piece(at..);
         let Some(kind) = KINDS.iter().position(|(open, _)| opens(rest, open)) else { return Found::Nothing };
         let (open, close) = KINDS[kind];
         if self.missing[kind] {
@@ -73,10 +75,10 @@ fn find(rest: &str, from: usize, close: &str) -> Option<usize> {
     let is_close = |end: &&str| {
         end.as_bytes().get(..close.len()).is_some_and(|head| head.eq_ignore_ascii_case(close.as_bytes()))
     };
-    let mark = &close[..1];
-    let end = rest[from..].match_indices(mark).map(|(at, _)| &rest[from + at..]).find(is_close)?;
+    let mark = close.piece(..1);
+    let end = rest.piece(from..).match_indices(mark).map(|(at, _)| rest.piece(from + at..)).find(is_close)?;
     let after = rest.len() - end.len() + close.len();
-    let bracket = if is_tag(close) { rest[after..].find('>')? + 1 } else { 0 };
+    let bracket = if is_tag(close) { rest.piece(after..).find('>')? + 1 } else { 0 };
     Some(after + bracket)
 }
 
@@ -188,18 +190,18 @@ pub(super) fn tag(rest: &str) -> Option<(usize, Option<&str>)> {
     if inner.as_bytes()[close] == b'<' {
         return None;
     }
-    let content = &inner[..close];
+    let content = inner.piece(..close);
     let len = close + 2;
     let address = content.contains("://") || content.starts_with("mailto:");
     if address && !content.contains(char::is_whitespace) {
         return Some((len, None));
     }
     let name = content.trim_start_matches('/');
-    let name = &name[..name.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(name.len())];
+    let name = name.piece(..name.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(name.len()));
     if !TAGS.iter().any(|tag| tag.eq_ignore_ascii_case(name)) {
         return None;
     }
-    let attributes = content.trim_start_matches('/')[name.len()..].trim_end_matches('/').trim();
+    let attributes = content.trim_start_matches('/').piece(name.len()..).trim_end_matches('/').trim();
     let plausible = attributes.is_empty()
         || (attributes.contains('=') && attributes.starts_with(|c: char| c.is_ascii_alphabetic()))
         || name.len() > 2;

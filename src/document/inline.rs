@@ -9,7 +9,7 @@ use super::html::{self, Found, Hidden};
 use super::parts::{Opening, PartKind, hidden_queries, query_at};
 use super::signs::{braced_name, display_end, inline_end, is_currency, is_math_environment, reads_as_prose};
 use crate::document::{Item, Style};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes the text of a paragraph apart; it stands at byte `start` of the file.
@@ -39,8 +39,10 @@ fn attributes(rest: &str) -> usize {
         text.chars().all(|c| c.is_alphanumeric() || matches!(c, ':' | '-' | '_' | '.'))
             && text.contains([':', '-', '_'])
     };
-    let fits =
-        braces || (text.starts_with('(') && label(&text[1..close]) && text[close + 1..].trim().is_empty());
+    let fits = braces
+        || (text.starts_with('(')
+            && label(text.piece(1..close))
+            && text.piece(close + 1..).trim().is_empty());
     if fits { line.len() - text.len() + close + 1 } else { 0 }
 }
 
@@ -50,7 +52,7 @@ fn near(text: &str) -> &str {
     while !text.is_char_boundary(end) {
         end -= 1;
     }
-    &text[..end]
+    text.piece(..end)
 }
 
 /// The rest of the line, but not more of it than is worth looking at.
@@ -135,7 +137,7 @@ impl<'a> Inline<'a> {
     /// The words up to `at`.
     fn say(&mut self, at: usize) {
         if self.words && self.said < at {
-            let words = &self.text[self.said..at];
+            let words = self.text.piece(self.said..at);
             self.out.prose(words, self.start + self.said, self.after_formula);
         }
         self.said = self.said.max(at);
@@ -155,16 +157,16 @@ impl<'a> Inline<'a> {
         if let Some(layout) = &mut self.out.layout {
             let inner = text.start - from..text.end - from;
             let span = Span::new(from, to).shifted(self.start);
-            layout.push(PartKind::Formula { style, inner }, span, &self.text[from..to], span.start);
+            layout.push(PartKind::Formula { style, inner }, span, self.text.piece(from..to), span.start);
         }
-        self.out.formula(style, &self.text[text.range()], self.start + text.start);
+        self.out.formula(style, self.text.piece(text.range()), self.start + text.start);
         self.said = to;
         self.after_formula = true;
         to
     }
 
     fn command(&mut self, at: usize) -> usize {
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         // The signs of LaTeX, and as some generators of pages want them, with the backslash escaped; of Doxygen.
         for (open, close, style) in [
             (r"\f$", r"\f$", Style::Inline),
@@ -178,8 +180,8 @@ impl<'a> Inline<'a> {
             if rest.starts_with(open)
                 && let Some(end) = display_end(self.text, from, close, false)
                 && (open.starts_with(r"\f")
-                    || is_bracketed_formula(&self.text[from..end])
-                    || style == Style::Inline && is_difference(&self.text[from..end]))
+                    || is_bracketed_formula(self.text.piece(from..end))
+                    || style == Style::Inline && is_difference(self.text.piece(from..end)))
             {
                 return self.formula(style, Span::new(from, end), at, end + close.len());
             }
@@ -195,12 +197,12 @@ impl<'a> Inline<'a> {
                     self.formula(Style::Display, Span::new(at, end), at, end)
                 }
                 None => {
-                    self.out.unclosed(&rest[..after - at], self.start + at, &closing);
+                    self.out.unclosed(rest.piece(..after - at), self.start + at, &closing);
                     after
                 }
             };
         }
-        at + 1 + rest[1..].chars().next().map_or(0, char::len_utf8)
+        at + 1 + rest.piece(1..).chars().next().map_or(0, char::len_utf8)
     }
 
     fn code(&mut self, at: usize) -> usize {
@@ -211,13 +213,13 @@ impl<'a> Inline<'a> {
         match closing_run(self.text, at + run, run) {
             Some(end) => {
                 let inner = Span::new(at + run, end - run);
-                let before = &self.text[self.said..at];
+                let before = self.text.piece(self.said..at);
                 match ROLES.iter().find(|role| before.ends_with(**role)) {
                     Some(role) => self.formula(Style::Inline, inner, at - role.len(), end),
                     None if run == 2 && self.out.in_code.double_backquotes => {
                         self.formula(Style::Inline, inner, at, end)
                     }
-                    None => match dollars_in_code(&self.text[inner.range()]) {
+                    None => match dollars_in_code(self.text.piece(inner.range())) {
                         Some((style, part)) if self.out.in_code.dollars == Dollars::Formulas => {
                             self.formula(style, part.shifted(inner.start), at, end)
                         }
@@ -241,7 +243,7 @@ impl<'a> Inline<'a> {
         match self.hidden.at(self.text, at) {
             Found::Nothing => None,
             Found::Closed(end) => {
-                if self.text[at..].starts_with("<!--") {
+                if self.text.piece(at..).starts_with("<!--") {
                     self.say(at);
                     self.comment(at + 4, end - 3);
                 }
@@ -274,7 +276,7 @@ impl<'a> Inline<'a> {
         if let Some(end) = self.hidden(at) {
             return end;
         }
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         match html::tag(rest) {
             Some((len, raw)) => {
                 if raw == Some("math") {
@@ -294,7 +296,7 @@ impl<'a> Inline<'a> {
         if self.no_close.contains(&name) {
             return 0;
         }
-        html::closing_tag(&self.text[at..], &name).unwrap_or_else(|| {
+        html::closing_tag(self.text.piece(at..), &name).unwrap_or_else(|| {
             self.no_close.push(name);
             0
         })
@@ -305,11 +307,11 @@ impl<'a> Inline<'a> {
         if let Some(end) = self.hidden(at) {
             return end;
         }
-        if !self.text[at + 1..].starts_with('{') {
+        if !self.text.piece(at + 1..).starts_with('{') {
             return at + 1;
         }
         let Some(layout) = &mut self.out.layout else {
-            return match shortcode(nearby(&self.text[at..]), self.start + at, self.out) {
+            return match shortcode(nearby(self.text.piece(at..)), self.start + at, self.out) {
                 Some(len) => self.skip(at, at + len),
                 None => at + 1,
             };
@@ -319,7 +321,7 @@ impl<'a> Inline<'a> {
                 let end = inner.end + 2;
                 let span = Span::new(at, end).shifted(self.start);
                 // A query is one piece, however its lines are broken.
-                let text = self.text[inner.clone()].replace(['\n', '\r'], " ");
+                let text = self.text.piece(inner.clone()).replace(['\n', '\r'], " ");
                 layout.push(PartKind::Query, span, &text, self.start + inner.start);
                 self.skip(at, end)
             }
@@ -333,7 +335,7 @@ impl<'a> Inline<'a> {
                 self.skip(at, at + 2)
             }
             Opening::Other => {
-                let braces = self.text[at..].bytes().take_while(|&byte| byte == b'{').count();
+                let braces = self.text.piece(at..).bytes().take_while(|&byte| byte == b'{').count();
                 self.skip(at, at + braces.max(1))
             }
         }
@@ -343,13 +345,13 @@ impl<'a> Inline<'a> {
     fn comment(&mut self, from: usize, to: usize) {
         if let Some(layout) = &mut self.out.layout {
             let span = Span::new(from - 4, to + 3).shifted(self.start);
-            layout.push(PartKind::Comment, span, &self.text[from..to], self.start + from);
+            layout.push(PartKind::Comment, span, self.text.piece(from..to), self.start + from);
         }
-        if let Some(part) = hidden_queries(&self.text[from..to]) {
+        if let Some(part) = hidden_queries(self.text.piece(from..to)) {
             let start = part.places.byte(0);
             return self.out.queries(&part.text, self.start + from + start);
         }
-        let Some(colon) = self.text[from..to].trim_start().strip_prefix("polarform:") else { return };
+        let Some(colon) = self.text.piece(from..to).trim_start().strip_prefix("polarform:") else { return };
         let text = colon.trim();
         let start = to - colon.len() + (colon.len() - colon.trim_start().len());
         let span = Span::new(start, start + text.len()).shifted(self.start);
@@ -357,10 +359,10 @@ impl<'a> Inline<'a> {
     }
 
     fn dollar(&mut self, at: usize) -> usize {
-        if self.text[at..].starts_with("$$") {
+        if self.text.piece(at..).starts_with("$$") {
             return self.dollars(at);
         }
-        if let Some(code) = self.text[at..].strip_prefix("$`")
+        if let Some(code) = self.text.piece(at..).strip_prefix("$`")
             && let Some(len) = near(code).find("`$")
         {
             let text = Span::new(at + 2, at + 2 + len);
@@ -369,7 +371,7 @@ impl<'a> Inline<'a> {
         // Who writes into the text must not take a price and the code after it for a formula.
         let strict = self.out.layout.is_some() || self.out.in_code.dollars == Dollars::Formulas;
         let has_code = |end: usize| {
-            let content = &self.text[at..end];
+            let content = self.text.piece(at..end);
             content.contains("<!--") || (content.contains('`') && !content.contains(r"\text"))
         };
         match inline_end(self.text, at).filter(|&end| !strict || !has_code(end)) {
@@ -385,21 +387,21 @@ impl<'a> Inline<'a> {
 
     /// Whether the `$` closes a cell, after a tab, that was opened without one: `$b_0 = c$⇥= d$`.
     fn ends_cell(&self, at: usize) -> bool {
-        let rest = self.text[at + 1..].trim_start_matches([' ', '\t', '\r']);
-        (rest.is_empty() || rest.starts_with('\n')) && self.text[self.said..at].starts_with('\t')
+        let rest = self.text.piece(at + 1..).trim_start_matches([' ', '\t', '\r']);
+        (rest.is_empty() || rest.starts_with('\n')) && self.text.piece(self.said..at).starts_with('\t')
     }
 
     fn dollars(&mut self, at: usize) -> usize {
         match display_end(self.text, at + 2, "$$", false) {
-            Some(end) if !self.text[at + 2..end].trim().is_empty() => {
+            Some(end) if !self.text.piece(at + 2..end).trim().is_empty() => {
                 self.formula(Style::Display, Span::new(at + 2, end), at, end + 2);
-                self.said = end + 2 + attributes(&self.text[end + 2..]);
+                self.said = end + 2 + attributes(self.text.piece(end + 2..));
                 self.said
             }
             Some(end) => self.skip(at, end + 2),
             None => {
                 self.out.unclosed("$$", self.start + at, "$$");
-                let rest = &self.text[at + 2..];
+                let rest = self.text.piece(at + 2..);
                 if !rest.contains('$') && rest.contains('\\') && !rest.lines().any(reads_as_prose) {
                     return self.formula(
                         Style::Display,
@@ -415,7 +417,7 @@ impl<'a> Inline<'a> {
 
     /// The address of a link or an image.
     fn link(&mut self, at: usize) -> usize {
-        let rest = nearby(&self.text[at..]);
+        let rest = nearby(self.text.piece(at..));
         let label = match rest.strip_prefix("![") {
             Some(label) => match label.find("](") {
                 Some(len) => len + 2,
@@ -429,7 +431,7 @@ impl<'a> Inline<'a> {
             match byte {
                 b'(' => depth += 1,
                 b')' if depth == 1 => {
-                    let address = &rest[label + 2..i];
+                    let address = rest.piece(label + 2..i);
                     let escapes = ["%5C", "%5c", "\\"].iter().any(|sign| address.contains(sign));
                     if escapes && address.starts_with("http") {
                         let span = Span::new(at, at + i + 1).shifted(self.start);
@@ -446,7 +448,7 @@ impl<'a> Inline<'a> {
 
     /// A web address in the text.
     fn address(&mut self, at: usize) -> usize {
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         if !["https://", "http://", "www."].iter().any(|begin| rest.starts_with(begin)) {
             return at + 1;
         }

@@ -18,7 +18,7 @@ use super::arguments::{
     Argument, Given, MAX_GROUP, MAX_GROUP_AFTER_FAILURE, Reader, call, command_name, specification,
 };
 use super::text::Text;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// How deep macros may stand in what macros stand for.
@@ -138,7 +138,7 @@ impl Macros {
                 reader.sign("=");
                 reader.spaces();
                 let target = reader.token()?;
-                let target = &text[target];
+                let target = text.piece(target);
                 let known = target.strip_prefix('\\').and_then(|target| self.table.get(target));
                 known.cloned().unwrap_or(Macro { arguments: Vec::new(), body: target.to_owned() })
             }
@@ -159,13 +159,14 @@ impl Macros {
                 Macro { arguments, body: reader.group()? }
             }
             _ => {
-                let count =
-                    reader.bracket().map_or(Some(0), |count| text[count].trim().parse::<usize>().ok())?;
+                let count = reader
+                    .bracket()
+                    .map_or(Some(0), |count| text.piece(count).trim().parse::<usize>().ok())?;
                 let mut arguments = vec![Argument::Mandatory; count.min(9)];
                 if let Some(default) = reader.bracket()
                     && let Some(first) = arguments.first_mut()
                 {
-                    *first = Argument::Optional(text[default].to_owned());
+                    *first = Argument::Optional(text.piece(default).to_owned());
                 }
                 Macro { arguments, body: reader.group()? }
             }
@@ -206,7 +207,7 @@ impl Expansion<'_> {
         let text = &input.text;
         let mut said = 0;
         let mut at = 0;
-        while let Some(found) = text[at..].find('\\') {
+        while let Some(found) = text.piece(at..).find('\\') {
             at += found;
             let name = command_name(text, at);
             let after = at + 1 + name.len();
@@ -249,7 +250,7 @@ impl Expansion<'_> {
             if self.problem.as_ref().is_some_and(|problem| problem.code == Code::MacroTooLarge) {
                 return;
             }
-            self.output.separate(&text[end..], place);
+            self.output.separate(text.piece(end..), place);
             (said, at) = (end, end);
         }
         self.output.push_part(input, said..text.len());
@@ -261,13 +262,13 @@ fn substituted(input: &Text, known: &Macro, arguments: &[Given], place: Span) ->
     let mut grown = Text::default();
     let mut rest = known.body.as_str();
     while let Some(at) = rest.find('#') {
-        grown.push_whole(&rest[..at], place);
-        let number = rest[at + 1..].chars().next();
-        rest = &rest[at + 1 + number.map_or(0, char::len_utf8)..];
+        grown.push_whole(rest.piece(..at), place);
+        let number = rest.piece(at + 1..).chars().next();
+        rest = rest.piece(at + 1 + number.map_or(0, char::len_utf8)..);
         let index = number.and_then(|c| c.to_digit(10)).and_then(|digit| (digit as usize).checked_sub(1));
         match index.and_then(|index| arguments.get(index)) {
             Some(Given::At(range)) => {
-                grown.separate(&input.text[range.clone()], place);
+                grown.separate(input.text.piece(range.clone()), place);
                 grown.push_part(input, range.clone());
             }
             Some(Given::Default(text)) => {
@@ -291,9 +292,10 @@ fn uncommented(body: &str) -> String {
     }
     let mut plain = String::new();
     for line in body.split_inclusive('\n') {
-        let escaped = |at: usize| line[..at].bytes().rev().take_while(|&byte| byte == b'\\').count() % 2 == 1;
+        let escaped =
+            |at: usize| line.piece(..at).bytes().rev().take_while(|&byte| byte == b'\\').count() % 2 == 1;
         match line.match_indices('%').find(|&(at, _)| !escaped(at)) {
-            Some((at, _)) => plain.push_str(&line[..at]),
+            Some((at, _)) => plain.push_str(line.piece(..at)),
             None => plain.push_str(line),
         }
     }

@@ -12,6 +12,9 @@
 //! **Reference.** CommonMark 0.31 with the tables of GitHub and the formulas of Pandoc, GitHub, GitLab,
 //! kramdown, Documenter (Julia) and MyST; the reStructuredText markup specification of Docutils.
 
+// Pieces of a text are taken by `Pieces`, which no text can bring down.
+#![cfg_attr(not(test), deny(clippy::string_slice))]
+
 mod arguments;
 mod blocks;
 mod clean;

@@ -14,7 +14,7 @@ use super::blocks;
 use super::collect::Collector;
 use super::text::Text;
 use crate::document::{Item, Places};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes a notebook apart.
@@ -131,17 +131,17 @@ fn cell(text: &str, source: &RawValue) -> Result<Text, Diagnostic> {
 
 /// The content of a string in quotes that stands at byte `start`.
 fn unescape(string: &str, start: usize, out: &mut Text) {
-    let inner = &string[1..string.len() - 1];
+    let inner = string.piece(1..string.len() - 1);
     let mut at = 0;
     while at < inner.len() {
-        let plain = inner[at..].find('\\').unwrap_or(inner.len() - at);
+        let plain = inner.piece(at..).find('\\').unwrap_or(inner.len() - at);
         if plain > 0 {
             out.places.push(out.text.len(), start + 1 + at, true);
-            out.text.push_str(&inner[at..at + plain]);
+            out.text.push_str(inner.piece(at..at + plain));
             at += plain;
         }
         if at < inner.len() {
-            let (c, len) = escape(&inner[at..]);
+            let (c, len) = escape(inner.piece(at..));
             out.push_whole(c.encode_utf8(&mut [0; 4]), Span::new(start + 1 + at, start + 1 + at + len));
             at += len;
         }
@@ -158,7 +158,7 @@ fn escape(text: &str) -> (char, usize) {
         Some(b'b') => '\u{8}',
         Some(b'f') => '\u{c}',
         Some(b'u') => {
-            let units = [unit(0), unit(6).filter(|_| text[6..].starts_with(r"\u"))];
+            let units = [unit(0), unit(6).filter(|_| text.piece(6..).starts_with(r"\u"))];
             let first = char::decode_utf16(units.into_iter().flatten()).next();
             let c = first.and_then(Result::ok).unwrap_or(char::REPLACEMENT_CHARACTER);
             return (c, if c.len_utf16() == 2 { 12 } else { 6 });

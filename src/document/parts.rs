@@ -12,7 +12,7 @@ use std::ops::Range;
 use super::collect::Collector;
 use super::{blocks, tex_parts};
 use crate::document::{Places, Style};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// What a part is.
@@ -90,11 +90,11 @@ impl Layout {
 pub fn options_in(info: &str) -> Option<std::ops::Range<usize>> {
     let end = info.trim_end().len();
     let (mut start, mut end) = (info.len() - info.trim_start().len(), end);
-    let braced = |start: usize, end: usize| start < end && info[start..end].starts_with('{');
-    if braced(start, end) && info[start..end].ends_with('}') {
+    let braced = |start: usize, end: usize| start < end && info.piece(start..end).starts_with('{');
+    if braced(start, end) && info.piece(start..end).ends_with('}') {
         (start, end) = (start + 1, end - 1);
-        start += info[start..end].len() - info[start..end].trim_start().len();
-        start += usize::from(info[start..end].starts_with('.'));
+        start += info.piece(start..end).len() - info.piece(start..end).trim_start().len();
+        start += usize::from(info.piece(start..end).starts_with('.'));
     }
     let rest = info.get(start..end)?.strip_prefix("polarform")?;
     let separate = rest.is_empty() || rest.starts_with([' ', '\t', ',']);
@@ -130,7 +130,7 @@ pub(super) fn hidden_queries(comment: &str) -> Option<Part> {
     let (mut parts, _) = markdown_parts(comment);
     let part = parts.pop().filter(|_| parts.is_empty())?;
     match &part.kind {
-        PartKind::Code { info, closed: true } => options_in(&comment[info.range()]).map(|_| part),
+        PartKind::Code { info, closed: true } => options_in(comment.piece(info.range())).map(|_| part),
         _ => None,
     }
 }
@@ -183,7 +183,7 @@ pub fn query_at(text: &str, at: usize, in_formula: bool) -> Opening {
             b'}' if bytes.get(at + 1) == Some(&b'}') => return Opening::Query(from..at),
             b'}' => return missing,
             b'\n' => {
-                let line = &text[at + 1..];
+                let line = text.piece(at + 1..);
                 if line.split('\n').next().is_none_or(|line| line.trim().is_empty()) {
                     return missing;
                 }

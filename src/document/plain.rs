@@ -9,6 +9,7 @@
 
 use std::ops::Range;
 
+use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::{latex, syntax};
 
@@ -37,8 +38,8 @@ pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
             continue;
         }
         for run in balanced(segment) {
-            let first =
-                continues && run.first().is_some_and(|token| line[..token.range.start].trim().is_empty());
+            let first = continues
+                && run.first().is_some_and(|token| line.piece(..token.range.start).trim().is_empty());
             found.extend(formulas(line, run, first));
         }
     }
@@ -109,7 +110,7 @@ fn tokens(line: &str) -> Vec<Token> {
     let mut tokens = Vec::new();
     let mut at = 0;
     let mut spaced = false;
-    while let Some(c) = line[at..].chars().next() {
+    while let Some(c) = line.piece(at..).chars().next() {
         if c.is_whitespace() {
             at += c.len_utf8();
             spaced = true;
@@ -125,19 +126,19 @@ fn tokens(line: &str) -> Vec<Token> {
 }
 
 fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
-    let rest = &line[at..];
+    let rest = line.piece(at..);
     let one = c.len_utf8();
     if c.is_ascii_digit() {
         let mut len = rest.bytes().take_while(u8::is_ascii_digit).count();
-        if let Some(tail) = rest[len..].strip_prefix('.') {
+        if let Some(tail) = rest.piece(len..).strip_prefix('.') {
             let decimals = tail.bytes().take_while(u8::is_ascii_digit).count();
             len += if decimals > 0 { decimals + 1 } else { 0 };
         }
-        let word = letters(&rest[len..]);
+        let word = letters(rest.piece(len..));
         if word > 1 {
             return (Kind::Cut, len + word, 0);
         }
-        return (Kind::Number, len + exponents(&rest[len..]), 0);
+        return (Kind::Number, len + exponents(rest.piece(len..)), 0);
     }
     if is_letter(c) {
         let word = letters(rest);
@@ -151,15 +152,15 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
     }
     if c == '*' {
         let marks = rest.bytes().take_while(|&byte| byte == b'*').count();
-        let free = !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == ')');
-        if free && marks <= 2 && rest[marks..].starts_with(is_symbol) {
-            let inner = &rest[marks..];
+        let free = !line.piece(..at).ends_with(|c: char| c.is_alphanumeric() || c == ')');
+        if free && marks <= 2 && rest.piece(marks..).starts_with(is_symbol) {
+            let inner = rest.piece(marks..);
             let first = inner.chars().next().map_or(0, char::len_utf8);
             let (kind, len, _) = name(inner, first);
             if kind != Kind::Cut
                 && letters(inner) <= 1
-                && inner[len..].starts_with(&rest[..marks])
-                && !inner[len + marks..].starts_with(|c: char| c.is_alphanumeric() || c == '*')
+                && inner.piece(len..).starts_with(rest.piece(..marks))
+                && !inner.piece(len + marks..).starts_with(|c: char| c.is_alphanumeric() || c == '*')
             {
                 return (Kind::Name, len + 2 * marks, marks);
             }
@@ -229,16 +230,16 @@ fn exponents(text: &str) -> usize {
 fn name(text: &str, len: usize) -> (Kind, usize, usize) {
     let letter = len;
     let mut len = len;
-    len += text[len..].bytes().take_while(u8::is_ascii_digit).count();
+    len += text.piece(len..).bytes().take_while(u8::is_ascii_digit).count();
     loop {
-        let rest = &text[len..];
+        let rest = text.piece(len..);
         len += match rest.chars().next() {
             Some(c) if is_raised(c) || matches!(c, '\'' | '’' | '′' | '″') => c.len_utf8(),
-            Some(sign @ ('_' | '^')) => match script(&rest[1..]) {
+            Some(sign @ ('_' | '^')) => match script(rest.piece(1..)) {
                 Some(script) => 1 + script,
                 None if sign == '^' => break,
                 // A word with underscores.
-                None => return (Kind::Cut, len + 1 + letters(&rest[1..]), 0),
+                None => return (Kind::Cut, len + 1 + letters(rest.piece(1..)), 0),
             },
             _ => break,
         };
@@ -253,12 +254,12 @@ fn script(text: &str) -> Option<usize> {
     if first == '(' {
         // b_(i-1), B_i^(n-1)
         let close = text.bytes().take(40).position(|byte| byte == b')')?;
-        let inner = &text[1..close];
+        let inner = text.piece(1..close);
         return (!inner.is_empty() && !inner.contains(['(', '=', ' '])).then_some(close + 1);
     }
     if first == '{' {
         let close = text.bytes().take(40).position(|byte| byte == b'}')?;
-        return (!text[1..close].contains(['{', '='])).then_some(close + 1);
+        return (!text.piece(1..close).contains(['{', '='])).then_some(close + 1);
     }
     if first.is_ascii_digit() {
         return Some(text.bytes().take_while(u8::is_ascii_digit).count());
@@ -270,7 +271,7 @@ fn script(text: &str) -> Option<usize> {
         return None;
     }
     let word = letters(text);
-    let splits = text[word..].starts_with(|c: char| matches!(c, '_' | '^' | '(') || is_raised(c));
+    let splits = text.piece(word..).starts_with(|c: char| matches!(c, '_' | '^' | '(') || is_raised(c));
     match word {
         1 => Some(1),
         2 if splits => Some(1),
@@ -379,7 +380,7 @@ fn formula(line: &str, part: &[Token], continues: bool) -> Option<Found> {
 }
 
 fn is_minus(line: &str, token: &Token) -> bool {
-    matches!(&line[token.range.clone()], "-" | "−")
+    matches!(line.piece(token.range.clone()), "-" | "−")
 }
 
 fn starts_operand(token: &Token) -> bool {
@@ -418,7 +419,7 @@ fn readable(line: &str, tokens: &[Token], continues: bool) -> Option<Found> {
             Kind::Close(_) => depth = depth.checked_sub(1)?,
             Kind::Relation if depth == 0 => {
                 sides.push(0);
-                strong |= !matches!(&line[token.range.clone()], "<" | ">");
+                strong |= !matches!(line.piece(token.range.clone()), "<" | ">");
             }
             Kind::Name | Kind::Article | Kind::Number => {
                 if let Some(side) = sides.last_mut() {
@@ -433,7 +434,7 @@ fn readable(line: &str, tokens: &[Token], continues: bool) -> Option<Found> {
         return None;
     }
     let range = first.range.start..last.range.end;
-    let mut text = line[range.clone()].to_owned();
+    let mut text = line.piece(range.clone()).to_owned();
     for token in tokens.iter().filter(|token| token.marks > 0) {
         let (from, to) = (token.range.start - range.start, token.range.end - range.start);
         let blank = " ".repeat(token.marks);

@@ -13,7 +13,7 @@ use super::directives::{self, Content, is_option, without_options};
 use super::rst_inline;
 use super::signs::line_at;
 use crate::document::{Enclosure, Item, Style};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 
 /// Takes a part of a text apart.
 pub(super) fn scan(text: &str, range: Range<usize>, out: &mut Collector) {
@@ -53,7 +53,7 @@ impl Line {
     fn new(text: &str, start: usize, end: usize) -> Self {
         let mut column = 0;
         let mut at = start;
-        for byte in text[start..end].bytes() {
+        for byte in text.piece(start..end).bytes() {
             match byte {
                 b' ' => column += 1,
                 b'\t' => column += 8 - column % 8,
@@ -61,7 +61,7 @@ impl Line {
             }
             at += 1;
         }
-        let end = at + text[at..end].trim_end().len();
+        let end = at + text.piece(at..end).trim_end().len();
         Line { start: at, end, column }
     }
 
@@ -94,7 +94,7 @@ struct Rst<'a> {
 impl<'a> Rst<'a> {
     fn at(&self, line: usize) -> &'a str {
         let text = self.text;
-        self.lines.get(line).map_or("", |line| &text[line.start..line.end])
+        self.lines.get(line).map_or("", |line| text.piece(line.start..line.end))
     }
 
     /// Takes the line apart, with those that belong to it; the next one.
@@ -142,7 +142,7 @@ impl<'a> Rst<'a> {
             return at + 1;
         }
         if let Some(len) = list_mark(text).filter(|_| self.open.len() < MAX_NESTING) {
-            let rest = text[len..].trim_start();
+            let rest = text.piece(len..).trim_start();
             let shift = text.len() - rest.len();
             self.out.enter(Enclosure::Item);
             self.open.push(Open { column: line.column + 1, what: Enclosure::Item });
@@ -157,8 +157,8 @@ impl<'a> Rst<'a> {
     fn underline(&mut self, at: usize) -> Option<usize> {
         let text = self.at(at);
         let [title] = self.paragraph[..] else { return None };
-        let long =
-            text.len() >= 4 || text.chars().count() >= self.text[title.start..title.end].chars().count();
+        let long = text.len() >= 4
+            || text.chars().count() >= self.text.piece(title.start..title.end).chars().count();
         if !is_line_of_marks(text) || !long || self.lines[at].column != title.column {
             return None;
         }
@@ -187,7 +187,7 @@ impl<'a> Rst<'a> {
             self.levels.len() - 1
         });
         self.out.push(Item::Heading { level: (level + 1).min(6) as u8, span: title.span() });
-        rst_inline::scan(&self.text[title.start..title.end], title.start, false, self.out);
+        rst_inline::scan(self.text.piece(title.start..title.end), title.start, false, self.out);
         self.out.end_paragraph();
     }
 
@@ -204,7 +204,7 @@ impl<'a> Rst<'a> {
             self.out.enter(Enclosure::Row);
         }
         rst_inline::scan(
-            &self.text[line.start + 1..line.end - usize::from(table)],
+            self.text.piece(line.start + 1..line.end - usize::from(table)),
             line.start + 1,
             true,
             self.out,
@@ -227,14 +227,14 @@ impl<'a> Rst<'a> {
     /// What begins with two dots: a directive, footnote, target, substitution or comment.
     fn explicit(&mut self, at: usize) -> usize {
         let line = self.lines[at];
-        let rest = self.at(at)[2..].trim_start();
+        let rest = self.at(at).piece(2..).trim_start();
         let start = line.end - rest.len();
         let end = self.block_end(at);
         if let Some(text) = rest.strip_prefix("polarform:").filter(|text| !text.starts_with(':')) {
             let last = (at..end).rev().find(|&at| !self.lines[at].is_blank()).unwrap_or(at);
             let start = line.end - text.trim_start().len();
             let span = Span::new(start, self.lines[last].end.max(start));
-            let text = self.text[span.range()].to_owned();
+            let text = self.text.piece(span.range()).to_owned();
             self.out.push(Item::Declaration { text, span, block: false });
             return end;
         }
@@ -257,7 +257,7 @@ impl<'a> Rst<'a> {
         };
         let argument = line.end - argument.trim_start().len();
         if name == "default-role" {
-            self.out.default_role = self.text[argument..line.end].trim() == "math";
+            self.out.default_role = self.text.piece(argument..line.end).trim() == "math";
             return end;
         }
         // What plots show may be a session with words between its commands.
@@ -278,8 +278,8 @@ impl<'a> Rst<'a> {
                     let below = self.lines[next..end].first().filter(|line| !line.is_blank());
                     let column = below.map_or(line.column + 3, |line| line.column);
                     self.paragraph.push(Line { start: argument, end: line.end, column });
-                } else if self.text[argument..line.end].contains('`') {
-                    rst_inline::scan(&self.text[argument..line.end], argument, false, self.out);
+                } else if self.text.piece(argument..line.end).contains('`') {
+                    rst_inline::scan(self.text.piece(argument..line.end), argument, false, self.out);
                     self.out.end_paragraph();
                 }
                 next
@@ -287,8 +287,8 @@ impl<'a> Rst<'a> {
             Content::Rst | Content::Code => end,
             Content::Include => {
                 let text = self.text;
-                let options = self.lines[at + 1..end].iter().map(|line| &text[line.start..line.end]);
-                directives::included(&text[argument..line.end], options, line.span(), self.out);
+                let options = self.lines[at + 1..end].iter().map(|line| text.piece(line.start..line.end));
+                directives::included(text.piece(argument..line.end), options, line.span(), self.out);
                 end
             }
             Content::Unknown => {
@@ -318,7 +318,7 @@ impl<'a> Rst<'a> {
         let mut from = None;
         let mut depth = 0_isize;
         for (i, line) in all.iter().enumerate() {
-            let text = &self.text[line.range()];
+            let text = self.text.piece(line.range());
             depth += text.matches(r"\begin{").count() as isize - text.matches(r"\end{").count() as isize;
             if !line.is_empty() {
                 from.get_or_insert(line.start);
@@ -332,7 +332,7 @@ impl<'a> Rst<'a> {
     }
 
     fn equation(&mut self, start: usize, end: usize) {
-        let text = &self.text[start..end];
+        let text = self.text.piece(start..end);
         // With `:nowrap:` the signs of LaTeX stand there.
         let bare = [(r"\[", r"\]"), ("$$", "$$")].iter().find_map(|(open, close)| {
             let rest = text.strip_prefix(open)?;
@@ -345,7 +345,7 @@ impl<'a> Rst<'a> {
     fn end_paragraph(&mut self) {
         let lines = std::mem::take(&mut self.paragraph);
         let (Some(first), Some(last)) = (lines.first(), lines.last()) else { return };
-        let text = &self.text[first.start..last.end];
+        let text = self.text.piece(first.start..last.end);
         if !text.trim_end_matches(':').is_empty() {
             rst_inline::scan(text, first.start, true, self.out);
             self.out.end_paragraph();
@@ -400,20 +400,20 @@ fn is_name(name: &str) -> bool {
 /// The bytes of the mark of a list item or field with the space after it.
 fn list_mark(line: &str) -> Option<usize> {
     let first = line.chars().next()?;
-    let rest = &line[first.len_utf8()..];
+    let rest = line.piece(first.len_utf8()..);
     if matches!(first, '*' | '+' | '-' | '•' | '‣' | '⁃') {
         return (rest.is_empty() || rest.starts_with(' ')).then_some(first.len_utf8());
     }
     if first == ':' {
         // A field: `:param x: text`.
         let close = rest.find(": ").or_else(|| rest.strip_suffix(':').map(str::len))?;
-        let name = &rest[..close];
+        let name = rest.piece(..close);
         return (!name.is_empty() && !name.contains(['`', ':'])).then_some(close + 2);
     }
     let open = usize::from(first == '(');
     let number =
-        line[open..].bytes().take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'#').count();
-    let name = &line[open..open + number];
+        line.piece(open..).bytes().take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'#').count();
+    let name = line.piece(open..open + number);
     let roman = |name: &str| name.bytes().all(|byte| b"ivxlIVXL".contains(&byte));
     let counts = name == "#" || name.bytes().all(|byte| byte.is_ascii_digit()) || number == 1 || roman(name);
     let mark = *line.as_bytes().get(open + number)?;

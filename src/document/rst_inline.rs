@@ -3,17 +3,17 @@
 use super::collect::Collector;
 use super::signs::{display_end, inline_end, is_currency};
 use crate::document::Style;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 
 /// Takes the text of a paragraph apart; it stands at byte `start` of the file. `words`: whether they count.
 pub(super) fn scan(text: &str, start: usize, words: bool, out: &mut Collector) {
     let mut inline =
         Inline { text, start, words, out, said: 0, after_formula: false, no_close: [usize::MAX; 2] };
     let mut at = 0;
-    while let Some(found) = text[at..].find(['\\', '`', '$', '|']) {
+    while let Some(found) = text.piece(at..).find(['\\', '`', '$', '|']) {
         at += found;
         at = match text.as_bytes()[at] {
-            b'\\' => at + 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8),
+            b'\\' => at + 1 + text.piece(at + 1..).chars().next().map_or(0, char::len_utf8),
             b'`' => inline.backquote(at),
             b'$' => inline.dollar(at),
             _ => inline.substitution(at),
@@ -37,7 +37,7 @@ struct Inline<'a> {
 impl Inline<'_> {
     fn say(&mut self, at: usize) {
         if self.words && self.said < at {
-            self.out.prose(&self.text[self.said..at], self.start + self.said, self.after_formula);
+            self.out.prose(self.text.piece(self.said..at), self.start + self.said, self.after_formula);
         }
         self.said = self.said.max(at);
         self.after_formula = false;
@@ -51,7 +51,7 @@ impl Inline<'_> {
 
     fn formula(&mut self, style: Style, text: Span, from: usize, to: usize) -> usize {
         self.say(from);
-        self.out.formula(style, &self.text[text.range()], self.start + text.start);
+        self.out.formula(style, self.text.piece(text.range()), self.start + text.start);
         self.said = to;
         self.after_formula = true;
         to
@@ -63,11 +63,12 @@ impl Inline<'_> {
             return None;
         }
         let mut at = from;
-        while let Some(found) = self.text[at..].find(mark) {
+        while let Some(found) = self.text.piece(at..).find(mark) {
             let escaped =
-                self.text[..at + found].bytes().rev().take_while(|&byte| byte == b'\\').count() % 2 == 1;
+                self.text.piece(..at + found).bytes().rev().take_while(|&byte| byte == b'\\').count() % 2
+                    == 1;
             // In a formula a backslash before the last sign is one of LaTeX: `\,`.
-            if found > 0 && !(escaped && mark == "`" && self.text[at + found + 1..].contains('`')) {
+            if found > 0 && !(escaped && mark == "`" && self.text.piece(at + found + 1..).contains('`')) {
                 return Some(at + found);
             }
             at += found + mark.len();
@@ -77,25 +78,25 @@ impl Inline<'_> {
     }
 
     fn backquote(&mut self, at: usize) -> usize {
-        if self.text[at..].starts_with("``") {
+        if self.text.piece(at..).starts_with("``") {
             return match self.close(at + 2, "``") {
                 Some(end) => {
-                    let more = self.text[end + 2..].bytes().take_while(|&byte| byte == b'`').count();
+                    let more = self.text.piece(end + 2..).bytes().take_while(|&byte| byte == b'`').count();
                     self.skip(at, end + 2 + more)
                 }
                 None => at + 2,
             };
         }
         let Some(end) = self.close(at + 1, "`") else {
-            if self.text[..at].ends_with(":math:") {
+            if self.text.piece(..at).ends_with(":math:") {
                 self.out.unclosed(":math:`", self.start + at - ":math:".len(), "`");
             }
             return at + 1;
         };
         let content = Span::new(at + 1, end);
-        let before = &self.text[self.said..at];
+        let before = self.text.piece(self.said..at);
         let role = before.ends_with(':').then(|| role_before(before)).flatten();
-        let after = &self.text[end + 1..];
+        let after = self.text.piece(end + 1..);
         match role {
             Some("math") => self.formula(Style::Inline, content, at - ":math:".len(), end + 1),
             Some(role) => self.skip(at - role.len() - 2, end + 1),
@@ -111,7 +112,7 @@ impl Inline<'_> {
 
     /// `$…$`, which some projects read as formulas.
     fn dollar(&mut self, at: usize) -> usize {
-        if self.text[at..].starts_with("$$") {
+        if self.text.piece(at..).starts_with("$$") {
             return match display_end(self.text, at + 2, "$$", false) {
                 Some(end) => self.formula(Style::Display, Span::new(at + 2, end), at, end + 2),
                 None => at + 2,
@@ -125,11 +126,11 @@ impl Inline<'_> {
 
     /// `|name|` stands for something else.
     fn substitution(&mut self, at: usize) -> usize {
-        let name = &self.text[at + 1..];
+        let name = self.text.piece(at + 1..);
         let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | ' ' | '.');
         let len = name.chars().take(60).take_while(|&c| plain(c)).map(char::len_utf8).sum::<usize>();
-        let tight = len > 0 && !name.starts_with(' ') && !name[..len].ends_with(' ');
-        if tight && name[len..].starts_with('|') { self.skip(at, at + len + 2) } else { at + 1 }
+        let tight = len > 0 && !name.starts_with(' ') && !name.piece(..len).ends_with(' ');
+        if tight && name.piece(len..).starts_with('|') { self.skip(at, at + len + 2) } else { at + 1 }
     }
 }
 
@@ -139,7 +140,7 @@ fn role_before(before: &str) -> Option<&str> {
     let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.' | ':' | '+');
     let start = inner
         .rfind(|c: char| !plain(c))
-        .map_or(0, |at| at + inner[at..].chars().next().map_or(1, char::len_utf8));
-    let name = inner[start..].strip_prefix(':')?;
+        .map_or(0, |at| at + inner.piece(at..).chars().next().map_or(1, char::len_utf8));
+    let name = inner.piece(start..).strip_prefix(':')?;
     (!name.is_empty()).then_some(name)
 }

@@ -4,6 +4,7 @@
 //! inside out. So the search for the closing sign stops at what cannot stand in a formula: a
 //! heading, a fence, a formula set with single `$`, a paragraph of prose.
 
+use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::is_ideograph;
 
 /// The environments that are displays of their own.
@@ -68,7 +69,7 @@ pub(super) fn formula_end(
             b'\\' if stands(text, at, closing) => return Some(at),
             b'\\' if opening.is_some_and(|opening| stands(text, at, opening)) => return None,
             b'\\' => {
-                at += 1 + text[at + 1..].chars().next().map_or(0, char::len_utf8);
+                at += 1 + text.piece(at + 1..).chars().next().map_or(0, char::len_utf8);
                 continue;
             }
             b'$' if closing != "$" && stands(text, at, closing) => return Some(at),
@@ -98,7 +99,9 @@ pub(super) fn formula_end(
 /// Whether the sign stands at `at`; a command ends where its letters end.
 fn stands(text: &str, at: usize, sign: &str) -> bool {
     let letter = |c: char| c.is_ascii_alphabetic();
-    text[at..].strip_prefix(sign).is_some_and(|rest| !sign.ends_with(letter) || !rest.starts_with(letter))
+    text.piece(at..)
+        .strip_prefix(sign)
+        .is_some_and(|rest| !sign.ends_with(letter) || !rest.starts_with(letter))
 }
 
 /// A group of text in a formula, within which `$…$` may stand, is not longer.
@@ -122,7 +125,7 @@ struct Braces {
 
 impl Braces {
     fn open(&mut self, text: &str, at: usize) {
-        let opens = opens_text(&text[..at]);
+        let opens = opens_text(text.piece(..at));
         if opens && self.texts == 0 {
             self.start = at;
         }
@@ -143,13 +146,13 @@ impl Braces {
 
 /// The line that starts at `at`, without its end.
 pub(super) fn line_at(text: &str, at: usize) -> &str {
-    let rest = &text[at..];
-    &rest[..rest.bytes().position(|byte| byte == b'\n').unwrap_or(rest.len())]
+    let rest = text.piece(at..);
+    rest.piece(..rest.bytes().position(|byte| byte == b'\n').unwrap_or(rest.len()))
 }
 
 fn is_heading(line: &str) -> bool {
     let marks = line.bytes().take_while(|&byte| byte == b'#').count();
-    (1..=6).contains(&marks) && line[marks..].starts_with([' ', '\t'])
+    (1..=6).contains(&marks) && line.piece(marks..).starts_with([' ', '\t'])
 }
 
 fn is_fence(line: &str) -> bool {
@@ -161,8 +164,8 @@ fn opens_text(before: &str) -> bool {
     let before = before.trim_end_matches([' ', '*']);
     let name = before.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     name.ends_with('\\')
-        && (before[name.len()..].starts_with("text")
-            || matches!(&before[name.len()..], "mbox" | "hbox" | "intertext" | "shortintertext" | "tag"))
+        && (before.piece(name.len()..).starts_with("text")
+            || matches!(before.piece(name.len()..), "mbox" | "hbox" | "intertext" | "shortintertext" | "tag"))
 }
 
 /// Whether a line outside of signs is a sentence rather than a formula: four words in a row, or
@@ -193,7 +196,7 @@ pub(super) fn reads_as_prose(line: &str) -> bool {
 /// Where the formula opened by the single `$` at `open` ends: the byte of the closing `$`.
 pub(super) fn inline_end(text: &str, open: usize) -> Option<usize> {
     let close = next_dollar(text, open + 1, true).or_else(|| next_dollar(text, open + 1, false))?;
-    let content = &text[open + 1..close];
+    let content = text.piece(open + 1..close);
     let after = text.as_bytes().get(close + 1);
     (!is_money(content, after) && !is_between_formulas(content)).then_some(close)
 }
@@ -229,7 +232,7 @@ fn closes(text: &str, from: usize, at: usize) -> bool {
                 .take_while(|&&byte| byte != b'\n')
                 .position(|&byte| byte == b'$');
             next.is_some_and(|next| rest.get(next + 3) != Some(&b'$'))
-                && !is_between_formulas(&text[from..at])
+                && !is_between_formulas(text.piece(from..at))
         }
         _ => false,
     }
@@ -272,12 +275,12 @@ fn is_between_formulas(content: &str) -> bool {
 
 /// A sign that amounts to a currency: `$5`, `US$`.
 pub(super) fn is_currency(text: &str, at: usize) -> bool {
-    let rest = &text[at + 1..];
+    let rest = text.piece(at + 1..);
     let digits = rest.bytes().take_while(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',')).count();
-    let after = rest[digits..].chars().next();
+    let after = rest.piece(digits..).chars().next();
     (digits > 0
         && after
             .is_none_or(|c| c.is_whitespace() || c.is_ascii_punctuation() && !matches!(c, '^' | '_' | '\\')))
         || (rest.starts_with(|c: char| c.is_whitespace() || c == ')')
-            && text[..at].ends_with(|c: char| c.is_ascii_digit()))
+            && text.piece(..at).ends_with(|c: char| c.is_ascii_digit()))
 }

@@ -14,7 +14,7 @@ use super::macros::{half_definition, is_definer};
 use super::signs::{braced_name, display_end, formula_end, is_math_environment, line_at};
 use super::vocabulary::{HEADINGS, LISTS, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
 use crate::document::{Enclosure, Item, Style};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::latex;
 
@@ -86,7 +86,7 @@ impl<'a> Latex<'a, '_> {
     /// The words up to `at`.
     fn say(&mut self, at: usize) {
         if self.body && self.title.is_none() && self.said < at {
-            self.out.words(&self.text[self.said..at], self.said);
+            self.out.words(self.text.piece(self.said..at), self.said);
         }
         self.said = self.said.max(at);
     }
@@ -100,7 +100,7 @@ impl<'a> Latex<'a, '_> {
 
     fn formula(&mut self, style: Style, content: Span, from: usize, to: usize) -> usize {
         self.say(from);
-        self.out.commented_formula(style, &self.text[content.range()], content.start);
+        self.out.commented_formula(style, self.text.piece(content.range()), content.start);
         self.said = to;
         to
     }
@@ -118,7 +118,7 @@ impl<'a> Latex<'a, '_> {
     }
 
     fn line_end(&mut self, at: usize) -> usize {
-        let rest = self.text[at + 1..].trim_start_matches([' ', '\t', '\r']);
+        let rest = self.text.piece(at + 1..).trim_start_matches([' ', '\t', '\r']);
         if rest.starts_with('\n') {
             self.end_paragraph(at);
         }
@@ -133,7 +133,7 @@ impl<'a> Latex<'a, '_> {
     }
 
     fn dollar(&mut self, at: usize) -> usize {
-        let sign = if self.text[at..].starts_with("$$") { "$$" } else { "$" };
+        let sign = if self.text.piece(at..).starts_with("$$") { "$$" } else { "$" };
         let style = if sign == "$$" { Style::Display } else { Style::Inline };
         let from = at + sign.len();
         match display_end(self.text, from, sign, true) {
@@ -157,7 +157,7 @@ impl<'a> Latex<'a, '_> {
                 return self.skip(at, end);
             }
             "newtheorem" => {
-                let name = after + usize::from(self.text[after..].starts_with('*'));
+                let name = after + usize::from(self.text.piece(after..).starts_with('*'));
                 if let Some((name, _)) = braced_name(self.text, name) {
                     self.out.macros.theorems.insert(name.to_owned());
                 }
@@ -196,7 +196,7 @@ impl<'a> Latex<'a, '_> {
             }
             "ensuremath" => match braces_end(self.text, after) {
                 Some(end) => {
-                    let open = end - self.text[after..end].trim_start().len();
+                    let open = end - self.text.piece(after..end).trim_start().len();
                     self.formula(Style::Inline, Span::new(open + 1, end - 1), at, end)
                 }
                 None => after,
@@ -213,7 +213,7 @@ impl<'a> Latex<'a, '_> {
         match display_end(self.text, at + 2, closing, true) {
             Some(end) => self.formula(style, Span::new(at + 2, end), at, end + 2),
             None => {
-                self.out.unclosed(&self.text[at..at + 2], at, closing);
+                self.out.unclosed(self.text.piece(at..at + 2), at, closing);
                 self.skip(at, at + 2)
             }
         }
@@ -241,7 +241,7 @@ impl<'a> Latex<'a, '_> {
             }
             None => {
                 let sign = signs.swap_remove(0);
-                self.out.unclosed(&self.text[at..after], at, &sign);
+                self.out.unclosed(self.text.piece(at..after), at, &sign);
                 self.skip(at, after)
             }
         }
@@ -259,7 +259,7 @@ impl<'a> Latex<'a, '_> {
         if VERBATIM.contains(&name.trim_end_matches('*')) {
             return match self.find_end(end, &closing) {
                 Some(past) => {
-                    if name.starts_with("algorithm") && self.text[end..past].contains('$') {
+                    if name.starts_with("algorithm") && self.text.piece(end..past).contains('$') {
                         self.out.unseen(place, "the formulas of this algorithm were not read");
                     }
                     if name == "polarform" {
@@ -267,7 +267,7 @@ impl<'a> Latex<'a, '_> {
                         let last = past - closing.len();
                         // Options without a closing bracket end nowhere: all of it is code.
                         let code = Some(self.brackets(end)).filter(|&code| code <= last).unwrap_or(end);
-                        self.out.queries(&self.text[code..last], code);
+                        self.out.queries(self.text.piece(code..last), code);
                     }
                     self.skip(at, past)
                 }
@@ -294,7 +294,7 @@ impl<'a> Latex<'a, '_> {
                     self.formula(Style::Display, content, at, to)
                 }
                 None => {
-                    self.out.unclosed(&self.text[place.range()], at, &closing);
+                    self.out.unclosed(self.text.piece(place.range()), at, &closing);
                     self.skip(at, end)
                 }
             };
@@ -337,7 +337,7 @@ impl<'a> Latex<'a, '_> {
     fn columns(&self, name: &str, at: usize) -> usize {
         let at = self.brackets(at);
         let columns = name.starts_with("IEEE") || name.contains("alignat");
-        let braces = columns && self.text[at..].starts_with('{');
+        let braces = columns && self.text.piece(at..).starts_with('{');
         if braces { braces_end(self.text, at).unwrap_or(at) } else { at }
     }
 
@@ -346,7 +346,7 @@ impl<'a> Latex<'a, '_> {
         if self.missing.iter().any(|missing| missing == closing) {
             return None;
         }
-        let found = self.text[from..].find(closing).map(|found| from + found + closing.len());
+        let found = self.text.piece(from..).find(closing).map(|found| from + found + closing.len());
         if found.is_none() {
             self.missing.push(closing.to_owned());
         }
@@ -405,9 +405,10 @@ impl<'a> Latex<'a, '_> {
     }
 
     fn heading(&mut self, at: usize, after: usize, level: u8) -> usize {
-        let star = after + usize::from(self.text[after..].starts_with('*'));
+        let star = after + usize::from(self.text.piece(after..).starts_with('*'));
         let open = self.spaces(self.brackets(star));
-        let Some(end) = braces_end(self.text, open).filter(|_| self.text[open..].starts_with('{')) else {
+        let Some(end) = braces_end(self.text, open).filter(|_| self.text.piece(open..).starts_with('{'))
+        else {
             return after;
         };
         self.end_paragraph(at);
@@ -425,19 +426,19 @@ impl<'a> Latex<'a, '_> {
     }
 
     fn verbatim(&mut self, at: usize, after: usize, name: &str) -> usize {
-        let mut from = after + usize::from(self.text[after..].starts_with('*'));
+        let mut from = after + usize::from(self.text.piece(after..).starts_with('*'));
         if name != "verb" {
             from = self.brackets(from);
         }
         if name == "mintinline" {
             from = braces_end(self.text, from).unwrap_or(from);
         }
-        let Some(sign) = self.text[from..].chars().next().filter(|c| !c.is_whitespace()) else {
+        let Some(sign) = self.text.piece(from..).chars().next().filter(|c| !c.is_whitespace()) else {
             return after;
         };
         let closing = if sign == '{' { '}' } else { sign };
-        let line = nearby(&self.text[from..]);
-        match line[sign.len_utf8()..].find(closing) {
+        let line = nearby(self.text.piece(from..));
+        match line.piece(sign.len_utf8()..).find(closing) {
             Some(found) => self.skip(at, from + sign.len_utf8() + found + closing.len_utf8()),
             None => after,
         }
@@ -445,7 +446,7 @@ impl<'a> Latex<'a, '_> {
 
     fn included(&mut self, at: usize, after: usize, name: &str) -> usize {
         let from = self.spaces(after);
-        let rest = nearby(&self.text[from..]);
+        let rest = nearby(self.text.piece(from..));
         let (file, end) = match braces_end(self.text, from).filter(|_| rest.starts_with('{')) {
             Some(first) if name.ends_with("import") => match braces_end(self.text, first) {
                 Some(second) => {
@@ -470,7 +471,7 @@ impl<'a> Latex<'a, '_> {
 
     /// What stands in the braces of `from..to`.
     fn inside(&self, from: usize, to: usize) -> &'a str {
-        self.text[from..to].trim().trim_start_matches('{').trim_end_matches('}')
+        self.text.piece(from..to).trim().trim_start_matches('{').trim_end_matches('}')
     }
 
     /// Passes a command with its arguments.
@@ -481,13 +482,13 @@ impl<'a> Latex<'a, '_> {
 
     /// The byte after white space within the line.
     fn spaces(&self, at: usize) -> usize {
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         at + (rest.len() - rest.trim_start_matches([' ', '\t']).len())
     }
 
     /// The byte after a short argument in brackets.
     fn brackets(&self, at: usize) -> usize {
-        let rest = &self.text[at..];
+        let rest = self.text.piece(at..);
         if !rest.starts_with('[') {
             return at;
         }
@@ -496,11 +497,11 @@ impl<'a> Latex<'a, '_> {
 
     /// The byte after all arguments, in brackets and braces.
     fn arguments(&self, at: usize) -> usize {
-        let mut at = at + usize::from(self.text[at..].starts_with('*'));
+        let mut at = at + usize::from(self.text.piece(at..).starts_with('*'));
         loop {
             let next = self.brackets(at);
             let next = match braces_end(self.text, next) {
-                Some(end) if self.text[next..].starts_with('{') => end,
+                Some(end) if self.text.piece(next..).starts_with('{') => end,
                 _ => next,
             };
             if next == at {

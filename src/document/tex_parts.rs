@@ -10,7 +10,7 @@ use super::parts::{Layout, Part, PartKind};
 use super::signs::{braced_name, line_at};
 use super::vocabulary::VERBATIM;
 use crate::document::Places;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// The environment and the command of a query.
@@ -49,7 +49,7 @@ impl Scanner<'_> {
         match name {
             NAME => self.query(at, after),
             "begin" => self.begin(at, after),
-            "end" if self.text[after..].starts_with("{document}") => self.text.len(),
+            "end" if self.text.piece(after..).starts_with("{document}") => self.text.len(),
             "verb" | "lstinline" => self.verbatim(after),
             "iffalse" => self.find(after, r"\fi").map_or(after, |found| found + 3),
             "input" | "include" | "subfile" => self.named(PartKind::Include, at, after),
@@ -62,9 +62,9 @@ impl Scanner<'_> {
     }
 
     fn query(&mut self, at: usize, after: usize) -> usize {
-        let rest = &self.text[after..];
+        let rest = self.text.piece(after..);
         let open = after + (rest.len() - rest.trim_start_matches([' ', '\t']).len());
-        if !self.text[open..].starts_with('{') {
+        if !self.text.piece(open..).starts_with('{') {
             return after;
         }
         let Some(end) = group_end(self.text, open) else {
@@ -76,7 +76,7 @@ impl Scanner<'_> {
             );
             return open + 1;
         };
-        let inner = &self.text[open + 1..end - 1];
+        let inner = self.text.piece(open + 1..end - 1);
         if !inner.contains('#') {
             self.layout.push(PartKind::Query, Span::new(at, end), &without_comments(inner), open + 1);
         }
@@ -90,11 +90,11 @@ impl Scanner<'_> {
             let (info, from) = self.brackets(end);
             let found = self.find(from, &closing);
             // Code begins on the line of \begin, or on the next one if nothing else stands there.
-            let rest = self.text[from..].trim_start_matches([' ', '\t', '\r']);
+            let rest = self.text.piece(from..).trim_start_matches([' ', '\t', '\r']);
             let body = if rest.starts_with('\n') { self.text.len() - rest.len() + 1 } else { from };
             let to = found.unwrap_or(body).max(body);
             let kind = PartKind::Code { info, closed: found.is_some() };
-            let code = &self.text[body..to];
+            let code = self.text.piece(body..to);
             self.layout.parts.push(Part {
                 kind,
                 span: Span::new(at, found.map_or(from, |found| found + closing.len()).max(from)),
@@ -115,7 +115,7 @@ impl Scanner<'_> {
         if self.missing.iter().any(|missing| missing == sign) {
             return None;
         }
-        let found = self.text[from..].find(sign).map(|found| from + found);
+        let found = self.text.piece(from..).find(sign).map(|found| from + found);
         if found.is_none() {
             self.missing.push(sign.to_owned());
         }
@@ -123,18 +123,18 @@ impl Scanner<'_> {
     }
 
     fn verbatim(&self, after: usize) -> usize {
-        let line = nearby(&self.text[after..]);
+        let line = nearby(self.text.piece(after..));
         let starred = line.strip_prefix('*').unwrap_or(line);
         let from = after + (line.len() - starred.len());
         let Some(sign) = starred.chars().next().filter(|c| !c.is_whitespace()) else { return after };
         let closing = if sign == '{' { '}' } else { sign };
         let len = sign.len_utf8();
-        starred[len..].find(closing).map_or(after, |found| from + len + found + closing.len_utf8())
+        starred.piece(len..).find(closing).map_or(after, |found| from + len + found + closing.len_utf8())
     }
 
     /// What stands in brackets at `at`, and the byte after them.
     fn brackets(&self, at: usize) -> (Span, usize) {
-        let rest = nearby(&self.text[at..]);
+        let rest = nearby(self.text.piece(at..));
         match rest.find(']').filter(|_| rest.starts_with('[')) {
             Some(close) => (Span::new(at + 1, at + close), at + close + 1),
             None => (Span::new(at, at), at),
@@ -143,7 +143,7 @@ impl Scanner<'_> {
 
     /// A part for each of the names in braces.
     fn named(&mut self, kind: PartKind, at: usize, after: usize) -> usize {
-        let rest = nearby(&self.text[after..]);
+        let rest = nearby(self.text.piece(after..));
         let Some(inner) = rest.strip_prefix('{').and_then(|rest| rest.split('}').next()) else {
             return after;
         };
@@ -173,7 +173,7 @@ fn group_end(text: &str, open: usize) -> Option<usize> {
             _ if comment => {}
             _ if escaped => escaped = false,
             // Queries do not nest; this also keeps repeated searches linear.
-            b'\\' if text[open + i + 1..].starts_with(NAME) => return None,
+            b'\\' if text.piece(open + i + 1..).starts_with(NAME) => return None,
             b'\\' => escaped = true,
             b'%' => comment = true,
             b'{' => depth += 1,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::document::Places;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 
 /// Names of commands are not longer.
 const MAX_NAME: usize = 60;
@@ -33,14 +33,14 @@ impl Text {
     pub(super) fn push_part(&mut self, from: &Text, part: Range<usize>) {
         if !part.is_empty() {
             self.places.append(self.text.len(), &from.places, Span::new(part.start, part.end));
-            self.text.push_str(&from.text[part]);
+            self.text.push_str(from.text.piece(part));
         }
     }
 
     /// A space if the next letter would become part of the command at the end.
     pub(super) fn separate(&mut self, next: &str, file: Span) {
         let letters = self.text.bytes().rev().take(MAX_NAME).take_while(u8::is_ascii_alphabetic).count();
-        let before = &self.text[..self.text.len() - letters];
+        let before = self.text.piece(..self.text.len() - letters);
         let ends = letters > 0 && before.ends_with('\\') && !before.ends_with(r"\\");
         if ends && next.starts_with(|c: char| c.is_ascii_alphabetic()) {
             self.push_whole(" ", file);

@@ -4,6 +4,7 @@
 //! position in the crate. Lines and columns are computed from it on demand.
 
 use std::fmt;
+use std::slice::SliceIndex;
 use std::sync::Arc;
 
 /// The bytes `start..end` of a source text.
@@ -142,6 +143,27 @@ pub(crate) fn floor_boundary(text: &str, mut at: usize) -> usize {
         at -= 1;
     }
     at
+}
+
+/// Pieces of a text by their bytes, as readers take them.
+pub trait Pieces {
+    /// The piece of a range. A range that leaves the text or cuts through a character is a defect of ours: it is
+    /// met in debug builds; otherwise the piece is empty, so that one formula is lost and not all.
+    ///
+    /// ```
+    /// use polarform::source::Pieces;
+    /// assert_eq!("f(σ)".piece(2..4), "σ");
+    /// ```
+    fn piece(&self, range: impl SliceIndex<str, Output = str>) -> &str;
+}
+
+impl Pieces for str {
+    #[track_caller]
+    fn piece(&self, range: impl SliceIndex<str, Output = str>) -> &str {
+        let piece = self.get(range);
+        debug_assert!(piece.is_some(), "no piece of the text");
+        piece.unwrap_or("")
+    }
 }
 
 #[cfg(test)]

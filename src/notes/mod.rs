@@ -4,6 +4,9 @@
 //! with their conditions. One after the other they are judged ([`crate::judge`], `page`). The
 //! outcome is a list of findings, printed by `report`.
 
+// Pieces of a text are taken by `Pieces`, which no text can bring down.
+#![cfg_attr(not(test), deny(clippy::string_slice))]
+
 mod cases;
 mod objects;
 mod page;

@@ -8,6 +8,7 @@
 use super::cases::{self, parity};
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
+use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::Head;
 use crate::judge::statement::{Chain, Role, Said, Statement};
@@ -46,11 +47,12 @@ fn sentence_end(text: &str) -> Option<usize> {
         match c {
             '。' | '！' | '？' => return Some(end),
             '.' | '!' | '?' => {
-                let rest = text[end..].trim_start_matches(['*', '_', ')', '"', '”', '\'']);
-                let word = text[..at].rsplit(char::is_whitespace).next().unwrap_or("");
+                let rest = text.piece(end..).trim_start_matches(['*', '_', ')', '"', '”', '\'']);
+                let word = text.piece(..at).rsplit(char::is_whitespace).next().unwrap_or("");
                 let word = word.trim_start_matches(['(', '*', '_']).to_lowercase();
-                let number =
-                    !word.is_empty() && word.chars().all(|c| c.is_ascii_digit()) && text[..at].trim() == word;
+                let number = !word.is_empty()
+                    && word.chars().all(|c| c.is_ascii_digit())
+                    && text.piece(..at).trim() == word;
                 let open = c == '.' && (ABBREVIATIONS.contains(&word.as_str()) || number);
                 if !open && (rest.is_empty() || rest.starts_with(char::is_whitespace)) {
                     return Some(text.len() - rest.len());
@@ -95,9 +97,9 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
                     end(&mut current);
                 }
                 while let Some(at) = sentence_end(words) {
-                    current.push(Piece::Words(words[..at].to_owned()));
+                    current.push(Piece::Words(words.piece(..at).to_owned()));
                     end(&mut current);
-                    words = &words[at..];
+                    words = words.piece(at..);
                 }
                 if !words.trim().is_empty() {
                     current.push(Piece::Words(words.to_owned()));

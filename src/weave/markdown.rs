@@ -7,7 +7,7 @@ use super::options::BlockOptions;
 use super::plan::{Block, Plan, Site, SiteKind, Template};
 use super::runner::Runner;
 use super::{Mode, Options};
-use crate::formula::source::{SourceFile, Span, replaced};
+use crate::formula::source::{Pieces, SourceFile, Span, replaced};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::functions::Arrangement;
 
@@ -50,7 +50,7 @@ pub(super) fn edits(
         }
     }
     let mut edits = weaver.edits;
-    edits.retain(|edit| text[edit.span.range()] != edit.new);
+    edits.retain(|edit| text.piece(edit.span.range()) != edit.new);
     if options.mode == Mode::InPlace {
         for query in keep_what_is_found_again(text, plan, &mut edits, options) {
             let problem = Diagnostic::error(Code::UnclosedFormula, "a result would not be found again here")
@@ -93,7 +93,7 @@ fn keep_what_is_found_again(text: &str, plan: &Plan, edits: &mut Vec<Edit>, opti
 /// How the lines of a text end.
 pub(super) fn line_end(text: &str) -> &'static str {
     match text.find('\n') {
-        Some(at) if text[..at].ends_with('\r') => "\r\n",
+        Some(at) if text.piece(..at).ends_with('\r') => "\r\n",
         _ => "\n",
     }
 }
@@ -131,11 +131,11 @@ impl Weaver<'_> {
         let mut complete = true;
         let in_table = self.in_table(template.span);
         for hole in &template.holes {
-            let code = template.text[hole.start + 2..hole.end - 2].replace(['\n', '\r'], " ");
+            let code = template.text.piece(hole.start + 2..hole.end - 2).replace(['\n', '\r'], " ");
             let place = |span: Span| (self.place)(template.places.span(span.shifted(hole.start + 2)));
             match self.runner.query(&code, self.file, &place, &self.options.blocks) {
                 Some(piece) => {
-                    result.push_str(&self.typed(&template.text[at..hole.start]));
+                    result.push_str(&self.typed(template.text.piece(at..hole.start)));
                     let bare = template.formula || self.options.mode == Mode::InPlace;
                     let shown = Markup::Markdown.inline(&piece, bare);
                     let shown = if in_table { within_cell(&shown) } else { shown };
@@ -153,14 +153,14 @@ impl Weaver<'_> {
         if !complete {
             return;
         }
-        result.push_str(&self.typed(&template.text[at..]));
+        result.push_str(&self.typed(template.text.piece(at..)));
         // Two dollars side by side would be the sign of a display.
         let span = template.result.unwrap_or(template.span);
         let comes = !template.formula || template.result.is_some_and(Span::is_empty);
-        if comes && result.starts_with('$') && self.text[..span.start].ends_with('$') {
+        if comes && result.starts_with('$') && self.text.piece(..span.start).ends_with('$') {
             result.insert(0, ' ');
         }
-        if comes && result.ends_with('$') && self.text[template.span.end..].starts_with('$') {
+        if comes && result.ends_with('$') && self.text.piece(template.span.end..).starts_with('$') {
             result.push_str(if self.options.mode == Mode::Template { " " } else { "" });
         }
         let query = template.places.span(Span::new(template.holes[0].start, template.holes[0].end));
@@ -177,8 +177,8 @@ impl Weaver<'_> {
 
     /// Whether a bar stands beside the span in its line: there, one in a result would end a cell.
     fn in_table(&self, span: Span) -> bool {
-        let before = self.text[..span.start].rsplit('\n').next();
-        let after = self.text[span.end..].split('\n').next();
+        let before = self.text.piece(..span.start).rsplit('\n').next();
+        let after = self.text.piece(span.end..).split('\n').next();
         before.into_iter().chain(after).any(|side| side.contains('|'))
     }
 
@@ -195,7 +195,7 @@ impl Weaver<'_> {
     fn comment(&self, template: &Template, margin: &str) -> String {
         let source = self.typed(&template.text);
         let alone =
-            self.text[template.span.end..].split('\n').next().is_none_or(|rest| rest.trim().is_empty());
+            self.text.piece(template.span.end..).split('\n').next().is_none_or(|rest| rest.trim().is_empty());
         if source.contains('\n') && alone {
             let lines = source.split('\n').map(|line| line.trim_end_matches('\r'));
             let lines = ["", "<!--"].into_iter().chain(lines).chain(["-->"]);
@@ -239,7 +239,7 @@ impl Weaver<'_> {
                 .hint("write a blank into the arrow, or weave into another file with -o");
             self.runner.problem(problem, self.file);
         } else if hides {
-            let fence = &self.text[block.span.range()];
+            let fence = self.text.piece(block.span.range());
             let lines = ["<!--", fence, "-->"].into_iter();
             let hidden = self.lines(lines, margin);
             self.edit(block.span, hidden, query);
@@ -265,11 +265,11 @@ impl Weaver<'_> {
     /// The span with the end of its line, and a blank line after it if there is one before it, too.
     fn whole_lines(&self, span: Span) -> Span {
         let blank = |line: &str| line.trim().is_empty() && line.ends_with('\n');
-        let mut following = self.text[span.end..].split_inclusive('\n');
+        let mut following = self.text.piece(span.end..).split_inclusive('\n');
         let mut end = span.end;
         let Some(rest) = following.next().filter(|rest| blank(rest)) else { return span };
         end += rest.len();
-        let before = &self.text[..span.start];
+        let before = self.text.piece(..span.start);
         let first = before.is_empty() || before.ends_with("\n\n") || before.ends_with("\n\r\n");
         if let Some(line) = following.next().filter(|line| first && blank(line)) {
             end += line.len();
@@ -288,7 +288,7 @@ impl Weaver<'_> {
             return;
         }
         // The options are of no use to readers.
-        let info = &self.text[block.info.range()];
+        let info = self.text.piece(block.info.range());
         let plain = if info.starts_with('{') { "{.polarform}" } else { "polarform" };
         self.edit(block.info, plain.to_owned(), block.info);
         let results: Vec<&str> = lines.collect();

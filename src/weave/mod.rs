@@ -17,6 +17,9 @@
 //! A new kind of value is added in [`render`], which makes a [`Piece`]; how pieces look in Markdown and
 //! LaTeX stands in `markup`.
 
+// Pieces of a text are taken by `Pieces`, which no text can bring down.
+#![cfg_attr(not(test), deny(clippy::string_slice))]
+
 mod book;
 mod files;
 mod markdown;

@@ -8,7 +8,7 @@ use super::runner::Runner;
 use super::{Options, Woven, plan};
 use crate::document::Places;
 use crate::document::markdown_cells;
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::session::Session;
 
 /// Weaves the Markdown cells of a notebook.
@@ -62,5 +62,5 @@ fn in_file(places: &Places, span: Span) -> Span {
 /// The text as it stands in a string of JSON.
 fn escaped(text: &str) -> String {
     let string = serde_json::Value::from(text).to_string();
-    string[1..string.len() - 1].to_owned()
+    string.piece(1..string.len() - 1).to_owned()
 }

@@ -4,7 +4,7 @@
 //! blanks or commas, also in the braces of Pandoc (`{.polarform style=list}`), or in the brackets of
 //! `\begin{polarform}[style=list]`.
 
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
@@ -206,14 +206,14 @@ fn words(text: &str) -> Vec<Word<'_>> {
         let separates = !quoted && (c.is_whitespace() || c == ',');
         match begin {
             Some(start) if separates => {
-                words.push(Word { text: &text[start..at], start });
+                words.push(Word { text: text.piece(start..at), start });
                 begin = None;
             }
             None if !separates => begin = Some(at),
             _ => {}
         }
     }
-    words.extend(begin.map(|start| Word { text: &text[start..], start }));
+    words.extend(begin.map(|start| Word { text: text.piece(start..), start }));
     words
 }
 

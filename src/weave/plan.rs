@@ -21,7 +21,7 @@ use super::stamp::Digest;
 use crate::document::Places;
 use crate::document::options_in;
 use crate::document::{Opening, Part, PartKind, markdown_parts, query_at};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 const BEGIN: &str = "woven";
@@ -90,7 +90,7 @@ impl Plan {
     /// The files of the pictures in the results of blocks.
     pub(super) fn pictures(&self, text: &str) -> Vec<String> {
         let results = self.sites.iter().filter_map(|site| match &site.kind {
-            SiteKind::Block(block) => block.region.map(|span| &text[span.range()]),
+            SiteKind::Block(block) => block.region.map(|span| text.piece(span.range())),
             SiteKind::Template(_) => None,
         });
         let link = |line: &str| {
@@ -109,13 +109,13 @@ impl Plan {
             match &site.kind {
                 SiteKind::Template(template) => {
                     digest.add(&template.text);
-                    digest.add(template.result.map_or("", |span| &text[span.range()]));
+                    digest.add(template.result.map_or("", |span| text.piece(span.range())));
                 }
                 SiteKind::Block(block) => {
                     digest.add(&block.code);
-                    digest.add(&text[block.info.range()]);
+                    digest.add(text.piece(block.info.range()));
                     digest.add(if block.in_comment { "hidden" } else { "" });
-                    digest.add(block.region.map_or("", |span| &text[span.range()]));
+                    digest.add(block.region.map_or("", |span| text.piece(span.range())));
                 }
             }
         }
@@ -141,7 +141,7 @@ impl Plan {
             }
             (SiteKind::Block(one), SiteKind::Block(two)) => {
                 one.code == two.code
-                    && text[one.info.range()] == text_after[two.info.range()]
+                    && text.piece(one.info.range()) == text_after.piece(two.info.range())
                     && (two.region.is_some() || !settled(number))
             }
             _ => false,
@@ -195,7 +195,7 @@ impl Planner<'_> {
             }
             PartKind::Comment => self.comment(at),
             PartKind::Code { info, closed } => {
-                let words = &self.text[info.range()];
+                let words = self.text.piece(info.range());
                 let Some(range) = options_in(words) else { return at + 1 };
                 if !closed {
                     self.plan.problems.push(
@@ -206,7 +206,7 @@ impl Planner<'_> {
                     );
                     return at + 1;
                 }
-                let options = self.defaults.with(&words[range.clone()], info.start + range.start);
+                let options = self.defaults.with(words.piece(range.clone()), info.start + range.start);
                 self.block(at, options, part.text.clone(), part.places.clone(), *info, false)
             }
             PartKind::Include | PartKind::Package => at + 1,
@@ -231,10 +231,10 @@ impl Planner<'_> {
         let (inner, places, _) = without_margin(part);
         let (parts, _) = markdown_parts(&inner);
         let [only] = parts.as_slice() else { return at + 1 };
-        if inner[..only.span.start].trim() != "" || inner[only.span.end..].trim() != "" {
+        if inner.piece(..only.span.start).trim() != "" || inner.piece(only.span.end..).trim() != "" {
             return at + 1;
         }
-        let whole = &inner[only.span.range()];
+        let whole = inner.piece(only.span.range());
         let in_file = |span: Span| Span::new(places.byte(span.start), places.byte(span.end));
         match &only.kind {
             PartKind::Query | PartKind::Formula { .. } => {
@@ -248,7 +248,7 @@ impl Planner<'_> {
                 }
                 let first_line = |text: &str| text.split('\n').next().map(|line| line.trim_end().to_owned());
                 let old = at.checked_sub(1).map(|before| &self.parts[before]).filter(|before| {
-                    let gap = &self.text[before.span.end..part.span.start];
+                    let gap = self.text.piece(before.span.end..part.span.start);
                     // Only a display of several lines has its comment on the next line.
                     let display = formula
                         && whole.contains('\n')
@@ -284,10 +284,10 @@ impl Planner<'_> {
                 at + 1
             }
             PartKind::Code { info, closed: true } => {
-                let words = &inner[info.range()];
+                let words = inner.piece(info.range());
                 let Some(range) = options_in(words) else { return at + 1 };
                 let info = in_file(*info);
-                let options = self.defaults.with(&words[range.clone()], info.start + range.start);
+                let options = self.defaults.with(words.piece(range.clone()), info.start + range.start);
                 let mut code_places = Places::default();
                 let mut from = 0;
                 for line in only.text.split_inclusive('\n') {
@@ -340,7 +340,7 @@ impl Planner<'_> {
     }
 
     fn begins_region(&self, block: &Part, begin: &Part) -> bool {
-        let gap = &self.text[block.span.end..begin.span.start];
+        let gap = self.text.piece(block.span.end..begin.span.start);
         begin.kind == PartKind::Comment
             && begin.text.trim() == BEGIN
             && gap.chars().all(|c| c.is_whitespace() || c == '>')
@@ -354,7 +354,9 @@ impl Planner<'_> {
             match &part.kind {
                 PartKind::Comment if content == END => return Some(i),
                 PartKind::Comment if content == BEGIN => return None,
-                PartKind::Code { info, .. } if options_in(&self.text[info.range()]).is_some() => return None,
+                PartKind::Code { info, .. } if options_in(self.text.piece(info.range())).is_some() => {
+                    return None;
+                }
                 _ => {}
             }
         }
@@ -364,7 +366,7 @@ impl Planner<'_> {
 
 /// The queries in a formula whose signs enclose the bytes `inner`.
 fn holes(text: &str, inner: Range<usize>) -> Vec<Range<usize>> {
-    let text = &text[..inner.end];
+    let text = text.piece(..inner.end);
     let bytes = text.as_bytes();
     let mut holes = Vec::new();
     let mut at = inner.start;
@@ -397,7 +399,7 @@ fn without_margin(part: &Part) -> (String, Places, impl Fn(usize) -> usize) {
         let cut = if i == 0 { 0 } else { blanks.min(part.margin.len()) };
         lines.push((from, text.len(), cut));
         places.push(text.len(), part.places.byte(from + cut), true);
-        text.push_str(&line[cut..]);
+        text.push_str(line.piece(cut..));
         from += line.len();
     }
     let moved = move |at: usize| {

@@ -2,7 +2,7 @@
 
 use super::options::{BlockOptions, Show};
 use super::render::{Piece, render, words_as_text};
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
@@ -205,7 +205,7 @@ impl Runner {
 /// The names that statements define with `:=`.
 fn names_defined(code: &str) -> impl Iterator<Item = Symbol> {
     let spans = syntax::statements(code).unwrap_or_default();
-    let exprs = spans.into_iter().filter_map(move |span| syntax::parse(&code[span.range()]).ok());
+    let exprs = spans.into_iter().filter_map(move |span| syntax::parse(code.piece(span.range())).ok());
     exprs.filter_map(|expr| {
         let Kind::Chain(left, links) = expr.kind else { return None };
         let head = match left.kind {

@@ -3,6 +3,7 @@
 //! Each entry is what `polarform.sty` reads: the query, by which TeX finds it, and the result. A line of
 //! `%%%` opens an entry, so that the entries of the file before can be told apart without a reader of TeX.
 
+use crate::formula::source::Pieces;
 use std::collections::{BTreeMap, BTreeSet};
 
 const STAMP: &str = "% woven by polarform ";
@@ -94,18 +95,18 @@ fn read_entry(entry: &str) -> Option<(Key, usize, &str)> {
     if let Some(rest) = entry.strip_prefix(INLINE) {
         // The result is the last group; braces in it are balanced.
         let split = last_group(rest)?;
-        let (numbers, query) = rest[..split].split_at(rest[..split].match_indices('{').nth(1)?.0);
+        let (numbers, query) = rest.piece(..split).split_at(rest.piece(..split).match_indices('{').nth(1)?.0);
         return Some((
             Key::Inline(query.get(1..query.len() - 1)?.to_owned()),
             state(numbers)?,
-            &rest[split..],
+            rest.piece(split..),
         ));
     }
     let rest = entry.strip_prefix(BLOCK)?;
     let at = rest.rfind(BLOCK_END)?;
-    let numbers = &rest[at + BLOCK_END.len()..];
+    let numbers = rest.piece(at + BLOCK_END.len()..);
     let result = numbers.match_indices('{').nth(1)?.0;
-    Some((Key::Block(rest[..at].to_owned()), state(numbers)?, &numbers[result..]))
+    Some((Key::Block(rest.piece(..at).to_owned()), state(numbers)?, numbers.piece(result..)))
 }
 
 /// Where the last group in braces of a text begins.

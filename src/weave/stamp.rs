@@ -8,6 +8,8 @@
 //! Reference: the hash is FNV-1a with 64 bits (Fowler, Noll, Vo, draft-eastlake-fnv), enough to notice
 //! a change; nobody is kept from forging it.
 
+use crate::formula::source::Pieces;
+
 const OPENING: &str = "<!-- woven by polarform ";
 const CLOSING: &str = " -->";
 
@@ -47,13 +49,14 @@ impl Digest {
 pub(super) fn without_stamp(text: &str) -> (&str, Option<&str>) {
     let line = text.strip_suffix("\r\n").or_else(|| text.strip_suffix('\n')).unwrap_or(text);
     let start = line.rfind('\n').map_or(0, |at| at + 1);
-    let Some(inner) = line[start..].strip_prefix(OPENING).and_then(|rest| rest.strip_suffix(CLOSING)) else {
+    let Some(inner) = line.piece(start..).strip_prefix(OPENING).and_then(|rest| rest.strip_suffix(CLOSING))
+    else {
         return (text, None);
     };
     let Some((_, stamp)) = inner.split_once(": ").filter(|(_, stamp)| is_stamp(stamp)) else {
         return (text, None);
     };
-    let mut body = &text[..start];
+    let mut body = text.piece(..start);
     if line.len() == text.len() {
         body = body.strip_suffix("\r\n").or_else(|| body.strip_suffix('\n')).unwrap_or(body);
     }

@@ -17,7 +17,7 @@ use super::side::{Before, Entry, Key, block_result, body, file as side_file, inl
 use super::stamp::Digest;
 use super::{Options, Woven};
 use crate::document::{Part, PartKind, latex_parts};
-use crate::formula::source::{SourceFile, Span};
+use crate::formula::source::{Pieces, SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::session::Session;
 
@@ -195,7 +195,7 @@ fn raw<'a>(file: &'a SourceFile, part: &Part) -> &'a str {
         }
         _ => {
             let open = text.find('{').map_or(0, |open| open + 1);
-            &text[open..text.len().saturating_sub(1).max(open)]
+            text.piece(open..text.len().saturating_sub(1).max(open))
         }
     }
 }

@@ -4,7 +4,7 @@ use super::characters;
 use super::commands::Role;
 use super::reader::{Reader, Result};
 use super::token::{Env, Fence, Tok};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Accent, BinomialStyle, Enclosure, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -28,7 +28,7 @@ impl Reader<'_> {
     /// An atom of one token.
     fn leaf(&mut self, kind: Tok) -> Result<Expr> {
         let at = self.pos;
-        let word = |start: u32, end: u32| &self.text[start as usize..end as usize];
+        let word = |start: u32, end: u32| self.text.piece(start as usize..end as usize);
         let kind = match kind {
             Tok::Number => {
                 let span = self.bump();
@@ -156,7 +156,7 @@ impl Reader<'_> {
     fn function(&mut self) -> Result<Expr> {
         let start = self.start();
         let span = self.bump();
-        let name = self.text[span.range()].trim_start_matches('\\').to_owned();
+        let name = self.text.piece(span.range()).trim_start_matches('\\').to_owned();
         let mut callee = Expr::new(Kind::Name(name), span);
         while let Some(Tok::Sub | Tok::Sup | Tok::Prime(_)) = self.peek() {
             let before = self.pos;
@@ -205,7 +205,7 @@ impl Reader<'_> {
         let start = self.start();
         let span = self.bump();
         let name = |name: &str| Box::new(Expr::new(Kind::Name(name.to_owned()), span));
-        let is_character = self.text[span.range()].starts_with('√');
+        let is_character = self.text.piece(span.range()).starts_with('√');
         if self.peek() == Some(Tok::Open(Fence::Square)) {
             let window = self.inside(self.pos)?;
             let index = self.expr_in(window.clone())?;

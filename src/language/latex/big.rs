@@ -3,7 +3,7 @@
 use super::commands::Role;
 use super::reader::{Reader, Result, Window};
 use super::token::{Fence, Tok};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{BigOp, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::math::number::integer;
@@ -299,7 +299,7 @@ impl Reader<'_> {
         match kind {
             Tok::Letter('d') => Some((false, at + 1)),
             Tok::Symbol("partial") => Some((true, at + 1)),
-            Tok::Word(start, end) if self.text[start as usize..end as usize].trim() == "d" => {
+            Tok::Word(start, end) if self.text.piece(start as usize..end as usize).trim() == "d" => {
                 Some((false, at + 1))
             }
             Tok::Command(Role::Accent(_)) => {

@@ -9,7 +9,7 @@ use super::commands::{self, Role};
 use super::environments;
 use super::token::{Env, Fence, Tok, Token};
 use super::{Word, Words};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Accent, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -49,7 +49,7 @@ pub(super) struct Lexer<'t> {
 
 impl Lexer<'_> {
     pub(super) fn rest(&self) -> &str {
-        &self.text[self.at..self.end]
+        self.text.piece(self.at..self.end)
     }
 
     fn peek(&self) -> Option<char> {
@@ -125,7 +125,7 @@ impl Lexer<'_> {
 
     /// Length of `:=` here, also with spaces between; 0 if there is none.
     fn colon_equals(&self) -> usize {
-        let rest = &self.rest()[1..];
+        let rest = self.rest().piece(1..);
         let trimmed = rest.trim_start_matches([' ', '\t']);
         if trimmed.starts_with('=') { self.rest().len() - trimmed.len() + 1 } else { 0 }
     }
@@ -133,8 +133,8 @@ impl Lexer<'_> {
     fn dots(&mut self) {
         let start = self.at;
         let count = self.run(|byte| byte == b'.');
-        if count == 1 && self.rest()[1..].starts_with(|c: char| c.is_ascii_digit()) {
-            let length = 1 + self.rest()[1..].bytes().take_while(u8::is_ascii_digit).count();
+        if count == 1 && self.rest().piece(1..).starts_with(|c: char| c.is_ascii_digit()) {
+            let length = 1 + self.rest().piece(1..).bytes().take_while(u8::is_ascii_digit).count();
             if length > MAX_DIGITS {
                 let problem = Diagnostic::error(Code::TooManyDigits, format!("a number of {length} digits"));
                 return self.bad(start, start + length, problem);
@@ -143,8 +143,8 @@ impl Lexer<'_> {
         }
         match count {
             // 0.d_1 d_2 is no 0, and not followed by anything else
-            1 if self.text[..start].ends_with(|c: char| c.is_ascii_digit())
-                && self.rest()[1..].starts_with(|c: char| c.is_ascii_alphabetic()) =>
+            1 if self.text.piece(..start).ends_with(|c: char| c.is_ascii_digit())
+                && self.rest().piece(1..).starts_with(|c: char| c.is_ascii_alphabetic()) =>
             {
                 let problem =
                     Diagnostic::error(Code::UnexpectedCharacter, "a letter after the point of a number")
@@ -219,10 +219,10 @@ impl Lexer<'_> {
 
     fn command(&mut self) {
         let start = self.at;
-        let tail = &self.rest()[1..];
+        let tail = self.rest().piece(1..);
         let letters = tail.bytes().take_while(u8::is_ascii_alphabetic).count();
         let length = if letters > 0 { letters } else { tail.chars().next().map_or(0, char::len_utf8) };
-        let name = tail[..length].to_owned();
+        let name = tail.piece(..length).to_owned();
         let end = start + 1 + length;
         // A line break after a backslash is a space to TeX; beside an alignment it is what Markdown or a converter
         // left of two backslashes.
@@ -233,7 +233,7 @@ impl Lexer<'_> {
         };
         let Some(command) = commands::lookup(&name).or_else(|| operator_of(&name)) else {
             // \polar(F): the name of a function
-            let called = self.text[end..self.end].trim_start().starts_with('(');
+            let called = self.text.piece(end..self.end).trim_start().starts_with('(');
             return match (self.words)(&name, called) {
                 Word::Name if called => self.push_from(start, Tok::Word(start as u32 + 1, end as u32), end),
                 _ => self.unknown(start, end, &name),
@@ -311,12 +311,12 @@ impl Lexer<'_> {
             }
             Role::Left | Role::Right | Role::Middle => self.delimiter(start, role, name),
             // \textbf{Q}_i: a letter, not a word.
-            Role::Text if name == "textbf" && is_letter_in_braces(&self.rest()[end - self.at..]) => {
+            Role::Text if name == "textbf" && is_letter_in_braces(self.rest().piece(end - self.at..)) => {
                 self.push_from(start, Tok::Command(Role::Accent(Accent::Bold)), end);
             }
             Role::Text => {
                 if let Some(content) = self.raw_argument(start, name) {
-                    let word = &self.text[content.range()];
+                    let word = self.text.piece(content.range());
                     // \text{err}_i is a name, not a word beside one.
                     let named = word.len() > 1 && word.bytes().all(|byte| byte.is_ascii_alphabetic());
                     let (from, to) = (content.start as u32, content.end as u32);
@@ -359,7 +359,7 @@ impl Lexer<'_> {
         let mut count = 1;
         let mut end = self.at;
         loop {
-            let tail = &self.text[end..self.end];
+            let tail = self.text.piece(end..self.end);
             let next = tail.trim_start_matches([' ', '\t', '\n', '\r']);
             let Some(after) = next.strip_prefix("\\ ") else { break };
             end = self.end - after.len();
@@ -377,7 +377,7 @@ impl Lexer<'_> {
         }
         let Some(tail) = self.rest().strip_prefix('[') else { return };
         let Some(close) = tail.bytes().take(24).position(|byte| byte == b']') else { return };
-        let length = tail[..close].trim();
+        let length = tail.piece(..close).trim();
         let unit =
             length.trim_start_matches(['-', '+', '.', ' ', '0', '1', '2', '3', '4', '5', '6', '7', '8', '9']);
         if unit.len() < length.len() && matches!(unit, "pt" | "em" | "ex" | "mm" | "cm" | "in" | "mu" | "px")
@@ -436,11 +436,11 @@ impl Lexer<'_> {
             b'-' => hyphen,
             _ => byte.is_ascii_alphanumeric(),
         });
-        let content = &self.rest()[..word];
+        let content = self.rest().piece(..word);
         let is_name = content.strip_prefix('{').is_some_and(|inner| {
             !inner.contains('{') && inner.trim_start().starts_with(|c: char| c.is_ascii_alphabetic())
         });
-        if is_name && self.rest()[word..].starts_with('}') {
+        if is_name && self.rest().piece(word..).starts_with('}') {
             let kind = Tok::Word((open + 1) as u32, (open + word) as u32);
             self.push_from(start, kind, open + word + 1);
         } else if name == "operatorname" {
@@ -457,10 +457,10 @@ impl Lexer<'_> {
             return self.bad(start, from, problem);
         };
         let (fence, length) = if c == '\\' {
-            let tail = &self.rest()[1..];
+            let tail = self.rest().piece(1..);
             let letters = tail.bytes().take_while(u8::is_ascii_alphabetic).count();
             let length = if letters > 0 { letters } else { tail.chars().next().map_or(0, char::len_utf8) };
-            let fence = match commands::lookup(&tail[..length]).map(|command| command.role()) {
+            let fence = match commands::lookup(tail.piece(..length)).map(|command| command.role()) {
                 Some(Role::Open(fence)) if role != Role::Right => Some(fence),
                 Some(Role::Close(fence)) if role != Role::Left => Some(fence),
                 Some(Role::Bar | Role::Mid) => Some(Fence::Bar),
@@ -489,7 +489,7 @@ impl Lexer<'_> {
             _ => {
                 let problem = Diagnostic::error(
                     Code::UnsupportedLatex,
-                    format!("'{}' cannot be read after \\{name}", &self.text[from..end]),
+                    format!("'{}' cannot be read after \\{name}", self.text.piece(from..end)),
                 );
                 self.bad(start, end, problem);
             }
@@ -498,7 +498,7 @@ impl Lexer<'_> {
 
     fn environment(&mut self, start: usize, begins: bool, name: &str) {
         let Some(argument) = self.raw_argument(start, name) else { return };
-        let environment = self.text[argument.range()].trim().to_owned();
+        let environment = self.text.piece(argument.range()).trim().to_owned();
         let Some(env) = environments::lookup(&environment) else {
             let problem = Diagnostic::error(
                 Code::UnknownCommand,
@@ -540,7 +540,7 @@ impl Lexer<'_> {
     fn columns(&mut self) {
         let Some(tail) = self.rest().strip_prefix('[') else { return };
         let columns = tail.bytes().take_while(|byte| matches!(byte, b'l' | b'c' | b'r')).count();
-        if columns > 0 && tail[columns..].starts_with(']') {
+        if columns > 0 && tail.piece(columns..).starts_with(']') {
             self.at += columns + 2;
         }
     }
@@ -551,7 +551,7 @@ impl Lexer<'_> {
         let trimmed = rest.trim_start();
         let Some(tail) = trimmed.strip_prefix('[') else { return };
         let Some(close) = tail.bytes().take(8).position(|byte| byte == b']') else { return };
-        if positions.contains(&tail[..close].trim()) {
+        if positions.contains(&tail.piece(..close).trim()) {
             self.at += rest.len() - trimmed.len() + close + 2;
         }
     }

@@ -15,6 +15,9 @@
 //! Reference for what the commands mean in print: Knuth, *The TeXbook*, chapters 16–19,
 //! and the amsmath user's guide.
 
+// Pieces of a text are taken by `Pieces`, which no text can bring down.
+#![cfg_attr(not(test), deny(clippy::string_slice))]
+
 mod atoms;
 mod big;
 mod brackets;
@@ -43,7 +46,7 @@ pub use commands::{Command, commands};
 pub use environments::environments;
 pub use rows::Row;
 
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use reader::Reader;
@@ -130,7 +133,7 @@ pub fn read_tolerant(text: &str) -> (Expr, Vec<Diagnostic>) {
     let tree = match formulas.len() {
         0 => {
             problems.push(empty(span));
-            Expr::new(Kind::Unread(text[span.range()].to_owned()), span)
+            Expr::new(Kind::Unread(text.piece(span.range()).to_owned()), span)
         }
         1 => formulas.remove(0),
         _ => Expr::new(Kind::Sequence(formulas), span),

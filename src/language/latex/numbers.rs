@@ -3,6 +3,7 @@
 use super::commands::Role;
 use super::lexer::{Lexer, MAX_DIGITS};
 use super::token::Tok;
+use crate::formula::source::Pieces;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::math::number::{LiteralError, Rational, parse_decimal};
 
@@ -14,7 +15,7 @@ impl Lexer<'_> {
         let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
         let mut parts = 1;
         // `1.` before a space is the end of a sentence, `1..n` a range
-        while let Some(tail) = self.rest()[length..].strip_prefix('.') {
+        while let Some(tail) = self.rest().piece(length..).strip_prefix('.') {
             let fraction = digits(tail);
             if fraction == 0 {
                 break;
@@ -50,14 +51,15 @@ impl Lexer<'_> {
         let rest = self.rest();
         let (number, tail) = rest.split_at(length);
         let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-        let malformed =
-            |end: usize| Diagnostic::error(Code::BadNumber, format!("malformed number '{}'", &rest[..end]));
+        let malformed = |end: usize| {
+            Diagnostic::error(Code::BadNumber, format!("malformed number '{}'", rest.piece(..end)))
+        };
         // 2.5E2
         if let Some(power) = tail.strip_prefix(['e', 'E']) {
             let sign = usize::from(power.starts_with(['+', '-']));
-            let count = digits(&power[sign..]);
+            let count = digits(power.piece(sign..));
             if count > 0 {
-                let power = &power[..sign + count];
+                let power = power.piece(..sign + count);
                 let problem = malformed(length + 1 + sign + count)
                     .reason("a power of ten, or the name e?")
                     .hint(format!("write {number} \\cdot 10^{{{power}}} for the power of ten"));
@@ -73,19 +75,19 @@ impl Lexer<'_> {
         // 0.\dot3, 0.\dot{1}42\dot{7}
         let point = if parts == 1 { usize::from(tail.starts_with('.')) } else { 0 };
         if parts + point == 2
-            && let Some((_, more)) = dotted(&tail[point..])
+            && let Some((_, more)) = dotted(tail.piece(point..))
         {
             return Some((length + point + more, None));
         }
         // 0.(3)
         if let Some(period) = tail.strip_prefix(".(")
             && let count @ 1.. = digits(period)
-            && period[count..].starts_with(')')
+            && period.piece(count..).starts_with(')')
         {
             let end = length + 2 + count + 1;
             let problem = malformed(end).reason("repeating decimals are not read").hint(format!(
                 "write a fraction: ({number} + \\frac{{{}}}{{{}}})",
-                &period[..count],
+                period.piece(..count),
                 "9".repeat(count)
             ));
             return Some((end, Some(problem)));
@@ -99,13 +101,13 @@ impl Lexer<'_> {
         if let Some(fraction) = tail.strip_prefix(',')
             && let count @ 1.. = digits(fraction)
             && self.begins_side()
-            && !goes_on_as_list(&fraction[count..])
-            && !(self.has_name_before() && is_next(number, &fraction[..count]))
+            && !goes_on_as_list(fraction.piece(count..))
+            && !(self.has_name_before() && is_next(number, fraction.piece(..count)))
         {
             let end = length + 1 + count;
             let problem = malformed(end)
                 .reason("a decimal comma, or two numbers?")
-                .hint(format!("write {number}{{,}}{0}, or a space: {number}, {0}", &fraction[..count]));
+                .hint(format!("write {number}{{,}}{0}, or a space: {number}, {0}", fraction.piece(..count)));
             return Some((end, Some(problem)));
         }
         // 1{,}5 is a decimal comma, 1{,}024 may be a thousand and 24
@@ -119,8 +121,8 @@ impl Lexer<'_> {
             let problem = (count == 3 && length <= 3 && !number.starts_with('0')).then(|| {
                 malformed(end).reason("a decimal comma, or thousands?").hint(format!(
                     "write {number}{} or {number}.{}",
-                    &fraction[..count],
-                    &fraction[..count]
+                    fraction.piece(..count),
+                    fraction.piece(..count)
                 ))
             });
             return Some((end, problem));
@@ -129,23 +131,23 @@ impl Lexer<'_> {
         let mut end = length;
         let group = |text: &str| {
             let blank = ["\\,", "~"].into_iter().find(|blank| text.starts_with(blank))?;
-            (digits(&text[blank.len()..]) == 3).then_some(blank.len() + 3)
+            (digits(text.piece(blank.len()..)) == 3).then_some(blank.len() + 3)
         };
         while length <= 3
-            && let Some(more) = group(&rest[end..])
+            && let Some(more) = group(rest.piece(end..))
         {
             end += more;
         }
         // 10\,000.123\,456
         if end > length
-            && let Some(fraction) = rest[end..].strip_prefix('.')
+            && let Some(fraction) = rest.piece(end..).strip_prefix('.')
             && let count @ 1.. = digits(fraction)
         {
             return Some((self.decimals_in_groups(end + 1 + count, count), None));
         }
         // 12\,34 is neither one number nor clearly two; of x^2 and \frac12 TeX takes single digits
         let is_argument = matches!(self.last(), Some(Tok::Sup | Tok::Sub | Tok::Command(_)));
-        let more = ["\\,", "~"].into_iter().find_map(|blank| rest[end..].strip_prefix(blank));
+        let more = ["\\,", "~"].into_iter().find_map(|blank| rest.piece(end..).strip_prefix(blank));
         if let Some(more) = more.filter(|more| !is_argument && digits(more) > 0) {
             let end = rest.len() - more.len() + digits(more);
             let problem = malformed(end)
@@ -162,7 +164,7 @@ impl Lexer<'_> {
         let (mut end, mut last) = (end, last);
         while last == 3
             && let Some(more) =
-                ["\\,", "~"].into_iter().find_map(|blank| self.rest()[end..].strip_prefix(blank))
+                ["\\,", "~"].into_iter().find_map(|blank| self.rest().piece(end..).strip_prefix(blank))
             && let count @ 1..=3 = more.bytes().take_while(u8::is_ascii_digit).count()
         {
             end = self.rest().len() - more.len() + count;
@@ -212,7 +214,7 @@ impl Lexer<'_> {
 fn repeating_end(text: &str, start: usize) -> Option<usize> {
     let tail = text.get(start..)?.strip_prefix("\\overline{")?;
     let count = tail.bytes().take_while(u8::is_ascii_digit).count();
-    (count > 0 && tail[count..].starts_with('}')).then(|| text.len() - tail.len() + count + 1)
+    (count > 0 && tail.piece(count..).starts_with('}')).then(|| text.len() - tail.len() + count + 1)
 }
 
 /// The end of a number with two groups of thousands or more, or with one and a decimal point, after the first
@@ -220,11 +222,11 @@ fn repeating_end(text: &str, start: usize) -> Option<usize> {
 fn thousands(text: &str, length: usize) -> Option<usize> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let mut end = length;
-    while let Some(group) = text[end..].strip_prefix("{,}").filter(|group| digits(group) == 3) {
+    while let Some(group) = text.piece(end..).strip_prefix("{,}").filter(|group| digits(group) == 3) {
         end = text.len() - group.len() + 3;
     }
     let groups = (end - length) / 6;
-    let decimals = text[end..].strip_prefix('.').map_or(0, digits);
+    let decimals = text.piece(end..).strip_prefix('.').map_or(0, digits);
     let fits = length <= 3 && !text.starts_with('0') && (groups > 1 || groups == 1 && decimals > 0);
     fits.then_some(if decimals > 0 { end + 1 + decimals } else { end })
 }
@@ -237,12 +239,12 @@ fn dotted(text: &str) -> Option<(String, usize)> {
         let braced = rest.strip_prefix('{');
         let rest = braced.unwrap_or(rest);
         let digit = rest.chars().next().filter(char::is_ascii_digit)?;
-        Some((digit, if braced.is_some() { rest[1..].strip_prefix('}')? } else { &rest[1..] }))
+        Some((digit, if braced.is_some() { rest.piece(1..).strip_prefix('}')? } else { rest.piece(1..) }))
     }
     let (first, rest) = digit(text)?;
     let plain = rest.bytes().take_while(u8::is_ascii_digit).count();
-    let (period, rest) = match digit(&rest[plain..]) {
-        Some((last, after)) => (format!("{first}{}{last}", &rest[..plain]), after),
+    let (period, rest) = match digit(rest.piece(plain..)) {
+        Some((last, after)) => (format!("{first}{}{last}", rest.piece(..plain)), after),
         None if plain == 0 => (first.to_string(), rest),
         None => return None,
     };
@@ -252,7 +254,7 @@ fn dotted(text: &str) -> Option<(String, usize)> {
 /// The value of a decimal with a period: 0.1\overline{6}, 0.1\dot6; `None` if it has none.
 pub(super) fn repeating(text: &str) -> Option<std::result::Result<Rational, LiteralError>> {
     let (head, period) = match text.find("\\dot") {
-        Some(at) => (&text[..at], dotted(&text[at..])?.0),
+        Some(at) => (text.piece(..at), dotted(text.piece(at..))?.0),
         None => {
             let (head, period) = text.strip_suffix('}')?.split_once("\\overline{")?;
             (head, period.to_owned())

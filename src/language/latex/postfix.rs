@@ -12,7 +12,7 @@ use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
 use super::truncated::{may_be_truncated, truncated};
 use crate::budget;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{BinomialStyle, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::families::is_binomial_coefficient;
@@ -85,7 +85,7 @@ impl Reader<'_> {
                 Some(Tok::Bang) => {
                     self.bump();
                     if self.eat(Tok::Bang).is_some() {
-                        let base = &self.text[expr.span.range()];
+                        let base = self.text.piece(expr.span.range());
                         let problem = Diagnostic::error(Code::UnexpectedToken, "'!!' has no meaning here")
                             .at(self.since(start))
                             .reason("the double factorial is not known")
@@ -278,7 +278,7 @@ impl Reader<'_> {
     /// The number written at `span`.
     pub fn numeral(&self, span: Span) -> Result<Expr> {
         // Groups of digits are set apart by small spaces, decimals by a comma in some countries.
-        let text = self.text[span.range()].replace("\\,", "").replace('~', "");
+        let text = self.text.piece(span.range()).replace("\\,", "").replace('~', "");
         // Between thousands stand several, or a decimal point follows.
         let thousands = text.matches("{,}").count() > 1 || text.contains('.');
         let text = text.replace("{,}", if thousands { "" } else { "." });
@@ -445,7 +445,7 @@ impl Reader<'_> {
         }
         let mut indices = self.list_in(window)?;
         for index in &mut indices {
-            let text = &self.text[index.span.range()];
+            let text = self.text.piece(index.span.range());
             if matches!(index.kind, Kind::Number(_))
                 && text.len() > 1
                 && text.starts_with('0')
@@ -552,7 +552,7 @@ impl Reader<'_> {
                 return Some(Raise::Transpose);
             }
             [Tok::Word(start, end)] | [Tok::Text(start, end)]
-                if self.text[*start as usize..*end as usize].trim() == "T" =>
+                if self.text.piece(*start as usize..*end as usize).trim() == "T" =>
             {
                 return Some(Raise::Transpose);
             }
@@ -572,7 +572,9 @@ impl Reader<'_> {
     /// Unicode scripts just taken: `₁₂`, `ⁿ⁺¹`.
     pub fn raised(&mut self) -> Result<Vec<Expr>> {
         let span = self.here_before();
-        let plain: String = self.text[span.range()]
+        let plain: String = self
+            .text
+            .piece(span.range())
             .chars()
             .filter_map(super::characters::raised)
             .map(|(_, plain)| plain)
@@ -600,7 +602,7 @@ impl Reader<'_> {
     }
 
     fn raised_power(&mut self) -> Result<Raise> {
-        let text = &self.text[self.here_before().range()];
+        let text = self.text.piece(self.here_before().range());
         let in_brackets = text.starts_with('⁽') && text.ends_with('⁾');
         let mut list = self.raised()?;
         if in_brackets

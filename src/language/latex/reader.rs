@@ -29,7 +29,7 @@ use super::lexer::lex;
 use super::nesting::pair;
 use super::token::{ALONE, Tok, Token};
 use super::{Word, Words};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Enclosure, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -151,7 +151,7 @@ impl<'t> Reader<'t> {
     }
 
     pub fn text_at(&self, at: usize) -> &'t str {
-        &self.text[self.span_at(at).range()]
+        self.text.piece(self.span_at(at).range())
     }
 
     /// The bracket that belongs to the one at `at`.

@@ -2,7 +2,7 @@
 
 use super::reader::{Reader, Window};
 use super::token::{Env, Fence, Tok};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::Diagnostic;
 
@@ -25,14 +25,14 @@ pub struct Row {
 pub(super) fn formula_span(text: &str) -> Span {
     let mut span = trimmed(text, Span::new(0, text.len()));
     loop {
-        let inner = &text[span.range()];
+        let inner = text.piece(span.range());
         let pair =
             [("$$", "$$"), ("\\[", "\\]"), ("\\(", "\\)"), ("$", "$")].into_iter().find(|(open, close)| {
                 inner.len() >= open.len() + close.len() && inner.starts_with(open) && inner.ends_with(close)
             });
         // `\\(` ends in a row break, and `\\[` begins with one
         let Some((open, close)) = pair else { return span };
-        if close.starts_with('\\') && inner[..inner.len() - 1].ends_with("\\\\") {
+        if close.starts_with('\\') && inner.piece(..inner.len() - 1).ends_with("\\\\") {
             return span;
         }
         span = trimmed(text, Span::new(span.start + open.len(), span.end - close.len()));
@@ -40,7 +40,7 @@ pub(super) fn formula_span(text: &str) -> Span {
 }
 
 fn trimmed(text: &str, span: Span) -> Span {
-    let inner = &text[span.range()];
+    let inner = text.piece(span.range());
     let start = span.start + inner.len() - inner.trim_start().len();
     Span::new(start, start + inner.trim().len())
 }
@@ -126,7 +126,7 @@ fn read_row(reader: &mut Reader, window: Window, columns: bool, leading: bool) -
         Err(problem) => {
             reader.problems.push(*problem);
             let place = if reader.is_blank(rest.clone()) { reader.here() } else { reader.span_of(rest) };
-            Expr::new(Kind::Unread(reader.text[place.range()].to_owned()), place)
+            Expr::new(Kind::Unread(reader.text.piece(place.range()).to_owned()), place)
         }
     };
     let trailing = trailing.map(|(rel, place, _)| (rel, place));

@@ -3,7 +3,7 @@
 use super::commands::{Infix, Role};
 use super::reader::{Reader, Result, Window, is_separator};
 use super::token::{Fence, Tok};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{BinomialStyle, Expr, Kind, Link, Quotient, Rel};
 use crate::language::diagnostic::Diagnostic;
 
@@ -134,7 +134,7 @@ impl Reader<'_> {
         let Tok::Text(start, end) = self.tokens[self.pos - 1].kind else {
             return Expr::new(Kind::Text(String::new()), span);
         };
-        let content = &self.text[start as usize..end as usize];
+        let content = self.text.piece(start as usize..end as usize);
         Expr::new(Kind::Text(content.split_whitespace().collect::<Vec<_>>().join(" ")), span)
     }
 
@@ -226,7 +226,7 @@ impl Reader<'_> {
         if kind == Tok::OpenBrace && self.look(inner + 1)?.0 + 1 != end {
             return None;
         }
-        let remark = &self.text[self.span_of(remark..self.after(remark)).range()];
+        let remark = self.text.piece(self.span_of(remark..self.after(remark)).range());
         let defines = ["def", "triangle", "Delta", ":", "设", "记"].iter().any(|word| remark.contains(word));
         Some((if rel == Rel::Eq && defines { Rel::Define } else { rel }, end))
     }
@@ -278,7 +278,7 @@ impl Reader<'_> {
         self.pos = at;
         let end = if self.is_blank(from..at) { start } else { self.span_of(from..at).end };
         let span = Span::new(start, end);
-        Expr::new(Kind::Unread(self.text[span.range()].to_owned()), span)
+        Expr::new(Kind::Unread(self.text.piece(span.range()).to_owned()), span)
     }
 
     /// A sum, or `a..b`.

@@ -4,12 +4,13 @@ use super::Word;
 use super::commands::{BARE_WORDS, CONNECTIVES};
 use super::lexer::Lexer;
 use super::token::Tok;
+use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::is_ideograph;
 
 impl Lexer<'_> {
     pub(super) fn letters(&mut self) {
         let length = self.run(|byte| byte.is_ascii_alphabetic());
-        let word = &self.rest()[..length];
+        let word = self.rest().piece(..length);
         let (start, end) = (self.at, self.at + length);
         let content = (start as u32, end as u32);
         if BARE_WORDS.contains(&word) {
@@ -46,7 +47,7 @@ impl Lexer<'_> {
 
     /// Whether the letter here is a word between two relations, as its spaces say: a = 0\ e\ b = 1.
     fn joins_relations(&self) -> bool {
-        let (before, after) = (&self.text[..self.at], &self.rest()[1..]);
+        let (before, after) = (self.text.piece(..self.at), self.rest().piece(1..));
         let spaced = before.ends_with("\\ ") && after.starts_with("\\ ");
         spaced && after.contains('=') && self.tokens.iter().any(|token| matches!(token.kind, Tok::Rel(_)))
     }
@@ -56,7 +57,7 @@ impl Lexer<'_> {
         let mut before = self.tokens.iter().rev().map(|token| token.kind);
         before.next() == Some(Tok::OpenBrace)
             && before.next() == Some(Tok::Sub)
-            && self.rest()[length..].trim_start().starts_with('}')
+            && self.rest().piece(length..).trim_start().starts_with('}')
     }
 
     /// What the letters here are.
@@ -69,8 +70,8 @@ impl Lexer<'_> {
     /// Whether a short word here (`if`, `or`, `by`) is set off from the formula, so that it is
     /// not a product of letters.
     fn stands_alone(&self, length: usize) -> bool {
-        let tail = &self.rest()[length..];
-        let spaced = self.text[..self.at].ends_with([' ', '\t']) && tail.starts_with([' ', '\t']);
+        let tail = self.rest().piece(length..);
+        let spaced = self.text.piece(..self.at).ends_with([' ', '\t']) && tail.starts_with([' ', '\t']);
         let begins = matches!(
             self.last(),
             None | Some(Tok::Comma | Tok::Gap | Tok::Align | Tok::RowBreak | Tok::Skip | Tok::Begin(_))
@@ -81,11 +82,11 @@ impl Lexer<'_> {
 
     /// Whether the word of `run` bytes here belongs to a name: `Bézier(n, t)`, `é(t)`. Ideographs stand beside names.
     pub(super) fn is_in_name(&self, run: usize) -> bool {
-        let word = &self.rest()[..run];
+        let word = self.rest().piece(..run);
         let letter = |c: char| c.is_ascii_alphabetic();
-        let before = self.text[..self.at].ends_with(letter);
+        let before = self.text.piece(..self.at).ends_with(letter);
         let after =
-            self.rest()[run..].starts_with(|c: char| letter(c) || matches!(c, '(' | '_' | '^' | '\''));
+            self.rest().piece(run..).starts_with(|c: char| letter(c) || matches!(c, '(' | '_' | '^' | '\''));
         word.chars().all(|c| c.is_alphabetic() && !is_ideograph(c))
             && (before || after || word.chars().count() == 1)
     }

@@ -3,6 +3,7 @@
 use super::commands::Role;
 use super::reader::{Reader, Result};
 use super::token::{Fence, Tok};
+use crate::formula::source::Pieces;
 use crate::formula::{Enclosure, Expr, Kind, Quotient, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -126,7 +127,7 @@ impl Reader<'_> {
         if !before.is_mixed_with(after) {
             return Ok(());
         }
-        let (number, fraction) = (&self.text[before.span.range()], &self.text[after.span.range()]);
+        let (number, fraction) = (self.text.piece(before.span.range()), self.text.piece(after.span.range()));
         Err(Box::new(
             Diagnostic::error(Code::AmbiguousProduct, "a mixed number or a product?")
                 .hint(format!("write {number} \\cdot {fraction} for the product"))
@@ -150,7 +151,7 @@ impl Reader<'_> {
         if !leads || !number(last) && !cross {
             return Ok(());
         }
-        let text = |expr: &Expr| &self.text[expr.span.range()];
+        let text = |expr: &Expr| self.text.piece(expr.span.range());
         let problem = match cross {
             false => Diagnostic::error(Code::UnexpectedToken, "two numbers side by side")
                 .reason("a product, or one number?")
@@ -175,8 +176,8 @@ impl Reader<'_> {
     fn is_lowered_dot(&self) -> bool {
         let span = self.span_at(self.pos);
         self.query
-            && self.text[..span.start].trim_end().ends_with("\\,")
-            && self.text[span.end..].trim_start().starts_with("\\,")
+            && self.text.piece(..span.start).trim_end().ends_with("\\,")
+            && self.text.piece(span.end..).trim_start().starts_with("\\,")
             && self.look(self.pos + 1).is_some_and(|(_, kind)| self.begins_operand(kind))
     }
 
@@ -283,7 +284,7 @@ impl Reader<'_> {
         let Some(Tok::Text(start, end)) = self.tokens.get(self.pos).map(|token| token.kind) else {
             return false;
         };
-        let word = self.text[start as usize..end as usize].trim();
+        let word = self.text.piece(start as usize..end as usize).trim();
         let is_name = word.bytes().all(|byte| byte.is_ascii_alphanumeric())
             && word.starts_with(|c: char| c.is_ascii_alphabetic())
             && !super::commands::CONNECTIVES.contains(&word.to_ascii_lowercase().as_str());

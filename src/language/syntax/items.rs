@@ -2,7 +2,7 @@
 
 use super::lexer;
 use super::token::{Bracket, Token, TokenKind};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Where the items of a list stand that has blanks for commas; `None` if `text` is anything else.
@@ -117,6 +117,6 @@ fn ambiguous(text: &str, spans: &[Span], sign: Token) -> Diagnostic {
     if text.len() > LONGEST {
         return problem.hint("write commas between the items");
     }
-    let items: Vec<&str> = spans.iter().map(|span| &text[span.range()]).collect();
+    let items: Vec<&str> = spans.iter().map(|span| text.piece(span.range())).collect();
     problem.hint(format!("for a list write {}", items.join(", ")))
 }

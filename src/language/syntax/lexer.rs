@@ -4,6 +4,7 @@
 use super::chars;
 use super::token::{Bracket, MAX_TOKENS, Token, TokenKind, too_long};
 use crate::formula::Rel;
+use crate::formula::source::Pieces;
 use crate::language::diagnostic::Diagnostic;
 use crate::language::lexicon::letters;
 
@@ -75,11 +76,11 @@ impl Lexer<'_> {
     }
 
     fn peek(&self) -> Option<char> {
-        self.text[self.at..].chars().next()
+        self.text.piece(self.at..).chars().next()
     }
 
     fn nth(&self, n: usize) -> Option<char> {
-        self.text[self.at..].chars().nth(n)
+        self.text.piece(self.at..).chars().nth(n)
     }
 
     fn last(&self) -> Option<TokenKind> {
@@ -87,7 +88,7 @@ impl Lexer<'_> {
     }
 
     fn skip(&mut self, wanted: impl Fn(char) -> bool) {
-        let rest = &self.text[self.at..];
+        let rest = self.text.piece(self.at..);
         self.at += rest.find(|c| !wanted(c)).unwrap_or(rest.len());
     }
 
@@ -151,7 +152,7 @@ impl Lexer<'_> {
             self.skip(is_digit);
         }
         // 0.(3)
-        let repeats = point && self.text[start..self.at].ends_with('.') && self.peek() == Some('(');
+        let repeats = point && self.text.piece(start..self.at).ends_with('.') && self.peek() == Some('(');
         let bad = self.number_tail() || repeats;
         self.push(if bad { TokenKind::BadNumber } else { TokenKind::Number }, start)
     }
@@ -177,11 +178,11 @@ impl Lexer<'_> {
         self.skip(chars::is_letter);
         let index = self.last() == Some(TokenKind::Underscore);
         // polar_sum is one word; a_xy and sigma_xy are names with an index.
-        while !index && joins_words(&self.text[start..self.at], &self.text[self.at..]) {
+        while !index && joins_words(self.text.piece(start..self.at), self.text.piece(self.at..)) {
             self.at += 1;
             self.skip(chars::is_letter);
         }
-        let kind = match &self.text[start..self.at] {
+        let kind = match self.text.piece(start..self.at) {
             "in" if !index => TokenKind::Relation(Rel::In),
             "if" if !index => TokenKind::If,
             "for" if !index => TokenKind::For,
@@ -199,7 +200,7 @@ impl Lexer<'_> {
             // `\;`, `\{`: one character belongs to the backslash, but never the line end.
             self.at += self.peek().filter(|&c| c != '\n').map_or(0, char::len_utf8);
         }
-        let kind = match &self.text[start + 1..self.at] {
+        let kind = match self.text.piece(start + 1..self.at) {
             "cdot" | "times" | "ast" => TokenKind::Star,
             "div" => TokenKind::Slash,
             "circ" => TokenKind::Compose,
@@ -223,7 +224,7 @@ impl Lexer<'_> {
     }
 
     fn quotation(&mut self, start: usize) -> Lexed {
-        let rest = &self.text[start + 1..];
+        let rest = self.text.piece(start + 1..);
         match rest.find(['"', '\n']) {
             Some(length) if rest.as_bytes()[length] == b'"' => {
                 self.at = start + length + 2;
@@ -241,7 +242,7 @@ impl Lexer<'_> {
         use TokenKind::*;
         let second = self.nth(1).map(chars::ordinary);
         let third = self.nth(2).map(chars::ordinary);
-        let bytes = |count: usize| self.text[self.at..].chars().take(count).map(char::len_utf8).sum();
+        let bytes = |count: usize| self.text.piece(self.at..).chars().take(count).map(char::len_utf8).sum();
         let (kind, count) = match (plain, second, third) {
             ('<', Some('='), Some('>')) => (Relation(Rel::Iff), 3),
             ('.', Some('.'), Some('.')) => (Dots, 3),
@@ -326,7 +327,8 @@ fn run_bracket(c: char) -> Option<Bracket> {
 fn joins_words(word: &str, rest: &str) -> bool {
     let letters = |text: &str| text.chars().take_while(char::is_ascii_lowercase).count();
     let follows = |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) > 1);
-    let over_a_letter =
-        |rest: &str| rest.strip_prefix('_').is_some_and(|next| letters(next) == 1 && follows(&next[1..]));
+    let over_a_letter = |rest: &str| {
+        rest.strip_prefix('_').is_some_and(|next| letters(next) == 1 && follows(next.piece(1..)))
+    };
     letters(word) > 1 && letters::sign(word).is_none() && (follows(rest) || over_a_letter(rest))
 }

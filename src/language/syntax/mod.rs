@@ -15,6 +15,9 @@
 //! **Reference.** Operators are read by precedence with an explicit stack, as in
 //! Dijkstra's shunting-yard algorithm (*Algol 60 translation*, 1961).
 
+// Pieces of a text are taken by `Pieces`, which no text can bring down.
+#![cfg_attr(not(test), deny(clippy::string_slice))]
+
 mod chars;
 mod items;
 mod lexer;
@@ -31,7 +34,7 @@ pub(crate) use parser::{is_special, special_call};
 pub use token::MAX_TOKENS;
 
 use crate::formula::Expr;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::letters;
 
@@ -140,10 +143,10 @@ pub fn looks_like_latex(text: &str) -> bool {
     let bytes = text.as_bytes();
     bytes.iter().enumerate().any(|(at, &byte)| match byte {
         b'$' => true,
-        b'{' => text[at..].starts_with("{,}"),
+        b'{' => text.piece(at..).starts_with("{,}"),
         b'\\' => {
             let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
-            letters::sign(&text[at + 1..at + 1 + letters]).is_none()
+            letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()
         }
         _ => false,
     })

@@ -1,7 +1,7 @@
 //! Tokens: what kind of sign, and where.
 
 use crate::formula::Rel;
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// A text may have this many tokens; more is refused with [`Code::TooLong`].
@@ -153,7 +153,7 @@ impl Token {
 
     /// The text it was read from.
     pub(super) fn text(self, source: &str) -> &str {
-        &source[self.span().range()]
+        source.piece(self.span().range())
     }
 }
 

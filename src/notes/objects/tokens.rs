@@ -2,6 +2,7 @@
 
 use super::super::sentence::Piece;
 use super::super::speech::{self, Word};
+use crate::formula::source::Pieces;
 
 /// A part of a sentence, as far as it matters here.
 #[derive(Clone, Debug)]
@@ -34,7 +35,7 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
     let mut rest = words.as_str();
     while let Some(c) = rest.chars().next() {
         if c == ' ' {
-            rest = &rest[1..];
+            rest = rest.piece(1..);
         } else if let Some((length, word)) = speech::word(rest) {
             let size = matches!(found.last(), Some(Token::Word(Word::Degree | Word::Order)));
             found.push(match word {
@@ -42,15 +43,16 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
                 Word::Count(_) => Token::Word(Word::Filler),
                 word => Token::Word(word.clone()),
             });
-            rest = &rest[length..];
+            rest = rest.piece(length..);
         } else if matches!(c, ',' | '，' | '、') {
             found.push(Token::Comma);
-            rest = &rest[c.len_utf8()..];
+            rest = rest.piece(c.len_utf8()..);
         } else if c.is_ascii_digit() {
             let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-            let number = rest[..digits].parse();
-            found.push(number.map_or_else(|_| Token::Unknown(rest[..digits].to_owned()), Token::Number));
-            rest = &rest[digits..];
+            let number = rest.piece(..digits).parse();
+            found
+                .push(number.map_or_else(|_| Token::Unknown(rest.piece(..digits).to_owned()), Token::Number));
+            rest = rest.piece(digits..);
         } else if c.is_alphabetic() {
             let spaced = !('\u{2e80}'..='\u{ffef}').contains(&c);
             let length = match spaced {
@@ -59,7 +61,7 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
                     .unwrap_or(rest.len()),
                 false => c.len_utf8(),
             };
-            let word = &rest[..length.max(c.len_utf8())];
+            let word = rest.piece(..length.max(c.len_utf8()));
             match found.last_mut() {
                 Some(Token::Unknown(known)) => {
                     if spaced {
@@ -69,12 +71,12 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
                 }
                 _ => found.push(Token::Unknown(word.to_owned())),
             }
-            rest = &rest[word.len()..];
+            rest = rest.piece(word.len()..);
         } else {
             if !matches!(c, '\'' | '"' | '.' | '。') {
                 found.push(Token::Stop);
             }
-            rest = &rest[c.len_utf8()..];
+            rest = rest.piece(c.len_utf8()..);
         }
     }
 }

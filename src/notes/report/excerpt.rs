@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::formula::source::{SourceFile, Span, floor_boundary};
+use crate::formula::source::{Pieces, SourceFile, Span, floor_boundary};
 
 /// Lines wider than this many columns are cut.
 const WIDTH: usize = 100;
@@ -51,11 +51,16 @@ impl Excerpt {
         let mut behind = 0;
         for number in 0.. {
             let horizon = floor_boundary(text, start + 2 * REACH);
-            let line_end = text[start..horizon].find('\n').map(|at| start + at);
+            let line_end = text.piece(start..horizon).find('\n').map(|at| start + at);
             let end = line_end.unwrap_or(horizon);
             let cut = (number == 0 && found.is_none(), line_end.is_none() && horizon < text.len());
             let marked = mark.start.max(start)..mark.end.min(end);
-            excerpt.push_line(&text[start..end], start, cut, (marked.start <= marked.end).then_some(marked));
+            excerpt.push_line(
+                text.piece(start..end),
+                start,
+                cut,
+                (marked.start <= marked.end).then_some(marked),
+            );
             behind += usize::from(mark.end <= end);
             let enough = behind > AROUND || number >= excerpt.before + LINES;
             if enough || line_end.is_none() || (behind > 0 && end >= whole.end) {
@@ -78,7 +83,7 @@ impl Excerpt {
             self.text.push('…');
         }
         let at = self.text.len();
-        self.text.push_str(&line[window.clone()]);
+        self.text.push_str(line.piece(window.clone()));
         if window.end < line.len() || cut.1 {
             self.text.push('…');
         }
@@ -86,8 +91,8 @@ impl Excerpt {
             let shown = |byte: usize| at + byte.clamp(window.start, window.end) - window.start;
             if self.mark == (0..0) {
                 self.mark.start = shown(focus.start);
-                let line = self.text[..self.mark.start].rfind('\n').map_or(0, |at| at + 1);
-                self.column = self.text[line..self.mark.start].chars().count() + 1;
+                let line = self.text.piece(..self.mark.start).rfind('\n').map_or(0, |at| at + 1);
+                self.column = self.text.piece(line..self.mark.start).chars().count() + 1;
             }
             self.mark.end = shown(focus.end);
         }
@@ -97,7 +102,7 @@ impl Excerpt {
 /// The span on boundaries of characters, without white space at its ends.
 fn trimmed(text: &str, span: Span) -> Span {
     let start = floor_boundary(text, span.start);
-    let part = &text[start..floor_boundary(text, span.end).max(start)];
+    let part = text.piece(start..floor_boundary(text, span.end).max(start));
     let inner = part.trim();
     if inner.is_empty() {
         return Span::new(start, start);
@@ -109,7 +114,7 @@ fn trimmed(text: &str, span: Span) -> Span {
 /// Where the line of a byte starts, if that is not too far.
 fn line_start(text: &str, byte: usize) -> Option<usize> {
     let from = floor_boundary(text, byte.saturating_sub(REACH));
-    match text[from..byte].rfind('\n') {
+    match text.piece(from..byte).rfind('\n') {
         Some(at) => Some(from + at + 1),
         None => (from == 0).then_some(0),
     }
@@ -121,17 +126,17 @@ fn window(line: &str, focus: &Range<usize>) -> Range<usize> {
         return 0..line.len();
     }
     let mut start = 0;
-    if line[..focus.end].width() >= WIDTH {
+    if line.piece(..focus.end).width() >= WIDTH {
         let mut room = WIDTH / 3;
         start = focus.start;
-        for (at, character) in line[..focus.start].char_indices().rev() {
+        for (at, character) in line.piece(..focus.start).char_indices().rev() {
             match room.checked_sub(character.width().unwrap_or(1)) {
                 Some(left) => (room, start) = (left, at),
                 None => break,
             }
         }
     }
-    let end = start + fitting(&line[start..], WIDTH);
+    let end = start + fitting(line.piece(start..), WIDTH);
     start..end
 }
 

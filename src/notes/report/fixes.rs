@@ -9,7 +9,7 @@
 
 use crate::document::{Document, Item, Style};
 use crate::formula::Expr;
-use crate::formula::source::{Span, replaced};
+use crate::formula::source::{Pieces, Span, replaced};
 use crate::judge::finding::{FileReport, Finding, Verdict};
 use crate::language::{latex, syntax, write};
 
@@ -131,7 +131,8 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
         let read = notation.read(&fixed(source, found));
         read.is_some_and(|read| read.same_as(&wanted))
     };
-    let rows = |span: Span| source[span.range()].contains(r"\\") || source[span.range()].contains('&');
+    let rows =
+        |span: Span| source.piece(span.range()).contains(r"\\") || source.piece(span.range()).contains('&');
     // From the smallest pieces to the sides.
     let deepest = depth(&given).min(MAX_DEPTH);
     for limit in (0..=deepest).rev() {
@@ -165,9 +166,10 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
 /// The fix without the signs that its text and what it replaces have in common at both ends, whatever the spaces
 /// between them: of `2b_1 - b_0` and `2 b_1 + b_0` only the sign is left.
 fn trimmed(source: &str, fix: &Fix) -> Fix {
-    let old = &source[fix.span.range()];
+    let old = source.piece(fix.span.range());
     let (before, after) = (signs(old), signs(&fix.text));
-    let text = |signs: &[Span], all: &str, at: usize| signs.get(at).map(|sign| all[sign.range()].to_owned());
+    let text =
+        |signs: &[Span], all: &str, at: usize| signs.get(at).map(|sign| all.piece(sign.range()).to_owned());
     let same = |i: usize, j: usize| text(&before, old, i) == text(&after, &fix.text, j);
     let most = before.len().min(after.len());
     let head = (0..most).take_while(|&at| same(at, at)).count();
@@ -178,15 +180,15 @@ fn trimmed(source: &str, fix: &Fix) -> Fix {
         Span::new(start, end)
     };
     let (gone, new) = (middle(&before, old.len()), middle(&after, fix.text.len()));
-    Fix { span: gone.shifted(fix.span.start), text: fix.text[new.range()].to_owned() }
+    Fix { span: gone.shifted(fix.span.start), text: fix.text.piece(new.range()).to_owned() }
 }
 
 /// The commands and other signs of a formula, without the spaces.
 fn signs(text: &str) -> Vec<Span> {
     let mut found = Vec::new();
     let mut at = 0;
-    while let Some(c) = text[at..].chars().next() {
-        let letters = text[at + c.len_utf8()..].bytes().take_while(u8::is_ascii_alphabetic).count();
+    while let Some(c) = text.piece(at..).chars().next() {
+        let letters = text.piece(at + c.len_utf8()..).bytes().take_while(u8::is_ascii_alphabetic).count();
         let len = c.len_utf8() + if c == '\\' { letters } else { 0 };
         if !c.is_whitespace() {
             found.push(Span::new(at, at + len));
@@ -245,7 +247,7 @@ fn in_string(source: &str, suggestion: &str) -> Vec<Fix> {
     let Ok(text) = serde_json::from_str::<String>(&format!("\"{source}\"")) else { return Vec::new() };
     let quoted = |text: &str| {
         let quoted = serde_json::Value::from(text).to_string();
-        quoted[1..quoted.len() - 1].to_owned()
+        quoted.piece(1..quoted.len() - 1).to_owned()
     };
     // Only what is written as it would be written anew.
     if quoted(&text) != source {

@@ -6,6 +6,7 @@
 
 use std::convert::Infallible;
 
+use crate::formula::source::Pieces;
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::event::{Content, Event};
 use pulldown_latex::{Parser, Storage, push_mathml};
@@ -75,7 +76,7 @@ fn escaped(math: &str) -> String {
     let mut out = String::with_capacity(math.len());
     let mut before = ' ';
     for (at, character) in math.char_indices() {
-        let after = &math[at + character.len_utf8()..];
+        let after = math.piece(at + character.len_utf8()..);
         match character {
             '<' if !after.starts_with(|c: char| c == '/' || c.is_ascii_alphabetic()) => out.push_str("&lt;"),
             '>' if before == '>' => out.push_str("&gt;"),
@@ -113,8 +114,8 @@ fn prepared(latex: &str) -> String {
     let mut out = String::with_capacity(latex.len());
     let mut rest = latex;
     while let Some(at) = rest.find('\\') {
-        out.push_str(&rest[..at]);
-        rest = &rest[at + 1..];
+        out.push_str(rest.piece(..at));
+        rest = rest.piece(at + 1..);
         let length = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
         let (name, after) = rest.split_at(length);
         rest = after;
@@ -124,7 +125,7 @@ fn prepared(latex: &str) -> String {
                 out.push('\\');
                 if let Some(character) = rest.chars().next() {
                     out.push(character);
-                    rest = &rest[character.len_utf8()..];
+                    rest = rest.piece(character.len_utf8()..);
                 }
             }
             "limits" | "nolimits" if out.trim_end().ends_with(['_', '^']) => {

@@ -1,6 +1,6 @@
 //! Lines and columns of spans, found in one pass over the file.
 
-use crate::formula::source::{SourceFile, Span, floor_boundary};
+use crate::formula::source::{Pieces, SourceFile, Span, floor_boundary};
 
 /// A place in a file, everything counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,12 +67,12 @@ impl<'a> Cursor<'a> {
         let byte = floor_boundary(self.text, byte);
         if byte < self.byte {
             // Back to the start of the line that holds the byte.
-            let back = self.text[..byte].rfind('\n').map_or(0, |at| at + 1);
-            self.place.line -= self.text[back..self.byte].bytes().filter(|&b| b == b'\n').count();
+            let back = self.text.piece(..byte).rfind('\n').map_or(0, |at| at + 1);
+            self.place.line -= self.text.piece(back..self.byte).bytes().filter(|&b| b == b'\n').count();
             (self.place.column, self.place.unit) = (1, 1);
             self.byte = back;
         }
-        for character in self.text[self.byte..byte].chars() {
+        for character in self.text.piece(self.byte..byte).chars() {
             if character == '\n' {
                 self.place = Place { line: self.place.line + 1, column: 1, unit: 1 };
             } else {

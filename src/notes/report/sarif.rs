@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use super::json::pretty;
 use super::place::{Locator, Region};
 use super::{Rule, fingerprints, message};
+use crate::formula::source::Pieces;
 use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic, Severity};
 
@@ -143,7 +144,7 @@ fn fix(suggestion: &str, name: &str, artifact: &Value, region: &Value) -> Value 
     // In a notebook the formula stands within a string of JSON.
     let text = if name.ends_with(".ipynb") {
         let quoted = Value::from(suggestion).to_string();
-        quoted[1..quoted.len() - 1].to_owned()
+        quoted.piece(1..quoted.len() - 1).to_owned()
     } else {
         suggestion.to_owned()
     };

@@ -11,6 +11,7 @@ mod german;
 
 use std::borrow::Cow;
 
+use crate::formula::source::Pieces;
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 use crate::judge::topic::{Topic, Topics};
@@ -263,7 +264,7 @@ fn ends_with(words: &str, phrase: &str, language: &Language) -> bool {
         }) else {
             return false;
         };
-        rest = rest[..rest.len() - filler.len()].trim_end_matches([' ', ',']);
+        rest = rest.piece(..rest.len() - filler.len()).trim_end_matches([' ', ',']);
     }
 }
 
@@ -346,7 +347,7 @@ fn has_one_of(text: &str, phrases: &[&str], language: &Language) -> bool {
 /// Whether a phrase stands in a text in small letters, as `whole` words or as how words begin.
 fn mentions(text: &str, phrase: &str, whole: bool, language: &Language) -> bool {
     text.match_indices(phrase).any(|(at, _)| {
-        let (before, after) = (&text[..at], &text[at + phrase.len()..]);
+        let (before, after) = (text.piece(..at), text.piece(at + phrase.len()..));
         let begins = !before.ends_with(is_letter);
         let ends = !whole || !after.starts_with(is_letter);
         !language.spaced || begins && ends
@@ -371,7 +372,7 @@ pub fn block(words: &str) -> Option<Block> {
     let text = text.trim_start_matches(['*', '_', '【', '[', ' ']);
     let label: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
     let capital = label.chars().next().is_some_and(|c| !c.is_lowercase());
-    let rest = text[label.len()..].trim_start();
+    let rest = text.piece(label.len()..).trim_start();
     let closed = rest.starts_with(['.', ':', '*', '_', '(', '：', '】', ']', '。', '（'])
         || rest.starts_with(|c: char| c.is_ascii_digit())
         || rest.is_empty();

@@ -4,7 +4,7 @@ use super::super::chars;
 use super::super::token::{Bracket, TokenKind};
 use super::operand::{Items, is_named, is_number};
 use super::{MAX_DEPTH, Node, Parsed, Parser};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind};
 
 impl Parser<'_> {
@@ -101,7 +101,7 @@ impl Parser<'_> {
 
     /// The index 01 is a name: it differs from 1.
     fn keep_leading_zero(&self, index: &mut Expr) {
-        let text = &self.text[index.span.range()];
+        let text = self.text.piece(index.span.range());
         let first = text.chars().next().map(chars::ordinary);
         if is_number(index) && first == Some('0') && text.chars().nth(1).is_some() && !text.contains('.') {
             index.kind = Kind::Name(text.chars().map(chars::ordinary).collect());

@@ -3,7 +3,7 @@
 use super::super::token::{Bracket, Token, TokenKind};
 use super::operand::Inside;
 use super::{MAX_DEPTH, MAX_DIGITS, Node, Parser};
-use crate::formula::source::Span;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{BigOp, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -18,7 +18,7 @@ fn error(code: Code, message: impl Into<String>, span: Span) -> Diagnostic {
 
 impl Parser<'_> {
     fn quote(&self, span: Span) -> String {
-        let text = &self.text[span.range()];
+        let text = self.text.piece(span.range());
         let mut short: String = text.chars().take(QUOTE).collect();
         if short.len() < text.len() {
             short.push('…');
@@ -29,7 +29,7 @@ impl Parser<'_> {
     }
 
     fn text_at(&self, span: Span) -> &str {
-        &self.text[span.range()]
+        self.text.piece(span.range())
     }
 
     fn innermost(&self) -> Option<(Token, Bracket)> {
@@ -348,7 +348,7 @@ impl Parser<'_> {
 
     /// Refuses 0x10, which would be 0 times x10.
     pub(super) fn is_decimal(&self, token: Token) -> Result<(), Problem> {
-        let rest = &self.text[token.span().end..];
+        let rest = self.text.piece(token.span().end..);
         let digits = rest.strip_prefix(['x', 'X', 'b', 'B', 'o', 'O']).filter(|_| self.text_of(token) == "0");
         match digits.filter(|digits| digits.starts_with(|c: char| c.is_ascii_digit())) {
             None => Ok(()),
@@ -385,13 +385,13 @@ impl Parser<'_> {
                     .hint("remove a point, or write a comma or .. between numbers")
             });
         };
-        let (number, power) = (&text[..at], &text[at + 1..]);
+        let (number, power) = (text.piece(..at), text.piece(at + 1..));
         let problem = problem.reason("a power of ten, or the name e?");
         Box::new(if text.len() > QUOTE {
             problem.hint("write * 10^ for the power of ten")
         } else {
             let product = if power.starts_with(['+', '-']) {
-                format!("{number} e {} {}", &power[..1], &power[1..])
+                format!("{number} e {} {}", power.piece(..1), power.piece(1..))
             } else {
                 format!("{number} e_{power}")
             };
