@@ -9,6 +9,7 @@ mod bench_inputs;
 mod cli;
 mod curves;
 mod derivations;
+mod differential;
 mod docs;
 mod figure_commands;
 mod figures;

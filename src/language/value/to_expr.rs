@@ -69,6 +69,7 @@ pub(super) fn poly_terms(p: &MultiPoly) -> Vec<Term> {
         list.swap(0, 1);
     }
     let term = |(mut powers, c): (Vec<(Symbol, u32)>, Rational)| {
+        budget::step();
         // Before an indexed name Δ is a difference.
         powers.sort_by_key(|(symbol, _)| symbol.is_plain() && symbol.base() == FORWARD_DIFFERENCE);
         exact_term(&c, powers.iter().map(|(symbol, e)| power_expr(symbol, *e)).collect())
