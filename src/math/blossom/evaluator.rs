@@ -11,8 +11,8 @@
 //! word". The common denominator is a product of words, hence the final reduction
 //! needs only one-word gcds.
 //!
-//! Cost: O(n²/b · w) word products for b arguments to a block and results of w words:
-//! cubic in n with a tiny constant, faster than a product tree far beyond degree 1000.
+//! Cost: O(n²/b · w) word products for b arguments to a block and results of w words: cubic in n with a tiny
+//! constant. Beyond some thousand arguments the product is made of halves, by fast multiplication.
 
 use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
@@ -22,9 +22,13 @@ use super::limbs;
 use super::polar_form::{Argument, PolarError, PolarForm};
 use crate::budget;
 use crate::math::number::{Int, Rational, binomial_row};
+use crate::math::poly::Poly;
 
 /// Trial division removes primes below this from the prepared denominator.
 const SMALL_PRIMES_BELOW: u64 = 1100;
+
+/// Up to so many arguments the generating product is made row by row, faster than from its halves.
+const MOST_ROWS: usize = 1200;
 
 /// A polar form over Q prepared for many values.
 ///
@@ -92,65 +96,23 @@ impl Evaluator {
         // Entries beyond a word are rare: the generic way serves them.
         let words = factors.collect::<Option<Vec<Factor>>>().zip(denominators.collect::<Option<Vec<i64>>>());
         match words.and_then(|(factors, denominators)| Some((self.numerator(&factors)?, denominators))) {
-            Some((numerator, denominators)) => Ok(self.reduced(numerator, &denominators)),
+            Some(((sign, numerator), denominators)) => Ok(self.reduced(sign, numerator, &denominators)),
             None => self.form.value_generic(&arguments),
         }
     }
 
-    /// Σ W_i E_i as a row of words in two's complement; `None` if a factor does not fit a word.
-    fn numerator(&self, factors: &[Factor]) -> Option<Vec<u64>> {
-        let n = self.degree;
-        let (blocks, total_bits) = blocks(factors)?;
-        let length_bits = u64::from(usize::BITS - n.leading_zeros());
-        let width = usize::try_from((total_bits + self.weight_bits + length_bits + 1) / 64 + 1).ok()?;
-        budget::charge_terms((width as u64).saturating_mul(n as u64 + 1) / 64);
-        let mut rows = vec![0u64; (n + 1) * width];
-        rows[0] = 1;
-        let (mut degree, mut used, mut bits) = (0, 1, 1);
-        let mut next = vec![0u64; width];
-        for block in &blocks {
-            bits += block.bits;
-            let wanted = (bits / 64 + 1) as usize;
-            let top = degree + block.coefficients.len() - 1;
-            if wanted > used {
-                for row in rows.chunks_exact_mut(width).take(degree + 1) {
-                    let fill = if limbs::is_negative(&row[..used]) { u64::MAX } else { 0 };
-                    row[used..wanted].fill(fill);
-                }
-                used = wanted;
-            }
-            for k in (0..=top).rev() {
-                let acc = &mut next[..used];
-                let mut fresh = true;
-                for (m, &factor) in block.coefficients.iter().enumerate() {
-                    if factor == 0 || m > k || k - m > degree {
-                        continue;
-                    }
-                    let row = &rows[(k - m) * width..(k - m) * width + used];
-                    match (factor > 0, fresh) {
-                        (true, true) => limbs::set_scaled(acc, row, factor.unsigned_abs()),
-                        (true, false) => limbs::add_scaled(acc, row, factor.unsigned_abs()),
-                        (false, true) => {
-                            acc.fill(0);
-                            limbs::sub_scaled(acc, row, factor.unsigned_abs());
-                        }
-                        (false, false) => limbs::sub_scaled(acc, row, factor.unsigned_abs()),
-                    }
-                    fresh = false;
-                }
-                if fresh {
-                    acc.fill(0);
-                }
-                rows[k * width..k * width + used].copy_from_slice(acc);
-            }
-            budget::steps(u32::try_from(top * used / 64).unwrap_or(u32::MAX));
-            degree = top;
+    /// Σ W_i E_i, its sign and words; `None` if a factor does not fit a word.
+    fn numerator(&self, factors: &[Factor]) -> Option<(Sign, Vec<u64>)> {
+        if factors.len() > MOST_ROWS {
+            return self.numerator_by_halves(factors);
         }
+        let length_bits = u64::from(usize::BITS - factors.len().leading_zeros());
+        let Rows { mut words, width, used } = generating_rows(factors, self.weight_bits + length_bits)?;
         let mut sum = vec![0u64; width];
-        for (row, (sign, words)) in rows.chunks_exact_mut(width).zip(&self.weights) {
+        for (row, (sign, weight)) in words.chunks_exact_mut(width).zip(&self.weights) {
             let fill = if limbs::is_negative(&row[..used]) { u64::MAX } else { 0 };
             row[used..].fill(fill);
-            for (shift, &word) in words.iter().enumerate().take(width) {
+            for (shift, &word) in weight.iter().enumerate().take(width) {
                 if *sign == Sign::Minus {
                     limbs::sub_scaled(&mut sum[shift..], row, word);
                 } else {
@@ -158,16 +120,22 @@ impl Evaluator {
                 }
             }
         }
-        Some(sum)
+        Some(magnitude(sum))
+    }
+
+    /// The same by long integers.
+    fn numerator_by_halves(&self, factors: &[Factor]) -> Option<(Sign, Vec<u64>)> {
+        let product = generating_product(factors)?;
+        let mut sum = BigInt::ZERO;
+        for (e, (sign, weight)) in product.numerators().iter().zip(&self.weights) {
+            budget::steps((weight.len() as u64 * e.bits() / 65_536) as u32 + 1);
+            sum += BigInt::from_slice(*sign, &halves(weight)) * e.to_big();
+        }
+        Some(sum.to_u64_digits())
     }
 
     /// numerator / (L ∏ denominators) in lowest terms.
-    fn reduced(&self, mut numerator: Vec<u64>, denominators: &[i64]) -> Rational {
-        let negative = limbs::is_negative(&numerator);
-        if negative {
-            limbs::negate(&mut numerator);
-        }
-        trim(&mut numerator);
+    fn reduced(&self, sign: Sign, mut numerator: Vec<u64>, denominators: &[i64]) -> Rational {
         if numerator.is_empty() {
             return Rational::zero();
         }
@@ -192,8 +160,96 @@ impl Evaluator {
             value = value.div_exact(&g);
             denominator *= self.rest.div_exact(&g);
         }
-        Rational::new_raw(if negative { -value } else { value }, denominator)
+        Rational::new_raw(if sign == Sign::Minus { -value } else { value }, denominator)
     }
+}
+
+/// E_0, …, E_m as rows of words in two's complement.
+struct Rows {
+    words: Vec<u64>,
+    /// Words of a row, and how many of them are in use; the others repeat the sign.
+    width: usize,
+    used: usize,
+}
+
+/// ∏ (q + p x) row by row, with room for numbers that are longer by `spare_bits`.
+fn generating_rows(factors: &[Factor], spare_bits: u64) -> Option<Rows> {
+    let n = factors.len();
+    let (blocks, total_bits) = blocks(factors)?;
+    let width = usize::try_from((total_bits + spare_bits + 1) / 64 + 1).ok()?;
+    budget::charge_terms((width as u64).saturating_mul(n as u64 + 1) / 64);
+    let mut rows = vec![0u64; (n + 1) * width];
+    rows[0] = 1;
+    let (mut degree, mut used, mut bits) = (0, 1, 1);
+    let mut next = vec![0u64; width];
+    for block in &blocks {
+        bits += block.bits;
+        let wanted = (bits / 64 + 1) as usize;
+        let top = degree + block.coefficients.len() - 1;
+        if wanted > used {
+            for row in rows.chunks_exact_mut(width).take(degree + 1) {
+                let fill = if limbs::is_negative(&row[..used]) { u64::MAX } else { 0 };
+                row[used..wanted].fill(fill);
+            }
+            used = wanted;
+        }
+        for k in (0..=top).rev() {
+            let acc = &mut next[..used];
+            let mut fresh = true;
+            for (m, &factor) in block.coefficients.iter().enumerate() {
+                if factor == 0 || m > k || k - m > degree {
+                    continue;
+                }
+                let row = &rows[(k - m) * width..(k - m) * width + used];
+                match (factor > 0, fresh) {
+                    (true, true) => limbs::set_scaled(acc, row, factor.unsigned_abs()),
+                    (true, false) => limbs::add_scaled(acc, row, factor.unsigned_abs()),
+                    (false, true) => {
+                        acc.fill(0);
+                        limbs::sub_scaled(acc, row, factor.unsigned_abs());
+                    }
+                    (false, false) => limbs::sub_scaled(acc, row, factor.unsigned_abs()),
+                }
+                fresh = false;
+            }
+            if fresh {
+                acc.fill(0);
+            }
+            rows[k * width..k * width + used].copy_from_slice(acc);
+        }
+        budget::steps(u32::try_from(top * used / 64).unwrap_or(u32::MAX));
+        degree = top;
+    }
+    Some(Rows { words: rows, width, used })
+}
+
+/// ∏ (q + p x) as a polynomial, from halves.
+fn generating_product(factors: &[Factor]) -> Option<Poly> {
+    if factors.len() > MOST_ROWS {
+        let (left, right) = factors.split_at(factors.len() / 2);
+        return Some(generating_product(left)? * generating_product(right)?);
+    }
+    let Rows { words, width, used } = generating_rows(factors, 0)?;
+    let number = |row: &[u64]| {
+        let (sign, words) = magnitude(row[..used].to_vec());
+        Int::from(BigInt::from_slice(sign, &halves(&words)))
+    };
+    Some(Poly::from_integers(words.chunks_exact(width).map(number).collect(), Int::ONE))
+}
+
+/// The sign and the words of a number in two's complement.
+fn magnitude(mut row: Vec<u64>) -> (Sign, Vec<u64>) {
+    let negative = limbs::is_negative(&row);
+    if negative {
+        limbs::negate(&mut row);
+    }
+    trim(&mut row);
+    let sign = match (negative, row.is_empty()) {
+        (_, true) => Sign::NoSign,
+        (true, false) => Sign::Minus,
+        (false, false) => Sign::Plus,
+    };
+    (sign, row)
 }
 
 /// Words as half words, the way num-bigint takes them.
@@ -323,6 +379,33 @@ mod tests {
             assert_eq!(fast, slow);
             let reduced = Rational::new(fast.numer().clone(), fast.denom().clone());
             assert_eq!(fast, reduced, "not in lowest terms");
+        }
+    }
+
+    /// The two ways to the generating product, on factors of all signs and sizes, also without q or p.
+    #[test]
+    fn halves_and_rows_agree() {
+        let n = 2 * MOST_ROWS + 7;
+        let mut state = 1u64;
+        let mut draw = |below: i64| {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 33) as i64 % below
+        };
+        let factors: Vec<Factor> = (0..n)
+            .map(|k| match k % 97 {
+                0 => (0, draw(9) - 4),
+                1 => (draw(5) + 1, 0),
+                2 => (draw(1 << 30) + 1, draw(1 << 30) - (1 << 29)),
+                _ => (draw(3) + 1, draw(9) - 4),
+            })
+            .collect();
+        let Rows { words, width, used } = generating_rows(&factors, 0).unwrap();
+        let by_rows: Vec<(Sign, Vec<u64>)> =
+            words.chunks_exact(width).map(|row| magnitude(row[..used].to_vec())).collect();
+        let by_halves = generating_product(&factors).unwrap();
+        for (k, expected) in by_rows.iter().enumerate() {
+            let found = by_halves.numerators().get(k).map(|e| e.to_big().to_u64_digits());
+            assert_eq!(found.unwrap_or((Sign::NoSign, Vec::new())), *expected, "E_{k}");
         }
     }
 
