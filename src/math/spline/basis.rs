@@ -19,6 +19,10 @@ type Local<C> = Vec<Coefficients<C>>;
 impl<C: Field> KnotVector<C> {
     /// N_i^n as a piecewise polynomial, by the recurrence of Cox and de Boor.
     ///
+    /// Where it jumps, at a knot of multiplicity n + 1, it is what it is to the right; the last knot closes it. If
+    /// further knots follow such an end of the domain, [`KnotVector::values_at`] and splines are there what they are to
+    /// the left, as a curve that ends.
+    ///
     /// Cost: n³/6 products of a polynomial by a linear one.
     ///
     /// # Errors
