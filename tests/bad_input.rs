@@ -68,6 +68,7 @@ fn errors_have_a_place_and_a_hint() {
         Code::Letters,
         Code::Called,
         Code::NoIdentity,
+        Code::SymbolicBounds,
         Code::NotReal,
         Code::UnclosedFormula,
         Code::UnclosedBlock,

@@ -177,3 +177,45 @@ fn transcripts_come_out_as_written() {
         assert_eq!(found, text, "{}: run with UPDATE_CORPUS=1 to accept", path.display());
     }
 }
+
+/// What a session answers, as text.
+fn answer(session: &Session, query: &str) -> String {
+    let outcome =
+        session.clone().run(query).unwrap_or_else(|failure| panic!("{query}: {:?}", failure.problem));
+    write::text(&outcome.outcome.value.to_expr())
+}
+
+/// A sum up to symbols has the values of the sums up to numbers, from where it is empty.
+#[test]
+fn sums_up_to_symbols() {
+    let session = Session::default();
+    for body in ["1", "k", "k^2 - 3 k + 1/2", "t (k + 1)^3", "k^6/7 - k(k - 1) a", "0"] {
+        for first in -2..=3 {
+            for last in first - 1..=first + 5 {
+                let plain = answer(&session, &format!("sum(k={first}..{last}, {body})"));
+                let upper = format!("subs(sum(k={first}..n, {body}), n={last})");
+                let both = format!("subs(sum(k=m..n, {body}), m={first}, n={last})");
+                assert_eq!(answer(&session, &upper), plain, "{upper}");
+                assert_eq!(answer(&session, &both), plain, "{both}");
+            }
+        }
+    }
+}
+
+/// The limit of the difference quotient is the derivative, that at infinity the quotient of the leading coefficients.
+#[test]
+fn limits() {
+    let session = Session::default();
+    for formula in ["t^3 - 2t", "1/(t + 1)", "a t^2/(t - b)", "7", "(t^2 - 1)/(t - 1)"] {
+        let mut session = session.clone();
+        session.run(&format!("F(t) := {formula}")).unwrap();
+        let quotient = r"\lim_{h \to 0} \frac{F(t + h) - F(t)}{h}";
+        assert_eq!(answer(&session, quotient), answer(&session, &format!("diff({formula}, t)")), "{formula}");
+    }
+    for (above, below, limit) in
+        [("3n^2 + n", "2n^2 - 1", "3/2"), ("n", "n^2 + 1", "0"), ("a n + b", "c n", "a/c")]
+    {
+        let query = format!(r"\lim_{{n \to \infty}} \frac{{{above}}}{{{below}}}");
+        assert_eq!(answer(&session, &query), limit, "{query}");
+    }
+}

@@ -13,7 +13,7 @@ use super::script::formula;
 use crate::budget::{Limits, MOST_DEPTH};
 use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
-use crate::language::write::Format;
+use crate::language::write::{Breaks, Format};
 use crate::math::blossom::Method;
 
 const EXAMPLES: &str = "\
@@ -60,7 +60,11 @@ pub(super) struct Global {
     /// Break LaTeX that is wider, in points (an article: 345)
     #[arg(long, global = true, value_name = "POINTS")]
     pub width: Option<u16>,
-    /// The language of derivations
+    /// How wider LaTeX is broken: aligned (amsmath), multlined (mathtools), dmath (breqn)
+    #[arg(long, global = true, default_value = "aligned", value_name = "NAME", hide_possible_values = true,
+          value_parser = one_of(Breaks::ALL, Breaks::name))]
+    pub breaks: Breaks,
+    /// The language of derivations and of the titles of figures
     #[arg(long, global = true, default_value = "en", value_name = "LANG",
           value_parser = one_of(Language::ALL, Language::code))]
     pub lang: Language,

@@ -52,7 +52,7 @@ pub(super) fn run(
             .hint("polarform functions lists the functions that draw");
         return Err(reader.failure(problem).into());
     };
-    let scene = changed((**scene).clone(), arguments);
+    let scene = changed((**scene).clone().in_language(output.language.code()), arguments);
     let drawing = output.limited(|| draw(&scene, target, arguments))?;
     let drawing = drawing.map_err(|problem| Trouble::Problem(Box::new(problem)))?;
     match &arguments.output {

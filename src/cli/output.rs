@@ -14,7 +14,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, Severity, harmless, render, render_json};
 use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
-    Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
+    Breaks, Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
 };
 use crate::math::blossom::PolarForm;
 use crate::math::number::Rational;
@@ -37,6 +37,7 @@ pub(super) struct Output {
     pub language: Language,
     /// How wide LaTeX may be, in points.
     width: f64,
+    breaks: Breaks,
     /// Whether usual readings are told, too.
     pub verbose: bool,
     /// Whether only what is wrong is told.
@@ -57,6 +58,7 @@ impl Output {
             notation,
             language,
             width,
+            breaks: global.breaks,
             verbose: global.verbose,
             quiet: global.quiet,
             color,
@@ -136,6 +138,7 @@ impl Output {
             notation: self.notation,
             language: self.language,
             width: self.width,
+            breaks: self.breaks,
         };
         let line = self.limited(|| match (self.format, value) {
             // Also of lists of figures.
@@ -147,6 +150,7 @@ impl Output {
 
     /// A drawing: a preview, TikZ, or data.
     fn figure(&self, scene: &Scene, name: Option<Expr>) -> Result<(), Trouble> {
+        let scene = &scene.clone().in_language(self.language.code());
         let drawn = self.limited(|| match self.format {
             Format::Text | Format::Unicode => Ok(terminal(scene, PREVIEW.0, PREVIEW.1)),
             Format::Latex => Ok(tikz(scene, &TikzOptions::default())),

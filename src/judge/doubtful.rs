@@ -9,8 +9,21 @@ use crate::language::diagnostic::{Code, Diagnostic};
 pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
     if let Kind::Mul(factors) = &expr.kind {
         for pair in factors.windows(2) {
-            let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
+            // f(t1) in LaTeX
             let touches = pair[0].span.end == pair[1].span.start;
+            if let (Kind::Name(letter), Kind::Number(number), true) =
+                (&pair[0].kind, &pair[1].kind, latex && touches)
+            {
+                notes.push(
+                    Diagnostic::note(
+                        Code::AmbiguousProduct,
+                        format!("{letter}{number} is {letter} times {number}"),
+                    )
+                    .hint(format!("write {letter}_{number} for a name with an index"))
+                    .at(pair[0].span.to(pair[1].span)),
+                );
+            }
+            let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
             let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
             let doubtful = match latex {
                 true => !matches!(&pair[1].kind, Kind::Group(_)),

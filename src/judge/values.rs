@@ -144,6 +144,13 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
                     .map(|(i, (x, y))| (format!("item {i} (counted from 0)"), x.clone(), y.clone())),
             )?;
         }
+        // A column of coordinates is a point.
+        (Value::List(_), Value::Matrix(column)) | (Value::Matrix(column), Value::List(_))
+            if column.ncols() == 1 =>
+        {
+            (judgement.left, judgement.right) = (column_as_list(left), column_as_list(right));
+            equality(judgement)?;
+        }
         (Value::Matrix(a), Value::Matrix(b)) => {
             if a.shape() != b.shape() {
                 judgement.verdict = Verdict::Refuted;
@@ -197,6 +204,13 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
+}
+
+fn column_as_list(value: Value) -> Value {
+    match value {
+        Value::Matrix(column) => Value::List(column.iter().cloned().map(Value::Scalar).collect()),
+        other => other,
+    }
 }
 
 fn equal_scalars(judgement: &mut Judgement, a: &Fraction, b: &Fraction) {
@@ -274,16 +288,21 @@ fn polar_against_function(
         return Ok(());
     };
     let groups = polar.arity();
-    if names.len() != groups.iter().sum::<usize>() || matches!(polar.kind, PolarKind::Total(_)) {
+    let dimension = match &polar.kind {
+        PolarKind::Total(form) => form.dimension(),
+        _ => 1,
+    };
+    let arguments = function.shape.inner;
+    if function.shape.dimension.max(1) != dimension || arguments != groups.iter().sum::<usize>() {
         judgement.verdict = Verdict::Refuted;
         judgement.reasons.push(format!(
             "the polar form takes {} arguments, the function {}",
             groups.iter().sum::<usize>(),
-            names.len()
+            arguments
         ));
         return Ok(());
     }
-    let mut names = names.into_iter().map(|name| vec![name.clone()]);
+    let mut names = names.chunks(dimension).map(|point| point.iter().map(|name| (*name).clone()).collect());
     let lists = groups.iter().map(|&count| names.by_ref().take(count).collect()).collect();
     let arrangement = Arrangement::new(lists);
     if let Some(expanded) = expand_polar(polar, &arrangement) {

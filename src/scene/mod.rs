@@ -100,6 +100,8 @@ pub struct Panel {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     title: String,
+    /// The title in other languages, by their codes.
+    titles: Vec<(&'static str, String)>,
     description: String,
     width: f64,
     panels: Vec<Panel>,
@@ -114,7 +116,13 @@ impl Scene {
     /// The title is for those who cannot see the drawing, and for tooltips.
     pub fn new(title: impl Into<String>) -> Self {
         let panel = Panel { aspect: Aspect::Equal, items: Vec::new(), legend: Vec::new(), caption: None };
-        Scene { title: title.into(), description: String::new(), width: Scene::WIDTH, panels: vec![panel] }
+        Scene {
+            title: title.into(),
+            titles: Vec::new(),
+            description: String::new(),
+            width: Scene::WIDTH,
+            panels: vec![panel],
+        }
     }
 
     /// The same with other scaling, in all panels.
@@ -130,9 +138,31 @@ impl Scene {
         self
     }
 
-    /// The same with another title.
+    /// The same with another title, in all languages.
     pub fn with_title(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
+        self.titles.clear();
+        self
+    }
+
+    /// The same with its title in one more language.
+    pub fn also(mut self, language: &'static str, title: impl Into<String>) -> Self {
+        self.titles.push((language, title.into()));
+        self
+    }
+
+    /// The same with its title in a language, if it is known in it.
+    ///
+    /// ```
+    /// use polarform::scene::Scene;
+    /// let scene = Scene::new("Spline curve").also("zh", "样条曲线");
+    /// assert_eq!(scene.clone().in_language("zh").title(), "样条曲线");
+    /// assert_eq!(scene.in_language("en").title(), "Spline curve");
+    /// ```
+    pub fn in_language(mut self, language: &str) -> Self {
+        if let Some((_, title)) = self.titles.iter().find(|(code, _)| *code == language) {
+            self.title.clone_from(title);
+        }
         self
     }
 
@@ -195,6 +225,10 @@ impl Scene {
                 first.push_str(&second);
             }
         };
+        // In another language, too, where both are known in it.
+        let other =
+            |code: &str| right.titles.iter().find(|(other, _)| *other == code).map(|(_, title)| title);
+        self.titles.retain_mut(|(code, title)| other(code).map(|other| join(title, other.clone())).is_some());
         join(&mut self.title, right.title);
         join(&mut self.description, right.description);
         self.width = self.width.max(right.width);

@@ -10,6 +10,7 @@ use super::{Mode, Options};
 use crate::formula::source::{Pieces, SourceFile, Span, replaced};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::functions::Arrangement;
+use crate::language::write::Breaks;
 
 /// A change of a text.
 #[derive(Clone, Debug, PartialEq)]
@@ -303,15 +304,19 @@ impl Weaver<'_> {
 
 /// A text that stands for the options: what is woven with others is out of date.
 pub(super) fn signature(options: &Options) -> String {
-    let BlockOptions { steps, notation, arrange, style, hide, show, equation, lang, width, picture } =
+    let BlockOptions { steps, notation, arrange, style, hide, show, equation, lang, width, breaks, picture } =
         &options.blocks;
+    let breaks = match breaks {
+        Breaks::Aligned => String::new(),
+        other => format!(" {}", other.name()),
+    };
     let width = width.map(|points| format!(" {points}")).unwrap_or_default();
     let arranged = match arrange {
         Arrangement::Usual => String::new(),
         other => format!(" {}", other.name()),
     };
     format!(
-        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}{width}{arranged}",
+        "{:?} {steps:?} {notation:?} {style:?} {hide} {show:?} {equation} {lang:?} {picture:?} {:?}{width}{arranged}{breaks}",
         options.mode, options.pictures
     )
 }

@@ -3,7 +3,7 @@
 use super::options::{BlockOptions, Style};
 use super::render::{Picture, Piece, Shown, StepLine, escaped, words_as_text, words_in_formula};
 use crate::language::value::Verdict;
-use crate::language::write::{broken, lines_of, measured};
+use crate::language::write::{Breaks, lines_of, measured};
 
 /// What a document is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl Markup {
                 let between: &[String] = if self == Markup::Markdown { &[String::new()] } else { &[] };
                 pieces
                     .iter()
-                    .map(|piece| self.display(piece, options.room()))
+                    .map(|piece| self.display(piece, options.room(), options.breaks))
                     .collect::<Vec<_>>()
                     .join(between)
             }
@@ -58,12 +58,18 @@ impl Markup {
 
     /// A display of its own; a formula that is wider than `room` is broken, and what cannot be broken is
     /// made smaller where that is possible.
-    fn display(self, piece: &Piece, room: f64) -> Vec<String> {
+    fn display(self, piece: &Piece, room: f64, breaks: Breaks) -> Vec<String> {
+        // Renderers of Markdown know aligned only.
+        let breaks = if self == Markup::Latex { breaks } else { Breaks::Aligned };
         let lines = match piece {
             Piece::Words(words) => return vec![self.words(words)],
             Piece::Formula(shown) => {
                 let whole = with_remark(shown);
-                let formula = broken(&whole, room);
+                let formula = breaks.broken(&whole, room);
+                // A display of its own, whose lines TeX makes.
+                if breaks == Breaks::Dmath && formula != whole {
+                    return formula.lines().map(str::to_owned).collect();
+                }
                 // The width of a line is an estimate.
                 let too_wide = |line: &str| measured(&line.replace('&', "")) > 1.1 * room;
                 let unbroken = formula == whole && !whole.starts_with(r"\begin{aligned}");

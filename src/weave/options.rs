@@ -8,7 +8,7 @@ use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::functions::Arrangement;
 use crate::language::value::{Language, Notation};
-use crate::language::write::ARTICLE;
+use crate::language::write::{ARTICLE, Breaks};
 use crate::math::blossom::Method;
 
 /// How several results are arranged.
@@ -61,12 +61,15 @@ pub struct BlockOptions {
     /// The width of display formulas in points: longer ones are broken. As wide as an article if not
     /// given; 0 breaks nothing.
     pub width: Option<u16>,
+    /// How wider ones are broken, in LaTeX.
+    pub breaks: Breaks,
     /// The file for a figure, without its extension, relative to the document.
     pub picture: Option<String>,
 }
 
-const NAMES: [&str; 10] =
-    ["steps", "notation", "arrange", "style", "hide", "show", "equation", "lang", "width", "picture"];
+const NAMES: [&str; 11] = [
+    "steps", "notation", "arrange", "style", "hide", "show", "equation", "lang", "width", "breaks", "picture",
+];
 
 const STYLES: [(&str, Style); 5] = [
     ("display", Style::Display),
@@ -156,6 +159,7 @@ impl BlockOptions {
                 self.width =
                     Some(points.map_err(|_| wrong_value(name, value, ["points such as 345"].into_iter()))?);
             }
+            "breaks" => self.breaks = chosen(name, value, &Breaks::ALL.map(|one| (one.name(), one)))?,
             "picture" => self.picture = Some(file_name(value)?),
             _ => {
                 let problem = Diagnostic::error(Code::BlockOption, format!("there is no option '{name}'"));

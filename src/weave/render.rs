@@ -100,12 +100,15 @@ pub fn render(answer: &Answer, lines: &[Line], options: &BlockOptions) -> Result
             let problem = Diagnostic::error(Code::Type, format!("{name} is a function of the program"));
             return Err(problem.hint("write a call of it, with arguments"));
         }
-        Value::Figure(scene) => Piece::Picture(Picture {
-            title: scene.title().to_owned(),
-            svg: svg(scene, &SvgOptions::default()),
-            tikz: tikz(scene, &TikzOptions::default()),
-            file: None,
-        }),
+        Value::Figure(scene) => {
+            let scene = scene.as_ref().clone().in_language(options.lang.code());
+            Piece::Picture(Picture {
+                title: scene.title().to_owned(),
+                svg: svg(&scene, &SvgOptions::default()),
+                tikz: tikz(&scene, &TikzOptions::default()),
+                file: None,
+            })
+        }
         Value::Claim(claim) => Piece::Formula(claimed(claim, &answer.statement)),
         Value::Polar(polar) => {
             Piece::Formula(equation(&polar.equation(answer.function_name(), options.notation)))

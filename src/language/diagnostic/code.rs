@@ -117,6 +117,11 @@ codes! {
     /// Example: `x^2 - 5x + 6 = 0` is refuted, since it fails for x = 0. `solve(x^2 - 5x + 6 = 0)` gives the
     /// values for which it holds.
     NoIdentity = "E211": "an equation that is no identity",
+    /// A sum over an index with symbols as bounds is a polynomial in them, which holds for integers only, from where
+    /// the sum is empty.
+    ///
+    /// Example: `sum(k=1..n, k)` is 1/2 n^2 + 1/2 n for integers n >= 0.
+    SymbolicBounds = "E212": "a sum with symbols as bounds",
 
     /// Wrong number of arguments.
     ///

@@ -51,6 +51,11 @@ impl Arguments {
         self.places[place] = Some((value, span));
     }
 
+    /// Removes the argument at a place, where there is one; later ones move up.
+    pub(crate) fn take_place(&mut self, place: usize) -> Option<(Value, Span)> {
+        (place < self.places.len()).then(|| self.places.remove(place)).flatten()
+    }
+
     /// Equations at the first places as one argument.
     pub(crate) fn with_equations_together(mut self) -> Self {
         while let [Some((Value::Claim(first), start)), Some((Value::Claim(next), end)), ..] =

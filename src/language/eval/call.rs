@@ -6,7 +6,7 @@ use super::machine::{Evaluated, Machine, without_end};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::division_by_zero;
-use crate::language::value::{Clause, Function, Parameter, Value};
+use crate::language::value::{Clause, Function, Parameter, Shape, Value};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
@@ -21,6 +21,7 @@ impl Machine {
         span: Span,
     ) -> Evaluated {
         let shape = function.shape;
+        let values = if shape.dimension > 0 { in_coordinates(values, shape) } else { values };
         if values.len() != shape.arity() {
             let name = function.name.as_ref().map_or("the function".to_owned(), Symbol::to_string);
             let given = values.len().saturating_sub(shape.lower + shape.upper);
@@ -94,6 +95,7 @@ impl Machine {
         // The body sees the names of its definition and its parameters, nothing of the caller.
         let caller =
             (std::mem::replace(&mut self.scope, clause.scope.clone()), std::mem::take(&mut self.locals));
+        let answers = std::mem::take(&mut self.answers);
         self.depth += 1;
         if let Some(name) = &function.name {
             self.locals.push((name.clone(), Value::Function(function.clone())));
@@ -101,6 +103,7 @@ impl Machine {
         self.locals.extend(bindings);
         let result = self.eval(&clause.body);
         self.depth -= 1;
+        self.answers = answers;
         (self.scope, self.locals) = caller;
         // A place inside another definition means nothing to the caller.
         result.map_err(|mut error| {
@@ -159,6 +162,23 @@ impl Machine {
         let slope = slope.substitute(&points).map_err(|_| division_by_zero()).at(span)?;
         Ok(Some(Value::Scalar(slope.times(&lengths))))
     }
+}
+
+/// The arguments with points taken apart, where a function has points as arguments.
+fn in_coordinates(values: Vec<(Value, Span)>, shape: Shape) -> Vec<(Value, Span)> {
+    let mut all = Vec::with_capacity(shape.arity());
+    for (value, span) in values {
+        match value {
+            Value::List(items) if items.len() == shape.dimension => {
+                all.extend(items.into_iter().map(|item| (item, span)));
+            }
+            Value::Matrix(column) if column.shape() == (shape.dimension, 1) => {
+                all.extend(column.iter().map(|entry| (Value::Scalar(entry.clone()), span)));
+            }
+            other => all.push((other, span)),
+        }
+    }
+    all
 }
 
 /// The clause that fits: exact parameters count before names, earlier before later.

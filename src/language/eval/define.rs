@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::entries::{factor_or_index, is_bracketed};
+use super::lambda::parameters_of;
 use super::machine::Machine;
 use super::names::{indices_in_brackets, letters_side_by_side, name_of};
 use crate::formula::source::Span;
@@ -55,7 +56,7 @@ impl Machine {
     pub(super) fn is_new_definition(&mut self, left: &Expr, right: &Expr) -> bool {
         let head = match &left.kind {
             Kind::Apply(callee, groups) => {
-                let items: Vec<&Expr> = groups.iter().flatten().collect();
+                let items: Vec<&Expr> = groups.iter().flatten().flat_map(parameters_of).collect();
                 if self.is_case(callee, &items) {
                     return true;
                 }
@@ -82,6 +83,7 @@ impl Machine {
             },
             _ => (head, Vec::new()),
         };
+        let family = !indices.is_empty();
         let bare = |index: &Expr| matches!(index.kind, Kind::Name(_) | Kind::Number(_));
         if !indices.into_iter().all(bare) {
             return false;
@@ -102,7 +104,7 @@ impl Machine {
             });
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
-            Kind::Apply(..) => calls(right, &name, self),
+            Kind::Apply(..) => calls(right, &name, family, self),
             _ => mentions(right, &name, self),
         };
         !known && !refers
@@ -121,7 +123,10 @@ impl Machine {
                 self.not_reserved(&name, left)?;
                 self.not_a_sequence(left, body)?;
                 self.not_a_value_in_brackets(left)?;
-                let value = match self.eval_as_written(body)? {
+                self.answers = !matches!(body.kind, Kind::Chain(..));
+                let value = self.eval_as_written(body);
+                self.answers = false;
+                let value = match value? {
                     Value::Function(function) => Value::Function(Arc::new(Function {
                         name: Some(name.clone()),
                         ..(*function).clone()
@@ -221,7 +226,14 @@ impl Machine {
         let Kind::Apply(callee, groups) = &left.kind else {
             return name_of(left, self).map(Target::Name).ok_or_else(bad);
         };
-        let inner: Vec<Expr> = groups.iter().flatten().cloned().collect();
+        // f((u1, v1), (u2, v2)) has points as arguments.
+        let written: Vec<&[Expr]> = groups.iter().flatten().map(parameters_of).collect();
+        let count = written.len();
+        let dimension = written.first().map_or(0, |first| if first.len() > 1 { first.len() } else { 0 });
+        if written.iter().any(|point| point.len() != dimension.max(1)) {
+            return Err(bad().hint("of several points all have the same number of coordinates"));
+        }
+        let inner: Vec<Expr> = written.concat();
         let (base, lower, upper): (&Expr, &[Expr], Option<&Expr>) = match &callee.kind {
             Kind::Subscript(base, lower) => (base, lower, None),
             Kind::Pow(inner, upper) => match &inner.kind {
@@ -238,7 +250,8 @@ impl Machine {
         });
         if upper.is_none() && numeric {
             let name = name_of(callee, self).ok_or_else(bad)?;
-            return Ok(Target::Function { name, shape: Shape::plain(inner.len()), parameters: inner });
+            let shape = Shape { dimension, ..Shape::plain(count) };
+            return Ok(Target::Function { name, shape, parameters: inner });
         }
         let name = name_of(base, self).ok_or_else(bad)?;
         // b_{ij}(t) has two indices
@@ -246,7 +259,8 @@ impl Machine {
             .iter()
             .flat_map(|index| letters_side_by_side(index, self).unwrap_or_else(|| vec![index.clone()]))
             .collect();
-        let shape = Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: inner.len() };
+        let shape =
+            Shape { lower: lower.len(), upper: usize::from(upper.is_some()), inner: count, dimension };
         let parameters = lower.iter().chain(upper).cloned().chain(inner).collect();
         Ok(Target::Function { name, shape, parameters })
     }
@@ -264,9 +278,14 @@ impl Machine {
                 Kind::Number(q) => Parameter::Exactly(q.clone()),
                 _ => {
                     let symbol = name_of(parameter, self).ok_or_else(|| {
-                        Diagnostic::error(Code::BadDefinition, "a parameter is a name or a number")
-                            .at(parameter.span)
-                            .reason("not a name")
+                        let error =
+                            Diagnostic::error(Code::BadDefinition, "a parameter is a name or a number")
+                                .at(parameter.span)
+                                .reason("not a name");
+                        match &parameter.kind {
+                            Kind::Mul(_) => error.hint("in LaTeX an index is written t_1; t1 is t times 1"),
+                            _ => error,
+                        }
                     })?;
                     Parameter::Name(symbol)
                 }
@@ -340,14 +359,17 @@ fn mentions(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
     children.into_iter().any(|child| mentions(child, name, machine))
 }
 
-/// Whether the name, with any indices, is called in the expression.
-fn calls(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+/// Whether the name is called in the expression; of a family its members count, in b(t) = b_0 (1 - t) they do not.
+fn calls(expr: &Expr, name: &Symbol, family: bool, machine: &mut Machine) -> bool {
     if let Kind::Apply(callee, _) = &expr.kind
+        && (family
+            || !matches!(callee.kind, Kind::Subscript(..))
+            || name_of(callee, machine).as_ref() == Some(name))
         && mentions(callee, name, machine)
     {
         return true;
     }
     let mut children = Vec::new();
     expr.for_each_child(&mut |child| children.push(child));
-    children.into_iter().any(|child| calls(child, name, machine))
+    children.into_iter().any(|child| calls(child, name, family, machine))
 }

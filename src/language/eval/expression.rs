@@ -46,10 +46,10 @@ impl Machine {
                     sum = Some(match (sum, term.sign) {
                         (None, Sign::Plus) => value,
                         (None, Sign::Minus) => arithmetic::negate(value).at(place)?,
-                        (Some(sum), Sign::Plus) => arithmetic::add(sum, value).at(place)?,
+                        (Some(sum), Sign::Plus) => self.added(sum, value, place)?,
                         (Some(sum), Sign::Minus) => {
                             let negative = arithmetic::negate(value).at(place)?;
-                            arithmetic::add(sum, negative).at(place)?
+                            self.added(sum, negative, place)?
                         }
                     });
                 }
@@ -145,10 +145,13 @@ impl Machine {
                 self.eval_lambda(parameters_of(parameters), &links[0].expr)
             }
             Kind::Chain(first, links) => {
+                let before = std::mem::take(&mut self.answers);
                 let judgements = match self.of_one_kind(first, links) {
-                    Some((first, links)) => (self.tools.judge)(self, &first, &links)?,
-                    None => (self.tools.judge)(self, first, links)?,
+                    Some((first, links)) => (self.tools.judge)(self, &first, &links),
+                    None => (self.tools.judge)(self, first, links),
                 };
+                self.answers = before;
+                let judgements = judgements?;
                 Ok(Value::Claim(Arc::new(Claim { judgements })))
             }
             Kind::Text(text) => Ok(Value::Text(text.clone())),
@@ -330,6 +333,7 @@ impl Machine {
                 Some(condition) => match self.eval(condition)? {
                     Value::Claim(claim) => claim.decided().ok_or_else(|| {
                         Diagnostic::error(Code::Undecided, "whether this case holds depends on symbols")
+                            .hint("define a function and take its values: F(x) := ..., then F(3)")
                             .at(condition.span)
                     })?,
                     Value::Text(_) => true,

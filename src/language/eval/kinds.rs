@@ -25,7 +25,7 @@ impl Machine {
         if !sides.iter().any(|side| self.names_a_function(side)) {
             return None;
         }
-        let values: Vec<Value> = sides.iter().map(|side| self.quietly(side)).collect::<Option<_>>()?;
+        let mut values: Vec<Value> = sides.iter().map(|side| self.quietly(side)).collect::<Option<_>>()?;
         let mut symbols: Vec<Symbol> = Vec::new();
         for value in &values {
             match value {
@@ -41,6 +41,17 @@ impl Machine {
         symbols.dedup();
         if !values.iter().any(|value| matches!(value, Value::Scalar(_)) || is_point(value)) {
             return None;
+        }
+        // F = b_0 B_0^1 + b_1 B_1^1, where members of families are functions, too
+        for (side, value) in sides.iter().zip(&mut values) {
+            if matches!(value, Value::Scalar(_))
+                && let Some(function @ Value::Function(_)) = self.quietly_called(side)
+            {
+                *value = function;
+            }
+        }
+        if !values.iter().any(|value| matches!(value, Value::Scalar(_)) || is_point(value)) {
+            symbols = values.iter().find_map(own_parameter).into_iter().collect();
         }
         let mut called = Vec::with_capacity(sides.len());
         let mut read = None;
@@ -68,6 +79,14 @@ impl Machine {
         let before = self.notes.clone();
         let value = self.eval(side).ok();
         self.notes = before;
+        value
+    }
+
+    /// The same where members of families are functions: B_0^1 is B_0^1(t).
+    fn quietly_called(&mut self, side: &Expr) -> Option<Value> {
+        let before = std::mem::replace(&mut self.called, true);
+        let value = self.quietly(side);
+        self.called = before;
         value
     }
 
@@ -143,6 +162,14 @@ fn parameter_among(symbols: &[Symbol], constants: &[Symbol], own: &Symbol) -> Sy
     match (symbols.contains(own), usual.next(), usual.next()) {
         (false, Some(one), None) => one.clone(),
         _ => own.clone(),
+    }
+}
+
+/// The parameter of a function of one variable by a formula.
+fn own_parameter(value: &Value) -> Option<Symbol> {
+    match value {
+        Value::Function(function) => function.as_formula().map(|(parameter, _)| parameter.clone()),
+        _ => None,
     }
 }
 

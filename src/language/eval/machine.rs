@@ -66,6 +66,8 @@ pub struct Machine {
     pub(super) notes: Vec<Diagnostic>,
     /// Whether what is evaluated is called, so that members of families in it are functions: (B_0^2 + B_1^2)(t).
     pub(super) called: bool,
+    /// Whether the statement asks for a value, so that sums may have symbols as bounds.
+    pub(super) answers: bool,
     /// Values of functions of numbers already computed in this statement.
     pub(super) memo: BTreeMap<(Symbol, Vec<Rational>), Value>,
 }
@@ -81,6 +83,7 @@ impl Machine {
             depth: 0,
             notes: Vec::new(),
             called: false,
+            answers: false,
             memo: BTreeMap::new(),
         }
     }

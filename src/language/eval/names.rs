@@ -278,7 +278,10 @@ impl Machine {
         for hint in &mut error.hints {
             *hint = hint.replace(&format!("{name} :="), &format!("{name}(t) :="));
         }
-        error
+        match error.hints.iter().any(|hint| hint.starts_with("define it first")) && name.len() > 3 {
+            true => error.hint("or use one of the functions that polarform functions lists"),
+            false => error,
+        }
     }
 
     pub(super) fn unknown_word(&self, name: &str) -> Diagnostic {
@@ -297,6 +300,15 @@ impl Machine {
         let best = (self.tools.synonym)(name).or_else(|| nearest(name, known).filter(alike));
         if let Some(best) = best {
             return error.hint(format!("did you mean '{best}'?"));
+        }
+        let called = |name: &str| (self.tools.function)(name).map(|function| function.form());
+        // rational_bezier, spline_domain: a part of the word is a function.
+        let part = || name.split('_').filter(|part| part.len() > 3).find_map(called);
+        if let Some(form) = words::topic(name).and_then(called).or_else(part) {
+            return error.hint(format!("write {form}"));
+        }
+        if !name.is_ascii() && letters::sign(name).is_none() {
+            return error.hint("write a formula; polarform functions lists the functions");
         }
         let error = error.hint(format!("define it first: {name} := ..."));
         match name.len() <= LONGEST_PRODUCT && name.bytes().all(|byte| byte.is_ascii_alphabetic()) {

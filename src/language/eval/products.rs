@@ -10,7 +10,7 @@ use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Quotient};
+use crate::formula::{Delimiter, Expr, Kind, Quotient};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::lexicon::families::{self, BACKWARD_DIFFERENCE, FORWARD_DIFFERENCE};
 use crate::language::lexicon::roles;
@@ -55,6 +55,10 @@ impl Machine {
         {
             rest.next();
             return Ok(value);
+        }
+        if let Some(call) = rest.peek().and_then(|next| self.call_with_matrix(factor, next)) {
+            rest.next();
+            return self.eval(&call);
         }
         if let (Kind::Pow(base, _), Some(next)) = (&factor.kind, rest.peek())
             && let Kind::Group(inside) = &next.kind
@@ -101,6 +105,21 @@ impl Machine {
         Ok(value)
     }
 
+    /// The brackets of a matrix after the name of a function are those of a call: \operatorname{tr} \begin{pmatrix} …
+    fn call_with_matrix(&mut self, factor: &Expr, next: &Expr) -> Option<Expr> {
+        let matrix = match &next.kind {
+            Kind::Group(inside) => inside,
+            _ => next,
+        };
+        let Kind::Matrix(_, Delimiter::Paren | Delimiter::Bracket) = &matrix.kind else { return None };
+        let name = name_of(factor, self).filter(|name| name.is_plain() && self.lookup(name).is_none())?;
+        (self.tools.function)(name.base())
+            .or_else(|| (self.tools.alias)(name.base()))
+            .filter(|_| self.reading.is_none())?;
+        let call = Kind::Apply(Box::new(factor.clone()), vec![vec![matrix.clone()]]);
+        Some(Expr::new(call, factor.span.to(next.span)))
+    }
+
     /// `f (3)` for a function or curve f: a value, and a note says so.
     fn called_after_blank(
         &mut self,
@@ -133,8 +152,19 @@ impl Machine {
     /// The divided difference `[x_0, x_1] f` of a function f.
     fn difference_before(&mut self, nodes: &Expr, next: Option<&Expr>) -> Result<Option<Value>, Diagnostic> {
         let (Kind::List(items), Some(next)) = (&nodes.kind, next) else { return Ok(None) };
-        let Some(name) = name_of(next, self).filter(|_| items.len() > 1) else { return Ok(None) };
         let span = nodes.span.to(next.span);
+        // [x_0, x_1] x^3: nodes are named like the variable.
+        let of_letter = letter_of(items).is_some_and(|letter| {
+            self.lookup(&Symbol::new(letter)).is_none() && !self.has_reading() && stands_in(letter, next)
+        });
+        if of_letter {
+            return Err(Diagnostic::error(Code::AmbiguousProduct, "a divided difference or a product?")
+                .at(span)
+                .reason("the nodes are named like the variable")
+                .hint("for a divided difference define the function first: F(x) := x^3, then [x_0, x_1] F")
+                .hint("for the product write the formula before the list, with *"));
+        }
+        let Some(name) = name_of(next, self).filter(|_| items.len() > 1) else { return Ok(None) };
         match self.lookup(&name).cloned() {
             Some(Value::Function(function)) => self.divided_difference(&function, items, span).map(Some),
             None if name.is_plain() && roles::FUNCTIONS.contains(&name.base()) && !self.has_reading() => {
@@ -336,6 +366,30 @@ impl Machine {
         let numerator = self.eval(left)?;
         let denominator = self.eval(right)?;
         arithmetic::divide(numerator, denominator).at(right.span)
+    }
+}
+
+/// The letter of two nodes and more: x of x_0, x_1.
+fn letter_of(nodes: &[Expr]) -> Option<&str> {
+    fn letter(node: &Expr) -> Option<&str> {
+        let Kind::Subscript(base, _) = &node.kind else { return None };
+        let Kind::Name(letter) = &base.kind else { return None };
+        Some(letter)
+    }
+    let common = letter(nodes.first()?)?;
+    (nodes.len() > 1 && nodes.iter().all(|node| letter(node) == Some(common))).then_some(common)
+}
+
+/// Whether a letter stands in a formula without an index.
+fn stands_in(letter: &str, expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Name(name) => name == letter,
+        Kind::Subscript(..) => false,
+        _ => {
+            let mut found = false;
+            expr.for_each_child(&mut |child| found = found || stands_in(letter, child));
+            found
+        }
     }
 }
 

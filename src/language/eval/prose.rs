@@ -61,11 +61,12 @@ impl Machine {
             && word.len() > 2
             && self.lookup(&Symbol::new(word)).is_none()
         {
+            let word = &word.to_lowercase();
             let singular = word.strip_suffix('s').unwrap_or(word);
             let form = |name: &str| {
                 let function = (self.tools.function)(name)
                     .or_else(|| (self.tools.synonym)(name).and_then(|known| (self.tools.function)(known)));
-                function.map(|function| function.form()).or_else(|| words::form(name).map(str::to_owned))
+                words::form(name).map(str::to_owned).or_else(|| function.map(|function| function.form()))
             };
             let found = match words::topic(word) {
                 Some(function) => form(function),

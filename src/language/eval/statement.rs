@@ -9,7 +9,7 @@ use super::tools::Tools;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::words;
-use crate::language::value::{Judgement, Value, Verdict};
+use crate::language::value::{Claim, Judgement, Value, Verdict, symbol_expr};
 use crate::language::write::text;
 use crate::math::poly::Symbol;
 use num_traits::{One, Zero};
@@ -49,16 +49,21 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
     Ok(Outcome { value, defined, notes: machine.notes })
 }
 
-/// The only symbol of an equation that says of a polynomial in it that it is a number: nobody claims that for all values.
-fn unknown_of(judgement: &Judgement) -> Option<Symbol> {
-    let equation = judgement.rel == Rel::Eq && judgement.verdict == Verdict::Refuted;
-    let difference = judgement.difference.as_ref().filter(|_| equation)?.as_scalar()?.as_polynomial()?;
-    match difference.variables() {
-        [only] if [&judgement.left, &judgement.right].iter().any(|side| side.as_rational().is_some()) => {
-            Some(only.clone())
-        }
-        _ => None,
+/// The symbols of refuted equations that may be meant as unknowns: one in a polynomial equation, or those of
+/// several linear ones.
+fn unknowns_of(claim: &Claim) -> Option<Vec<Symbol>> {
+    let mut unknowns: Vec<Symbol> = Vec::new();
+    let mut linear = true;
+    for judgement in &claim.judgements {
+        let equation = judgement.rel == Rel::Eq && judgement.verdict == Verdict::Refuted;
+        let difference = judgement.difference.as_ref().filter(|_| equation)?.as_scalar()?.as_polynomial()?;
+        linear &= difference.total_degree() == Some(1);
+        unknowns.extend(difference.variables().iter().cloned());
     }
+    unknowns.sort();
+    unknowns.dedup();
+    let enough = linear && claim.judgements.len() >= unknowns.len();
+    (unknowns.len() == 1 || enough && unknowns.len() > 1).then_some(unknowns)
 }
 
 impl Machine {
@@ -95,34 +100,144 @@ impl Machine {
         }
         self.is_no_prose(expr)?;
         if equals == Equals::DefinesUnbound {
+            self.is_no_known_parameter(expr)?;
             self.is_no_power_defined(expr)?;
             self.is_no_word_defined(expr)?;
             self.is_no_step_defined(expr)?;
         }
         is_without_words(expr)?;
         is_no_decimal_defined(expr)?;
-        let value = self.eval_as_written(expr)?;
-        if let Kind::Chain(left, links) = &expr.kind
-            && let (Kind::Name(name), [link], Equals::DefinesUnbound) = (&left.kind, links.as_slice(), equals)
-            && link.rel == Rel::Eq
-            && matches!(&value, Value::Claim(claim) if claim.verdict() == Verdict::Refuted)
-        {
-            let note = Diagnostic::note(Code::BadDefinition, format!("a claim: {name} has a value already"));
-            self.note(note.at(left.span).hint(format!("write {name} := ... to give it another")));
-        }
-        if let Value::Claim(claim) = &value
-            && equals == Equals::DefinesUnbound
-            && let [judgement] = claim.judgements.as_slice()
-            && let Some(unknown) = unknown_of(judgement)
-        {
-            let note = Diagnostic::note(Code::NoIdentity, format!("it does not hold for every {unknown}"));
-            let equation = text(expr);
-            self.note(note.at(expr.span).hint(format!("solve({equation}) gives those for which it holds")));
+        self.answers = !matches!(expr.kind, Kind::Chain(..));
+        let value = match (self.eval_as_written(expr), &expr.kind) {
+            // cases(t^2 if t < 1, 2 t - 1 otherwise) without a value for t is a function of t
+            (Err(error), Kind::Cases(_)) if error.code == Code::Undecided => match self.only_symbol(expr) {
+                Some(parameter) => self.eval_lambda(&[parameter], expr)?,
+                None => return Err(error),
+            },
+            (value, _) => value?,
+        };
+        if let (Value::Claim(claim), Equals::DefinesUnbound) = (&value, equals) {
+            self.may_be_meant_otherwise(expr, claim);
         }
         if let Kind::Sequence(items) = &expr.kind {
             self.warn_of_commas(items);
         }
         Ok((value, None))
+    }
+
+    /// Remarks on a refuted claim that may be meant as a definition or as equations to be solved.
+    fn may_be_meant_otherwise(&mut self, statement: &Expr, claim: &Claim) {
+        if let Kind::Chain(left, links) = &statement.kind
+            && let (Kind::Name(name), [Link { rel: Rel::Eq, expr: right, .. }]) =
+                (&left.kind, links.as_slice())
+            && claim.verdict() == Verdict::Refuted
+        {
+            let known = self.lookup(&Symbol::new(name)).is_some();
+            let note = |why: &str, what: &str| {
+                Diagnostic::note(Code::BadDefinition, format!("a claim: {name} {why}"))
+                    .at(left.span)
+                    .hint(format!("write {name} := ... to {what}"))
+            };
+            match known {
+                true => self.note(note("has a value already", "give it another")),
+                false if matches!(right.kind, Kind::Apply(..)) => {
+                    self.note(note("stands on the right, too", "define it"));
+                }
+                false => {}
+            }
+        }
+        let chained = matches!(&statement.kind, Kind::Chain(_, links) if links.len() > 1);
+        let number = |judgement: &Judgement| {
+            [&judgement.left, &judgement.right].iter().any(|side| side.as_rational().is_some())
+        };
+        // F(t) = t^2 + 1 with a slip claims something of F for every t.
+        if !claim.judgements.iter().all(number) && self.has_calls(statement) {
+            return;
+        }
+        let Some(unknowns) = unknowns_of(claim).filter(|_| !chained) else { return };
+        let names: Vec<String> = unknowns.iter().map(|name| text(&symbol_expr(name))).collect();
+        let (note, equations) = match (&statement.kind, names.as_slice()) {
+            (Kind::Sequence(items), _) => {
+                let equations = items.iter().filter(|item| matches!(item.kind, Kind::Chain(..))).map(text);
+                let all = equations.collect::<Vec<_>>().join(", ");
+                (format!("these do not hold for all {}", names.join(", ")), format!("[{all}]"))
+            }
+            (_, [only]) => (format!("it does not hold for every {only}"), text(statement)),
+            _ => return,
+        };
+        let note = Diagnostic::note(Code::NoIdentity, note).at(statement.span);
+        self.note(note.hint(format!("solve({equations}) gives those for which it holds")));
+    }
+
+    /// Whether functions, derivatives or sums stand in an expression.
+    fn has_calls(&mut self, expr: &Expr) -> bool {
+        let called = match &expr.kind {
+            Kind::Apply(..) => !self.is_product(expr).unwrap_or(false),
+            Kind::Prime(..)
+            | Kind::Derivative { .. }
+            | Kind::Integral { .. }
+            | Kind::Big { .. }
+            | Kind::Compose(_) => true,
+            Kind::Name(_) | Kind::Subscript(..) => {
+                let value = name_of(expr, self).and_then(|name| self.lookup(&name).cloned());
+                value.is_some_and(|value| !matches!(value, Value::Scalar(_)))
+            }
+            _ => false,
+        };
+        let mut children = Vec::new();
+        expr.for_each_child(&mut |child| children.push(child));
+        called || children.into_iter().any(|child| self.has_calls(child))
+    }
+
+    /// The only letter without a value in an expression.
+    fn only_symbol(&mut self, expr: &Expr) -> Option<Expr> {
+        fn collect<'a>(machine: &mut Machine, expr: &'a Expr, found: &mut Vec<&'a Expr>) {
+            let free = name_of(expr, machine).is_some_and(|name| machine.lookup(&name).is_none());
+            match &expr.kind {
+                Kind::Name(_) | Kind::Subscript(..) if free => {
+                    if !found.iter().any(|known| known.same_as(expr)) {
+                        found.push(expr);
+                    }
+                }
+                _ => {
+                    let mut children = Vec::new();
+                    expr.for_each_child(&mut |child| children.push(child));
+                    children.into_iter().for_each(|child| collect(machine, child, found));
+                }
+            }
+        }
+        let mut found = Vec::new();
+        collect(self, expr, &mut found);
+        match found.as_slice() {
+            [only] => Some((*only).clone()),
+            _ => None,
+        }
+    }
+
+    /// F(t) = t^2 where t has a value neither defines F nor claims anything.
+    fn is_no_known_parameter(&mut self, statement: &Expr) -> Result<(), Diagnostic> {
+        let Kind::Chain(left, links) = &statement.kind else { return Ok(()) };
+        let ([Link { rel: Rel::Eq, .. }], Kind::Apply(callee, groups)) = (links.as_slice(), &left.kind)
+        else {
+            return Ok(());
+        };
+        let Some(function) = name_of(callee, self).filter(|name| self.lookup(name).is_none()) else {
+            return Ok(());
+        };
+        let named = groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Name(_)));
+        let letter = function.base().chars().count() == 1 && (self.tools.function)(function.base()).is_none();
+        let known = groups.iter().flatten().find_map(|argument| {
+            let name = name_of(argument, self)?;
+            let value = self.lookup(&name)?.as_rational()?;
+            Some((name, value, argument.span))
+        });
+        let Some((name, value, span)) = known.filter(|_| named && letter) else { return Ok(()) };
+        let shown = text(left);
+        Err(Diagnostic::error(Code::BadDefinition, format!("{name} has the value {value} here"))
+            .at(span)
+            .reason("a parameter, or this value?")
+            .hint(format!("write {shown} := ... to define a function of {name}"))
+            .hint(format!("or use another letter; at the prompt :forget {name} takes its value away")))
     }
 
     /// Nobody claims that b_0^1 is something: without a value for b_0 it is meant as a definition.
@@ -243,16 +358,19 @@ fn has_other_powers(expr: &Expr, member: &Expr) -> bool {
     found
 }
 
-/// Refuses `x = 1,5`.
+/// Refuses `x = 1,5` and `0,5 + 1`.
 fn is_no_decimal_defined(statement: &Expr) -> Result<(), Diagnostic> {
     let Kind::Sequence(items) = &statement.kind else { return Ok(()) };
-    let claims =
-        |pair: &&[Expr]| matches!(pair[0].kind, Kind::Chain(..)) && is_decimal_comma(&pair[0], &pair[1]);
+    let claims = |pair: &&[Expr]| {
+        let either = items.len() == 2 || matches!(pair[0].kind, Kind::Chain(..));
+        either && is_decimal_comma(&pair[0], &pair[1])
+    };
     let Some(pair) = items.windows(2).find(claims) else { return Ok(()) };
-    Err(Diagnostic::error(Code::BadNumber, "a decimal comma, or two statements?")
+    let what = if matches!(pair[0].kind, Kind::Chain(..)) { "statements" } else { "numbers" };
+    Err(Diagnostic::error(Code::BadNumber, format!("a decimal comma, or two {what}?"))
         .at(pair[0].span.to(pair[1].span))
         .hint("write a decimal with a point: 1.5")
-        .hint("write a blank after the comma between two statements"))
+        .hint(format!("write a blank after the comma between two {what}")))
 }
 
 /// Whether the comma between two items stands between two numbers, as in 1,5.

@@ -20,13 +20,17 @@ impl Machine {
         body: &Expr,
         span: Span,
     ) -> Evaluated {
+        if let (BigOp::Sum, Some(sum)) = (op, self.closed_sum(lower, upper, body, span)?) {
+            return Ok(sum);
+        }
         let combine: fn(Value, Value) -> Evaluated = match op {
             BigOp::Sum => arithmetic::add,
             BigOp::Product => arithmetic::multiply,
             BigOp::Max => |a, b| pick(a, b, true),
             BigOp::Min => |a, b| pick(a, b, false),
-            BigOp::Union | BigOp::Intersection | BigOp::Limit => {
-                return Err(unsupported("limits, unions and intersections have no value here").at(span));
+            BigOp::Limit => return self.eval_limit(lower, body, span),
+            BigOp::Union | BigOp::Intersection => {
+                return Err(unsupported("unions and intersections have no value here").at(span));
             }
         };
         let assignments = self.index_values(lower, upper, span)?;

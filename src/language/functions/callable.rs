@@ -1,6 +1,5 @@
 //! The functions of the table as the evaluator calls them.
 
-use crate::language::diagnostic::Code;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
@@ -91,6 +90,16 @@ const ALIASES: &[(&str, &str)] = &[
     ("eigenvals", "eigenvalues"),
     ("spline_interpolation", "interpolating_spline"),
     ("de_boor_fix", "deboor_fix"),
+    ("integral", "integrate"),
+    ("int", "integrate"),
+    ("tr", "trace"),
+    ("Tr", "trace"),
+    ("rref", "row_echelon"),
+    ("greville_abscissae", "greville"),
+    ("divided_difference", "divided_differences"),
+    ("natural_spline", "cubic_spline"),
+    ("bezier_pieces", "pieces"),
+    ("primitive", "antiderivative"),
 ];
 
 /// Functions that somebody may mean by other names.
@@ -106,6 +115,10 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("bernstein_matrix", "bernstein_to_power"),
     ("points", "control_points"),
     ("value", "subs"),
+    ("tangent", "derivative"),
+    ("homogenize", "homogeneous"),
+    ("fit", "least_squares"),
+    ("regression", "least_squares"),
     ("evaluate", "extended"),
     ("curve", "bezier"),
     ("rational_bezier", "bezier"),
@@ -117,7 +130,6 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("basis", "bspline_basis"),
     ("marsden", "spline_of"),
     ("surface", "patch"),
-    ("natural_spline", "cubic_spline"),
     ("revolution", "revolve"),
     ("delta", "differences"),
     ("stiffness_matrix", "gram"),
@@ -153,7 +165,14 @@ fn elsewhere(builtin: &Builtin, argument: &str) -> String {
     }
     match BUILTINS.iter().find(|parent| parent.subjects.iter().any(takes)) {
         Some(parent) => format!("write {}({}, ..., {argument}=...) for its steps", parent.name, builtin.name),
-        None => format!("leave it out: the form is {}", builtin.signature()),
+        None => {
+            let names = builtin.parameters.iter().filter(|parameter| parameter.has_name());
+            let names: Vec<&str> = names.map(|parameter| parameter.name).collect();
+            match names.is_empty() {
+                true => format!("leave it out: the form is {}", builtin.signature()),
+                false => format!("the names of its arguments are {}", names.join(", ")),
+            }
+        }
     }
 }
 
@@ -199,13 +218,6 @@ impl Callable for Builtin {
         Builtin::run(self, machine, arguments).map_err(|error| {
             let unknown =
                 error.message.strip_prefix("there is no argument '").map(|rest| rest.trim_end_matches('\''));
-            // polar(F, x)
-            if error.code == Code::Type
-                && error.message == "expected an integer that is 0 or more, found a polynomial"
-                && self.parameters.iter().any(|parameter| parameter.name == "variable")
-            {
-                return error.hint("the variable goes by its name: variable=x");
-            }
             match unknown.filter(|_| error.hints.is_empty()).map(|argument| elsewhere(self, argument)) {
                 Some(advice) => error.hint(advice),
                 None => error,

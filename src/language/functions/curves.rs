@@ -240,6 +240,28 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "domain",
+        parameters: &[required("c", Takes::Geometry, "the curve, spline or piecewise polynomial")],
+        summary: "the interval [a, b] over which a curve is given",
+        example: "domain(bspline(2, [0, 1, 2, 3, 4, 5], [1, 3, 2]))",
+        call: |_, args| {
+            let (a, b) = match args.value(0)? {
+                Value::Piecewise(function) => {
+                    let breaks = function.function.breaks();
+                    (&breaks[0], &breaks[breaks.len() - 1])
+                }
+                Value::Geometry(geometry) => match &**geometry {
+                    Geometry::Bezier(curve, _) => curve.interval().ends(),
+                    Geometry::Spline(spline, _) => spline.domain(),
+                    _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
+                },
+                other => return Err(wrong_kind("a curve", other).at(args.span(0))),
+            };
+            Ok(Value::List(vec![Value::Scalar(a.clone()), Value::Scalar(b.clone())]))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "differences",
         parameters: &[
             required("points", Takes::Points, "the points, or a curve").shown("[b_0, ..., b_n]"),

@@ -15,6 +15,8 @@ use crate::math::basis::{self, Basis, BasisError};
 use crate::math::linalg;
 use crate::math::number::Rational;
 use crate::math::poly::Fraction;
+use crate::math::ring::Ring;
+use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -101,6 +103,29 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             linalg::determinant(&args.matrix(0)?).map(Value::Scalar).map_err(linalg_error).at(args.span(0))
         },
+        ..NEW
+    },
+    Builtin {
+        name: "trace",
+        parameters: &[MATRIX],
+        summary: "the sum of the diagonal of a square matrix",
+        example: "trace([1, 2; 3, 4])",
+        call: |_, args| {
+            let matrix = args.matrix(0)?;
+            if matrix.nrows() != matrix.ncols() {
+                let message = format!("a {}x{} matrix has no trace", matrix.nrows(), matrix.ncols());
+                return Err(Diagnostic::error(Code::Shape, message).at(args.span(0)));
+            }
+            Ok(Value::Scalar((0..matrix.nrows()).fold(Fraction::zero(), |sum, i| sum.plus(&matrix[(i, i)]))))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "row_echelon",
+        parameters: &[MATRIX],
+        summary: "the reduced row echelon form",
+        example: "row_echelon([1, 2, 3; 1, 2, 5])",
+        call: |_, args| Ok(Value::Matrix(linalg::reduced_row_echelon(&args.matrix(0)?).matrix)),
         ..NEW
     },
     Builtin {

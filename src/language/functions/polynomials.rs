@@ -155,7 +155,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "integrate",
         parameters: &[
-            required("F", Takes::Scalar, "the formula"),
+            required("F", Takes::Scalar, "the formula, or a function of one variable"),
             LETTER,
             optional("a", Takes::Scalar, "no bounds", "the lower bound"),
             optional("b", Takes::Scalar, "no bounds", "the upper bound"),
@@ -165,10 +165,18 @@ pub(super) const TABLE: &[Builtin] = &[
         on_curve: on_geometry::INTEGRATE,
         on_surface: on_surface::INTEGRATE,
         call: |_, args| {
-            let formula = args.scalar(0)?;
-            let given = args.optional_symbol(1)?;
-            let variable = formula::variable_of(&formula, given).at(args.span(0))?;
-            let bounds = match (args.optional_scalar(2)?, args.optional_scalar(3)?) {
+            let (formula, own) = match args.value(0)? {
+                Value::Function(function) if let Some((own, formula)) = function.as_formula() => {
+                    (formula.clone(), Some(own.clone()))
+                }
+                _ => (args.scalar(0)?, None),
+            };
+            // integrate(F, 0, 1): no letter stands before the bounds
+            let lettered = args.given(1).is_none_or(|(letter, _)| formula::symbol_of(letter).is_some());
+            let given = if lettered { args.optional_symbol(1)? } else { None };
+            let variable = formula::variable_of(&formula, given.or(own)).at(args.span(0))?;
+            let first = if lettered { 2 } else { 1 };
+            let bounds = match (args.optional_scalar(first)?, args.optional_scalar(first + 1)?) {
                 (Some(a), Some(b)) => Some((a, b)),
                 (None, None) => None,
                 _ => return Err(on_geometry::one_bound(args)),
@@ -193,7 +201,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "gcd",
-        parameters: &[many("a, b, ...", Takes::Scalar, 2, "numbers or polynomials")],
+        parameters: &[many("a, b, ...", Takes::Scalar, 1, "numbers or polynomials")],
         summary: "the greatest common divisor of numbers or polynomials, with that of their coefficients",
         example: "gcd(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {
@@ -207,7 +215,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "lcm",
-        parameters: &[many("a, b, ...", Takes::Scalar, 2, "numbers or polynomials")],
+        parameters: &[many("a, b, ...", Takes::Scalar, 1, "numbers or polynomials")],
         summary: "the least common multiple: the product of two divided by their greatest common divisor",
         example: "lcm(t^2 - 1, t^2 + 2t + 1)",
         call: |_, args| {

@@ -159,7 +159,7 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "circle",
         parameters: &[
             required("m", Takes::Point, "the centre"),
-            required("p", Takes::Point, "a point of the circle"),
+            required("p", Takes::Point, "a point of the circle, or its radius"),
             named(
                 "form=quintic",
                 Takes::Word(CIRCLE_FORMS),
@@ -170,7 +170,11 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the circle about m through p: quintic or quartic as one curve, quarters or thirds",
         example: "circle([0, 0], [1, 0])(1/2)",
         call: |_, args| {
-            let (m, p) = (args.point(0)?, args.point(1)?);
+            let m = args.point(0)?;
+            let p = match (args.value(1)?, &m[..]) {
+                (Value::Scalar(radius), [x, y]) => [x.plus(radius), y.clone()].into(),
+                _ => args.point(1)?,
+            };
             let list = |pieces: Vec<RationalCurve<Fraction>>| {
                 Value::List(pieces.into_iter().map(rational).collect())
             };

@@ -3,9 +3,11 @@
 
 use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::ops::formula::{is_parameter, symbol_of};
 use crate::language::ops::polar::levelled;
 
 use super::parameter::{DEGREE, NODES, Need, Parameter, Takes, VALUES};
+use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::value::{PolarKind, Value};
 
@@ -225,7 +227,8 @@ impl Builtin {
     fn with_points_together(&self, args: Arguments) -> Arguments {
         let mut kinds = self.parameters.iter().filter(|parameter| parameter.has_place()).map(|p| p.kind);
         let expected = kinds.next() == Some(Takes::Points) && kinds.next() == Some(Takes::Scalar);
-        let lists = args.values().all(|value| matches!(value, Value::List(_)));
+        let column = |value: &Value| matches!(value, Value::Matrix(column) if column.ncols() == 1);
+        let lists = args.values().all(|value| matches!(value, Value::List(_)) || column(value));
         if !expected || !lists || args.values().count() < 3 {
             return args;
         }
@@ -274,7 +277,8 @@ impl Builtin {
 
     /// The arguments, each at the place of its parameter, if there are as many as needed and all
     /// names are known.
-    fn checked(&self, parameters: &[Parameter], mut args: Arguments) -> Result<Arguments> {
+    fn checked(&self, parameters: &[Parameter], args: Arguments) -> Result<Arguments> {
+        let mut args = with_variable_apart(parameters, with_variables_together(parameters, args));
         let by_place: Vec<&Parameter> = parameters.iter().filter(|p| p.has_place()).collect();
         let by_name = || parameters.iter().chain(self.common).filter(|p| matches!(p.need, Need::Named(_)));
         let placeable = names_places(parameters);
@@ -355,6 +359,49 @@ impl Builtin {
             None => error,
         })
     }
+}
+
+/// polar_total(F, u, v): symbols where a list of variables has its place are its items.
+fn with_variables_together(parameters: &[Parameter], mut args: Arguments) -> Arguments {
+    let mut places = parameters.iter().filter(|parameter| parameter.has_place());
+    let Some(place) = places.position(|parameter| parameter.kind == Takes::Variables) else { return args };
+    let symbol = |at: usize| args.given(at).filter(|(value, _)| symbol_of(value).is_some());
+    let symbols: Vec<(Value, Span)> =
+        (place..args.len()).map_while(symbol).map(|(value, span)| (value.clone(), span)).collect();
+    if let [(_, first), .., (_, last)] = symbols.as_slice() {
+        let span = first.to(*last);
+        for _ in 1..symbols.len() {
+            args.take_place(place + 1);
+        }
+        args.put(place, Value::List(symbols.into_iter().map(|(value, _)| value).collect()), span);
+    }
+    args
+}
+
+/// polar(F, t): a symbol where a number has its place, or nothing has, is the variable.
+fn with_variable_apart(parameters: &[Parameter], mut args: Arguments) -> Arguments {
+    let named = |p: &&Parameter| p.kind == Takes::Variable && matches!(p.need, Need::Named(_));
+    let several = parameters.iter().any(|parameter| matches!(parameter.need, Need::Many(..) | Need::Free));
+    let Some(variable) = parameters.iter().find(named).filter(|p| !several && !args.has_name(p.name)) else {
+        return args;
+    };
+    let by_place: Vec<&Parameter> = parameters.iter().filter(|parameter| parameter.has_place()).collect();
+    let inside = match args.values().next() {
+        Some(Value::Scalar(formula)) => formula.variables(),
+        _ => Vec::new(),
+    };
+    let is_letter = |place: &usize| {
+        let number = by_place
+            .get(*place)
+            .is_none_or(|p| matches!(p.kind, Takes::Size | Takes::Integer | Takes::Number));
+        let symbol = args.given(*place).and_then(|(value, _)| symbol_of(value));
+        number && symbol.is_some_and(|symbol| inside.contains(&symbol) || is_parameter(&symbol))
+    };
+    let place = (1..args.len()).find(is_letter);
+    if let Some((value, span)) = place.and_then(|place| args.take_place(place)) {
+        args.push_named(variable.name.to_owned(), value, span);
+    }
+    args
 }
 
 /// Whether an argument that has a place may be given by its name: not where any name is a variable.

@@ -58,6 +58,14 @@ impl Reader<'_> {
         if self.is_blank(window.clone()) {
             return Ok(Kind::List(Vec::new()));
         }
+        // [1, 2; 3, 4], as in the plain notation
+        let rows = self.split(window.clone(), |kind| kind == Tok::Semicolon);
+        if self.query && rows.len() > 1 {
+            let rows = rows.into_iter().filter(|row| !self.is_blank(row.clone())).collect::<Vec<_>>();
+            let row = |row: Window| Ok(self.list_in(row)?.into_iter().map(Some).collect());
+            let rows = rows.into_iter().map(row).collect::<Result<_>>()?;
+            return Ok(Kind::Matrix(rows, Delimiter::Bracket));
+        }
         let mut items = self.list_in(window)?;
         Ok(if items.len() == 1 { Kind::Group(Box::new(items.swap_remove(0))) } else { Kind::List(items) })
     }

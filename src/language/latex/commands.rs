@@ -427,6 +427,8 @@ const OTHERS: &[Command] = table! {
     "rbrack" "]" Role::Close(Fence::Square);
     "lparen" "(" Role::Open(Fence::Paren);
     "rparen" ")" Role::Close(Fence::Paren);
+    "lgroup" "(" Role::Open(Fence::Paren);
+    "rgroup" ")" Role::Close(Fence::Paren);
     "lfloor" "rounding down" Role::Open(Fence::Floor);
     "rfloor" "rounding down" Role::Close(Fence::Floor);
     "lceil" "rounding up" Role::Open(Fence::Ceil);
@@ -480,6 +482,8 @@ const OTHERS: &[Command] = table! {
     "enspace" "space" Role::Transparent;
     "enskip" "space" Role::Transparent;
     "negthinspace" "space" Role::Transparent;
+    "negmedspace" "space" Role::Transparent;
+    "negthickspace" "space" Role::Transparent;
     "displaystyle" "size" Role::Transparent;
     "textstyle" "size" Role::Transparent;
     "scriptstyle" "size" Role::Transparent;

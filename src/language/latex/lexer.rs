@@ -12,6 +12,7 @@ use super::{Word, Words};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{Accent, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::lexicon::letters;
 
 /// A numeral with more digits is refused.
 pub(super) const MAX_DIGITS: usize = 20_000;
@@ -443,10 +444,16 @@ impl Lexer<'_> {
         if is_name && self.rest().piece(word..).starts_with('}') {
             let kind = Tok::Word((open + 1) as u32, (open + word) as u32);
             self.push_from(start, kind, open + word + 1);
-        } else if name == "operatorname" {
+        } else if name == "operatorname" && !self.is_greek_in_braces() {
             let problem = Diagnostic::error(Code::UnexpectedToken, "\\operatorname needs a word in braces");
             self.bad(start, open, problem.hint("write \\operatorname{area}"));
         }
+    }
+
+    /// Whether one Greek letter stands in braces here.
+    fn is_greek_in_braces(&self) -> bool {
+        let letter = self.rest().strip_prefix("{\\").and_then(|rest| rest.split_once('}'));
+        letter.is_some_and(|(name, _)| letters::sign(name.trim_end()).is_some())
     }
 
     fn delimiter(&mut self, start: usize, role: Role, name: &str) {

@@ -10,7 +10,6 @@ use super::forms::{is_callee, is_transposed};
 use super::numbers::repeating;
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
-use super::truncated::{may_be_truncated, truncated};
 use crate::budget;
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{BinomialStyle, Expr, Kind};
@@ -19,6 +18,7 @@ use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::lexicon::roles::is_power_of_sum;
 use crate::language::syntax::special_call;
+use crate::language::syntax::truncated::{may_be_truncated, truncated};
 use crate::math::number::parse_decimal;
 
 /// What a superscript means.

@@ -1,9 +1,7 @@
-//! Truncated powers: (x - j)_+^p is (x - j)^p where x - j >= 0, and 0 elsewhere.
+//! The sign of truncated powers: the + below (x - j)_+^p.
 
 use super::reader::Reader;
 use super::token::Tok;
-use crate::formula::{Accent, Expr, Kind, Link, Rel};
-use crate::language::lexicon::letters::is_one_letter;
 
 impl Reader<'_> {
     /// Takes the sign + of a truncated power, if it stands where an index would.
@@ -28,27 +26,4 @@ impl Reader<'_> {
             _ => false,
         }
     }
-}
-
-/// Whether a formula can have a positive part: a variable, a number, a formula in brackets.
-pub(super) fn may_be_truncated(base: &Expr) -> bool {
-    match &base.kind {
-        Kind::Group(_) | Kind::Number(_) => true,
-        Kind::Name(name) => is_one_letter(name) && name.starts_with(char::is_lowercase),
-        Kind::Accent(Accent::Bold, inner) => may_be_truncated(inner),
-        _ => false,
-    }
-}
-
-/// The truncated power of a formula.
-pub(super) fn truncated(base: Expr, exponent: Option<Expr>) -> Kind {
-    let span = base.span;
-    let zero = || Expr::new(Expr::int(0).kind, span);
-    let link = Link { rel: Rel::Ge, span, expr: zero() };
-    let within = Expr::new(Kind::Chain(Box::new(base.clone()), vec![link]), span);
-    let power = match exponent {
-        Some(exponent) => Expr::new(Kind::Pow(Box::new(base), Box::new(exponent)), span),
-        None => base,
-    };
-    Kind::Cases(vec![(power, Some(within)), (zero(), None)])
 }

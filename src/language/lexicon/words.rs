@@ -3,7 +3,7 @@
 /// Functions that somebody may expect that have no exact rational values.
 const TRANSCENDENTAL: &[&str] = &[
     "sqrt", "root", "sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "ln", "lg", "sinh", "cosh",
-    "tanh", "arcsin", "arccos", "arctan", "asin", "acos", "atan",
+    "tanh", "arcsin", "arccos", "arctan", "asin", "acos", "atan", "tg", "ctg", "arctg",
 ];
 
 /// Functions of linear algebra and of numbers that pages write as words.
@@ -16,6 +16,9 @@ const OF_OBJECTS: &[&str] = &[
 pub fn is_function_word(word: &str) -> bool {
     TRANSCENDENTAL.contains(&word) || OF_OBJECTS.contains(&word)
 }
+
+/// What is said of sets.
+const SETS: &str = "sets have no value; a list is written [1, 2, 3], an interval as claims a <= t and t <= b";
 
 /// Words and what to write for them.
 const ELSEWHERE: &[(&str, &str)] = &[
@@ -30,7 +33,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("is", "claims are written with =, !=, <, <=, > or >="),
     ("the", "words are not read; write a formula"),
     ("mod", "of numbers write a - b*floor(a/b), of polynomials remainder(a, b)"),
-    ("lim", "limits are not computed; put in the value"),
+    ("lim", "a limit is written in LaTeX: \\lim_{t \\to 0} t^2"),
     ("eval", "write the formula alone, or F(2) for a value of F"),
     ("print", "write the formula alone"),
     ("minus", "an exponent of several characters needs braces: t^{-1}"),
@@ -40,7 +43,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("help", "polarform functions lists the functions; :help at the prompt"),
     ("quit", "leave the prompt with :quit"),
     ("exit", "leave the prompt with :quit"),
-    ("limit", "limits are not computed; put in the value"),
+    ("limit", "a limit is written in LaTeX: \\lim_{t \\to 0} t^2"),
     ("plot", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
     ("rightopen", "intervals have no value; write a <= t and t < b as claims"),
     ("leftopen", "intervals have no value; write a < t and t <= b as claims"),
@@ -52,7 +55,13 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("load", "a script is run by :load FILE at the prompt, or by polarform run FILE"),
     ("draw", "figures are drawn by polarform figure, for example figure_functions([t^2], 0, 1)"),
     ("not", "claims are negated with !=, and with the other inequality"),
-    ("infty", "limits and infinite sums are not computed; put in a number"),
+    ("infty", "infinite sums are not computed; put in a number"),
+    ("löse", "equations are solved by solve(2t = 1)"),
+    ("résoudre", "equations are solved by solve(2t = 1)"),
+    ("cup", SETS),
+    ("cap", SETS),
+    ("setminus", SETS),
+    ("emptyset", SETS),
     ("inner", "the scalar product is dot([1, 2], [3, 4])"),
     ("mean", "the mean of two points is (a + b)/2"),
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
@@ -86,6 +95,17 @@ const PROSE: &[(&str, &str)] = &[
     ("between", ""),
     ("through", ""),
     ("choose", ""),
+    ("von", ""),
+    ("für", ""),
+    ("bei", "a value is F(2) for a function F, or subs(t^2, t=2)"),
+    ("mit", ""),
+    ("mal", "write * for a product"),
+    ("de", ""),
+    ("du", ""),
+    ("en", "a value is F(2) for a function F, or subs(t^2, t=2)"),
+    ("pour", ""),
+    ("avec", ""),
+    ("sur", ""),
 ];
 
 /// What a word of a question is about, as a function.
@@ -102,6 +122,24 @@ const TOPICS: &[(&str, &str)] = &[
     ("subdivision", "subdivide"),
     ("insertion", "insert_knots"),
     ("points", "control_points"),
+    ("ableitung", "derivative"),
+    ("dérivée", "derivative"),
+    ("stammfunktion", "integrate"),
+    ("primitive", "integrate"),
+    ("nullstellen", "roots"),
+    ("racines", "roots"),
+    ("kontrollpunkte", "control_points"),
+    ("bézierpunkte", "bezier_points"),
+    ("knoten", "knots"),
+    ("basiswechsel", "change_of_basis"),
+    ("determinante", "det"),
+    ("déterminant", "det"),
+    ("degré", "degree"),
+    ("极形式", "polar"),
+    ("导数", "derivative"),
+    ("积分", "integrate"),
+    ("行列式", "det"),
+    ("次数", "degree"),
 ];
 
 /// What to write instead of a word of prose; empty if the words beside it have to tell.
@@ -117,7 +155,18 @@ pub(crate) fn joins_statements(word: &str) -> bool {
 
 /// The function that a word of a question is about.
 pub(crate) fn topic(word: &str) -> Option<&'static str> {
-    TOPICS.iter().find(|(known, _)| *known == word).map(|(_, function)| *function)
+    let lower = word.to_lowercase();
+    // In Chinese no blank stands between words.
+    let names = |known: &str| {
+        lower == known
+            || !known.is_ascii() && known.chars().count() > 1 && !is_latin(known) && lower.ends_with(known)
+    };
+    TOPICS.iter().find(|(known, _)| names(known)).map(|(_, function)| *function)
+}
+
+/// Whether the letters of a word are Latin ones, perhaps with accents.
+fn is_latin(word: &str) -> bool {
+    word.chars().all(|letter| letter < '\u{250}')
 }
 
 /// Names whose calls have a form of their own.
@@ -166,8 +215,8 @@ pub fn elsewhere(word: &str) -> Option<&'static str> {
 
 /// A word at the beginning of a sentence: Let, Set. Two letters are more likely names: Of, At.
 fn without_capital(word: &str) -> String {
-    let small = word.chars().skip(1).all(|c| c.is_ascii_lowercase());
-    if small && word.len() > 2 { word.to_ascii_lowercase() } else { word.to_owned() }
+    let small = word.chars().skip(1).all(char::is_lowercase);
+    if small && word.len() > 2 { word.to_lowercase() } else { word.to_owned() }
 }
 
 /// Whether a word is a function that has no exact rational values.

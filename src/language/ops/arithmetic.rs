@@ -33,6 +33,13 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
         (Value::Geometry(a), Value::Geometry(b)) => geometry::add(&a, &b),
         (Value::Geometry(a), b @ (Value::List(_) | Value::Scalar(_)))
         | (b @ (Value::List(_) | Value::Scalar(_)), Value::Geometry(a)) => geometry::translate(&a, &b),
+        // A column of coordinates is a point.
+        (Value::List(a), Value::Matrix(b)) | (Value::Matrix(b), Value::List(a))
+            if b.shape() == (a.len(), 1) =>
+        {
+            let column = b.iter().cloned().map(Value::Scalar).collect();
+            add(Value::List(a), Value::List(column))
+        }
         (Value::Function(a), b) => pointwise(&Value::Function(a), &b, "added", |x, y| Ok(x + y)),
         (a, Value::Function(b)) => pointwise(&a, &Value::Function(b), "added", |x, y| Ok(x + y)),
         (Value::List(a), Value::List(b)) => Err(Diagnostic::error(
@@ -147,6 +154,10 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
     }
 }
 
+/// What can be done with names that stand for integers.
+const ALL_INTEGERS: &str =
+    "an equation with it is checked for all integers: polarform check \"binomial(n, k) = binomial(n, n-k)\"";
+
 /// What to write for a matrix that is given as a list of its rows.
 const AS_MATRIX: &str = "a matrix has semicolons between its rows: [1, 2; 3, 4]";
 
@@ -216,7 +227,8 @@ pub(crate) fn power(base: Value, exponent: &Value) -> Result<Value> {
             Code::BadExponent,
             format!("an exponent must be an integer, not {}", exponent.kind()),
         )
-        .hint("give the exponent a value first, or sum over it with bounds"));
+        .hint("give the exponent a value first, or sum over it with bounds")
+        .hint(ALL_INTEGERS));
     };
     if !k.denom().is_one() {
         return Err(Diagnostic::error(Code::BadExponent, format!("the exponent {k} is not an integer"))
@@ -320,11 +332,7 @@ pub(crate) fn cross(left: Value, right: Value) -> Result<Value> {
 /// a number k ≥ 0 the polynomial n(n−1)…(n−k+1)/k!.
 pub(crate) fn binomial(n: &Value, k: &Value) -> Result<Value> {
     let (Some(top), Some(lower)) = (n.as_scalar(), k.as_int()) else {
-        return Err(Diagnostic::error(
-            Code::Type,
-            format!("binomial coefficients of {} over {} are not supported", n.kind(), k.kind()),
-        )
-        .hint("the lower entry must be an integer"));
+        return Err(wrong_kind("an integer below in a binomial coefficient", k).hint(ALL_INTEGERS));
     };
     if lower < 0 {
         return Ok(Value::int(0));
@@ -359,6 +367,6 @@ pub(crate) fn factorial(n: &Value) -> Result<Value> {
             Ok(Value::number(Rational::from_integer(crate::math::number::factorial(n as usize))))
         }
         Some(_) => Err(Diagnostic::error(Code::Domain, "a factorial needs an integer that is 0 or more")),
-        None => Err(wrong_kind("an integer that is 0 or more under the factorial", n)),
+        None => Err(wrong_kind("an integer that is 0 or more under the factorial", n).hint(ALL_INTEGERS)),
     }
 }

@@ -26,6 +26,7 @@ pub(crate) fn points_of(value: &Value) -> Option<(Vec<Point<Fraction>>, bool)> {
                 Value::List(coordinates) => {
                     coordinates.iter().map(|x| x.as_scalar().cloned()).collect::<Option<Point<Fraction>>>()
                 }
+                Value::Matrix(column) if column.ncols() == 1 => Some(column.iter().cloned().collect()),
                 _ => None,
             };
             items.iter().map(point).collect::<Option<_>>().map(|points| (points, false))
@@ -45,6 +46,7 @@ pub(crate) fn point_of(value: &Value) -> Option<(Point<Fraction>, bool)> {
         Value::List(items) => {
             items.iter().map(|x| x.as_scalar().cloned()).collect::<Option<_>>().map(|p| (p, false))
         }
+        Value::Matrix(column) if column.ncols() == 1 => Some((column.iter().cloned().collect(), false)),
         _ => None,
     }
 }

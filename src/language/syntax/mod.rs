@@ -24,6 +24,7 @@ mod lexer;
 mod parser;
 mod statement;
 mod token;
+pub(crate) mod truncated;
 
 #[cfg(test)]
 mod tests;
@@ -130,13 +131,14 @@ pub fn is_incomplete(text: &str) -> bool {
     lexer::lex(text).is_ok_and(|tokens| statement::is_incomplete(text, &tokens))
 }
 
-/// Whether a statement should go to the LaTeX reader: it has a `$`, or a backslash
-/// that does not begin the name of a Greek letter.
+/// Whether a statement should go to the LaTeX reader: it has a `$`, a sign such as ∑ with bounds below it, or a
+/// backslash that does not begin the name of a Greek letter.
 ///
 /// ```
 /// use polarform::syntax::looks_like_latex;
 /// assert!(looks_like_latex(r"\frac{1}{2} t"));
 /// assert!(looks_like_latex("$t^2$"));
+/// assert!(looks_like_latex("∑_{i=0}^n t^i"));
 /// assert!(!looks_like_latex(r"\alpha t_{12}^{2}"));
 /// ```
 pub fn looks_like_latex(text: &str) -> bool {
@@ -144,6 +146,7 @@ pub fn looks_like_latex(text: &str) -> bool {
     bytes.iter().enumerate().any(|(at, &byte)| match byte {
         b'$' => true,
         b'{' => text.piece(at..).starts_with("{,}"),
+        b'_' => ["∑", "∏", "∫"].iter().any(|sign| text.piece(..at).trim_end().ends_with(sign)),
         b'\\' => {
             let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
             letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()

@@ -20,17 +20,19 @@ pub struct Shape {
     pub upper: usize,
     /// Arguments in parentheses.
     pub inner: usize,
+    /// How many coordinates each of them has, if they are points: 2 in `f((u1, v1), (u2, v2))`; otherwise 0.
+    pub dimension: usize,
 }
 
 impl Shape {
     /// A function written `f(x, y)`.
     pub fn plain(inner: usize) -> Self {
-        Shape { lower: 0, upper: 0, inner }
+        Shape { inner, ..Shape::default() }
     }
 
     /// Number of parameters.
     pub fn arity(self) -> usize {
-        self.lower + self.upper + self.inner
+        self.lower + self.upper + self.inner * self.dimension.max(1)
     }
 }
 

@@ -563,6 +563,8 @@ fn function_expr(function: &super::Function, notation: Notation) -> Expr {
             let shape = function.shape;
             let (lower, rest) = parameters.split_at(shape.lower);
             let (upper, inner) = rest.split_at(shape.upper);
+            let points = inner.chunks(shape.dimension.max(1)).map(|point| Kind::Tuple(point.to_vec()).into());
+            let inner = &if shape.dimension > 0 { points.collect() } else { inner.to_vec() };
             let Some(name) = &function.name else {
                 return Kind::Lambda(inner.to_vec(), Box::new(body)).into();
             };

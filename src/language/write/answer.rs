@@ -1,7 +1,7 @@
 //! Answers as a person reads them: values with their names, verdicts in words.
 
 use super::{
-    Format, WriteError, broken, claim_json, latex_table_within, text, value_json, write_derivation_within,
+    Breaks, Format, WriteError, claim_json, latex_table_within, text, value_json, write_derivation_within,
     write_expr, write_table,
 };
 use crate::formula::{Expr, Kind};
@@ -18,6 +18,8 @@ pub struct Manner {
     pub language: Language,
     /// How wide LaTeX may be, in points.
     pub width: f64,
+    /// How wider LaTeX is broken.
+    pub breaks: Breaks,
 }
 
 impl Default for Manner {
@@ -27,6 +29,7 @@ impl Default for Manner {
             notation: Notation::default(),
             language: Language::default(),
             width: f64::INFINITY,
+            breaks: Breaks::default(),
         }
     }
 }
@@ -52,7 +55,7 @@ impl Default for Manner {
 pub fn write_answer(value: &Value, name: Option<Expr>, manner: &Manner) -> Result<String, WriteError> {
     let written = |expr: &Expr| write_expr(expr, manner.format);
     let fitted = |latex: String| match manner.format {
-        Format::Latex => broken(&latex, manner.width),
+        Format::Latex => manner.breaks.broken(&latex, manner.width),
         _ => latex,
     };
     match (value, manner.format) {

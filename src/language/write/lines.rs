@@ -12,6 +12,9 @@ pub const ARTICLE: f64 = 345.0;
 /// A line this full may end outside of brackets, although more would fit on it.
 const FULL_ENOUGH: f64 = 0.5;
 
+/// So is a line that has this much, if all the rest fits on the next one.
+const SOMETHING: f64 = 0.2;
+
 /// A left side that takes more of the width than this is no margin for the lines of the right side.
 const LONG_LEFT: f64 = 0.35;
 
@@ -48,6 +51,59 @@ pub fn broken(latex: &str, width: f64) -> String {
     }
     format!("\\begin{{aligned}}\n{} &{}\n\\end{{aligned}}", left.trim_end(), lines.join(" \\\\\n&"))
         .replace("\n &", "\n&")
+}
+
+/// How a formula is broken that is wider than a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Breaks {
+    /// Below its first relation: an `aligned` of amsmath.
+    #[default]
+    Aligned,
+    /// From the left margin to the right one: a `multlined` of mathtools.
+    Multlined,
+    /// By TeX itself: a display `dmath*` of breqn.
+    Dmath,
+}
+
+impl Breaks {
+    /// All ways.
+    pub const ALL: [Self; 3] = [Self::Aligned, Self::Multlined, Self::Dmath];
+
+    /// The environment, without its star.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Aligned => "aligned",
+            Self::Multlined => "multlined",
+            Self::Dmath => "dmath",
+        }
+    }
+
+    /// A formula in LaTeX over lines of about this width in points; as it is, if it is not wider or has an environment of
+    /// its own at its outside. A `dmath*` is a display of its own, the others stand in one.
+    ///
+    /// ```
+    /// use polarform::write::Breaks;
+    /// assert_eq!(Breaks::Multlined.broken("a + b + c", 30.0), "\\begin{multlined}\na + b \\\\\n{}+ c\n\\end{multlined}");
+    /// assert_eq!(Breaks::Dmath.broken("a + b + c", 30.0), "\\begin{dmath*}\na + b + c\n\\end{dmath*}");
+    /// assert_eq!(Breaks::Dmath.broken("a + b + c", 300.0), "a + b + c");
+    /// ```
+    pub fn broken(self, latex: &str, width: f64) -> String {
+        if measured(latex) <= width || latex.starts_with("\\begin") {
+            return latex.to_owned();
+        }
+        match self {
+            Breaks::Aligned => broken(latex, width),
+            Breaks::Multlined => {
+                let lines = lines_of(latex, width);
+                let lines: Vec<&str> = lines.iter().map(|line| line.trim_start_matches("\\quad ")).collect();
+                match lines.len() {
+                    1 => latex.to_owned(),
+                    _ => format!("\\begin{{multlined}}\n{}\n\\end{{multlined}}", lines.join(" \\\\\n")),
+                }
+            }
+            Breaks::Dmath => format!("\\begin{{dmath*}}\n{latex}\n\\end{{dmath*}}"),
+        }
+    }
 }
 
 /// A right side in lines of about this width; each but the first begins with a relation, or indented.
@@ -104,11 +160,15 @@ fn opened(latex: &str, width: f64) -> String {
             && let Some((above, below)) = parts_of_fraction(rest)
         {
             let whole = &rest[.."\\frac{}{}".len() + above.len() + below.len()];
-            match measured(above) > width && measured(below) <= width / 2.0 {
-                true => {
+            match (measured(above) > width, measured(below) > width / 2.0) {
+                (true, false) => {
                     out += &format!("\\frac{{1}}{{{below}}} \\bigl({}\\bigr)", opened(above, width));
                 }
-                false => out += whole,
+                (above_wide, true) if above_wide || measured(below) > width => {
+                    let (above, below) = (opened(above, width), opened(below, width));
+                    out += &format!("\\bigl({above}\\bigr) \\big/ \\bigl({below}\\bigr)");
+                }
+                _ => out += whole,
             }
             at += whole.len();
         } else {
@@ -182,11 +242,12 @@ fn place_to_break(latex: &str, start: usize, places: &[Place], room: f64) -> Opt
     }
     let Some(deepest) = fitting.iter().map(|(place, _)| place.depth).max() else { return next };
     for depth in 0..=deepest {
-        let relation = |place: &Place| place.kind == Sign::Relation;
-        let best = fitting
-            .iter()
-            .rev()
-            .find(|(place, width)| place.depth <= depth && (relation(place) || *width >= FULL_ENOUGH * room));
+        let enough = |place: &Place, width: f64| {
+            place.kind == Sign::Relation
+                || width >= FULL_ENOUGH * room
+                || width >= SOMETHING * room && measured(&latex[place.at..]) <= room - QUAD
+        };
+        let best = fitting.iter().rev().find(|(place, width)| place.depth <= depth && enough(place, *width));
         if let Some((place, _)) = best {
             return Some(place.at);
         }
@@ -345,6 +406,7 @@ impl Ruler<'_> {
             ',' => 4.5,
             '&' => 20.0,
             'm' | 'w' | 'M' | 'W' => 8.5,
+            'B' | 'D' | 'H' | 'K' | 'N' | 'Q' | 'R' | 'U' | 'X' => 7.9,
             _ => LETTER,
         }
     }
@@ -429,9 +491,12 @@ mod tests {
         let sum: Vec<String> = (0..30).map(|i| format!("a_{{{i}}}")).collect();
         let list = format!(r"x = \left[ {} \right]", sum.join(", "));
         let fraction = format!(r"x = -\frac{{{}}}{{b}}", sum.join(" + "));
-        for (wide, start) in
-            [(list, r"x &= \Bigl[ a_{0}, a_{1}"), (fraction, r"x &= -\frac{1}{b} \bigl(a_{0} + a_{1}")]
-        {
+        let quotient = format!(r"x = \frac{{{0}}}{{{0}}}", sum.join(" + "));
+        for (wide, start) in [
+            (list, r"x &= \Bigl[ a_{0}, a_{1}"),
+            (fraction, r"x &= -\frac{1}{b} \bigl(a_{0} + a_{1}"),
+            (quotient, r"x &= \bigl(a_{0} + a_{1}"),
+        ] {
             let text = broken(&wide, 200.0);
             assert!(text.contains(start), "{text}");
             assert!(text.lines().all(|line| measured(&line.replace('&', "")) < 230.0), "{text}");
@@ -442,10 +507,10 @@ mod tests {
     #[test]
     fn what_holds_together_stays_whole() {
         for whole in [
-            r"\frac{a + b + c + d}{e + f + g}".to_owned(),
+            r"\frac{a + b}{e + f}".to_owned(),
             r"\begin{pmatrix} a + b & c + d \\ e & f \end{pmatrix}".to_owned(),
         ] {
-            assert_eq!(broken(&whole, 20.0), whole);
+            assert_eq!(broken(&whole, 25.0), whole);
         }
     }
 }

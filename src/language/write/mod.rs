@@ -52,7 +52,7 @@ pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};
 pub use latex::{latex, write_latex};
-pub use lines::{ARTICLE, broken, lines_of, measured};
+pub use lines::{ARTICLE, Breaks, broken, lines_of, measured};
 pub use sympy::{WriteError, sympy, write_sympy};
 pub use table::{latex_table, latex_table_within, table_json, write_table};
 pub use text::{text, write_text};

@@ -91,7 +91,9 @@ impl BasisPicture {
         if from >= to {
             return Err(SceneError::Interval { what: "the interval of the graphs" });
         }
-        let mut scene = Scene::new("Graphs of functions").with_aspect(Aspect::Free { height: self.height });
+        let mut scene = Scene::new("Graphs of functions")
+            .also("zh", "函数图像")
+            .with_aspect(Aspect::Free { height: self.height });
         let mut graphs = Vec::new();
         for function in &self.functions {
             let mut of_function = Vec::new();

@@ -44,7 +44,8 @@ impl BezierPicture {
     /// control points.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let several = self.curves.len() > 1;
-        let mut scene = Scene::new(if several { "Bézier curves" } else { "Bézier curve" });
+        let mut scene =
+            Scene::new(if several { "Bézier curves" } else { "Bézier curve" }).also("zh", "Bézier 曲线");
         if self.hull {
             for (number, curve) in self.curves.iter().enumerate() {
                 let places = curve.places().into_iter().map(|(_, place)| Point::from(&place[..]));

@@ -47,7 +47,7 @@ impl BsplinePicture {
         if self.pieces.is_empty() {
             return Err(SceneError::Empty { what: "pieces" });
         }
-        let mut scene = Scene::new("Spline curve");
+        let mut scene = Scene::new("Spline curve").also("zh", "样条曲线");
         add_polygon(&mut scene, &self.points, Style::line(Ink::Guide, 1.2))?;
         let mut ends = Vec::new();
         for (number, piece) in self.pieces.iter().enumerate() {

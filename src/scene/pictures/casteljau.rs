@@ -43,7 +43,8 @@ impl CasteljauPicture {
     /// [`SceneError`] for coordinates too large, and without control points.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let degree = self.points.len().checked_sub(1).ok_or(SceneError::Empty { what: "control points" })?;
-        let mut scene = Scene::new(format!("De Casteljau's algorithm at t = {}", self.t));
+        let mut scene = Scene::new(format!("De Casteljau's algorithm at t = {}", self.t))
+            .also("zh", format!("t = {} 处的 de Casteljau 算法", self.t));
         let levels: Vec<Vec<Spot>> = levels(&self.points, &self.t)
             .iter()
             .map(|level| level.iter().map(Spot::exact).collect())

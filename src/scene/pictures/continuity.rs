@@ -81,7 +81,7 @@ impl ContinuityPicture {
     /// coordinate is too large.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let construction = self.construction(self.smoothness)?;
-        let mut scene = Scene::new("Two curves and their join");
+        let mut scene = Scene::new("Two curves and their join").also("zh", "两条曲线及其连接");
         let style = Style::line(Ink::Guide, 1.2);
         let left = Curve::new(self.left.clone()).with_labels(self.left_labels.clone());
 

@@ -56,7 +56,7 @@ impl HodographPicture {
         let curve = Curve::new(self.points.clone()).with_labels(self.labels.clone());
         let hodograph = Curve::new(derivative).with_labels(self.derivative_labels.clone());
 
-        let mut right = Scene::new("its derivative");
+        let mut right = Scene::new("its derivative").also("zh", "其导数");
         for (_, point) in hodograph.places() {
             right.add(Path::line(Spot::default(), Spot::exact(&point)?, Style::guide()).with_arrow());
         }

@@ -71,7 +71,7 @@ impl PatchPicture {
         let others = self.others.iter().map(|(net, weights)| weighted(net, weights));
         let nets: Vec<Vec<Vec<Weighted>>> =
             std::iter::once(Ok(first)).chain(others).collect::<Result<_, _>>()?;
-        let mut scene = Scene::new("Tensor-product surface");
+        let mut scene = Scene::new("Tensor-product surface").also("zh", "张量积曲面");
         let pieces: Vec<[Point; 4]> =
             nets.iter().map(|net| pieces(net)).collect::<Result<Vec<_>, _>>()?.concat();
         add_pieces(&mut scene, pieces)?;

@@ -72,7 +72,8 @@ impl PyramidPicture {
             Apex::Top | Apex::Bottom => self.levels.len() - 1,
         };
         let height = (rows as f64 * row * if self.apex == Apex::Right { 1.0 } else { 1.15 }).max(24.0);
-        let mut scene = Scene::new("Triangular scheme").with_aspect(Aspect::Free { height });
+        let mut scene =
+            Scene::new("Triangular scheme").also("zh", "三角形格式").with_aspect(Aspect::Free { height });
         for (r, level) in self.levels.iter().enumerate() {
             for (i, entry) in level.iter().enumerate() {
                 let at = self.place(r, i)?;

@@ -70,7 +70,8 @@ impl TriangleDomain {
         if !self.labels.is_empty() && self.labels.len() != expected(n) {
             return Err(SceneError::Shape { what: format!("degree {n} needs {} names", expected(n)) });
         }
-        let mut scene = Scene::new(format!("Triangular net of degree {n}"));
+        let mut scene =
+            Scene::new(format!("Triangular net of degree {n}")).also("zh", format!("{n} 次三角形网"));
         let places: Vec<Spot> = indices(n)
             .iter()
             .map(|[_, j, k]| Spot::new(*j as f64 + *k as f64 / 2.0, *k as f64 * 3.0_f64.sqrt() / 2.0))
@@ -123,7 +124,8 @@ impl TrianglePicture {
             });
         }
         let points: Vec<Point> = self.points.iter().map(point).collect::<Result<_, _>>()?;
-        let mut scene = Scene::new(format!("Triangular surface of degree {n}"));
+        let mut scene =
+            Scene::new(format!("Triangular surface of degree {n}")).also("zh", format!("{n} 次三角曲面"));
         add_pieces(&mut scene, pieces(n, &points))?;
         for side in 0..3 {
             // an index 0 along the side opposite to its corner

@@ -168,7 +168,8 @@ pub(super) fn casteljau(args: &Arguments) -> Evaluated {
         "The control polygon of a curve of degree {degree} and the points of all levels that lead to the point \
          of the curve at t = {t}."
     );
-    let mut scene = scene.with_title(title).with_description(words);
+    let mut scene =
+        scene.with_title(title).also("zh", format!("t = {t} 处的 de Casteljau 算法")).with_description(words);
     if !short {
         scene = scene.with_caption(equation("t", &t));
     }
@@ -298,7 +299,7 @@ pub(super) fn hodograph(args: &Arguments) -> Evaluated {
             picture.scene().and_then(|scene| with_axes(scene, space, &points, &[]))
         };
         let left = drawn(graph(points, names_of_curve), span)?;
-        let right = drawn(graph(second, Vec::new()), span)?.with_title("its derivative");
+        let right = drawn(graph(second, Vec::new()), span)?.with_title("its derivative").also("zh", "其导数");
         return finished(args, left.with_width(WIDE).beside(right));
     }
     let derivative_labels = match wanted {

@@ -57,7 +57,8 @@ pub(super) fn basis(args: &Arguments) -> Evaluated {
             ..BasisPicture::of((0..=n).map(function).collect(), interval.clone())
         };
         let title = format!("Bernstein polynomials of degree {n}");
-        return finished(args, drawn(picture.scene(), args.span(0))?.with_title(title));
+        let scene = drawn(picture.scene(), args.span(0))?.with_title(title);
+        return finished(args, scene.also("zh", format!("{n} 次 Bernstein 多项式")));
     }
     let span = args.span(1);
     let knots = KnotVector::new(n, numbers(&args.scalars(1)?, span)?).map_err(spline_error).at(span)?;
@@ -79,7 +80,8 @@ pub(super) fn basis(args: &Arguments) -> Evaluated {
         ..BasisPicture::of(functions.collect(), interval)
     };
     let title = format!("B-splines of degree {n}");
-    finished(args, drawn(picture.scene(), span)?.with_title(title))
+    let scene = drawn(picture.scene(), span)?.with_title(title);
+    finished(args, scene.also("zh", format!("{n} 次 B 样条")))
 }
 
 fn pieces(function: &Piecewise<Rational>) -> Vec<Piece> {
@@ -137,7 +139,7 @@ pub(super) fn functions(args: &Arguments) -> Evaluated {
     };
     let end = args.given(2).map_or(span, |(_, span)| span);
     let title = if count == 1 { "Graph of a function" } else { "Graphs of functions" };
-    finished(args, drawn(picture.scene(), end)?.with_title(title))
+    finished(args, drawn(picture.scene(), end)?.with_title(title).also("zh", "函数图像"))
 }
 
 /// What is written beside a graph: the name of the function, or its formula if that is short.

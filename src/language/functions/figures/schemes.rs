@@ -55,10 +55,12 @@ pub(super) fn pyramid(args: &Arguments) -> Evaluated {
         marked: vec![(last, 0)],
         ..PyramidPicture::of(levels)
     };
-    finished(args, drawn(picture.scene(), args.span(0))?.with_title(title))
+    let [english, chinese] = title;
+    finished(args, drawn(picture.scene(), args.span(0))?.with_title(english).also("zh", chinese))
 }
 
-type Scheme = (Vec<Vec<Expr>>, Vec<Vec<[Expr; 2]>>, String);
+/// The entries, their weights, and what it is called, in English and Chinese.
+type Scheme = (Vec<Vec<Expr>>, Vec<Vec<[Expr; 2]>>, [&'static str; 2]);
 
 /// De Casteljau's scheme of a Bézier curve, or de Boor's of a spline.
 fn blossom(args: &Arguments) -> Result<Scheme> {
@@ -68,7 +70,7 @@ fn blossom(args: &Arguments) -> Result<Scheme> {
     {
         let (scheme, _) = splines::de_boor(args, spline)?;
         let levels = entries(&scheme.tableau, wanted, *form);
-        return Ok((levels, weights(&scheme.ratios), "De Boor's algorithm".to_owned()));
+        return Ok((levels, weights(&scheme.ratios), ["De Boor's algorithm", "de Boor 算法"]));
     }
     let (curve, form) = args.curve(0)?;
     let mut list = args.scalars_from(1)?;
@@ -81,7 +83,7 @@ fn blossom(args: &Arguments) -> Result<Scheme> {
         b.minus(a).inverse().ok_or_else(|| curve_error(crate::math::curve::CurveError::EmptyInterval))?;
     let ratios: Vec<Vec<Fraction>> =
         list.iter().enumerate().map(|(r, u)| vec![u.minus(a).times(&unit); curve.degree() - r]).collect();
-    Ok((entries(&tableau, wanted, form), weights(&ratios), "De Casteljau's algorithm".to_owned()))
+    Ok((entries(&tableau, wanted, form), weights(&ratios), ["De Casteljau's algorithm", "de Casteljau 算法"]))
 }
 
 fn entries(tableau: &Tableau<Fraction>, wanted: Labels, form: Form) -> Vec<Vec<Expr>> {
@@ -137,5 +139,5 @@ fn divided_differences(args: &Arguments) -> Result<Scheme> {
         };
         column.iter().enumerate().map(entry).collect()
     });
-    Ok((levels.collect(), Vec::new(), "Divided differences".to_owned()))
+    Ok((levels.collect(), Vec::new(), ["Divided differences", "差商"]))
 }

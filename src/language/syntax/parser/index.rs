@@ -2,6 +2,7 @@
 
 use super::super::chars;
 use super::super::token::{Bracket, TokenKind};
+use super::super::truncated::{may_be_truncated, truncated};
 use super::operand::{Items, is_named, is_number};
 use super::{MAX_DEPTH, Node, Parsed, Parser};
 use crate::formula::source::{Pieces, Span};
@@ -42,6 +43,9 @@ impl Parser<'_> {
 
     /// The index after a name or an underscore.
     pub(super) fn subscript(&mut self, base: Node) -> Parsed<Node> {
+        if self.positive_part_follows(&base.expr) {
+            return self.positive_part(base);
+        }
         match &base.expr.kind {
             Kind::Subscript(_, indices)
                 if !matches!(indices.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
@@ -59,6 +63,36 @@ impl Parser<'_> {
             _ => self.plain_index()?,
         };
         self.indexed(base, indices, end)
+    }
+
+    /// Whether `_+` follows, with nothing after it that is added.
+    fn positive_part_follows(&self, base: &Expr) -> bool {
+        let kind = |ahead: usize| self.tokens.get(self.at + ahead).map(|token| token.kind);
+        kind(0) == Some(TokenKind::Underscore)
+            && kind(1) == Some(TokenKind::Plus)
+            && !matches!(kind(2), Some(TokenKind::Name | TokenKind::Number | TokenKind::Index))
+            && may_be_truncated(base)
+    }
+
+    /// The truncated power `(t - 1)_+^2`.
+    fn positive_part(&mut self, base: Node) -> Parsed<Node> {
+        self.bump();
+        let plus = self.bump();
+        let mut span = base.extent.to(plus.span());
+        let mut height = base.height;
+        let exponent = match self.peek().kind {
+            TokenKind::Caret => {
+                self.bump();
+                Some(self.exponent()?)
+            }
+            TokenKind::Open(Bracket::Sup) => return Err(self.missing_index()),
+            _ => None,
+        };
+        if let Some(exponent) = &exponent {
+            span = span.to(exponent.extent);
+            height = height.max(exponent.height);
+        }
+        self.node(truncated(base.expr, exponent.map(|node| node.expr)), span, height + 2)
     }
 
     /// Indices in brackets.

@@ -147,11 +147,16 @@ impl Parser<'_> {
     /// A closing bracket without partner, or the end while a bracket is open.
     fn unbalanced(&self, token: Token) -> Problem {
         if let Some(bar) = self.open.last().filter(|open| open.kind == TokenKind::Bar) {
-            return Box::new(
-                error(Code::Unbalanced, "'|' is never closed".to_owned(), bar.span())
-                    .reason("opened here")
-                    .hint("add the closing '|', or write abs(x)"),
-            );
+            let problem = error(Code::Unbalanced, "'|' is never closed".to_owned(), bar.span())
+                .reason("opened here")
+                .hint("add the closing '|', or write abs(x)");
+            let around = self.open.iter().rev().nth(1).map(|open| open.kind);
+            return Box::new(match around {
+                Some(TokenKind::Open(Bracket::Paren)) => {
+                    problem.hint("the coordinates of a point stand between commas: (1, 2)")
+                }
+                _ => problem,
+            });
         }
         let Some((open, bracket)) = self.innermost() else {
             let text = self.quote(token.span());
