@@ -150,7 +150,7 @@ fn formulas_of_doxygen() {
 
 #[test]
 fn one_unread_side_spoils_itself_only() {
-    let findings = check("$$(t+1)^2 = \\unknowncommand{t} = t^2 + 2t + 1 = t^2 + 2t$$");
+    let findings = check("$$(t+1)^3 = \\unknowncommand{t} = t^3 + 3t^2 + 3t + 1 = t^3 + 3t^2 + 3t$$");
     let words: Vec<&str> = findings.iter().map(|finding| finding.verdict.word()).collect();
     // What is equal to the side before the unread one is not confirmed by courtesy.
     assert_eq!(words, ["unread", "undecided", "refuted"]);

@@ -10,7 +10,9 @@ use super::lint;
 use super::model::{Choices, Curve};
 use super::names::{Head, contains, is_index_letter, is_range};
 use super::object::{Declared, Object, Sort};
+use super::reach::whole_sums;
 use super::refute;
+use super::reliance::Use;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use super::topic::Topic;
 use super::trial::Setting;
@@ -23,6 +25,8 @@ use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Index, Symbol};
 
+const ASKED: &str = "asked for, not claimed";
+
 /// Judges statements in their order.
 pub struct Checker {
     pub(super) file: SourceFile,
@@ -32,6 +36,8 @@ pub struct Checker {
     pub(super) ignored: usize,
     /// What could not be judged, for formulas that come later.
     pub(super) open: Vec<Condition>,
+    /// What relied on definitions of the page.
+    pub(super) uses: Vec<Use>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -48,6 +54,7 @@ impl Checker {
             limits: limits.clone(),
             ignored: 0,
             open: Vec::new(),
+            uses: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -88,6 +95,7 @@ impl Checker {
                 self.findings.push(finding);
             }
             Said::Chain(chain) => {
+                let chain = &whole_sums(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;
                     for at in 0..chain.relations.len() {
@@ -146,13 +154,20 @@ impl Checker {
         }
     }
 
+    /// Whether a sign with "!" above it says that it shall hold.
+    fn is_demanded(&self, chain: &Chain) -> bool {
+        chain.relations.iter().any(|(_, sign)| {
+            let written = self.file.slice(*sign);
+            written.starts_with('\\') && written.contains('!')
+        })
+    }
+
     /// A chain that its sentence assumes, asks for, or claims for cases that nothing describes.
     fn unasserted(&mut self, chain: &Chain, statement: &Statement) -> Option<Vec<Finding>> {
         let (verdict, reason) = match statement.role {
             Some(Role::Assumed) => (Verdict::Definition, "assumed here"),
-            Some(Role::Asked | Role::Sought | Role::Equivalent) => {
-                (Verdict::Undecided, "asked for, not claimed")
-            }
+            Some(Role::Asked | Role::Sought | Role::Equivalent) => (Verdict::Undecided, ASKED),
+            _ if self.is_demanded(chain) => (Verdict::Undecided, ASKED),
             _ if statement.is_case() => (Verdict::Definition, "a condition"),
             _ if chain.partial => (Verdict::Definition, "said of the other cases"),
             _ => return None,
@@ -236,7 +251,15 @@ impl Checker {
         let checkable = |rel: Rel| {
             matches!(
                 rel,
-                Rel::Eq | Rel::Define | Rel::Equiv | Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt | Rel::Ne
+                Rel::Eq
+                    | Rel::Define
+                    | Rel::Equiv
+                    | Rel::Approx
+                    | Rel::Le
+                    | Rel::Lt
+                    | Rel::Ge
+                    | Rel::Gt
+                    | Rel::Ne
             )
         };
         if let Some(at) = chain.relations.iter().position(|(rel, _)| !checkable(*rel)) {
@@ -457,7 +480,15 @@ impl Checker {
                 continue;
             }
             let from_start = at == 0;
-            let verdict = self.verdict(tally, &best, &setting, at, statement, head.filter(|_| from_start));
+            let mut verdict =
+                self.verdict(tally, &best, &setting, at, statement, head.filter(|_| from_start));
+            if let Judged::Verdict(finding) = &mut verdict
+                && finding.verdict == Verdict::Undecided
+                && tally.fails.is_empty()
+                && let Some(found) = self.with_any_values(&setting, at, statement)
+            {
+                **finding = found;
+            }
             match verdict {
                 Judged::Verdict(finding) => {
                     let old = &findings[at];
@@ -465,6 +496,7 @@ impl Checker {
                         Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
                         _ => finding.warning.clone().or(old.warning.clone()),
                     };
+                    self.rely(tally, self.findings.len() + at, &finding);
                     findings[at] = Finding {
                         warning,
                         span: old.span,
@@ -572,14 +604,16 @@ impl Checker {
     }
 }
 
-/// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S.
+/// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S, and
+/// g(a) = a says that a is a fixed point of g.
 fn names_its_variables(head: &Head, body: &Expr) -> bool {
     let inside = super::names::bases(body);
     let arguments = head.flat();
     let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
         return true;
     };
-    is_variable(only) || is_index_letter(only) || inside.contains(only)
+    let fixed = matches!(body.kind, Kind::Name(_));
+    is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed
 }
 
 /// A finding for a relation, not judged yet.

@@ -66,7 +66,14 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], doma
             Ok(judgement) if judgement.verdict == Verdict::Proved => Outcome::Holds,
             _ => Outcome::Unclear("whether the sides differ depends on their symbols".to_owned()),
         },
-        Rel::Approx => Outcome::Unclear("approximations are not checked".to_owned()),
+        Rel::Approx => match judge(rel, &left, &right) {
+            Ok(judgement) => match judgement.verdict {
+                Verdict::Proved | Verdict::Sampled => Outcome::Holds,
+                Verdict::Refuted => Outcome::Fails(Box::new(judgement)),
+                Verdict::Undecided => Outcome::Unclear(judgement.reasons.join("; ")),
+            },
+            Err(error) => Outcome::Unclear(error.message),
+        },
         _ => Outcome::Unclear("this relation says nothing that can be computed".to_owned()),
     }
 }

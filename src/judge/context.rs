@@ -144,6 +144,23 @@ impl Definition {
         }
     }
 
+    /// Whether its formula uses a letter as an index of other families only: x_n = b_n/a_nn, not H_n = Σ_{k=1}^n 1/k.
+    pub fn is_of_members(&self, letter: &str) -> bool {
+        fn outside(expr: &Expr, letter: &str) -> bool {
+            match &expr.kind {
+                Kind::Name(name) => name == letter,
+                Kind::Subscript(..) | Kind::Upper(..) => false,
+                _ => {
+                    let mut found = false;
+                    expr.for_each_child(&mut |child| found = found || outside(child, letter));
+                    found
+                }
+            }
+        }
+        matches!(&self.body, Body::Formula(body) if bases(body).contains(letter) && !outside(body, letter))
+            && !self.is_recursive()
+    }
+
     /// Whether its formula speaks of what it defines.
     pub fn is_recursive(&self) -> bool {
         matches!(&self.body, Body::Formula(body) if bases(body).contains(&self.head.base))

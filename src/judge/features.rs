@@ -98,6 +98,21 @@ pub fn has_groups(sides: &[&Expr]) -> bool {
     found
 }
 
+/// The letters that are upper ends of sums and products.
+pub fn ends_of_sums(sides: &[&Expr]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for side in sides {
+        walk(side, &mut |part| {
+            if let Kind::Big { upper: Some(upper), .. } = &part.kind
+                && let Kind::Name(name) = &upper.kind
+            {
+                found.insert(name.clone());
+            }
+        });
+    }
+    found
+}
+
 /// Whether B-splines occur.
 pub fn has_splines(sides: &[&Expr]) -> bool {
     let mut found = false;

@@ -44,6 +44,40 @@ impl Verdict {
     }
 }
 
+/// What shows that a relation that fails is wrong, and not only read otherwise than it was meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Evidence {
+    /// A small change of it gives a truth.
+    Near,
+    /// It is said to hold for all values of its letters.
+    ForAll,
+    /// It speaks of what the field, or the page, determines.
+    Field,
+    /// Nothing in it needs a meaning.
+    Closed,
+    /// It calculates with numbers, or says x = x + 1.
+    Calculation,
+    /// It writes any function by its own values or derivatives.
+    Expansion,
+    /// Its sides agree in most of their terms.
+    Terms,
+}
+
+impl Evidence {
+    /// The words used in reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Evidence::Near => "a small change makes it true",
+            Evidence::ForAll => "it is said of all values",
+            Evidence::Field => "what it speaks of is determined",
+            Evidence::Closed => "nothing in it needs a meaning",
+            Evidence::Calculation => "it is a calculation",
+            Evidence::Expansion => "it would hold for any function",
+            Evidence::Terms => "most of its terms agree",
+        }
+    }
+}
+
 /// One relation of a file with its verdict. A formula without a relation has one finding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -69,6 +103,8 @@ pub struct Finding {
     pub instances: Option<String>,
     /// Something suspicious that is no refutation.
     pub warning: Option<String>,
+    /// What shows that it is wrong, if it was refuted on a page.
+    pub evidence: Vec<Evidence>,
     /// Whether hypotheses were solved for what it speaks of.
     pub determined: bool,
     /// Meanings that were assumed: "B_i^n is the Bernstein polynomial".
@@ -90,6 +126,7 @@ impl Finding {
             suggestion: None,
             instances: None,
             warning: None,
+            evidence: Vec::new(),
             determined: false,
             notes: Vec::new(),
         }

@@ -15,7 +15,7 @@ use super::context::{Body, Condition, Mark};
 use super::finding::{Finding, Verdict};
 use super::hypotheses::is_coefficient;
 use super::known::definable;
-use super::names::{Head, is_range};
+use super::names::{Head, contains, is_range};
 use super::refute::calls;
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
@@ -128,7 +128,8 @@ impl Checker {
         let start = budget::spent();
         let setting = self.setting(chain, &statement.place, None);
         let kept = self.context.clone();
-        let mut edits = repair::edits(right, &chain.sides[0].expr, &None).into_iter();
+        let left = &chain.sides[0].expr;
+        let mut edits = repair::edits(right, left, &None).into_iter().filter(|edit| !contains(edit, left));
         if let Some((fact, failure)) = failing {
             // A slip, if with a small change all that was said holds.
             let repaired = edits.find(|edit| {

@@ -13,7 +13,7 @@ use super::compare::Outcome;
 use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
-use super::features::{has_divided_differences, has_groups, highest_derivative, pairs};
+use super::features::{ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs};
 use super::integers::{advance, is_inner, is_outside};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{integer_names, is_index_letter, is_range};
@@ -120,7 +120,8 @@ impl<'a> Trial<'a> {
         let reading = Model::new(context.clone(), setting.place.clone(), choices, setting.curve.clone())
             .with_pairs(pairs(&sides))
             .opaque(has_divided_differences(&sides))
-            .with_tensor(has_groups(&sides));
+            .with_tensor(has_groups(&sides))
+            .with_ends(ends_of_sums(&sides));
         let mut trial = Trial {
             sides,
             relations,

@@ -1,6 +1,7 @@
 //! Comparing two values: is `a = b` so for all values of their symbols, and if not, why?
 
 use super::inequality::{self, Decision, Range};
+use super::rounding;
 use super::same_geometry::{self, Comparison};
 use crate::formula::Rel;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -35,6 +36,7 @@ pub fn judge(rel: Rel, left: &Value, right: &Value) -> Result<Judgement, Diagnos
             };
         }
         Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge => order(&mut judgement),
+        Rel::Approx => rounding::approximation(&mut judgement),
         Rel::In => {
             if let Value::List(items) = right {
                 let member = items.iter().any(|item| item == left);

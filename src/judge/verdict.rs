@@ -4,7 +4,7 @@ use super::attempt::{Attempt, restricted};
 use super::certainty::Suspect;
 use super::check::{Checker, blank};
 use super::conditions::CANNOT_HOLD;
-use super::finding::{Finding, Verdict};
+use super::finding::{Evidence, Finding, Verdict};
 use super::hypotheses;
 use super::names::{Head, bases};
 use super::prove::prove;
@@ -16,6 +16,9 @@ use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
+
+pub(super) const UNFOUNDED: &str =
+    "it fails as it is read, and so does all that is near it: it may mean something else";
 
 impl Checker {
     pub(super) fn verdict(
@@ -143,7 +146,8 @@ impl Checker {
                 let doubt = suspect.doubt().or_else(|| {
                     let repair = repair::find(self, setting, at, attempt.choices, tally);
                     finding.suggestion = repair.as_ref().map(Repair::latex);
-                    suspect.unfounded(repair.as_ref())
+                    finding.evidence = suspect.evidence(repair.as_ref());
+                    finding.evidence.is_empty().then(|| UNFOUNDED.to_owned())
                 });
                 match doubt {
                     // F(t) = … F' … defines no F.
@@ -166,6 +170,7 @@ impl Checker {
                 });
                 match slip {
                     Some(failure) => {
+                        finding.evidence = vec![Evidence::Near];
                         let reasons = witness::reasons(&failure, tally);
                         refute::Decision::Refuted { failure: Box::new(failure), reasons }
                     }

@@ -38,6 +38,7 @@ pub fn check_document(document: &Document, options: &Options) -> FileReport {
         }
         checker.statement(statement);
     }
+    checker.finish();
     let problems = [document.problems.clone(), checker.problems].concat();
     FileReport { file: document.file.clone(), findings: checker.findings, problems }
 }

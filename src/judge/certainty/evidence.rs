@@ -12,7 +12,8 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::compare;
 use crate::judge::context::{Body, Definition, Source, is_variable};
 use crate::judge::features::has_structure;
-use crate::judge::names::{Head, bases, contains};
+use crate::judge::finding::Evidence;
+use crate::judge::names::{Head, bases, contains, is_index_letter};
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
@@ -21,20 +22,23 @@ use crate::language::value::Value;
 use crate::math::poly::{MonomialOrder, Symbol};
 
 impl Suspect<'_> {
-    /// Why nothing shows that it is wrong, with the repair found.
-    pub(in crate::judge) fn unfounded(&self, repair: Option<&Repair>) -> Option<String> {
+    /// What shows that it is wrong, with the repair found. Without any of it the relation stays open.
+    pub(in crate::judge) fn evidence(&self, repair: Option<&Repair>) -> Vec<Evidence> {
         let near = repair.is_some_and(|repair| repair.near)
             && (self.claimed() || self.is_near_its_meaning() && (self.says_much() || self.means_one_thing()));
-        let founded = near
-            || self.chain.universal && self.claimed()
-            || self.is_of_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece()
-            || self.is_closed()
-            || self.is_calculation()
-            || self.is_expansion()
-            || self.agrees_in_part();
-        (!founded).then(|| {
-            "it fails as it is read, and so does all that is near it: it may mean something else".to_owned()
-        })
+        let shown = [
+            (Evidence::Near, near),
+            (Evidence::ForAll, self.chain.universal && self.claimed()),
+            (
+                Evidence::Field,
+                self.is_of_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece(),
+            ),
+            (Evidence::Closed, self.is_closed()),
+            (Evidence::Calculation, self.is_calculation()),
+            (Evidence::Expansion, self.is_expansion()),
+            (Evidence::Terms, self.agrees_in_part()),
+        ];
+        shown.into_iter().filter(|(_, holds)| *holds).map(|(evidence, _)| evidence).collect()
     }
 
     /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
@@ -110,7 +114,14 @@ impl Suspect<'_> {
             symbols.iter().map(|s| s.base().to_owned()).collect()
         };
         let (own, others) = (letters(&left), letters(&right));
-        let alone = own.symmetric_difference(&others).any(|name| open(name));
+        // ξ in f^{(n)}(ξ), somewhere between the nodes
+        let [left, right] = self.sides();
+        let place_of_mean = |name: &String| {
+            let integer = self.failure.integers.iter().any(|(own, _)| own == name) || is_index_letter(name);
+            !integer && self.is_only_argument(name) && open(name)
+        };
+        let alone = own.symmetric_difference(&others).any(|name| open(name))
+            || bases(left).symmetric_difference(&bases(right)).any(place_of_mean);
         // S'_i(x_i) = S'_{i-1}(x_i), B_{i,n}(u) = 0
         let [one, other] = self.sides();
         let call = |side: &Expr| {
@@ -130,6 +141,23 @@ impl Suspect<'_> {
         };
         let family = same && !self.claimed() && self.chain.conditions.is_empty();
         alone || family
+    }
+
+    /// Whether a name stands only as the argument of functions that nobody introduced.
+    fn is_only_argument(&self, name: &str) -> bool {
+        let (mut within, mut all) = (0, 0);
+        self.any(&mut |part| {
+            match &part.kind {
+                Kind::Apply(callee, groups)
+                    if bases(callee).iter().any(|base| self.tally.record.unknown.contains(base)) =>
+                {
+                    within += groups.iter().flatten().filter(|argument| is_name(argument, name)).count();
+                }
+                _ => all += usize::from(is_name(part, name)),
+            }
+            false
+        });
+        within > 0 && within == all
     }
 
     /// Σ_{i=j-k}^j P_i N_{i,k}(t), the splines that are not 0 between two knots: true between these two.
@@ -208,12 +236,14 @@ impl Suspect<'_> {
         // k = 1^k is one apart in one instance only; "set k = k + 1" is an assignment
         let circular = circular
             && (self.failure.integers.is_empty() || !self.are_numbers())
-            && self.statement.role != Some(Role::Introduced);
-        self.claimed() && numbers && !(literal(left) && literal(right))
+            && self.statement.role != Some(Role::Introduced)
+            && (self.claimed() || !matches!(&left.kind, Kind::Name(name) if is_index_letter(name)));
+        self.rel() == Rel::Approx && numbers
+            || self.claimed() && numbers && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }
 
-    /// Whether the sides are polynomials in the same names that agree in half of their terms.
+    /// Whether the sides are polynomials in the same names that agree in three terms and half of all.
     fn agrees_in_part(&self) -> bool {
         let (Value::Scalar(left), Value::Scalar(right)) = (&self.failure.left, &self.failure.right) else {
             return false;
@@ -225,9 +255,13 @@ impl Suspect<'_> {
             && self.tally.record.unknown.is_empty()
             && self.is_equation()
             && left.variables() == right.variables()
-            && common > 1
+            && common > 2
             && 2 * common >= own.len().max(others.len())
     }
+}
+
+fn is_name(expr: &Expr, name: &str) -> bool {
+    matches!(&expr.kind, Kind::Name(own) if own == name)
 }
 
 /// How many sums, products, powers and values of functions are calculated in it, apart from indices.

@@ -117,8 +117,15 @@ impl Suspect<'_> {
         let mut structure =
             |part: &Expr| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. });
         let named = self.sides().into_iter().any(|side| !bases(side).is_empty());
-        let of_example =
-            self.are_numbers() && named && self.sides().into_iter().any(zero) && !self.any(&mut structure);
+        let plain = self.are_numbers() && named && !self.any(&mut structure);
+        let of_example = plain && self.sides().into_iter().any(zero);
+        // 2 x_1 + x_2 = -1, where x_1 and x_2 solved another system
+        let [left, right] = self.sides();
+        let of_system = plain
+            && self.chain.relations.len() == 1
+            && !self.claimed()
+            && matches!(left.kind, Kind::Add(_))
+            && bases(right).is_empty();
         // 2 x^2 = x^2 + 2, with nothing to multiply out
         let mut product = |part: &Expr| match &part.kind {
             Kind::Pow(base, _) => matches!(base.kind, Kind::Group(_)),
@@ -158,7 +165,7 @@ impl Suspect<'_> {
                     if groups.iter().flatten().any(free) || generic(callee))
         };
         let [one, other] = self.sides();
-        (self.is_equation() && (of_example || of_one || root(one, other) || root(other, one)))
+        (self.is_equation() && (of_example || of_system || of_one || root(one, other) || root(other, one)))
             .then(|| "it may be an equation to be solved".to_owned())
     }
 

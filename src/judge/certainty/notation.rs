@@ -3,13 +3,17 @@
 use std::collections::BTreeSet;
 
 use super::Suspect;
-use crate::formula::{Expr, Kind, Sign};
+use crate::formula::{Accent, Expr, Kind, Sign};
+use crate::judge::context::Definition;
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::Sort;
+use crate::judge::statement::Side;
 use crate::judge::topic::Topic;
 use crate::language::lexicon::letters;
+use crate::language::write;
 use crate::math::number::Rational;
+use crate::math::poly::Symbol;
 
 impl Suspect<'_> {
     /// A letter before a bracket is a factor only if it stands somewhere else without one.
@@ -36,6 +40,32 @@ impl Suspect<'_> {
         }
         let place = &self.statement.place;
         let context = &self.checker.context;
+        // 𝔼[X + Y], 𝕍X
+        let blackboard = |part: &Expr| matches!(part.kind, Kind::Accent(Accent::Blackboard, _));
+        if self.any(&mut |part| matches!(&part.kind, Kind::Mul(factors) if factors.iter().any(blackboard))) {
+            return Some("a letter with double strokes may be an operator".to_owned());
+        }
+        let star = |side: &Side| side.latex.contains("\\ast");
+        if self.chain.sides[self.at..self.at + 2].iter().any(star) {
+            return Some("the star may be another operation".to_owned());
+        }
+        if let Some(name) = self.function_without_argument() {
+            return Some(format!("{name} has no argument here"));
+        }
+        // E(f) = …, for any function f, may be the error of another rule here.
+        let functional = |definition: &Definition| {
+            definition.head.flat().iter().any(
+                |argument| matches!(&argument.kind, Kind::Name(name) if self.tally.record.unknown.contains(name)),
+            )
+        };
+        if let Some(definition) = self.used().find(|definition| functional(definition)) {
+            return Some(format!("{} depends on a function", definition.head.base));
+        }
+        // (a + bi)(a - bi)
+        let unit = |symbol: &Symbol| symbol.is_plain() && symbol.base() == "i";
+        if self.symbols().iter().any(unit) && !self.is_spoken_of("i") {
+            return Some("i may be the imaginary unit".to_owned());
+        }
         // dt, d(t^n)
         let differential =
             callees.contains(&"d") && !self.failure.integers.iter().any(|(name, _)| name == "d");
@@ -97,6 +127,36 @@ impl Suspect<'_> {
         });
         let named = self.symbols().iter().any(|symbol| symbol.base() == "Delta");
         (named || difference && !self.claimed()).then(|| "what Δ means is not said".to_owned())
+    }
+
+    /// A function of the page that stands in a sum or product without an argument, and with one elsewhere:
+    /// 2 T_1 T_1(x).
+    fn function_without_argument(&self) -> Option<String> {
+        let functions: Vec<&Definition> =
+            self.used().filter(|definition| definition.head.arguments.is_some()).collect();
+        let same = |head: &Head| {
+            functions
+                .iter()
+                .any(|known| known.head.base == head.base && known.head.lower.len() == head.lower.len())
+        };
+        let bare = |part: &Expr| Head::of(part).is_some_and(|head| head.arguments.is_none() && same(&head));
+        let called = self.any(&mut |part| matches!(&part.kind, Kind::Apply(callee, _) if bare(callee)));
+        fn search(expr: &Expr, bare: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+            let inside: Vec<&Expr> = match &expr.kind {
+                Kind::Apply(_, groups) => {
+                    return groups.iter().flatten().find_map(|inner| search(inner, bare));
+                }
+                Kind::Add(terms) => terms.iter().map(|term| &term.expr).collect(),
+                Kind::Mul(factors) => factors.iter().collect(),
+                Kind::Pow(base, _) => vec![base.as_ref()],
+                _ => Vec::new(),
+            };
+            let mut found = inside.into_iter().find(|inner| bare(inner)).cloned();
+            expr.for_each_child(&mut |child| found = found.take().or_else(|| search(child, bare)));
+            found
+        }
+        let found = self.sides().into_iter().find_map(|side| search(side, &bare));
+        found.filter(|_| called).map(|name| write::text(&name))
     }
 
     /// Products of matrices, inverses and transposes of what nobody introduced.

@@ -4,10 +4,11 @@ use super::Suspect;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::context::is_variable;
 use crate::judge::names::{bases, walk};
+use crate::judge::rounding::last_digit;
 use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 use crate::math::number::Rational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 impl Suspect<'_> {
     /// An inequality holds for some range: it has to be given.
@@ -63,6 +64,11 @@ impl Suspect<'_> {
         if !written {
             return None;
         }
+        // 1 + 1 = 0, with a carry
+        let digit = |q: &Rational| q.is_zero() || q.is_one();
+        if !self.any(&mut |part| matches!(&part.kind, Kind::Number(q) if !digit(q))) {
+            return Some("0 and 1 may be truth values or binary digits".to_owned());
+        }
         let (Some(left), Some(right)) = (self.failure.left.as_rational(), self.failure.right.as_rational())
         else {
             return None;
@@ -82,7 +88,7 @@ impl Suspect<'_> {
                 if let Kind::Number(q) = &part.kind
                     && !q.is_integer()
                 {
-                    let digits = last_digit(q);
+                    let digits = last_digit(q).unwrap_or_else(Rational::zero);
                     finest = Some(finest.take().map_or(digits.clone(), |known| known.max(digits)));
                 }
             });
@@ -93,19 +99,4 @@ impl Suspect<'_> {
         });
         near.then(|| "equal up to rounding".to_owned())
     }
-}
-
-/// The value of the last decimal digit of a number: 1/1000 for 1.053.
-fn last_digit(q: &Rational) -> Rational {
-    let ten = Rational::from_integer(10.into());
-    let mut digit = Rational::from_integer(1.into());
-    let mut scaled = q.clone();
-    for _ in 0..40 {
-        if scaled.is_integer() {
-            return digit;
-        }
-        scaled *= &ten;
-        digit /= &ten;
-    }
-    Rational::zero()
 }

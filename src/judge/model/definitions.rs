@@ -6,7 +6,7 @@ use crate::judge::context::{Body, Definition, Source};
 use crate::judge::names::{Head, bases, integer_names, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
-use crate::language::lexicon::roles;
+use crate::language::lexicon::{families, roles};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -80,7 +80,9 @@ impl Model {
                 error.code,
                 Code::UnknownName | Code::UnknownFunction | Code::Unsupported | Code::AmbiguousProduct
             );
-            if nowhere || outermost && matches!(error.code, Code::Recursion | Code::Undecided) {
+            // N_l^m = (-1)^m √… P_l^m is not the one that everybody knows.
+            let own = families::is_family(&head.base) && !definition.is_recursive();
+            if nowhere && !own || outermost && matches!(error.code, Code::Recursion | Code::Undecided) {
                 return None;
             }
         }
@@ -182,6 +184,15 @@ impl Model {
                         _ => machine.eval(index).ok()?,
                     };
                     value.as_int()?;
+                    // x_n = b_n/a_nn, beside x_i = (b_i - Σ_{j=i+1}^n a_ij x_j)/a_ii: the last one only
+                    let last = self.ends.contains(name)
+                        && own.lower.len() == 1
+                        && definition.is_of_members(name)
+                        && !bases(index).contains(name)
+                        && machine.lookup(&Symbol::new(name)).is_some_and(|end| *end != value);
+                    if last {
+                        return None;
+                    }
                     bound.push((Symbol::new(name), value));
                 }
                 Kind::Number(_) => {

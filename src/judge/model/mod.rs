@@ -157,6 +157,8 @@ pub struct Model {
     breaks: Vec<Rational>,
     /// The knots that the page gives, by their numbers.
     given_knots: Rc<BTreeMap<i64, Rational>>,
+    /// Letters up to which the relation sums.
+    ends: Rc<BTreeSet<String>>,
     /// Whether functions of two groups of arguments occur.
     tensor: bool,
     /// Capital letters whose small ones are their polar forms in this statement.
@@ -186,6 +188,7 @@ impl Model {
             uniform: false,
             breaks: Vec::new(),
             given_knots: Rc::default(),
+            ends: Rc::default(),
             tensor: false,
             pairs: BTreeSet::new(),
             flexible: Cell::new(false),
@@ -241,6 +244,12 @@ impl Model {
     /// Knots that the page gives, by their numbers.
     pub fn with_given_knots(mut self, knots: BTreeMap<i64, Rational>) -> Self {
         self.given_knots = Rc::new(knots);
+        self
+    }
+
+    /// Letters up to which the relation sums: the last values of indices.
+    pub fn with_ends(mut self, ends: BTreeSet<String>) -> Self {
+        self.ends = Rc::new(ends);
         self
     }
 

@@ -113,6 +113,17 @@ impl Machine {
                 .hint(format!("define it first: {name}(t) := ...")));
         }
         let value = self.with_locals(own, |machine| machine.eval(body))?;
+        // ∂u/∂ξ, where u was given by x and y, is not 0.
+        if self.has_reading()
+            && name_of(body, self).is_some()
+            && let Value::Scalar(formula) = &value
+            && formula.as_rational().is_none()
+            && let Some((variable, _)) =
+                orders.iter().find(|(variable, _)| !formula.variables().contains(variable))
+        {
+            let message = format!("how this depends on {variable} is not said");
+            return Err(Diagnostic::error(Code::UnknownName, message).at(body.span));
+        }
         // The derivative of an undefined F is not 0.
         if let (Some(symbol), Some(name)) = (symbol_of(&value), name_of(body, self))
             && symbol == name

@@ -122,11 +122,22 @@ impl Reader<'_> {
             }
     }
 
-    /// Whether a bracket with a relation in it comes next: a condition such as `(i = 1, …, n)`.
+    /// Whether a bracket with a relation in it comes next: a condition such as `(i = 1, …, n)`. One that a relation
+    /// follows, or that touches a letter without an index, is an argument: P(Z ≥ 1) = 1/2.
     pub fn is_condition(&self) -> bool {
-        self.tokens.get(self.pos).is_some_and(|token| {
-            token.relation && matches!(token.kind, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren))
-        })
+        let Some(token) = self.tokens.get(self.pos) else { return false };
+        token.relation
+            && matches!(token.kind, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren))
+            && !matches!(self.look(self.after(self.pos)), Some((_, Tok::Rel(_))))
+            && !self.touches_letter(token.span().start)
+    }
+
+    /// Whether a letter that is no index ends where the next token begins.
+    fn touches_letter(&self, at: usize) -> bool {
+        let before = |back: usize| self.pos.checked_sub(back).map(|at| &self.tokens[at]);
+        let letter =
+            before(1).is_some_and(|token| matches!(token.kind, Tok::Letter(_)) && token.span().end == at);
+        letter && !before(2).is_some_and(|token| matches!(token.kind, Tok::Sub | Tok::Sup))
     }
 
     fn words(&mut self) -> Expr {

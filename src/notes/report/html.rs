@@ -175,6 +175,7 @@ fn remarks(finding: &Finding) -> Markup {
                 }
             }
             @if let Some(instances) = &finding.instances { (remark("tried", instances)) }
+            @for evidence in &finding.evidence { (remark("certain because", evidence.words())) }
             @if let Some(warning) = &finding.warning {
                 dt class="suspicious-text" { "warning" } dd { (clean(warning)) }
             }

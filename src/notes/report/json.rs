@@ -11,8 +11,8 @@ use crate::language::diagnostic;
 /// `{"files": [{"file", "formulas": […], "problems": […]}], "summary": {verdict: count}}`.
 ///
 /// A formula is `{"line", "column", "end_line", "end_column", "start", "end", "latex", "relation", "kind",
-/// "verdict", "reason", "witness", "suggestion", "instances", "warning", "reading", "notes", "fingerprint"}`; what
-/// is absent is null. `start` and `end` are bytes of the file, the columns count characters, and the end stands
+/// "verdict", "reason", "witness", "evidence", "suggestion", "instances", "warning", "reading", "notes",
+/// "fingerprint"}`; what is absent is null, and `evidence` says why a refuted one is certain to be wrong. `start` and `end` are bytes of the file, the columns count characters, and the end stands
 /// just behind the formula. `kind` is `claim`, `definition` or `none`. The summary counts all entries by verdict,
 /// also those of formulas that state nothing, and then `claims`, `definitions` and `unseen`.
 pub fn render_json(reports: &[FileReport]) -> String {
@@ -63,6 +63,7 @@ fn formula(finding: &Finding, fingerprint: &str, locator: &mut Locator) -> Value
         "verdict": finding.verdict.word(),
         "reason": finding.reason,
         "witness": finding.witness,
+        "evidence": finding.evidence.iter().map(|evidence| evidence.words()).collect::<Vec<_>>(),
         "suggestion": finding.suggestion,
         "instances": finding.instances,
         "warning": finding.warning,

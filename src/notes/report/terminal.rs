@@ -53,6 +53,7 @@ pub struct TextOptions {
 ///     suggestion: Some("2 + 2 = 4".to_owned()),
 ///     instances: None,
 ///     warning: None,
+///     evidence: Vec::new(),
 ///     determined: false,
 ///     notes: Vec::new(),
 /// };

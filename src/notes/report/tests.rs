@@ -26,6 +26,7 @@ fn finding(text: &str, part: &str, mark: &str, verdict: Verdict) -> Finding {
         suggestion: None,
         instances: None,
         warning: None,
+        evidence: Vec::new(),
         determined: false,
         notes: Vec::new(),
     }
@@ -52,6 +53,7 @@ fn lecture() -> FileReport {
             ..finding(&text, "F(t)=t^2+2t", "=", Verdict::Definition)
         },
         Finding {
+            evidence: Vec::new(),
             determined: false,
             notes: vec!["f is the polar form of F".to_owned()],
             ..finding(&text, "f(t_1,t_2)=t_1t_2+t_1+t_2", "=", Verdict::Proved)
@@ -61,6 +63,7 @@ fn lecture() -> FileReport {
             witness: some("c_1 = 1, c_2 = 0, t = 1: left 0, right 2"),
             suggestion: some("F'(t) &= 3c_3t^2+2c_2t+c_1"),
             instances: some("4 instances: n from 0 to 3"),
+            evidence: Vec::new(),
             determined: false,
             notes: vec!["F is c_0 + c_1 t + c_2 t^2 + c_3 t^3".to_owned()],
             ..finding(&text, "F'(t) &= 3c_3t^2+2c_1t+c_1", "3c_3t^2+2c_1t+c_1", Verdict::Refuted)
@@ -359,6 +362,7 @@ fn report() -> impl Strategy<Value = FileReport> {
                         suggestion,
                         instances,
                         warning,
+                        evidence: Vec::new(),
                         determined: false,
                         notes: note.into_iter().collect(),
                     }

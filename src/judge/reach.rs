@@ -1,0 +1,82 @@
+//! How far a sum reaches: in Σ_i a_i − b_i the last term belongs to it, for its i has no other meaning.
+
+use super::names::own_names;
+use super::statement::Chain;
+use crate::formula::{Expr, Kind, Sign, Term};
+
+/// The chain with sums that reach as far as their indices are used. An index that is free on another side, or in a
+/// condition, has a meaning outside of the sum.
+pub(super) fn whole_sums(chain: &Chain) -> Chain {
+    let mut whole = chain.clone();
+    for at in 0..whole.sides.len() {
+        let others = chain.sides.iter().enumerate().filter(|(other, _)| *other != at);
+        let others: Vec<&Expr> = others.map(|(_, side)| &side.expr).chain(&chain.conditions).collect();
+        let means_else = |name: &str| others.iter().any(|other| has_free(other, name));
+        extend(&mut whole.sides[at].expr, &means_else);
+    }
+    whole
+}
+
+fn extend(expr: &mut Expr, means_else: &dyn Fn(&str) -> bool) {
+    expr.for_each_child_mut(&mut |child| extend(child, means_else));
+    let Kind::Add(terms) = &mut expr.kind else { return };
+    let reached = |at: usize, terms: &[Term]| -> Option<usize> {
+        let Kind::Big { lower, .. } = &terms[at].expr.kind else { return None };
+        let own = own_names(lower);
+        let used = |term: &Term| own.iter().any(|name| !means_else(name) && has_free(&term.expr, name));
+        (at + 1..terms.len()).rev().find(|later| used(&terms[*later]))
+    };
+    let Some((at, last)) = (0..terms.len()).find_map(|at| Some((at, reached(at, terms)?))) else { return };
+    let more: Vec<Term> = terms.drain(at + 1..=last).collect();
+    let span = terms[at].expr.span.to(more[more.len() - 1].expr.span);
+    if let Kind::Big { body, .. } = &mut terms[at].expr.kind {
+        let first = Term { sign: Sign::Plus, expr: (**body).clone() };
+        let inside = body.span.to(span);
+        **body = Expr::new(Kind::Add(std::iter::once(first).chain(more).collect()), inside);
+    }
+    terms[at].expr.span = span;
+    if let ([only], Sign::Plus) = (terms.as_slice(), terms[0].sign) {
+        *expr = only.expr.clone();
+    }
+}
+
+/// Whether a name occurs, and is no index of a sum there.
+fn has_free(expr: &Expr, name: &str) -> bool {
+    match &expr.kind {
+        Kind::Name(own) => own == name,
+        Kind::Big { lower, .. } if own_names(lower).iter().any(|own| own == name) => false,
+        _ => {
+            let mut found = false;
+            expr.for_each_child(&mut |child| found = found || has_free(child, name));
+            found
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Rel;
+    use crate::formula::source::Span;
+    use crate::judge::statement::Side;
+    use crate::language::{latex, write};
+
+    fn left(left: &str, right: &str) -> String {
+        let side = |text: &str| Side { expr: latex::read(text).unwrap(), latex: text.to_owned() };
+        let chain = Chain::new(vec![side(left), side(right)], vec![(Rel::Eq, Span::default())]);
+        write::latex(&whole_sums(&chain).sides[0].expr)
+    }
+
+    #[test]
+    fn a_sum_reaches_as_far_as_its_index() {
+        let extended = left(r"\sum_{i=0}^n a_i - b_i + c", "d");
+        assert_eq!(extended, left(r"\sum_{i=0}^n (a_i - b_i) + c", "d"));
+        for (sum, right) in [
+            (r"\sum_{i=0}^n a_i - b_i", "c_i"),
+            (r"\sum_{i=0}^n a_i - \sum_{i=0}^n b_i", "c"),
+            (r"\sum_{i=0}^n a_i - b", "c"),
+        ] {
+            assert_eq!(left(sum, right), write::latex(&latex::read(sum).unwrap()), "{sum}");
+        }
+    }
+}

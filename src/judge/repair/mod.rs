@@ -1,0 +1,172 @@
+//! The likely slip in a wrong formula.
+//!
+//! Small edits of one side are tried: an index or exponent changed by one, a letter or index
+//! exchanged for one that occurs beside it, a sign, a number changed a little, a factor added or
+//! left out, the entries of a binomial. An edit is a repair if with it the relation holds in every
+//! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
+//! for single edits and stops after a share of the steps. Where none is found, each number is solved for.
+
+mod edits;
+mod number;
+
+pub(super) use self::edits::edits;
+
+use crate::budget;
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::bare::{bare, vanishes};
+use crate::judge::check::Checker;
+use crate::judge::features::{has_call, has_structure};
+use crate::judge::model::Choices;
+use crate::judge::names::{Head, bases, walk};
+use crate::judge::tally::{Outcomes, Tally};
+use crate::judge::trial::Setting;
+use crate::language::write;
+use crate::math::number::Rational;
+
+/// A relation with which a wrong one is replaced.
+pub struct Repair {
+    left: Expr,
+    rel: Rel,
+    right: Expr,
+    /// Whether it is a small edit of the wrong one, and says something: it is no a = a, and not 0 = 0 only.
+    pub near: bool,
+}
+
+impl Repair {
+    /// As LaTeX that can be pasted over the relation.
+    pub fn latex(&self) -> String {
+        write::latex(&Expr::relation(self.left.clone(), self.rel, self.right.clone()))
+    }
+}
+
+/// A repair of the relation number `at`. Cost: an instance or two for each of some hundred edits, all instances
+/// for those that pass.
+pub fn find(
+    checker: &Checker,
+    setting: &Setting,
+    at: usize,
+    choices: Choices,
+    tally: &Tally,
+) -> Option<Repair> {
+    let tried = tally.holds + tally.fails.len();
+    let Setting { chain, curve, .. } = setting;
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    let rel = chain.relations[at].0;
+    let start = budget::spent();
+    let try_out = |left: &Expr, right: &Expr, quick: bool| -> Option<Tally> {
+        let trial = checker.trial(setting, &[left, right], &[rel], choices);
+        let mut outcomes = if quick { trial.first(3) } else { trial.run() };
+        is_true(&outcomes, quick).then(|| outcomes.tallies.remove(0))
+    };
+    // The slip is on the right more often than on the left, and there the edits are listed first.
+    let mut candidates: Vec<(Expr, Expr)> = Vec::new();
+    if at == 0 {
+        candidates.extend(with_arguments(left, right).map(|left| (left, right.clone())));
+    }
+    candidates.extend(edits(right, left, curve).into_iter().map(|edit| (left.clone(), edit)));
+    if at > 0 || Head::of(left).is_none() {
+        candidates.extend(edits(left, right, &None).into_iter().map(|edit| (edit, right.clone())));
+    }
+    let next = chain
+        .sides
+        .get(at + 2)
+        .filter(|_| matches!(chain.relations[at + 1].0, Rel::Eq))
+        .map(|side| &side.expr);
+    // n = 10, 2 = 1, 2x + y = 1 become true with another number, whatever was meant.
+    let computed = has_structure(left)
+        || bases(left).is_empty() && !matches!(left.kind, Kind::Number(_))
+        || has_call(left);
+    let value = matches!(right.kind, Kind::Number(_)) && !computed;
+    let mut best: Option<Repair> = None;
+    for (left, right) in candidates {
+        if budget::spent() - start > crate::judge::trial::share(&checker.limits, 16) {
+            break;
+        }
+        budget::steps(64);
+        let says_nothing = vanishes(&left) || vanishes(&right) || bare(&left) == bare(&right);
+        if says_nothing || try_out(&left, &right, true).is_none() {
+            continue;
+        }
+        let Some(holds) = try_out(&left, &right, false) else { continue };
+        let repair = Repair {
+            near: rel == Rel::Eq && !value && holds.nonzero > 0 && 2 * holds.holds >= tried,
+            left,
+            rel,
+            right,
+        };
+        // One that mends the rest of the chain, too, is surely meant.
+        let last = next.is_none_or(|next| next.same_as(&repair.right));
+        if last || next.is_some_and(|next| try_out(&repair.right, next, false).is_some()) {
+            return Some(repair);
+        }
+        best.get_or_insert(repair);
+    }
+    best.or_else(|| {
+        let (left, right) = number::candidates(checker, setting, at, choices)
+            .into_iter()
+            .find(|(left, right)| try_out(left, right, false).is_some())?;
+        Some(Repair { near: rel == Rel::Eq && !value, left, rel, right })
+    })
+    .or_else(|| written_out(checker, setting, at, choices))
+}
+
+/// Whether a relation held wherever it made sense, often enough.
+pub(super) fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
+    let tally = &outcomes.tallies[0];
+    let ranged = !outcomes.integers.is_empty();
+    let enough = if !ranged || quick { tally.holds > 0 } else { tally.holds_inner >= 1 || tally.holds >= 4 };
+    let fails = tally.fails.iter().filter(|failure| !failure.outside && (failure.inner || !ranged)).count();
+    fails == 0 && enough && tally.mismatches.is_empty()
+}
+
+/// f(t) = … in t_1, …, t_n: the arguments written out.
+fn with_arguments(left: &Expr, right: &Expr) -> Option<Expr> {
+    let head = Head::of(left)?;
+    crate::judge::lint::missing_argument(&head, right)?;
+    let Kind::Apply(callee, _) = &left.kind else { return None };
+    let arguments = head.flat();
+    let base = arguments.first()?;
+    let mut last = None;
+    walk(right, &mut |part| {
+        if let Kind::Big { upper: Some(upper), .. } = &part.kind
+            && last.is_none()
+        {
+            last = Some(upper.as_ref().clone());
+        }
+    });
+    let index = |index: Expr| Expr::from(Kind::Subscript(Box::new((*base).clone()), vec![index]));
+    let list = vec![index(Expr::int(1)), Kind::Ellipsis.into(), index(last?)];
+    Some(Expr::apply(callee.as_ref().clone(), list))
+}
+
+/// The formula on the left written out, if the relation is no family.
+fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices) -> Option<Repair> {
+    let chain = setting.chain;
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    let outcomes = checker.trial(setting, &[left, right], &[Rel::Eq], choices).run();
+    if !outcomes.integers.is_empty() {
+        return None;
+    }
+    // The value of the left side, if it is a formula of bearable length.
+    let failure = outcomes.tallies[0].fails.last()?;
+    let invented =
+        crate::judge::compare::symbols(&failure.left).iter().any(crate::judge::hypotheses::is_coefficient);
+    let crate::language::value::Value::Scalar(value) = &failure.left else { return None };
+    let size = value.numerator().len() + value.denominator().len();
+    if invented || size > 24 {
+        return None;
+    }
+    let right = crate::language::value::polynomial_expr(value);
+    let rel = chain.relations[at].0;
+    let near = rel == Rel::Eq
+        && matches!((&chain.sides[at + 1].expr.kind, &right.kind), (Kind::Number(wrong), Kind::Number(value)) if misprinted(wrong, value));
+    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near })
+}
+
+/// Whether a number of several digits is another one with a digit or two wrong, or with its sign lost.
+fn misprinted(wrong: &Rational, value: &Rational) -> bool {
+    let digits = |q: &Rational| q.numer().to_string().trim_start_matches('-').to_owned();
+    let (a, b) = (digits(wrong), digits(value));
+    let differing = a.chars().zip(b.chars()).filter(|(x, y)| x != y).count();
+    wrong.denom() == value.denom() && a.len() == b.len() && a.len() > 1 && differing <= 2.min(a.len() - 1)
+}
