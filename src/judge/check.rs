@@ -496,7 +496,12 @@ impl Checker {
                         Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
                         _ => finding.warning.clone().or(old.warning.clone()),
                     };
-                    self.rely(tally, self.findings.len() + at, &finding);
+                    self.rely(
+                        tally,
+                        [0, 1].map(|i| &chain.sides[at + i].expr),
+                        self.findings.len() + at,
+                        &finding,
+                    );
                     findings[at] = Finding {
                         warning,
                         span: old.span,

@@ -57,6 +57,8 @@ pub enum Evidence {
     Closed,
     /// It calculates with numbers, or says x = x + 1.
     Calculation,
+    /// It is the value of a function that is given right there.
+    Value,
     /// It writes any function by its own values or derivatives.
     Expansion,
     /// Its sides agree in most of their terms.
@@ -72,6 +74,7 @@ impl Evidence {
             Evidence::Field => "what it speaks of is determined",
             Evidence::Closed => "nothing in it needs a meaning",
             Evidence::Calculation => "it is a calculation",
+            Evidence::Value => "the function is given right there",
             Evidence::Expansion => "it would hold for any function",
             Evidence::Terms => "most of its terms agree",
         }

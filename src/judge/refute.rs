@@ -12,6 +12,7 @@ use super::features::{bare_values, has_column, has_structure, loose_index, witho
 use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::object::Sort;
+use super::roots;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
@@ -573,9 +574,10 @@ fn is_argument(symbol: &Symbol, side: &Expr) -> bool {
     found
 }
 
-/// The symbols of a value that are no coefficients of an unknown function.
+/// The symbols of a value that are no roots of numbers and no coefficients of an unknown function.
 fn visible(value: &Value) -> BTreeSet<Symbol> {
-    compare::symbols(value).into_iter().filter(|symbol| !is_coefficient(symbol)).collect()
+    let known = |symbol: &Symbol| is_coefficient(symbol) || roots::is_root(symbol);
+    compare::symbols(value).into_iter().filter(|symbol| !known(symbol)).collect()
 }
 
 /// Whether both sides have the same degree in every symbol, as the two sides of a wrong expansion

@@ -6,7 +6,7 @@
 use super::values::differences;
 use crate::language::value::Value;
 use crate::math::number::{Int, Rational};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -51,6 +51,11 @@ pub fn square_root(q: &Rational) -> Option<Fraction> {
     Some(root)
 }
 
+/// Whether a symbol stands for the root of a number.
+pub fn is_root(symbol: &Symbol) -> bool {
+    radicand(symbol).is_some()
+}
+
 fn radicand(symbol: &Symbol) -> Option<u64> {
     symbol.base().strip_prefix(SIGN)?.parse().ok()
 }
@@ -75,10 +80,42 @@ fn reduced(polynomial: &MultiPoly) -> MultiPoly {
     result
 }
 
+/// Numbers between which a formula of roots and numbers is, apart by some 10^-40.
+pub fn bounds(formula: &Fraction) -> Option<(Rational, Rational)> {
+    let digits = Int::from(10).pow(40);
+    let below = |symbol: &Symbol| -> Option<Rational> {
+        let whole = (Int::from(radicand(symbol)?) * &digits * &digits).into_big().sqrt();
+        Some(Rational::new(Int::from(whole), digits.clone()))
+    };
+    let polynomial = |f: &MultiPoly| -> Option<(Rational, Rational)> {
+        let mut sum = (Rational::zero(), Rational::zero());
+        for (powers, coefficient) in f.terms(MonomialOrder::Lex) {
+            let (mut low, mut high) = (Rational::one(), Rational::one());
+            for (symbol, power) in powers.iter() {
+                let root = below(symbol)?;
+                let above = &root + Rational::new(Int::one(), digits.clone());
+                low *= num_traits::pow(root, *power as usize);
+                high *= num_traits::pow(above, *power as usize);
+            }
+            if coefficient.is_negative() {
+                std::mem::swap(&mut low, &mut high);
+            }
+            sum = (sum.0 + low * &coefficient, sum.1 + high * &coefficient);
+        }
+        Some(sum)
+    };
+    let (above, below) = (polynomial(formula.numerator())?, polynomial(formula.denominator())?);
+    if !below.0.is_positive() && !below.1.is_negative() {
+        return None;
+    }
+    let ends = [&above.0 / &below.0, &above.0 / &below.1, &above.1 / &below.0, &above.1 / &below.1];
+    Some((ends.iter().min()?.clone(), ends.iter().max()?.clone()))
+}
+
 /// Whether values with roots in them are equal; `None` if there are no roots, or they cannot be compared.
 pub fn equal(left: &Value, right: &Value) -> Option<bool> {
     let differences = differences(left, right)?;
-    let has_roots = |f: &Fraction| f.variables().iter().any(|symbol| radicand(symbol).is_some());
+    let has_roots = |f: &Fraction| f.variables().iter().any(is_root);
     if !differences.iter().any(has_roots) {
         return None;
     }

@@ -158,7 +158,7 @@ impl Checker {
                     None => refute::Decision::Refuted { failure, reasons },
                 }
             }
-            refute::Decision::Condition(reason) => {
+            refute::Decision::Condition(_) | refute::Decision::Redefinition(_) => {
                 let failure = witness::best_failure(tally, outcomes, chain);
                 let slip = failure.filter(|failure| {
                     let suspect = Suspect { checker: self, tally, chain, at, statement, failure };
@@ -174,7 +174,10 @@ impl Checker {
                         let reasons = witness::reasons(&failure, tally);
                         refute::Decision::Refuted { failure: Box::new(failure), reasons }
                     }
-                    None => refute::Decision::Open(reason),
+                    None => match refutation {
+                        refute::Decision::Condition(reason) => refute::Decision::Open(reason),
+                        other => other,
+                    },
                 }
             }
             other => other,

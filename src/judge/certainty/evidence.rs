@@ -18,6 +18,7 @@ use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
 use crate::language::lexicon::roles;
+use crate::language::lexicon::words::is_function_word;
 use crate::language::value::Value;
 use crate::math::poly::{MonomialOrder, Symbol};
 
@@ -35,6 +36,7 @@ impl Suspect<'_> {
             ),
             (Evidence::Closed, self.is_closed()),
             (Evidence::Calculation, self.is_calculation()),
+            (Evidence::Value, self.is_value()),
             (Evidence::Expansion, self.is_expansion()),
             (Evidence::Terms, self.agrees_in_part()),
         ];
@@ -44,7 +46,7 @@ impl Suspect<'_> {
     /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
     pub(in crate::judge) fn is_slip(&self, repair: impl FnOnce() -> Option<Repair>) -> bool {
         self.says_much()
-            && self.is_near_its_meaning()
+            && (self.is_near_its_meaning() || self.claimed() && self.uses_what_is_near())
             && !self.may_be_a_condition()
             && self.doubt_of_form().is_none()
             && repair().is_some_and(|repair| repair.near)
@@ -52,7 +54,11 @@ impl Suspect<'_> {
 
     /// Whether what it uses was defined close to it, and it gives no name a value.
     fn is_near_its_meaning(&self) -> bool {
-        self.tally.record.definitions.iter().all(|(_, near)| *near) && !self.names_something()
+        self.uses_what_is_near() && !self.names_something()
+    }
+
+    fn uses_what_is_near(&self) -> bool {
+        self.tally.record.definitions.iter().all(|(_, near)| *near)
     }
 
     /// Whether no name in it has a meaning, or declarations and queries give all that it uses.
@@ -113,6 +119,17 @@ impl Suspect<'_> {
         let letters = |symbols: &[Symbol]| -> BTreeSet<String> {
             symbols.iter().map(|s| s.base().to_owned()).collect()
         };
+        // The new points P_i^{(1)} beside the P_i
+        let marked = |symbols: &[Symbol]| -> BTreeSet<String> {
+            symbols.iter().filter(|s| !s.upper().is_empty()).map(|s| s.base().to_owned()).collect()
+        };
+        let defined = |name: &String| {
+            let visible = self.checker.context.visible(name, place);
+            visible.filter(|(_, definition, _)| !definition.head.upper.is_empty()).count() > 0
+        };
+        if marked(&left).symmetric_difference(&marked(&right)).any(|name| !defined(name)) {
+            return true;
+        }
         let (own, others) = (letters(&left), letters(&right));
         // ξ in f^{(n)}(ξ), somewhere between the nodes
         let [left, right] = self.sides();
@@ -216,6 +233,27 @@ impl Suspect<'_> {
         whole && (ranged || operator && self.failure.inner && self.symbols().iter().all(Symbol::is_plain))
     }
 
+    /// Whether it gives the value, at numbers, of a function that its section defines.
+    fn is_value(&self) -> bool {
+        let number = |expr: &Expr| bases(expr).is_empty();
+        let [left, right] = self.sides();
+        let called = |side: &Expr| match &side.kind {
+            Kind::Apply(callee, groups) if groups.iter().flatten().all(number) => Head::of(callee),
+            _ => None,
+        };
+        let Some(head) = called(left).filter(|_| number(right)) else { return false };
+        let place = &self.statement.place;
+        let own = |definition: &Definition| {
+            definition.head.base == head.base
+                && definition.head.arguments.is_some()
+                && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+        };
+        self.is_equation()
+            && self.symbols().is_empty()
+            && self.tally.record.unknown.is_empty()
+            && self.used().any(own)
+    }
+
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.
     fn is_expansion(&self) -> bool {
         let [left, right] = self.sides();
@@ -229,7 +267,7 @@ impl Suspect<'_> {
     fn is_calculation(&self) -> bool {
         let [left, right] = self.sides();
         let literal = |side: &Expr| matches!(side.kind, Kind::Number(_));
-        let numbers = self.sides().iter().all(|side| bases(side).is_empty());
+        let numbers = self.sides().iter().all(|side| bases(side).iter().all(|name| is_function_word(name)));
         let circular = contains(right, left) && !bases(left).is_empty();
         let plain =
             self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();

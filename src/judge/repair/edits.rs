@@ -236,10 +236,13 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
             }
             let integer = pool.integers.contains(name);
             let index = integer || crate::judge::names::is_index_letter(name);
-            // n − i for i
+            // n − i, i + n for i
             for other in pool.integers.iter().filter(|other| in_index && index && *other != name) {
-                let terms = [(Sign::Plus, Expr::name(other)), (Sign::Minus, node.clone())];
-                list.push((3, new(Kind::Add(terms.map(|(sign, expr)| Term { sign, expr }).into()))));
+                let difference = [(Sign::Plus, Expr::name(other)), (Sign::Minus, node.clone())];
+                let sum = [(Sign::Plus, node.clone()), (Sign::Plus, Expr::name(other))];
+                for (cost, terms) in [(3, difference), (4, sum)] {
+                    list.push((cost, new(Kind::Add(terms.map(|(sign, expr)| Term { sign, expr }).into()))));
+                }
             }
             if integer && !in_index {
                 for by in [1, -1] {

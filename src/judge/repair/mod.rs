@@ -164,7 +164,7 @@ fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices
 }
 
 /// Whether a number of several digits is another one with a digit or two wrong, or with its sign lost.
-fn misprinted(wrong: &Rational, value: &Rational) -> bool {
+pub(super) fn misprinted(wrong: &Rational, value: &Rational) -> bool {
     let digits = |q: &Rational| q.numer().to_string().trim_start_matches('-').to_owned();
     let (a, b) = (digits(wrong), digits(value));
     let differing = a.chars().zip(b.chars()).filter(|(x, y)| x != y).count();

@@ -4,7 +4,7 @@
 //! it vanish, or none does.
 
 use super::edits::at_every_node;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Term};
 use crate::judge::check::Checker;
 use crate::judge::model::Choices;
 use crate::judge::trial::Setting;
@@ -12,13 +12,13 @@ use crate::language::value::Value;
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
 /// A letter that no page uses.
 const UNKNOWN: &str = "\u{f8ff}";
 
-/// The sides of a relation with one numeral changed, so that its first instance is true. Cost: an instance for each
-/// numeral that is no index or exponent.
+/// The sides of a relation with one numeral changed, or added to a term, so that its first instance is true. Cost: an instance for each
+/// numeral that is no index or exponent, and each term.
 pub(super) fn candidates(
     checker: &Checker,
     setting: &Setting,
@@ -31,23 +31,49 @@ pub(super) fn candidates(
     let mut found = Vec::new();
     for (changed, side) in sides.into_iter().enumerate().rev() {
         at_every_node(side, false, &mut |node, in_index, rebuild| {
-            let Kind::Number(written) = &node.kind else { return };
             if in_index {
                 return;
             }
-            let mut put = sides.map(Clone::clone);
-            put[changed] = rebuild(Expr::new(Kind::Name(UNKNOWN.to_owned()), node.span));
-            let outcomes = checker.trial(setting, &[&put[0], &put[1]], &[rel], choices).first(1);
-            let solved = outcomes.tallies[0].fails.first().and_then(|fail| solved(&fail.left, &fail.right));
-            if let Some(number) = solved.filter(|number| is_like(number, written)) {
-                let mut number = Expr::number(&number);
-                number.span = node.span;
-                put[changed] = rebuild(number);
-                found.push(put.into());
+            let (written, places) = places(node);
+            for place in places {
+                let mut put = sides.map(Clone::clone);
+                put[changed] = rebuild(place(Expr::new(Kind::Name(UNKNOWN.to_owned()), node.span)));
+                let outcomes = checker.trial(setting, &[&put[0], &put[1]], &[rel], choices).first(1);
+                let failure = outcomes.tallies[0].fails.first();
+                let solved = failure.and_then(|failure| solved(&failure.left, &failure.right));
+                if let Some(number) = solved.filter(|number| is_like(number, &written)) {
+                    let mut number = Expr::number(&number);
+                    number.span = node.span;
+                    put[changed] = rebuild(place(number));
+                    found.push(put.into());
+                }
             }
         });
     }
     found
+}
+
+/// Where a number may be wrong in a node: a numeral itself, or before a term that has none.
+fn places(node: &Expr) -> (Rational, Vec<Box<dyn Fn(Expr) -> Expr + '_>>) {
+    match &node.kind {
+        Kind::Number(written) => (written.clone(), vec![Box::new(|number| number)]),
+        Kind::Add(terms) if terms.len() > 1 => {
+            let bare = |term: &Term| {
+                !matches!(&term.expr.kind, Kind::Number(_))
+                    && !matches!(&term.expr.kind, Kind::Mul(factors) if matches!(factors[0].kind, Kind::Number(_)))
+            };
+            let places = (0..terms.len()).filter(|at| bare(&terms[*at])).map(|at| {
+                let place: Box<dyn Fn(Expr) -> Expr> = Box::new(move |number| {
+                    let mut changed = terms.clone();
+                    changed[at].expr = Expr::product(vec![number, terms[at].expr.clone()]);
+                    Expr::new(Kind::Add(changed), node.span)
+                });
+                place
+            });
+            (Rational::one(), places.collect())
+        }
+        _ => (Rational::one(), Vec::new()),
+    }
 }
 
 /// The number for which the sides are equal.

@@ -511,7 +511,7 @@ impl Reader<'_> {
         if let Some(raise) = self.raise_of_signs(window.clone()) {
             return Ok(raise);
         }
-        // f^{(k)}, and the step of a scheme: c^{[0]}
+        // f^{(k)}, the step of a scheme: c^{[0]}, a value k times: f(t^{⟨k⟩}, 1)
         if self.is_bracket(window.clone()) {
             let inner = self.trim(window.start + 1..window.end - 1);
             // x^{(+)}
@@ -528,12 +528,10 @@ impl Reader<'_> {
         Ok(if list.len() == 1 { Raise::Power(list.swap_remove(0)) } else { Raise::Upper(list) })
     }
 
-    /// Whether a window is one round or square bracket from end to end.
+    /// Whether a window is one round, square or angle bracket from end to end.
     fn is_bracket(&self, window: Window) -> bool {
-        matches!(
-            self.tokens[window.start].kind,
-            Tok::Open(Fence::Paren | Fence::Square) | Tok::Left(Fence::Paren | Fence::Square)
-        ) && self.after(window.start) == window.end
+        let (Tok::Open(fence) | Tok::Left(fence)) = self.tokens[window.start].kind else { return false };
+        matches!(fence, Fence::Paren | Fence::Square | Fence::Angle) && self.after(window.start) == window.end
     }
 
     /// Superscripts that are signs rather than expressions: primes, stars, the T of a transpose.
