@@ -34,17 +34,21 @@ pub(super) fn candidates(
             if in_index {
                 return;
             }
-            let (written, places) = places(node);
-            for place in places {
+            let written = match &node.kind {
+                Kind::Number(written) => written.clone(),
+                _ => Rational::one(),
+            };
+            let unknown = Expr::new(Kind::Name(UNKNOWN.to_owned()), node.span);
+            for (place, open) in with_number(node, &unknown).into_iter().enumerate() {
                 let mut put = sides.map(Clone::clone);
-                put[changed] = rebuild(place(Expr::new(Kind::Name(UNKNOWN.to_owned()), node.span)));
+                put[changed] = rebuild(open);
                 let outcomes = checker.trial(setting, &[&put[0], &put[1]], &[rel], choices).first(1);
                 let failure = outcomes.tallies[0].fails.first();
                 let solved = failure.and_then(|failure| solved(&failure.left, &failure.right));
                 if let Some(number) = solved.filter(|number| is_like(number, &written)) {
                     let mut number = Expr::number(&number);
                     number.span = node.span;
-                    put[changed] = rebuild(place(number));
+                    put[changed] = rebuild(with_number(node, &number).swap_remove(place));
                     found.push(put.into());
                 }
             }
@@ -53,26 +57,25 @@ pub(super) fn candidates(
     found
 }
 
-/// Where a number may be wrong in a node: a numeral itself, or before a term that has none.
-fn places(node: &Expr) -> (Rational, Vec<Box<dyn Fn(Expr) -> Expr + '_>>) {
+/// The node with a number where one may be wrong: in the place of a numeral, or before a term that has none.
+fn with_number(node: &Expr, number: &Expr) -> Vec<Expr> {
+    let has_number = |term: &Term| match &term.expr.kind {
+        Kind::Number(_) => true,
+        Kind::Mul(factors) => matches!(factors[0].kind, Kind::Number(_)),
+        _ => false,
+    };
     match &node.kind {
-        Kind::Number(written) => (written.clone(), vec![Box::new(|number| number)]),
+        Kind::Number(_) => vec![number.clone()],
         Kind::Add(terms) if terms.len() > 1 => {
-            let bare = |term: &Term| {
-                !matches!(&term.expr.kind, Kind::Number(_))
-                    && !matches!(&term.expr.kind, Kind::Mul(factors) if matches!(factors[0].kind, Kind::Number(_)))
-            };
-            let places = (0..terms.len()).filter(|at| bare(&terms[*at])).map(|at| {
-                let place: Box<dyn Fn(Expr) -> Expr> = Box::new(move |number| {
-                    let mut changed = terms.clone();
-                    changed[at].expr = Expr::product(vec![number, terms[at].expr.clone()]);
-                    Expr::new(Kind::Add(changed), node.span)
-                });
-                place
-            });
-            (Rational::one(), places.collect())
+            let bare = (0..terms.len()).filter(|at| !has_number(&terms[*at]));
+            bare.map(|at| {
+                let mut changed = terms.clone();
+                changed[at].expr = Expr::product(vec![number.clone(), terms[at].expr.clone()]);
+                Expr::new(Kind::Add(changed), node.span)
+            })
+            .collect()
         }
-        _ => (Rational::one(), Vec::new()),
+        _ => Vec::new(),
     }
 }
 
