@@ -190,6 +190,7 @@ fn json_has_every_field() {
         "verdict",
         "reason",
         "witness",
+        "evidence",
         "suggestion",
         "instances",
         "warning",
