@@ -93,6 +93,13 @@ impl Expr {
         for_each_child!(&self.kind, visit, iter);
     }
 
+    /// Whether it, or a part of it, passes a test.
+    pub fn has(&self, test: &dyn Fn(&Expr) -> bool) -> bool {
+        let mut found = test(self);
+        self.for_each_child(&mut |child| found = found || child.has(test));
+        found
+    }
+
     /// The same with another name in the place of one.
     pub fn with_name(&self, name: &str, other: &str) -> Expr {
         fn rename(expr: &mut Expr, name: &str, other: &str) {

@@ -6,7 +6,7 @@ use super::names::walk;
 use crate::formula::{Expr, Kind, Sign};
 use crate::language::write;
 use crate::math::number::Rational;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 /// Factors with their powers.
 type Product = Vec<(String, i64)>;
@@ -25,6 +25,55 @@ pub(super) fn vanishes(expr: &Expr) -> bool {
         };
     });
     found
+}
+
+/// Whether the sides are products of the same letters in another order: gH = Hg. Of numbers nobody says that.
+pub(super) fn only_commutes(left: &Expr, right: &Expr) -> bool {
+    let (mut one, mut other) = (Vec::new(), Vec::new());
+    letters(left, 1, &mut one)
+        && letters(right, 1, &mut other)
+        && one != other
+        && powers(&one) == powers(&other)
+        && one.iter().chain(&other).any(|(name, _)| *name != one[0].0)
+}
+
+/// The letters of a product with their powers.
+fn powers<'a>(letters: &[(&'a str, i64)]) -> BTreeMap<&'a str, i64> {
+    let mut sum = BTreeMap::new();
+    letters.iter().for_each(|(name, power)| *sum.entry(*name).or_default() += power);
+    sum.retain(|_, power| *power != 0);
+    sum
+}
+
+/// The letters of a product with their signs in the exponent, in order; whether it is one of letters only.
+fn letters<'a>(expr: &'a Expr, sign: i64, found: &mut Vec<(&'a str, i64)>) -> bool {
+    match &expr.kind {
+        Kind::Name(name) => {
+            found.push((name, sign));
+            true
+        }
+        Kind::Group(inner) => letters(inner, sign, found),
+        Kind::Mul(factors) => factors.iter().all(|factor| letters(factor, sign, found)),
+        Kind::Pow(base, exponent) => match integer_of(exponent) {
+            Some(power) if (1..9).contains(&power.abs()) => {
+                (0..power.abs()).all(|_| letters(base, sign * power.signum(), found))
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+fn integer_of(expr: &Expr) -> Option<i64> {
+    match &expr.kind {
+        Kind::Number(q) if q.is_integer() => q.to_i64(),
+        Kind::Group(inner) => integer_of(inner),
+        Kind::Add(terms) => match terms.as_slice() {
+            [only] => integer_of(&only.expr).map(|n| if only.sign == Sign::Minus { -n } else { n }),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// A formula as a linear combination of products of what stands in it. Cost: linear, each part is taken once.
@@ -138,6 +187,16 @@ mod tests {
             assert_ne!(bare(&read(left)), bare(&read(right)), "{left} = {right}");
         }
         assert!(vanishes(&read("2 + (a - a)")) && vanishes(&read(r"0\cdot a")) && !vanishes(&read("a - b")));
+    }
+
+    #[test]
+    fn what_says_that_letters_commute() {
+        for (left, right) in [("gH", "Hg"), ("h", "ghg^{-1}"), ("(uv)(vx)", "(vx)(uv)")] {
+            assert!(only_commutes(&read(left), &read(right)), "{left} = {right}");
+        }
+        for (left, right) in [("abc", "a(bc)"), ("aab", "a^2 b"), ("2a", "a 2"), ("a b", "a c")] {
+            assert!(!only_commutes(&read(left), &read(right)), "{left} = {right}");
+        }
     }
 
     /// Sums within products within sums: each is taken once, or this would not end.

@@ -24,6 +24,7 @@ use crate::language::diagnostic::Diagnostic;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Index, Symbol};
+use num_traits::Zero;
 
 const ASKED: &str = "asked for, not claimed";
 
@@ -173,7 +174,7 @@ impl Checker {
             _ => return None,
         };
         let place = &statement.place;
-        let new = definable(&chain.sides[0].expr).filter(|head| {
+        let new = definable(&chain.sides[0].expr).filter(|head| !is_root_of(head, chain)).filter(|head| {
             chain.relations.len() == 1 && !self.is_known(head, &chain.sides[1].expr, place, &None)
         });
         // "The patch has the equation x(u, v) = …"
@@ -321,6 +322,7 @@ impl Checker {
         let curve = statement.curve();
         let head = definable(&chain.sides[0].expr)
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
+            .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {
                 chain.relations[0].0 == Rel::Define || names_its_variables(head, &chain.sides[1].expr)
             });
@@ -607,6 +609,12 @@ impl Checker {
             }
         }
     }
+}
+
+/// f(x) = 0 says that x is a root of f, not that f is 0.
+fn is_root_of(head: &Head, chain: &Chain) -> bool {
+    let zero = matches!(&chain.sides[1].expr.kind, Kind::Number(q) if q.is_zero());
+    head.arguments.is_some() && chain.relations[0].0 == Rel::Eq && !chain.universal && zero
 }
 
 /// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S, and

@@ -1,6 +1,5 @@
 //! Decimal numbers: as far as the digits that are shown.
 
-use super::repair::misprinted;
 use super::roots;
 use crate::language::value::{Judgement, Value, Verdict};
 use crate::math::number::{Rational, integer, rational};
@@ -71,6 +70,14 @@ fn misprint((shown, end): &Bounds, (low, _): &Bounds) -> Option<String> {
     let long = wrong.abs() >= integer(100);
     let apart = (&right - &wrong).abs() > integer(10);
     (long && apart && misprinted(&wrong, &right)).then(|| decimal(&(right * unit)))
+}
+
+/// Whether a number of several digits is another one with a digit or two wrong, or with its sign lost.
+pub(super) fn misprinted(wrong: &Rational, value: &Rational) -> bool {
+    let digits = |q: &Rational| q.numer().to_string().trim_start_matches('-').to_owned();
+    let (a, b) = (digits(wrong), digits(value));
+    let differing = a.chars().zip(b.chars()).filter(|(x, y)| x != y).count();
+    wrong.denom() == value.denom() && a.len() == b.len() && a.len() > 1 && differing <= 2.min(a.len() - 1)
 }
 
 /// A number with finitely many decimal digits, as one writes it.

@@ -1,6 +1,7 @@
 //! From the instances of a relation to its verdict.
 
 use super::attempt::{Attempt, restricted};
+use super::bare;
 use super::certainty::Suspect;
 use super::check::{Checker, blank};
 use super::conditions::CANNOT_HOLD;
@@ -52,6 +53,11 @@ impl Checker {
             finding.verdict = Verdict::Refuted;
             finding.reason = Some(message.clone());
             finding.witness = Some(values.join(", "));
+            return Judged::Verdict(Box::new(finding));
+        }
+        if bare::only_commutes(&chain.sides[at].expr, &chain.sides[at + 1].expr) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some("it says that letters commute: they may be no numbers".to_owned());
             return Judged::Verdict(Box::new(finding));
         }
         let inequality = matches!(chain.relations[at].0, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge);

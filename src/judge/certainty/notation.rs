@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Accent, Expr, Kind, Sign};
-use crate::judge::context::Definition;
+use crate::judge::context::{Body, Definition};
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::Sort;
@@ -60,6 +60,13 @@ impl Suspect<'_> {
         };
         if let Some(definition) = self.used().find(|definition| functional(definition)) {
             return Some(format!("{} depends on a function", definition.head.base));
+        }
+        // y(x + h) = y + h y' + O(h^2)
+        let order = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if matches!(&callee.kind, Kind::Name(name) if name == "O"));
+        let rest =
+            |definition: &Definition| matches!(&definition.body, Body::Formula(body) if body.has(&order));
+        if let Some(definition) = self.used().find(|definition| rest(definition)) {
+            return Some(format!("{} is given up to a rest only", definition.head.base));
         }
         // (a + bi)(a - bi)
         let unit = |symbol: &Symbol| symbol.is_plain() && symbol.base() == "i";

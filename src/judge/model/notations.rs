@@ -1,6 +1,7 @@
 //! Notations of notes that the language does not have: block matrices, sums without bounds, cases on
 //! knot intervals, indices in the place of exponents.
 
+use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::context::Body;
@@ -26,6 +27,12 @@ impl Model {
             && matches!(mark.as_str(), "T" | "top")
         {
             return Some(machine.eval(base).and_then(|value| match value {
+                // L = L^T, where nothing says what L is
+                Value::Scalar(formula)
+                    if matches!(base.kind, Kind::Name(_)) && formula.as_rational().is_none() =>
+                {
+                    Err(unclear("what is transposed here", expr))
+                }
                 Value::Scalar(_) => Ok(value),
                 other => arithmetic::transpose(other).map_err(|error| error.at(expr.span)),
             }));

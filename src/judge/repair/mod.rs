@@ -18,10 +18,10 @@ use crate::judge::check::Checker;
 use crate::judge::features::{has_call, has_structure};
 use crate::judge::model::Choices;
 use crate::judge::names::{Head, bases, walk};
+use crate::judge::rounding::misprinted;
 use crate::judge::tally::{Outcomes, Tally};
 use crate::judge::trial::Setting;
 use crate::language::write;
-use crate::math::number::Rational;
 
 /// A relation with which a wrong one is replaced.
 pub struct Repair {
@@ -161,12 +161,4 @@ fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices
     let near = rel == Rel::Eq
         && matches!((&chain.sides[at + 1].expr.kind, &right.kind), (Kind::Number(wrong), Kind::Number(value)) if misprinted(wrong, value));
     (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near })
-}
-
-/// Whether a number of several digits is another one with a digit or two wrong, or with its sign lost.
-pub(super) fn misprinted(wrong: &Rational, value: &Rational) -> bool {
-    let digits = |q: &Rational| q.numer().to_string().trim_start_matches('-').to_owned();
-    let (a, b) = (digits(wrong), digits(value));
-    let differing = a.chars().zip(b.chars()).filter(|(x, y)| x != y).count();
-    wrong.denom() == value.denom() && a.len() == b.len() && a.len() > 1 && differing <= 2.min(a.len() - 1)
 }

@@ -113,13 +113,15 @@ impl Machine {
                 .hint(format!("define it first: {name}(t) := ...")));
         }
         let value = self.with_locals(own, |machine| machine.eval(body))?;
-        // ∂u/∂ξ, where u was given by x and y, is not 0.
+        // ∂u/∂ξ, where u was given by x and y, is not 0, nor is d/dx f(2).
+        let written = |variable: &Expr| body.has(&|part| part.same_as(variable));
         if self.has_reading()
-            && name_of(body, self).is_some()
+            && body.has(&|part| matches!(part.kind, Kind::Name(_)))
             && let Value::Scalar(formula) = &value
-            && formula.as_rational().is_none()
-            && let Some((variable, _)) =
-                orders.iter().find(|(variable, _)| !formula.variables().contains(variable))
+            && let Some(((variable, _), _)) =
+                orders.iter().zip(variables).find(|((name, _), (as_written, _))| {
+                    !formula.variables().contains(name) && !written(as_written)
+                })
         {
             let message = format!("how this depends on {variable} is not said");
             return Err(Diagnostic::error(Code::UnknownName, message).at(body.span));
