@@ -36,7 +36,7 @@ pub(crate) mod names;
 pub(crate) mod object;
 mod opaque;
 mod places;
-mod prove;
+pub mod prove;
 mod reach;
 mod refute;
 mod reliance;
