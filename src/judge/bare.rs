@@ -64,7 +64,8 @@ fn letters<'a>(expr: &'a Expr, sign: i64, found: &mut Vec<(&'a str, i64)>) -> bo
     }
 }
 
-fn integer_of(expr: &Expr) -> Option<i64> {
+/// The integer written here, with or without a sign and brackets.
+pub(super) fn integer_of(expr: &Expr) -> Option<i64> {
     match &expr.kind {
         Kind::Number(q) if q.is_integer() => q.to_i64(),
         Kind::Group(inner) => integer_of(inner),

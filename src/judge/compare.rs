@@ -47,18 +47,14 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], doma
                 }
                 other => other,
             };
-            match judge(Rel::Eq, &left, &right) {
-                Ok(judgement) => match judgement.verdict {
-                    Verdict::Proved | Verdict::Sampled => Outcome::Holds,
-                    Verdict::Refuted => match roots::equal(&left, &right) {
-                        Some(true) => Outcome::Holds,
-                        // Roots have no other value than their own.
-                        Some(false) => Outcome::Fails(Box::new(Judgement { witness: None, ..judgement })),
-                        None => Outcome::Fails(Box::new(judgement)),
-                    },
-                    Verdict::Undecided => Outcome::Unclear(judgement.reasons.join("; ")),
+            match judged(Rel::Eq, &left, &right) {
+                Outcome::Fails(judgement) => match roots::equal(&left, &right) {
+                    Some(true) => Outcome::Holds,
+                    // Roots have no other value than their own.
+                    Some(false) => Outcome::Fails(Box::new(Judgement { witness: None, ..*judgement })),
+                    None => Outcome::Fails(judgement),
                 },
-                Err(error) => Outcome::Unclear(error.message),
+                other => other,
             }
         }
         Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt => inequality(rel, &left, &right, conditions, domain),
@@ -66,15 +62,19 @@ pub fn relation(rel: Rel, left: &Value, right: &Value, conditions: &[Expr], doma
             Ok(judgement) if judgement.verdict == Verdict::Proved => Outcome::Holds,
             _ => Outcome::Unclear("whether the sides differ depends on their symbols".to_owned()),
         },
-        Rel::Approx => match judge(rel, &left, &right) {
-            Ok(judgement) => match judgement.verdict {
-                Verdict::Proved | Verdict::Sampled => Outcome::Holds,
-                Verdict::Refuted => Outcome::Fails(Box::new(judgement)),
-                Verdict::Undecided => Outcome::Unclear(judgement.reasons.join("; ")),
-            },
-            Err(error) => Outcome::Unclear(error.message),
-        },
+        Rel::Approx => judged(rel, &left, &right),
         _ => Outcome::Unclear("this relation says nothing that can be computed".to_owned()),
+    }
+}
+
+fn judged(rel: Rel, left: &Value, right: &Value) -> Outcome {
+    match judge(rel, left, right) {
+        Ok(judgement) => match judgement.verdict {
+            Verdict::Proved | Verdict::Sampled => Outcome::Holds,
+            Verdict::Refuted => Outcome::Fails(Box::new(judgement)),
+            Verdict::Undecided => Outcome::Unclear(judgement.reasons.join("; ")),
+        },
+        Err(error) => Outcome::Unclear(error.message),
     }
 }
 

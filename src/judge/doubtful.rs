@@ -1,6 +1,6 @@
 //! Remarks on formulas that print, or a reader, takes in two ways.
 
-use super::names::own_names;
+use super::names::{has_free, own_names};
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Expr, Kind, Quotient};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -99,18 +99,5 @@ fn bound_in(term: &Expr) -> Option<(Vec<String>, Span)> {
         }
         Kind::Mul(factors) => factors.last().and_then(bound_in),
         _ => None,
-    }
-}
-
-/// Whether a name stands in an expression where nothing binds it.
-fn has_free(expr: &Expr, name: &str) -> bool {
-    match &expr.kind {
-        Kind::Name(other) => other == name,
-        Kind::Big { lower, .. } if own_names(lower).iter().any(|own| own == name) => false,
-        _ => {
-            let mut found = false;
-            expr.for_each_child(&mut |child| found = found || has_free(child, name));
-            found
-        }
     }
 }

@@ -266,6 +266,19 @@ pub(super) fn names_a_parameter(expr: &Expr) -> bool {
     found
 }
 
+/// Whether a name occurs where no sum or product runs over it.
+pub fn has_free(expr: &Expr, name: &str) -> bool {
+    match &expr.kind {
+        Kind::Name(own) => own == name,
+        Kind::Big { lower, .. } if own_names(lower).iter().any(|own| own == name) => false,
+        _ => {
+            let mut found = false;
+            expr.for_each_child(&mut |child| found = found || has_free(child, name));
+            found
+        }
+    }
+}
+
 /// The names that a sum or product runs over.
 pub fn own_names(lower: &[Expr]) -> Vec<String> {
     let mut own = Vec::new();

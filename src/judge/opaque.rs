@@ -3,6 +3,7 @@
 //! **Rule.** An equation that holds whatever numbers stand in their places holds. Equal arguments give equal values,
 //! e^{a + b} is e^a e^b, and (√a)² is a; no other law is used, and nothing is refuted by them.
 
+use super::bare::integer_of;
 use super::check::Checker;
 use super::finding::{Finding, Verdict};
 use super::names::{bases, is_index_letter, walk};
@@ -12,7 +13,6 @@ use super::verdict::Judged;
 use crate::formula::{Expr, Kind, Quotient, Rel, Sign, Term};
 use crate::language::lexicon::words;
 use crate::math::number::{Rational, integer};
-use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive};
 
 impl Checker {
@@ -54,9 +54,8 @@ impl Checker {
 
 /// Whether it is free of limits, derivatives, integrals and whatever else looks into its parts.
 fn is_algebraic(expr: &Expr) -> bool {
-    let mut algebraic = true;
-    walk(expr, &mut |part| {
-        algebraic &= !matches!(
+    !expr.has(&|part| {
+        matches!(
             part.kind,
             Kind::Derivative { .. }
                 | Kind::Prime(..)
@@ -68,20 +67,16 @@ fn is_algebraic(expr: &Expr) -> bool {
                 | Kind::Matrix(..)
                 | Kind::Ellipsis
                 | Kind::Unread(_)
-        );
-    });
-    algebraic
+        )
+    })
 }
 
 /// Whether a sum or product runs over one of these names.
 fn binds(expr: &Expr, names: &[String]) -> bool {
-    let mut found = false;
-    walk(expr, &mut |part| {
-        if let Kind::Big { lower, .. } = &part.kind {
-            found |= lower.iter().flat_map(bases).any(|name| names.contains(&name));
-        }
-    });
-    found
+    expr.has(&|part| match &part.kind {
+        Kind::Big { lower, .. } => lower.iter().flat_map(bases).any(|name| names.contains(&name)),
+        _ => false,
+    })
 }
 
 /// Puts a name in the place of each value that is not computed; equal values get one name.
@@ -90,7 +85,7 @@ fn replace(expr: &mut Expr, values: &mut Vec<Expr>) {
         Kind::Subscript(..) | Kind::Upper(..) => return,
         Kind::Pow(base, exponent) => {
             if let (Some(inside), Some(half)) = (square_root(base), half_of(exponent)) {
-                let (inside, half) = (inside.clone(), Expr::new(Kind::Number(half), exponent.span));
+                let (inside, half) = (inside.clone(), Expr::new(Kind::Number(integer(half)), exponent.span));
                 expr.kind = Kind::Pow(Box::new(inside), Box::new(half));
                 return replace(expr, values);
             }
@@ -139,12 +134,8 @@ fn square_root(expr: &Expr) -> Option<&Expr> {
     }
 }
 
-fn half_of(exponent: &Expr) -> Option<Rational> {
-    match &exponent.kind {
-        Kind::Number(q) if q.is_integer() && q.is_positive() && q.numer().is_even() => Some(q / integer(2)),
-        Kind::Group(inner) => half_of(inner),
-        _ => None,
-    }
+fn half_of(exponent: &Expr) -> Option<i64> {
+    integer_of(exponent).filter(|power| *power > 0 && power % 2 == 0).map(|power| power / 2)
 }
 
 /// Whether a power of it is one of a number, not of a matrix or a function.

@@ -1,12 +1,18 @@
 //! How far a sum reaches: in Σ_i a_i − b_i the last term belongs to it, for its i has no other meaning.
 
-use super::names::own_names;
+use std::borrow::Cow;
+
+use super::names::{has_free, own_names};
 use super::statement::Chain;
 use crate::formula::{Expr, Kind, Sign, Term};
 
 /// The chain with sums that reach as far as their indices are used. An index that is free on another side, or in a
 /// condition, has a meaning outside of the sum.
-pub(super) fn whole_sums(chain: &Chain) -> Chain {
+pub(super) fn whole_sums(chain: &Chain) -> Cow<'_, Chain> {
+    let sum = |part: &Expr| matches!(part.kind, Kind::Big { .. });
+    if !chain.sides.iter().any(|side| side.expr.has(&sum)) {
+        return Cow::Borrowed(chain);
+    }
     let mut whole = chain.clone();
     for at in 0..whole.sides.len() {
         let others = chain.sides.iter().enumerate().filter(|(other, _)| *other != at);
@@ -14,7 +20,7 @@ pub(super) fn whole_sums(chain: &Chain) -> Chain {
         let means_else = |name: &str| others.iter().any(|other| has_free(other, name));
         extend(&mut whole.sides[at].expr, &means_else);
     }
-    whole
+    Cow::Owned(whole)
 }
 
 fn extend(expr: &mut Expr, means_else: &dyn Fn(&str) -> bool) {
@@ -37,19 +43,6 @@ fn extend(expr: &mut Expr, means_else: &dyn Fn(&str) -> bool) {
     terms[at].expr.span = span;
     if let ([only], Sign::Plus) = (terms.as_slice(), terms[0].sign) {
         *expr = only.expr.clone();
-    }
-}
-
-/// Whether a name occurs, and is no index of a sum there.
-fn has_free(expr: &Expr, name: &str) -> bool {
-    match &expr.kind {
-        Kind::Name(own) => own == name,
-        Kind::Big { lower, .. } if own_names(lower).iter().any(|own| own == name) => false,
-        _ => {
-            let mut found = false;
-            expr.for_each_child(&mut |child| found = found || has_free(child, name));
-            found
-        }
     }
 }
 

@@ -150,7 +150,8 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         (Value::List(_), Value::Matrix(column)) | (Value::Matrix(column), Value::List(_))
             if column.ncols() == 1 =>
         {
-            (judgement.left, judgement.right) = (column_as_list(left), column_as_list(right));
+            let list = |side: Value| side.clone().coordinates().map_or(side, Value::List);
+            (judgement.left, judgement.right) = (list(left), list(right));
             equality(judgement)?;
         }
         (Value::Matrix(a), Value::Matrix(b)) => {
@@ -206,13 +207,6 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         }
     }
     Ok(())
-}
-
-fn column_as_list(value: Value) -> Value {
-    match value {
-        Value::Matrix(column) => Value::List(column.iter().cloned().map(Value::Scalar).collect()),
-        other => other,
-    }
 }
 
 fn equal_scalars(judgement: &mut Judgement, a: &Fraction, b: &Fraction) {

@@ -124,8 +124,8 @@ impl Suspect<'_> {
             symbols.iter().filter(|s| !s.upper().is_empty()).map(|s| s.base().to_owned()).collect()
         };
         let defined = |name: &String| {
-            let visible = self.checker.context.visible(name, place);
-            visible.filter(|(_, definition, _)| !definition.head.upper.is_empty()).count() > 0
+            let mut visible = self.checker.context.visible(name, place);
+            visible.any(|(_, definition, _)| !definition.head.upper.is_empty())
         };
         if marked(&left).symmetric_difference(&marked(&right)).any(|name| !defined(name)) {
             return true;

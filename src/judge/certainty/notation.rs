@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::Suspect;
-use crate::formula::{Accent, Expr, Kind, Sign};
+use crate::formula::{Accent, Expr, Kind};
+use crate::judge::bare::integer_of;
 use crate::judge::context::{Body, Definition};
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
@@ -12,7 +13,6 @@ use crate::judge::statement::Side;
 use crate::judge::topic::Topic;
 use crate::language::lexicon::letters;
 use crate::language::write;
-use crate::math::number::Rational;
 use crate::math::poly::Symbol;
 
 impl Suspect<'_> {
@@ -283,13 +283,5 @@ fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {
-    match &exponent.kind {
-        Kind::Number(q) => *q == -Rational::from_integer(1.into()),
-        Kind::Add(terms) => {
-            matches!(terms.as_slice(), [only] if only.sign == Sign::Minus
-                && matches!(&only.expr.kind, Kind::Number(q) if *q == Rational::from_integer(1.into())))
-        }
-        Kind::Group(inner) => is_minus_one(inner),
-        _ => false,
-    }
+    integer_of(exponent) == Some(-1)
 }

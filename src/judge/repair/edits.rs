@@ -2,7 +2,7 @@
 
 use crate::formula::{Expr, Kind, Sign, Term};
 use crate::judge::model::Curve;
-use crate::judge::names::{bases, walk};
+use crate::judge::names::{bases, integer_names, is_index_letter, own_names, walk};
 use crate::math::number::{Rational, integer};
 use num_traits::{One, Signed, Zero};
 
@@ -140,7 +140,7 @@ fn factors(pool: &Pool, expr: &Expr) -> Vec<(u32, Expr)> {
     // The alternating sign of a sum over i up to n, perhaps with 1/n!.
     walk(expr, &mut |part| {
         if let Kind::Big { lower, upper: Some(upper), .. } = &part.kind
-            && let Some(i) = crate::judge::names::own_names(lower).first()
+            && let Some(i) = own_names(lower).first()
         {
             let minus_one = || Expr::int(-1).grouped();
             let term = |sign, expr| Term { sign, expr };
@@ -178,7 +178,7 @@ impl Pool {
             _ => {}
         });
         self.plain_names(expr);
-        for name in crate::judge::names::integer_names(expr) {
+        for name in integer_names(expr) {
             if !self.integers.contains(&name) {
                 self.integers.push(name);
             }
@@ -226,8 +226,7 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
         }
         Kind::Name(name) => {
             for other in pool.names.iter().filter(|other| *other != name) {
-                let alike =
-                    crate::judge::names::is_index_letter(name) == crate::judge::names::is_index_letter(other);
+                let alike = is_index_letter(name) == is_index_letter(other);
                 let case = name.chars().next().map(char::is_uppercase)
                     == other.chars().next().map(char::is_uppercase);
                 if alike && case {
@@ -235,7 +234,7 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 }
             }
             let integer = pool.integers.contains(name);
-            let index = integer || crate::judge::names::is_index_letter(name);
+            let index = integer || is_index_letter(name);
             // n − i, i + n for i
             for other in pool.integers.iter().filter(|other| in_index && index && *other != name) {
                 let difference = [(Sign::Plus, Expr::name(other)), (Sign::Minus, node.clone())];
@@ -250,7 +249,7 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 }
             }
             // i for i + 1 and i − 1
-            if in_index && crate::judge::names::is_index_letter(name) {
+            if in_index && is_index_letter(name) {
                 for sign in [Sign::Plus, Sign::Minus] {
                     let terms = vec![
                         Term { sign: Sign::Plus, expr: node.clone() },

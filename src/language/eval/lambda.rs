@@ -50,7 +50,7 @@ impl Machine {
         let point =
             self.call(function, vec![(Value::symbol(parameter.clone()), Span::default())], Span::default());
         self.notes.truncate(before);
-        let Some(items) = point.ok().and_then(coordinates) else { return value };
+        let Some(items) = point.ok().and_then(Value::coordinates) else { return value };
         let coordinate = |item: Value| match item {
             Value::Scalar(formula) => Some(formula_function(parameter.clone(), formula)),
             _ => None,
@@ -71,7 +71,7 @@ impl Machine {
         let symbols = names.iter().map(|name| (Value::symbol(name.clone()), Span::default())).collect();
         let point = self.call(&Arc::new(function.clone()), symbols, Span::default());
         self.notes.truncate(notes);
-        let items = point.ok().and_then(coordinates)?;
+        let items = point.ok().and_then(Value::coordinates)?;
         let coordinate = |item: Value| match item {
             Value::Scalar(formula) => Some(function_of(names.clone(), formula)),
             _ => None,
@@ -110,17 +110,6 @@ impl Machine {
             Arc::make_mut(&mut scope).insert(name.clone(), value.clone());
         }
         Ok(Clause { parameters, body: body.clone(), written: false, formula, scope })
-    }
-}
-
-/// The coordinates of a point, which may be written as a column.
-fn coordinates(point: Value) -> Option<Vec<Value>> {
-    match point {
-        Value::List(items) => Some(items),
-        Value::Matrix(column) if column.ncols() == 1 => {
-            Some(column.iter().cloned().map(Value::Scalar).collect())
-        }
-        _ => None,
     }
 }
 

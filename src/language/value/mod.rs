@@ -78,6 +78,17 @@ pub enum Value {
 }
 
 impl Value {
+    /// The coordinates of a point, which may be written as a column.
+    pub(crate) fn coordinates(self) -> Option<Vec<Value>> {
+        match self {
+            Value::List(items) => Some(items),
+            Value::Matrix(column) if column.ncols() == 1 => {
+                Some(column.iter().cloned().map(Value::Scalar).collect())
+            }
+            _ => None,
+        }
+    }
+
     /// A rational number.
     pub fn number(value: Rational) -> Self {
         Value::Scalar(Fraction::from(MultiPoly::constant(value)))
