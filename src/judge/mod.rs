@@ -14,6 +14,7 @@ pub(crate) mod asked;
 mod attempt;
 mod bare;
 mod certainty;
+mod chain;
 pub mod check;
 mod claim;
 mod compare;

@@ -8,6 +8,7 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod cases;
+mod conditions;
 mod objects;
 mod page;
 pub mod report;

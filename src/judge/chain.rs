@@ -1,0 +1,405 @@
+//! Judging one chain of relations: what it defines, and what comes of its claims.
+
+use std::rc::Rc;
+
+use super::check::{Checker, blank, is_root_of};
+use super::context::{Body, is_variable};
+use super::features::has_call;
+use super::finding::{Finding, Verdict};
+use super::known::definable;
+use super::lint;
+use super::model::{Choices, Curve};
+use super::names::{Head, bases, contains, is_index_letter};
+use super::object::Sort;
+use super::refute;
+use super::statement::{Chain, Place, Role, Side, Statement};
+use super::trial::Setting;
+use super::verdict::Judged;
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::{Value, symbol_expr};
+use crate::math::poly::{Index, Symbol};
+
+impl Checker {
+    pub(super) fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
+        let place = &statement.place;
+        let mut findings: Vec<Finding> = (0..chain.relations.len()).map(|at| blank(chain, at)).collect();
+        for (at, finding) in findings.iter_mut().enumerate() {
+            let unread = chain.sides[at + 1].is_unread() || chain.sides[at].is_unread();
+            if unread {
+                finding.verdict = Verdict::Unread;
+                finding.reason = chain.problems.first().map(|problem| problem.message.clone());
+            }
+        }
+        let checkable = |rel: Rel| {
+            matches!(
+                rel,
+                Rel::Eq
+                    | Rel::Define
+                    | Rel::Equiv
+                    | Rel::Approx
+                    | Rel::Le
+                    | Rel::Lt
+                    | Rel::Ge
+                    | Rel::Gt
+                    | Rel::Ne
+            )
+        };
+        if let Some(at) = chain.relations.iter().position(|(rel, _)| !checkable(*rel)) {
+            for (i, finding) in findings.iter_mut().enumerate() {
+                let (rel, _) = chain.relations[i];
+                if finding.verdict != Verdict::Unread && !checkable(rel) {
+                    let declares = matches!(rel, Rel::In | Rel::Subset | Rel::Colon | Rel::To | Rel::MapsTo);
+                    finding.verdict = if declares { Verdict::Definition } else { Verdict::Undecided };
+                    finding.reason = Some(
+                        if declares {
+                            "says what a name ranges over"
+                        } else {
+                            "this relation is not checked"
+                        }
+                        .to_owned(),
+                    );
+                }
+            }
+            // What stands before and after it is judged by itself.
+            for (from, to) in [(0, at), (at + 1, chain.relations.len())] {
+                if from < to {
+                    let part = Chain {
+                        sides: chain.sides[from..=to].to_vec(),
+                        relations: chain.relations[from..to].to_vec(),
+                        ..chain.clone()
+                    };
+                    for (mut finding, place) in self.chain(&part, statement).into_iter().zip(from..to) {
+                        finding.relation = place + 1;
+                        findings[place] = finding;
+                    }
+                }
+            }
+            return findings;
+        }
+        if let Some(reason) = lint::declares(chain) {
+            for finding in findings.iter_mut().filter(|finding| finding.verdict != Verdict::Unread) {
+                finding.verdict = Verdict::Definition;
+                finding.reason = Some(reason.to_owned());
+            }
+            // w_0 = w_2 = 1
+            if let Some(Side { expr: value, .. }) = chain.sides.last()
+                && matches!(value.kind, Kind::Number(_))
+                && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
+            {
+                for side in &chain.sides {
+                    let certain = |head: &Head| {
+                        head.lower
+                            .iter()
+                            .chain(&head.upper)
+                            .all(|index| matches!(index.kind, Kind::Number(_)))
+                    };
+                    if let Some(head) = Head::of(&side.expr).filter(certain) {
+                        self.define(head, Body::Formula(value.clone()), &[], place, side.expr.span);
+                    }
+                }
+            }
+            return findings;
+        }
+        let curve = statement.curve();
+        let head = definable(&chain.sides[0].expr)
+            .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
+            .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
+            .filter(|head| {
+                chain.relations[0].0 == Rel::Define || names_its_variables(head, &chain.sides[1].expr)
+            });
+        let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
+        let first_known = queried
+            || head.as_ref().is_some_and(|head| self.is_known(head, &chain.sides[1].expr, place, &curve));
+        if let Some(listed) = self.listed(chain, place) {
+            return vec![listed];
+        }
+        // x = x + 1 defines nothing.
+        let circular = head.is_some()
+            && chain.relations[0].0 == Rel::Eq
+            && contains(&chain.sides[1].expr, &chain.sides[0].expr);
+        let first_known = first_known || circular;
+        let defines = chain.relations[0].0 == Rel::Define && !first_known;
+        let mut start = 0;
+        if let Some(head) = &head
+            && (!first_known || defines)
+            && !chain.sides[0].is_unread()
+        {
+            // What is said to follow is a claim, if the facts say what its name is.
+            // Facts that speak of it may say what it is already.
+            let spoken =
+                || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
+            let claims = statement.role == Some(Role::Claimed)
+                || !matches!(statement.role, Some(Role::Introduced)) && spoken();
+            if claims && !defines {
+                let before = self.context.mark();
+                let mut tried = findings.clone();
+                self.judge(chain, 0, statement, curve.clone(), None, &mut tried);
+                let settled = match tried[0].verdict {
+                    Verdict::Proved | Verdict::Sampled => true,
+                    // Nothing can be wrong of a family that the page never spoke of.
+                    Verdict::Refuted => {
+                        let symbol =
+                            Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
+                        let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
+                        statement.role == Some(Role::Claimed) && given
+                            || tried[0].determined
+                            || head.arguments.is_none() && !self.is_open(&symbol, &curve)
+                    }
+                    _ => false,
+                };
+                if settled {
+                    return tried;
+                }
+                Rc::make_mut(&mut self.context).forget(before);
+            }
+            // A new name: its right-hand side says what it is. A value of a variable in passing is none.
+            let passing = head.lower.is_empty()
+                && head.upper.is_empty()
+                && head.arguments.is_none()
+                && is_variable(&head.base)
+                && !matches!(statement.role, Some(Role::Introduced))
+                && !has_call(&chain.sides[1].expr)
+                && !defines;
+            if passing {
+                findings[0].verdict = Verdict::Definition;
+                findings[0].reason = Some(format!("a value of {} in passing", head.base));
+                let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr);
+                if !chain.sides[1].is_unread() {
+                    let value = Expr::relation(left.clone(), Rel::Eq, right.clone());
+                    self.condition(value, findings[0].span, true, place);
+                }
+            } else {
+                self.definition(chain, head, place, &mut findings[0]);
+                self.convention(head, &chain.sides[1].expr, statement);
+            }
+            start = 1;
+        }
+        if start == 0
+            && let Some(function) = self.new_derivative(chain, place)
+        {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some(format!("says what the derivative of {function} is"));
+            start = 1;
+        }
+        if start == 0
+            && head.is_none()
+            && chain.relations[0].0 == Rel::Eq
+            && let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr)
+            && let Some(Some(own)) = self.recursion(left, right, place)
+        {
+            self.definition(chain, &own, place, &mut findings[0]);
+            start = 1;
+        }
+        if start == 0
+            && let Some(reason) = lint::joins(&self.context, chain, place)
+        {
+            findings[0].reason = Some(reason);
+            start = 1;
+        }
+        if start < chain.relations.len() {
+            self.judge(chain, start, statement, curve, head.as_ref(), &mut findings);
+        }
+        // s = N_0^2(t) + … shows the curve that a query gives.
+        if queried && findings[0].verdict == Verdict::Undecided {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some("shows the value of a query".to_owned());
+        }
+        findings
+    }
+
+    fn definition(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &mut Finding) {
+        let body = &chain.sides[1];
+        if body.is_unread() {
+            return;
+        }
+        finding.verdict = Verdict::Definition;
+        finding.reason = Some(format!("introduces {}", head.base));
+        finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        if self.is_queried(head, place) {
+            return;
+        }
+        // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
+        let derivative = head.parenthesized
+            && head.arguments.is_some()
+            && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
+        // The pieces of one B-spline follow from the recursion for all.
+        let pieces = head.base == "N"
+            && !head.lower.is_empty()
+            && matches!(body.expr.kind, Kind::Cases(_))
+            && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        // If p is prime, φ(p) = p - 1: of other p it says nothing.
+        let restricted = head.flat().iter().filter_map(|argument| Head::of(argument)).any(|argument| {
+            self.context
+                .object_called(&argument.base, place)
+                .is_some_and(|declared| matches!(declared.object.sort, Sort::Other(_)))
+        });
+        if derivative || pieces || restricted || lint::missing_argument(head, &body.expr).is_some() {
+            return;
+        }
+        self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+    }
+
+    /// Judges the relations from number `start` on.
+    fn judge(
+        &mut self,
+        chain: &Chain,
+        start: usize,
+        statement: &Statement,
+        curve: Option<Curve>,
+        head: Option<&Head>,
+        findings: &mut [Finding],
+    ) {
+        let place = &statement.place;
+        let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
+        let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
+        let setting = self.setting(chain, place, curve);
+        let best = self.attempts(&setting, &sides, &relations);
+        if let (Some(head), 0) = (head, start) {
+            findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
+        }
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            if findings[at].verdict == Verdict::Unread {
+                continue;
+            }
+            let from_start = at == 0;
+            let mut verdict =
+                self.verdict(tally, &best, &setting, at, statement, head.filter(|_| from_start));
+            if let Judged::Verdict(finding) = &mut verdict
+                && finding.verdict == Verdict::Undecided
+                && tally.fails.is_empty()
+                && let Some(found) = self.with_any_values(&setting, at, statement)
+            {
+                **finding = found;
+            }
+            match verdict {
+                Judged::Verdict(finding) => {
+                    let old = &findings[at];
+                    let warning = match finding.verdict {
+                        Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
+                        _ => finding.warning.clone().or(old.warning.clone()),
+                    };
+                    self.rely(
+                        tally,
+                        [0, 1].map(|i| &chain.sides[at + i].expr),
+                        self.findings.len() + at,
+                        &finding,
+                    );
+                    findings[at] = Finding {
+                        warning,
+                        span: old.span,
+                        mark: old.mark,
+                        latex: old.latex.clone(),
+                        reading: old.reading.clone(),
+                        relation: old.relation,
+                        ..*finding
+                    };
+                }
+                Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
+                Judged::Redefinition(warning) => {
+                    if let Some(head) = head {
+                        if refute::is_standard(Some(head)) {
+                            // What everybody calls so keeps its meaning.
+                            findings[at].verdict = Verdict::Definition;
+                            findings[at].reason = Some(format!("introduces {}", head.base));
+                            findings[at].warning = warning;
+                            continue;
+                        }
+                        self.definition(chain, head, place, &mut findings[at]);
+                        if let Some(why) = tally.unclear.first().or(tally.errors.first().map(|e| &e.message))
+                            && let Some(reason) = &mut findings[at].reason
+                        {
+                            reason.push_str(&format!(" (not computed: {why})"));
+                        }
+                        if warning.is_some() {
+                            findings[at].warning = warning;
+                        }
+                    }
+                }
+            }
+        }
+        self.across(&setting, start, best.choices, findings);
+        // An equation that nothing decides and nobody claims is a condition that later lines may need.
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            let given = statement.role == Some(Role::Introduced)
+                && findings[at].verdict == Verdict::Undecided
+                && !tally.fails.is_empty();
+            let datum = statement.role != Some(Role::Claimed)
+                && findings[at].verdict == Verdict::Undecided
+                && chain.relations[at].0 == Rel::Eq
+                && !tally.record.unknown.is_empty()
+                && head.is_none()
+                && self.is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr, place);
+            if datum {
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
+            }
+            let open = given || findings[at].verdict == Verdict::Definition;
+            if open && chain.relations[at].0 == Rel::Eq {
+                let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+                let relation = Expr::relation(left.clone(), Rel::Eq, right.clone());
+                self.condition(relation, findings[at].span, false, place);
+            }
+        }
+        // Equations for new coefficients say what these are.
+        for (i, tally) in best.outcomes.tallies.iter().enumerate() {
+            let at = start + i;
+            if matches!(findings[at].verdict, Verdict::Undecided)
+                && let [failure] = tally.fails.as_slice()
+                && let Some(solution) = lint::unknowns(&self.context, place, &failure.left, &failure.right)
+            {
+                let names: Vec<String> = solution.iter().map(|(symbol, _)| symbol.to_string()).collect();
+                for (symbol, value) in solution {
+                    let expr = symbol_expr(&symbol);
+                    if let Some(head) = Head::of(&expr) {
+                        self.define(head, Body::Value(Value::Scalar(value)), &[], place, findings[at].span);
+                    }
+                }
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says what {} are", names.join(", ")));
+                findings[at].witness = None;
+                findings[at].suggestion = None;
+            }
+        }
+    }
+
+    /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one
+    /// is judged by comparing the sides around.
+    fn across(&self, setting: &Setting, start: usize, choices: Choices, findings: &mut [Finding]) {
+        let chain = setting.chain;
+        for at in start..chain.relations.len().saturating_sub(1) {
+            let open = |finding: &Finding| {
+                matches!(finding.verdict, Verdict::Refuted | Verdict::Undecided | Verdict::Unread)
+            };
+            let equal = |at: usize| matches!(chain.relations[at].0, Rel::Eq | Rel::Equiv);
+            if !(open(&findings[at]) && open(&findings[at + 1]) && equal(at) && equal(at + 1)) {
+                continue;
+            }
+            if chain.sides[at].is_unread() || chain.sides[at + 2].is_unread() {
+                continue;
+            }
+            let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
+            let outcomes = self.trial(setting, &sides, &[Rel::Eq], choices).run();
+            let tally = &outcomes.tallies[0];
+            if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
+                let next = &mut findings[at + 1];
+                next.verdict = Verdict::Undecided;
+                next.reason = Some("equal to the side before the last, not to the one between".to_owned());
+                (next.witness, next.suggestion, next.warning) = (None, None, None);
+            }
+        }
+    }
+}
+
+/// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S, and
+/// g(a) = a says that a is a fixed point of g.
+fn names_its_variables(head: &Head, body: &Expr) -> bool {
+    let inside = bases(body);
+    let arguments = head.flat();
+    let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
+        return true;
+    };
+    let fixed = matches!(body.kind, Kind::Name(_));
+    is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed
+}

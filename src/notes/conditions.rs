@@ -1,0 +1,182 @@
+//! Conditions of formulas: which formulas are conditions, and which claims they belong to.
+
+use crate::formula::{BigOp, Expr, Kind, Link, Rel};
+use crate::judge::names::{Head, is_range};
+use crate::judge::statement::{Role, Said, Statement};
+
+/// Words after which conditions follow.
+const CONDITION_WORDS: &[&str] = &[
+    "where",
+    "with",
+    "for",
+    "for all",
+    "if",
+    "when",
+    "provided",
+    "such that",
+    "s.t.",
+    "given",
+    "and",
+    "wo",
+    "mit",
+    "für",
+    "où",
+    "avec",
+    "pour",
+    "其中",
+    "且",
+    "当",
+    "若",
+    "对",
+    "对任意",
+    "对于",
+    "满足",
+];
+
+pub(super) fn is_condition_word(text: &str) -> bool {
+    let text = text.trim().trim_matches([',', '，', '(', ':', '：']).trim().to_lowercase();
+    CONDITION_WORDS.contains(&text.as_str())
+}
+
+/// Whether the words before a formula say that it is a condition of what stands before them.
+pub(super) fn announces_condition(gap: &str) -> bool {
+    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim().to_lowercase();
+    let chinese = ["其中", "且", "当", "若", "对任意", "对于", "满足", "这里"];
+    chinese.iter().any(|word| gap.starts_with(word) && gap.chars().count() <= 8)
+        || CONDITION_WORDS.iter().any(|word| gap == *word)
+        || ["for all", "where", "with", "for every", "for each", "such that", "provided that"]
+            .iter()
+            .any(|word| gap.starts_with(word) && gap.len() < 24)
+}
+
+/// Conditions in one formula belong to the relations before them in it, and conditions after words
+/// such as "where" to the formula before.
+pub(super) fn attach(statements: &mut [Statement]) {
+    give_first(statements);
+    for at in 0..statements.len() {
+        let unread = match &statements[at].said {
+            Said::Bare(side, _) | Said::Condition(side) => side.is_unread(),
+            _ => false,
+        };
+        let condition = match &statements[at].said {
+            Said::Bare(side, _) if unread => side.expr.clone(),
+            Said::Condition(side) if !statements[at].is_case() || unread => side.expr.clone(),
+            _ => continue,
+        };
+        let range = is_range(&condition);
+        let (formula, group) = (statements[at].place.formula, statements[at].place.group);
+        let words = announces_condition(&statements[at].gap);
+        let gap_is_short = statements[at].gap.trim().chars().count() <= 3;
+        let mut reach = formula;
+        let mut attached = false;
+        let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
+        for before in (0..=end.unwrap_or(at)).rev() {
+            let other = &mut statements[before];
+            let same = other.place.formula == formula;
+            let earlier = before < at
+                && other.place.formula < formula
+                && (words || (gap_is_short && other.place.group == group))
+                && (reach == formula || other.place.formula == reach);
+            if !same && !earlier {
+                break;
+            }
+            if let Said::Chain(chain) = &mut other.said {
+                if !same {
+                    reach = other.place.formula;
+                }
+                attached = true;
+                match unread {
+                    true => chain.blocked = true,
+                    false => chain.conditions.push(condition.clone()),
+                }
+            }
+        }
+        // Whatever is claimed right before a condition that cannot be read may hold under it only.
+        if unread {
+            let near = |other: &Statement| {
+                other.place.group == group
+                    && (formula.saturating_sub(2)..=formula).contains(&other.place.formula)
+            };
+            for other in statements.iter_mut().filter(|other| near(other)) {
+                if let Said::Chain(chain) = &mut other.said {
+                    chain.blocked = true;
+                }
+            }
+        }
+        // The range of one formula is not that of the next.
+        if attached && range && !unread {
+            statements[at].role = Some(Role::Case);
+        }
+    }
+}
+
+/// Whether what follows explains the formula before: "where", but not "for".
+fn looks_back(gap: &str) -> bool {
+    let gap = gap.trim().trim_start_matches([',', '，', '.', '。', ';', '(', '（']).trim().to_lowercase();
+    let chinese = ["其中", "这里"].iter().any(|word| gap.starts_with(word) && gap.chars().count() <= 8);
+    chinese || ["where", "with", "wo", "wobei", "mit", "où", "avec"].contains(&gap.as_str())
+}
+
+/// "where v_i = p_i − q_i" after a formula is known in it: such definitions go before it.
+fn give_first(statements: &mut [Statement]) {
+    let mut at = 1;
+    while at < statements.len() {
+        let formula = statements[at].place.formula;
+        let defines = match &statements[at].said {
+            Said::Chain(chain) => {
+                looks_back(&statements[at].gap)
+                    && chain.relations.first().is_some_and(|(rel, _)| matches!(rel, Rel::Eq | Rel::Define))
+                    && Head::of(&chain.sides[0].expr).is_some()
+            }
+            _ => false,
+        };
+        if defines && statements[at - 1].place.formula + 1 == formula {
+            let start = (0..at).rev().take_while(|&i| statements[i].place.formula + 1 == formula).last();
+            let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
+            if let (Some(start), Some(end)) = (start, end) {
+                if let Said::Chain(chain) = &mut statements[at].said {
+                    chain.given = true;
+                }
+                statements[start..=end].rotate_left(at - start);
+                at = end;
+            }
+        }
+        at += 1;
+    }
+}
+
+/// Whether a relation restricts names instead of stating something.
+pub(super) fn is_condition(expr: &Expr, follows: bool) -> bool {
+    let Kind::Chain(left, links) = &expr.kind else { return false };
+    let bare = |expr: &Expr| match &expr.kind {
+        Kind::Name(_) => true,
+        Kind::Subscript(base, _) => matches!(base.kind, Kind::Name(_)),
+        _ => false,
+    };
+    let size = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Name(_) | Kind::Add(_));
+    let sides: Vec<&Expr> =
+        std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
+    let ordered = |link: &Link| matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt);
+    match links.as_slice() {
+        [Link { rel: Rel::In | Rel::Subset, .. }] => true,
+        [Link { rel: Rel::Eq, expr, .. }] if matches!(expr.kind, Kind::Range(..)) => bare(left),
+        // a ≤ i ≤ b
+        [one, two] if ordered(one) && ordered(two) => bare(sides[1]),
+        [one] if ordered(one) && follows => bare(sides[0]) || bare(sides[1]),
+        [one] if ordered(one) => bare(sides[0]) && size(sides[1]) || size(sides[0]) && bare(sides[1]),
+        many if many.len() > 1 && many.iter().all(ordered) => {
+            sides.iter().all(|side| bare(side) || size(side))
+        }
+        [Link { rel: Rel::Ne, .. }] => bare(left),
+        // i + j + k = n, α + β + γ = 1
+        [Link { rel: Rel::Eq, expr, .. }] => {
+            let names = matches!(&left.kind, Kind::Add(terms) if terms.iter().all(|term| bare(&term.expr)));
+            let weights = matches!(&left.kind, Kind::Big { op: BigOp::Sum, lower, body, .. }
+                if matches!(body.kind, Kind::Subscript(..)) && bare(body)
+                    || lower.is_empty() && matches!(body.kind, Kind::Name(_)));
+            let one = matches!(&expr.kind, Kind::Number(_));
+            (names && (one || follows && bare(expr))) || (weights && one)
+        }
+        _ => false,
+    }
+}

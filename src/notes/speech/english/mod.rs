@@ -1,0 +1,9 @@
+//! English.
+
+mod roles;
+mod topics;
+mod words;
+
+pub(super) use roles::{BLOCKS, CUES, FILLERS, PROOFS, SUBJECTS, ZERO};
+pub(super) use topics::TOPICS;
+pub(super) use words::WORDS;
