@@ -97,6 +97,7 @@ impl Machine {
         if let (Some(a), Some(b)) = (first.as_int(), last.as_int())
             && is_counted(before)
             && is_counted(after)
+            && !are_members(before, after)
         {
             let Some(step) = step(&known, b) else { return Err(unclear()) };
             crate::budget::charge_terms(b.saturating_sub(a).unsigned_abs());
@@ -117,6 +118,16 @@ impl Machine {
             values.push(self.eval(&Kind::Subscript(base.clone(), indices).into())?);
         }
         Ok(too_many(&from[place], &to[place], a, b))
+    }
+}
+
+/// Whether both ends are members of one family, a_0 and a_5: the dots are counted by their indices.
+fn are_members(first: &Expr, last: &Expr) -> bool {
+    match (&first.kind, &last.kind) {
+        (Kind::Subscript(one, from), Kind::Subscript(other, to)) => {
+            one.same_as(other) && from.len() == to.len()
+        }
+        _ => false,
     }
 }
 
