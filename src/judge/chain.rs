@@ -12,6 +12,7 @@ use super::model::{Choices, Curve};
 use super::names::{Head, bases, contains, is_index_letter};
 use super::object::Sort;
 use super::refute;
+use super::tally::Tally;
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::trial::Setting;
 use super::verdict::Judged;
@@ -239,6 +240,38 @@ impl Checker {
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
     }
 
+    /// Puts the verdict on a relation to the others of its chain; `wrong` is what it is if others confirm its names.
+    fn settle(
+        &mut self,
+        tally: &Tally,
+        chain: &Chain,
+        at: usize,
+        finding: Finding,
+        wrong: Option<Box<Finding>>,
+        findings: &mut [Finding],
+    ) {
+        let old = findings[at].clone();
+        let place = |finding: Finding| {
+            let warning = match finding.verdict {
+                Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
+                _ => finding.warning.clone().or(old.warning.clone()),
+            };
+            Finding {
+                warning,
+                span: old.span,
+                mark: old.mark,
+                latex: old.latex.clone(),
+                reading: old.reading.clone(),
+                relation: old.relation,
+                ..finding
+            }
+        };
+        findings[at] = place(finding);
+        let sides = [0, 1].map(|i| &chain.sides[at + i].expr);
+        let wrong = wrong.map(|wrong| place(*wrong));
+        self.rely(tally, sides, self.findings.len() + at, findings[at].verdict, wrong);
+    }
+
     /// Judges the relations from number `start` on.
     fn judge(
         &mut self,
@@ -273,27 +306,9 @@ impl Checker {
                 **finding = found;
             }
             match verdict {
-                Judged::Verdict(finding) => {
-                    let old = &findings[at];
-                    let warning = match finding.verdict {
-                        Verdict::Proved | Verdict::Sampled => finding.warning.clone(),
-                        _ => finding.warning.clone().or(old.warning.clone()),
-                    };
-                    self.rely(
-                        tally,
-                        [0, 1].map(|i| &chain.sides[at + i].expr),
-                        self.findings.len() + at,
-                        &finding,
-                    );
-                    findings[at] = Finding {
-                        warning,
-                        span: old.span,
-                        mark: old.mark,
-                        latex: old.latex.clone(),
-                        reading: old.reading.clone(),
-                        relation: old.relation,
-                        ..*finding
-                    };
+                Judged::Verdict(finding) => self.settle(tally, chain, at, *finding, None, findings),
+                Judged::Unfounded(finding, wrong) => {
+                    self.settle(tally, chain, at, *finding, Some(wrong), findings);
                 }
                 Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
                 Judged::Redefinition(warning) => {

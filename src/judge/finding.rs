@@ -63,6 +63,8 @@ pub enum Evidence {
     Expansion,
     /// Its sides agree in most of their terms.
     Terms,
+    /// Other relations of the page hold with every name in it.
+    Names,
 }
 
 impl Evidence {
@@ -77,6 +79,7 @@ impl Evidence {
             Evidence::Value => "the function is given right there",
             Evidence::Expansion => "it would hold for any function",
             Evidence::Terms => "most of its terms agree",
+            Evidence::Names => "all that is said besides with its names holds",
         }
     }
 }

@@ -2,16 +2,16 @@
 //!
 //! **Rule.** A relation is not refuted with a definition with which another relation of the page fails as well, and
 //! none holds: the definition was misread, or it is the one that is wrong. Nor is it refuted if another relation
-//! fails for which nothing shows that it is wrong, and that shares a name with it which no relation confirms.
+//! fails for which nothing shows that it is wrong, and that shares a name with it which no relation confirms. The other
+//! way round, a relation that fails alone is refuted if other relations hold with every name and definition in it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::check::Checker;
 use super::context::{Body, Definition, Source, is_variable};
-use super::finding::{Finding, Verdict};
+use super::finding::{Evidence, Finding, Verdict};
 use super::names::{bases, is_index_letter};
 use super::tally::Tally;
-use super::verdict::UNFOUNDED;
 use crate::formula::Expr;
 use crate::language::lexicon::families;
 
@@ -28,6 +28,8 @@ pub(super) struct Use {
     finding: usize,
     grounds: BTreeSet<Ground>,
     outcome: Outcome,
+    /// What it is if its names are confirmed.
+    wrong: Option<Finding>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -37,6 +39,10 @@ enum Outcome {
     /// It fails, and nothing shows that it is wrong.
     Unfounded,
     Open,
+}
+
+fn count(outcomes: &[Outcome], wanted: Outcome) -> usize {
+    outcomes.iter().filter(|own| **own == wanted).count()
 }
 
 /// n = 3 is not misread.
@@ -49,7 +55,7 @@ fn gives_number(definition: &Definition) -> bool {
 
 impl Checker {
     /// Keeps what a relation was judged with; `number` is that of the finding on the page.
-    pub(super) fn rely(&mut self, tally: &Tally, sides: [&Expr; 2], number: usize, finding: &Finding) {
+    pub(super) fn rely(&mut self, tally: &Tally, sides: [&Expr; 2], number: usize, verdict: Verdict, wrong: Option<Finding>) {
         let definitions = tally
             .record
             .definitions
@@ -59,17 +65,18 @@ impl Checker {
             .map(|definition| Ground::Definition(definition.place.formula, definition.head.base.clone()));
         let own = |name: &String| !is_variable(name) && !is_index_letter(name) && !families::is_family(name);
         let names = sides.into_iter().flat_map(bases).filter(own).map(Ground::Name);
-        let outcome = match finding.verdict {
+        let outcome = match verdict {
             Verdict::Proved | Verdict::Sampled if tally.nonzero > 0 => Outcome::Holds,
             Verdict::Refuted => Outcome::Refuted,
-            _ if finding.reason.as_deref() == Some(UNFOUNDED) => Outcome::Unfounded,
+            _ if wrong.is_some() => Outcome::Unfounded,
             _ => Outcome::Open,
         };
         self.uses.retain(|one| one.finding != number);
-        self.uses.push(Use { finding: number, grounds: definitions.chain(names).collect(), outcome });
+        self.uses.push(Use { finding: number, grounds: definitions.chain(names).collect(), outcome, wrong });
     }
 
-    /// Takes back what was refuted on doubtful grounds. To be called after the last statement.
+    /// Takes back what was refuted on doubtful grounds, and refutes what fails alone among what holds. To be called
+    /// after the last statement.
     pub fn finish(&mut self) {
         let mut record: BTreeMap<&Ground, Vec<Outcome>> = BTreeMap::new();
         for one in &self.uses {
@@ -77,14 +84,25 @@ impl Checker {
         }
         let doubtful = |ground: &&Ground| {
             let Some(outcomes) = record.get(ground) else { return false };
-            let count = |outcome| outcomes.iter().filter(|own| **own == outcome).count();
-            let (refuted, unfounded) = (count(Outcome::Refuted), count(Outcome::Unfounded));
+            let (refuted, unfounded) = (count(outcomes, Outcome::Refuted), count(outcomes, Outcome::Unfounded));
             let fails = match ground {
                 Ground::Definition(..) => refuted + unfounded > 1,
                 Ground::Name(_) => unfounded > 0,
             };
-            fails && count(Outcome::Holds) == 0
+            fails && count(outcomes, Outcome::Holds) == 0
         };
+        let confirmed = |ground: &Ground| {
+            record.get(ground).is_some_and(|outcomes| {
+                count(outcomes, Outcome::Holds) > 0
+                    && count(outcomes, Outcome::Unfounded) + count(outcomes, Outcome::Refuted) == 1
+            })
+        };
+        let named = |one: &Use| one.grounds.iter().any(|ground| matches!(ground, Ground::Name(_)));
+        for one in self.uses.iter().filter(|one| named(one) && one.grounds.iter().all(confirmed)) {
+            if let (Some(wrong), Some(finding)) = (&one.wrong, self.findings.get_mut(one.finding)) {
+                *finding = Finding { evidence: vec![Evidence::Names], ..wrong.clone() };
+            }
+        }
         for one in self.uses.iter().filter(|one| one.outcome == Outcome::Refuted) {
             let Some(Ground::Definition(_, name) | Ground::Name(name)) = one.grounds.iter().find(doubtful)
             else {

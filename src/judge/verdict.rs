@@ -12,13 +12,13 @@ use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
-use super::tally::Tally;
+use super::tally::{Failure, Tally};
 use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
 
-pub(super) const UNFOUNDED: &str =
+const UNFOUNDED: &str =
     "it fails as it is read, and so does all that is near it: it may mean something else";
 
 impl Checker {
@@ -145,6 +145,18 @@ impl Checker {
             finding.reason = Some("a condition on new names".to_owned());
             return Judged::Verdict(Box::new(finding));
         }
+        let wrong = |finding: &Finding, failure: &Failure, reasons: String| Finding {
+            verdict: Verdict::Refuted,
+            determined: tally.determined > 0,
+            reason: Some(reasons),
+            witness: witness::counterexample(failure),
+            instances: ranged.then(|| {
+                let (fails, all) = (tally.fails.len(), tally.fails.len() + tally.holds);
+                format!("fails in {fails} of {all} instances: {}", range())
+            }),
+            ..finding.clone()
+        };
+        let mut unfounded = None;
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
         let refutation = match refutation {
             refute::Decision::Refuted { failure, reasons } => {
@@ -153,7 +165,10 @@ impl Checker {
                     let repair = repair::find(self, setting, at, attempt.choices, tally);
                     finding.suggestion = repair.as_ref().map(Repair::latex);
                     finding.evidence = suspect.evidence(repair.as_ref());
-                    finding.evidence.is_empty().then(|| UNFOUNDED.to_owned())
+                    finding.evidence.is_empty().then(|| {
+                        unfounded = Some(wrong(&finding, &failure, reasons.clone()));
+                        UNFOUNDED.to_owned()
+                    })
                 });
                 match doubt {
                     // F(t) = … F' … defines no F.
@@ -190,24 +205,16 @@ impl Checker {
         };
         match refutation {
             refute::Decision::Refuted { failure, reasons } => {
-                finding.verdict = Verdict::Refuted;
-                finding.determined = tally.determined > 0;
-                finding.reason = Some(reasons);
-                finding.witness = witness::counterexample(&failure);
-                if ranged {
-                    finding.instances = Some(format!(
-                        "fails in {} of {} instances: {}",
-                        tally.fails.len(),
-                        tally.fails.len() + tally.holds,
-                        range()
-                    ));
-                }
+                return Judged::Verdict(Box::new(wrong(&finding, &failure, reasons)));
             }
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
             refute::Decision::Recursion(head) => return Judged::Recursion(head),
             refute::Decision::Open(reason) | refute::Decision::Condition(reason) => {
                 finding.suggestion = None;
                 finding.reason = Some(reason);
+                if let Some(wrong) = unfounded {
+                    return Judged::Unfounded(Box::new(finding), Box::new(wrong));
+                }
             }
             refute::Decision::Loose(reason) => {
                 finding.reason = Some("it fails as it stands".to_owned());
@@ -257,6 +264,9 @@ fn says_zero(chain: &Chain) -> bool {
 /// What comes of one relation.
 pub(super) enum Judged {
     Verdict(Box<Finding>),
+    /// It fails, and nothing in it shows that it is wrong: how it stays open, and what it is if others show that its
+    /// names are understood.
+    Unfounded(Box<Finding>, Box<Finding>),
     /// It says how the members of a family follow from those that are known.
     Recursion(Box<Head>),
     /// It defines its name anew.
