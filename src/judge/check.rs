@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::context::{Body, Condition, Context, Definition, Letters, Source, is_variable};
+use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::names::{Head, is_range};
@@ -31,6 +32,10 @@ pub struct Checker {
     pub(super) open: Vec<Condition>,
     /// What relied on definitions of the page.
     pub(super) uses: Vec<Use>,
+    /// What new names were found to mean.
+    pub(super) taken: Vec<Taken>,
+    /// Intervals and parameters that words speak of.
+    pub(super) heard: Vec<(Place, Expr)>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -48,6 +53,8 @@ impl Checker {
             ignored: 0,
             open: Vec::new(),
             uses: Vec::new(),
+            taken: Vec::new(),
+            heard: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -70,6 +77,7 @@ impl Checker {
                     finding.verdict = Verdict::Unread;
                 }
                 self.findings.push(finding);
+                self.hear(&side.expr, &statement.place);
                 // A case is a condition of the claims of its sentence, and of nothing else.
                 if !statement.is_case() {
                     // A range said in passing holds in its paragraph.
@@ -86,6 +94,7 @@ impl Checker {
                     finding.reason = problems.first().map(|problem| problem.message.clone());
                 }
                 self.findings.push(finding);
+                self.hear(&side.expr, &statement.place);
             }
             Said::Chain(chain) => {
                 let chain = &whole_sums(chain);
@@ -104,6 +113,7 @@ impl Checker {
                 let limits = self.limits.clone();
                 let before = self.context.mark();
                 if let Some(mut findings) = self.unasserted(chain, statement) {
+                    self.hear(&chain.whole(), &statement.place);
                     // What two curves have to fulfil where they meet is known.
                     let join = statement.role == Some(Role::Assumed) && statement.topics.has(Topic::Join);
                     if statement.role == Some(Role::Sought) {
@@ -119,6 +129,7 @@ impl Checker {
                     Ok(mut findings) => {
                         self.by_what_was_said(chain, statement, &mut findings, before);
                         self.by_the_field(chain, statement, &mut findings, before);
+                        self.by_description(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
                         self.findings.extend(findings);
                     }

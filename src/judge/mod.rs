@@ -21,6 +21,7 @@ mod compare;
 mod conditions;
 mod context;
 mod declare;
+mod described;
 pub(crate) mod doubtful;
 pub mod evaluator;
 mod family;

@@ -55,7 +55,14 @@ fn gives_number(definition: &Definition) -> bool {
 
 impl Checker {
     /// Keeps what a relation was judged with; `number` is that of the finding on the page.
-    pub(super) fn rely(&mut self, tally: &Tally, sides: [&Expr; 2], number: usize, verdict: Verdict, wrong: Option<Finding>) {
+    pub(super) fn rely(
+        &mut self,
+        tally: &Tally,
+        sides: [&Expr; 2],
+        number: usize,
+        verdict: Verdict,
+        wrong: Option<Finding>,
+    ) {
         let definitions = tally
             .record
             .definitions
@@ -84,7 +91,8 @@ impl Checker {
         }
         let doubtful = |ground: &&Ground| {
             let Some(outcomes) = record.get(ground) else { return false };
-            let (refuted, unfounded) = (count(outcomes, Outcome::Refuted), count(outcomes, Outcome::Unfounded));
+            let (refuted, unfounded) =
+                (count(outcomes, Outcome::Refuted), count(outcomes, Outcome::Unfounded));
             let fails = match ground {
                 Ground::Definition(..) => refuted + unfounded > 1,
                 Ground::Name(_) => unfounded > 0,

@@ -16,6 +16,10 @@ pub enum Topic {
     Elevation,
     /// Parts of a curve, refinement of its control points.
     Subdivision,
+    /// The first, or left, of two parts.
+    First,
+    /// The second, or right, of two parts.
+    Second,
     /// B-splines, their knots and algorithms.
     Spline,
     /// Where two curves meet.

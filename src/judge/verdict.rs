@@ -18,8 +18,7 @@ use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
 
-const UNFOUNDED: &str =
-    "it fails as it is read, and so does all that is near it: it may mean something else";
+const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
 
 impl Checker {
     pub(super) fn verdict(

@@ -149,7 +149,8 @@ impl Reader<'_> {
     fn near(&self) -> Topics {
         let mut near = Topics::default();
         // Nothing else is asked of the last words.
-        if self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm) {
+        let curve = self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm);
+        if curve || self.topics.has(Topic::Subdivision) {
             speech::topics(&self.last, &mut near);
         }
         near

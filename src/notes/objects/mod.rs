@@ -175,21 +175,30 @@ impl<'a> Reader<'a> {
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
-            let curve = match (of.as_slice(), self.topic.as_slice()) {
-                ([one], _) | ([], [one]) => one.clone(),
-                _ => return,
+            let names = match (of.as_slice(), self.topic.as_slice()) {
+                ([one], _) | ([], [one]) => vec![one.clone()],
+                _ => Vec::new(),
             };
             let number = (from..to).find_map(|at| self.formula_at(at));
             let degree = Some(Expr::int(object.values.len() as i64 - 1));
             let points = std::mem::take(&mut object.values);
-            let object = Object { names: vec![curve], degree, points, sort: Sort::BezierCurve, ..object };
+            let object = Object { names, degree, points, sort: Sort::BezierCurve, ..object };
             if let Some(number) = number {
                 self.taken = to;
                 self.found.entry(number).or_default().push(object);
             }
             return;
         }
-        let Some((names, number)) = subject else { return };
+        let Some((names, number)) = subject else {
+            // "A cubic Bézier curve with the control points …" without a name
+            if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
+                && !object.points.is_empty()
+                && let Some(number) = (from..to).find_map(|at| self.formula_at(at))
+            {
+                self.found.entry(number).or_default().push(object);
+            }
+            return;
+        };
         // "Let N be the B-spline of degree 3: its knots are …"
         if let (Sort::Knots, [owner]) = (&object.sort, of.as_slice())
             && let Some(known) = self.known(owner)

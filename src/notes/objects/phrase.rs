@@ -378,8 +378,14 @@ impl Reader<'_> {
                             at += 1;
                         }
                         let (items, end) = self.list(at);
-                        *list = items;
-                        (!list.is_empty()).then_some(end)
+                        // with the ordinates (1, 4, -2)
+                        *list = match items.as_slice() {
+                            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside), .. }] => inside.clone(),
+                            _ => items,
+                        };
+                        // "With uniform knots" gives none.
+                        let given = !list.is_empty() || object.uniform && at == end;
+                        given.then_some(end)
                     }
                     Token::Word(Word::Noun(_) | Word::OfDegree(_)) if *word != Word::With => {
                         let noun = (next..self.tokens.len())

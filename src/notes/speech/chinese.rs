@@ -160,6 +160,12 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("贝塞尔曲线", Noun(Sort::BezierCurve)),
     ("贝齐尔曲线", Noun(Sort::BezierCurve)),
     ("控制点", Noun(Sort::ControlPoints)),
+    ("控制系数", Noun(Sort::ControlPoints)),
+    ("bézier纵标", Noun(Sort::ControlPoints)),
+    ("bézier 纵标", Noun(Sort::ControlPoints)),
+    ("bézier系数", Noun(Sort::ControlPoints)),
+    ("bézier 系数", Noun(Sort::ControlPoints)),
+    ("贝塞尔点", Noun(Sort::ControlPoints)),
     ("控制顶点", Noun(Sort::ControlPoints)),
     ("bézier点", Noun(Sort::ControlPoints)),
     ("bézier 点", Noun(Sort::ControlPoints)),
@@ -271,6 +277,12 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("左", Topic::First),
+    ("前半", Topic::First),
+    ("右", Topic::Second),
+    ("后半", Topic::Second),
+    ("拆分", Topic::Subdivision),
+    ("分成两段", Topic::Subdivision),
     ("四点", Topic::Subdivision),
     ("伯恩斯坦", Topic::Bernstein),
     ("贝塞尔", Topic::Bernstein),

@@ -179,6 +179,11 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("courbe de bezier", Noun(Sort::BezierCurve)),
     ("courbe bézier", Noun(Sort::BezierCurve)),
     ("points de contrôle", Noun(Sort::ControlPoints)),
+    ("ordonnées de bézier", Noun(Sort::ControlPoints)),
+    ("ordonnées", Noun(Sort::ControlPoints)),
+    ("coefficients de contrôle", Noun(Sort::ControlPoints)),
+    ("sommets de contrôle", Noun(Sort::ControlPoints)),
+    ("points de bezier", Noun(Sort::ControlPoints)),
     ("sommets", Filler),
     ("de bézier", Filler),
     ("de bezier", Filler),
@@ -322,6 +327,15 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("gauche", Topic::First),
+    ("première moitié", Topic::First),
+    ("première partie", Topic::First),
+    ("droite", Topic::Second),
+    ("seconde moitié", Topic::Second),
+    ("deuxième moitié", Topic::Second),
+    ("seconde partie", Topic::Second),
+    ("découp", Topic::Subdivision),
+    ("scind", Topic::Subdivision),
     ("quatre points", Topic::Subdivision),
     ("forme polaire", Topic::Bernstein),
     ("formes polaires", Topic::Bernstein),

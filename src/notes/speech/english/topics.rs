@@ -4,6 +4,20 @@ use crate::judge::topic::Topic;
 
 /// How words begin that tell what a section is on.
 pub const TOPICS: &[(&str, Topic)] = &[
+    ("left", Topic::First),
+    ("first half", Topic::First),
+    ("first part", Topic::First),
+    ("right half", Topic::Second),
+    ("right part", Topic::Second),
+    ("right one", Topic::Second),
+    ("right segment", Topic::Second),
+    ("right piece", Topic::Second),
+    ("second half", Topic::Second),
+    ("second part", Topic::Second),
+    ("other half", Topic::Second),
+    ("right-hand part", Topic::Second),
+    ("halves", Topic::Subdivision),
+    ("half ", Topic::Subdivision),
     ("four-point", Topic::Subdivision),
     ("four point", Topic::Subdivision),
     ("subdivision scheme", Topic::Subdivision),

@@ -1,0 +1,598 @@
+//! Formulas for what words describe: the new control points after a change of the degree or of the interval, the Bézier
+//! points of a spline, a curve that has no name.
+//!
+//! **Definition.** A *meaning* of a new name is something that the words of the section let it be, of a curve whose
+//! control points the section gives.
+//!
+//! **Rule.** A formula for a new name holds if it holds with a meaning. It is wrong if it fails with the meaning with
+//! which other formulas for that name hold, or if there is one meaning only and it agrees with that in most of its items
+//! or terms.
+
+use std::rc::Rc;
+
+use super::check::Checker;
+use super::context::{Body, Mark, is_variable};
+use super::evaluator::evaluate_reading;
+use super::finding::{Evidence, Finding, Verdict};
+use super::model::Model;
+use super::names::{Head, bases};
+use super::object::{Declared, Object, Sort};
+use super::statement::{Chain, Place, Side, Statement};
+use super::tally::{Failure, Tally};
+use super::topic::Topic;
+use super::witness;
+use crate::budget;
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::Value;
+use crate::math::poly::{MonomialOrder, Symbol};
+
+/// So many curves of a section are looked at, the latest first.
+const MOST_CURVES: usize = 3;
+
+/// Letters that no page has, for a curve and for points without a name.
+const CURVE: &str = "\u{25ab}";
+const POINTS: &str = "\u{25aa}";
+
+/// A meaning with which a formula for a letter holds.
+pub(super) struct Taken {
+    letter: String,
+    place: Place,
+    meaning: Meaning,
+}
+
+/// What a name can be.
+#[derive(Clone)]
+struct Meaning {
+    curve: Curve,
+    made: Made,
+}
+
+/// A curve of the section.
+#[derive(Clone)]
+struct Curve {
+    name: Expr,
+    degree: Expr,
+    interval: (Expr, Expr),
+    /// The letter of its points.
+    points: Option<String>,
+    /// What says it in place of the page, if it has no name there.
+    object: Option<Object>,
+    /// Whether it is a segment of a uniform spline.
+    segment: bool,
+}
+
+impl Curve {
+    /// A curve with a name, over [0, 1].
+    fn new(name: Expr, degree: Expr) -> Self {
+        let interval = (Expr::int(0), Expr::int(1));
+        Curve { name, degree, interval, points: None, object: None, segment: false }
+    }
+}
+
+/// What is made of a curve.
+#[derive(Clone)]
+enum Made {
+    /// Its control points at a higher degree.
+    Elevated(i64),
+    /// The control points of a part of it.
+    Part(Expr, Expr),
+    Itself,
+    PolarForm,
+}
+
+impl Made {
+    fn words(&self) -> &'static str {
+        match self {
+            Made::Elevated(_) => "the control points at a higher degree",
+            Made::Part(..) => "the Bézier points of this part of the curve",
+            Made::Itself => "the curve with these control points",
+            Made::PolarForm => "the polar form of the curve with these control points",
+        }
+    }
+}
+
+/// The left side of a formula, as what is described there.
+struct New {
+    letter: String,
+    names: Vec<Expr>,
+    /// The side in which they stand.
+    side: Expr,
+    /// How many points are given at once.
+    points: Option<i64>,
+    /// How many arguments are given.
+    arguments: usize,
+}
+
+impl New {
+    fn of(left: &Expr, right: &Expr) -> Option<New> {
+        let items = |expr: &Expr| match &expr.kind {
+            Kind::List(items) | Kind::Tuple(items) if items.len() > 2 => Some(items.clone()),
+            _ => None,
+        };
+        let given = items(right).filter(|items| items.iter().all(|item| item.kind != Kind::Ellipsis));
+        let points = given.map(|items| items.len() as i64);
+        if let Some(names) = items(left) {
+            let heads: Vec<Head> = names
+                .iter()
+                .filter(|name| name.kind != Kind::Ellipsis)
+                .map(Head::of)
+                .collect::<Option<_>>()?;
+            let first = heads.first()?;
+            let family =
+                |head: &Head| head.base == first.base && head.lower.len() == 1 && head.arguments.is_none();
+            return heads.iter().all(family).then(|| New {
+                letter: first.base.clone(),
+                names,
+                side: left.clone(),
+                points,
+                arguments: 0,
+            });
+        }
+        let head = Head::of(left).filter(|head| head.upper.is_empty())?;
+        let arguments = head.flat().len();
+        match (head.lower.as_slice(), &left.kind) {
+            ([_], _) if head.arguments.is_none() => Some(New {
+                letter: head.base,
+                names: vec![left.clone()],
+                side: left.clone(),
+                points: None,
+                arguments: 0,
+            }),
+            ([], Kind::Apply(callee, groups)) if groups.len() == 1 => Some(New {
+                letter: head.base,
+                names: vec![callee.as_ref().clone()],
+                side: left.clone(),
+                points: None,
+                arguments,
+            }),
+            // q = (1, 5/2, 5/2, 1)
+            ([], _) if head.arguments.is_none() => {
+                let names: Vec<Expr> = (0..points?).map(|i| member(POINTS, i)).collect();
+                let side = Expr::from(Kind::List(names.clone()));
+                Some(New { letter: head.base, names, side, points, arguments: 0 })
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Checker {
+    /// Keeps an interval or a parameter that words speak of.
+    pub(super) fn hear(&mut self, expr: &Expr, place: &Place) {
+        self.heard.push((place.clone(), expr.clone()));
+    }
+
+    /// Judges a formula for a new name by what words say that it is for.
+    pub(super) fn by_description(
+        &mut self,
+        chain: &Chain,
+        statement: &Statement,
+        findings: &mut [Finding],
+        before: Mark,
+    ) {
+        let place = &statement.place;
+        let (left, right) = (&chain.sides[0], &chain.sides[1]);
+        if !matches!(findings[0].verdict, Verdict::Definition | Verdict::Undecided)
+            || chain.blocked
+            || !statement.topics.any()
+            || chain.relations[0].0 != Rel::Eq
+            || left.is_unread()
+            || right.is_unread()
+        {
+            return;
+        }
+        let Some(new) = New::of(&left.expr, &right.expr) else { return };
+        let limits = self.limits.clone();
+        let kept = self.context.clone();
+        Rc::make_mut(&mut self.context).forget(before);
+        let finding = findings[0].clone();
+        let found = budget::run(&limits, || self.meant(&new, chain, statement, &finding));
+        self.context = kept;
+        let Ok(Some((found, meaning))) = found else { return };
+        if found.verdict == Verdict::Refuted {
+            Rc::make_mut(&mut self.context).forget(before);
+        }
+        findings[0] = found;
+        let taken = meaning.map(|meaning| Taken { letter: new.letter, place: place.clone(), meaning });
+        self.taken.extend(taken);
+    }
+
+    /// The verdict that the meanings of a new name lead to, with the meaning that it has.
+    fn meant(
+        &mut self,
+        new: &New,
+        chain: &Chain,
+        statement: &Statement,
+        finding: &Finding,
+    ) -> Option<(Finding, Option<Meaning>)> {
+        let place = &statement.place;
+        let right = &chain.sides[1].expr;
+        let sides = [&new.side, right].map(|expr| Side { expr: expr.clone(), latex: String::new() });
+        let chain = Chain { sides: sides.into(), relations: vec![chain.relations[0]], ..chain.clone() };
+        let told = self.taken.iter().rev().find(|taken| {
+            taken.letter == new.letter && place.in_reach(&taken.place, false) && place.sees(&taken.place)
+        });
+        let certain = told.is_some();
+        let meanings = match told {
+            Some(told) => vec![told.meaning.clone()],
+            None => self.meanings(new, right, statement),
+        };
+        let mut failures: Vec<(Failure, Meaning)> = Vec::new();
+        for meaning in meanings {
+            let objects = meaning.curve.object.iter().cloned().chain([meaning.object(new)]);
+            let tally = self.with_objects(objects, &chain, statement);
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "TRY {} of {:?}: holds {} fails {} err {:?} unclear {:?}",
+                    meaning.made.words(),
+                    crate::language::write::text(&meaning.curve.name),
+                    tally.holds,
+                    tally.fails.len(),
+                    tally.errors.first().map(|e| &e.message),
+                    tally.unclear.first()
+                );
+            }
+            if !tally.errors.is_empty() || !tally.unclear.is_empty() {
+                continue;
+            }
+            if std::env::var("DBG").is_ok() {
+                eprintln!("{:?}", tally.fails.first().map(|f| (f.left.clone(), f.right.clone())));
+            }
+            if let Some(failure) = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first()) {
+                failures.push((failure.clone(), meaning));
+                continue;
+            }
+            if tally.nonzero == 0 {
+                continue;
+            }
+            let held = Finding {
+                verdict: if tally.holds > 1 { Verdict::Sampled } else { Verdict::Proved },
+                reason: Some(format!("{}, as the words say", meaning.made.words())),
+                witness: None,
+                suggestion: None,
+                ..finding.clone()
+            };
+            // c_0 = b_0 is true with many meanings.
+            let tells = !certain && Head::of(right).is_none();
+            return Some((held, tells.then_some(meaning)));
+        }
+        let [(failure, meaning)] = failures.as_slice() else { return None };
+        // P(t) is on the curve with the points P_i.
+        let own = matches!(meaning.made, Made::Itself) && meaning.curve.points.as_ref() == Some(&new.letter);
+        let evidence = match (certain, own) {
+            (true, _) => Evidence::Names,
+            (_, true) => Evidence::Field,
+            _ => Evidence::Terms,
+        };
+        (certain || own || agree_in_most(&failure.left, &failure.right)).then(|| {
+            let wrong = Finding {
+                verdict: Verdict::Refuted,
+                reason: Some(format!("it differs from {}", meaning.made.words())),
+                witness: witness::counterexample(failure),
+                suggestion: None,
+                evidence: vec![evidence],
+                ..finding.clone()
+            };
+            (wrong, None)
+        })
+    }
+
+    fn with_objects(
+        &mut self,
+        objects: impl Iterator<Item = Object>,
+        chain: &Chain,
+        statement: &Statement,
+    ) -> Tally {
+        let mark = self.context.mark();
+        let place = &statement.place;
+        for object in objects {
+            let declared = Declared { object: Rc::new(object), place: place.clone(), line: 0 };
+            Rc::make_mut(&mut self.context).declare(declared);
+        }
+        let setting = self.setting(chain, place, None).without_equations();
+        let sides: Vec<&Expr> = chain.sides.iter().map(|side| &side.expr).collect();
+        let mut attempt = self.attempts(&setting, &sides, &[Rel::Eq]);
+        Rc::make_mut(&mut self.context).forget(mark);
+        attempt.outcomes.tallies.remove(0)
+    }
+
+    /// What a new name can be.
+    fn meanings(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Meaning> {
+        let (topics, near) = (statement.topics, statement.near);
+        let mut found = Vec::new();
+        for curve in self.curves(new, right, statement) {
+            let mut add = |made: Made| found.push(Meaning { curve: curve.clone(), made });
+            let degree = integer(&curve.degree);
+            match new.arguments {
+                0 => {}
+                1 if curve.object.is_some() => {
+                    add(Made::Itself);
+                    continue;
+                }
+                count if topics.has(Topic::PolarForm) && degree == Some(count as i64) => {
+                    add(Made::PolarForm);
+                    continue;
+                }
+                _ => continue,
+            }
+            let more = new.points.zip(degree).map(|(points, degree)| points - 1 - degree);
+            if topics.has(Topic::Elevation) && more.is_none_or(|more| more > 0) {
+                add(Made::Elevated(more.unwrap_or(1)));
+            }
+            if more.is_some_and(|more| more != 0) {
+                continue;
+            }
+            if curve.segment {
+                add(Made::Part(curve.interval.0.clone(), curve.interval.1.clone()));
+            } else if topics.has(Topic::Subdivision) {
+                let part = self.interval_heard(&curve, &statement.place).or_else(|| {
+                    let middle = self.parameter_heard(&statement.place)?;
+                    let (from, to) = curve.interval.clone();
+                    match (near.has(Topic::First), near.has(Topic::Second)) {
+                        (true, false) => Some((from, middle)),
+                        (false, true) => Some((middle, to)),
+                        _ => None,
+                    }
+                });
+                if let Some((from, to)) = part {
+                    add(Made::Part(from, to));
+                }
+            }
+        }
+        found
+    }
+
+    /// What the section said, the latest first.
+    fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
+        let here = |other: &Place| place.sees(other) && place.in_reach(other, false);
+        self.heard.iter().rev().filter(move |(other, _)| here(other)).map(|(_, expr)| expr)
+    }
+
+    /// The part of its interval that the paragraph speaks of.
+    fn interval_heard(&self, curve: &Curve, place: &Place) -> Option<(Expr, Expr)> {
+        let latest = self.heard.iter().rev().filter(|(other, _)| other.group == place.group);
+        let mut intervals = latest.filter_map(|(_, expr)| match &expr.kind {
+            Kind::List(ends) => <&[Expr; 2]>::try_from(ends.as_slice()).ok(),
+            _ => None,
+        });
+        let [from, to] = intervals.next()?;
+        let whole = from.same_as(&curve.interval.0) && to.same_as(&curve.interval.1);
+        (!whole).then(|| (from.clone(), to.clone()))
+    }
+
+    /// The parameter that the section speaks of: 1/2, t = 1/2, λ.
+    fn parameter_heard(&self, place: &Place) -> Option<Expr> {
+        let number = |expr: &Expr| {
+            let value = match &expr.kind {
+                Kind::Chain(left, links) if Head::of(left).is_some() => &links.last()?.expr,
+                _ => expr,
+            };
+            let inside = matches!(value.kind, Kind::Number(_) | Kind::Div(..)) && bases(value).is_empty();
+            inside.then(|| value.clone())
+        };
+        let letter = |expr: &Expr| match &expr.kind {
+            Kind::Name(name) if is_variable(name) => Some(expr.clone()),
+            _ => None,
+        };
+        self.heard(place).find_map(number).or_else(|| self.heard(place).find_map(letter))
+    }
+
+    /// The curves of which the section gives a formula or control points, those of words first, then the latest.
+    fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
+        let place = &statement.place;
+        let mut found = self.curves_in_words(new, place);
+        found.extend(self.curves_by_formula(new, right, place));
+        let spline = statement.topics.has(Topic::Spline);
+        if !spline || statement.topics.has(Topic::Bernstein) {
+            found.extend(self.curves_by_points(new, place));
+        }
+        found.truncate(MOST_CURVES);
+        found
+    }
+
+    /// "A cubic Bézier curve with the control points b_0, …, b_3"
+    fn curves_in_words(&self, new: &New, place: &Place) -> Vec<Curve> {
+        let here =
+            |declared: &&Declared| place.sees(&declared.place) && place.in_reach(&declared.place, false);
+        let curve = |declared: &Declared| {
+            let object = &*declared.object;
+            if object.names.iter().filter_map(Head::of).any(|head| head.base == new.letter) {
+                return None;
+            }
+            let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
+            let points = match object.sort {
+                Sort::ControlPoints if object.of.is_none() => &object.names,
+                Sort::BezierCurve => &object.points,
+                Sort::SplineCurve if segment => &object.points,
+                _ => return None,
+            };
+            let degree = object.degree.clone().or_else(|| last_index(points))?;
+            let own = match object.sort {
+                Sort::ControlPoints => Some(bezier_curve(points.clone(), &degree)),
+                _ if object.names.is_empty() => Some(Object {
+                    names: vec![Expr::name(CURVE)],
+                    degree: Some(degree.clone()),
+                    ..object.clone()
+                }),
+                _ => None,
+            };
+            let name = if own.is_some() { Expr::name(CURVE) } else { object.names[0].clone() };
+            let mut curve = Curve::new(name, degree);
+            curve.interval = object.interval.clone().unwrap_or(curve.interval);
+            curve.points = points.first().and_then(Head::of).map(|head| head.base);
+            Some(Curve { object: own, segment, ..curve })
+        };
+        self.context.objects.iter().rev().filter(here).filter_map(curve).collect()
+    }
+
+    /// x(t) = (1 - t)^2 b_0 + …; "for a quadratic (1 - t)^2 b_0 + …"
+    fn curves_by_formula(&self, new: &New, right: &Expr, place: &Place) -> Vec<Curve> {
+        let used = bases(right);
+        let shares = |body: &Expr| bases(body).iter().any(|name| !is_variable(name) && used.contains(name));
+        let defined = self.context.definitions.iter().rev().filter_map(|definition| {
+            let head = &definition.head;
+            let arguments = head.flat();
+            let (Body::Formula(body), [Expr { kind: Kind::Name(variable), .. }]) =
+                (&definition.body, arguments.as_slice())
+            else {
+                return None;
+            };
+            let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
+            let here = place.sees(&definition.place) && place.in_reach(&definition.place, definition.assumed);
+            (plain && here && shares(body)).then(|| (Expr::name(&head.base), body, variable.clone()))
+        });
+        let heard = self.heard(place).filter_map(|expr| {
+            let variables: Vec<String> = bases(expr).into_iter().filter(|name| is_variable(name)).collect();
+            let sum = matches!(expr.kind, Kind::Add(_) | Kind::Big { .. });
+            match <[String; 1]>::try_from(variables) {
+                Ok([variable]) if sum && shares(expr) => Some((expr.clone(), expr, variable)),
+                _ => None,
+            }
+        });
+        if std::env::var("DBG").is_ok() {
+            for d in &self.context.objects {
+                eprintln!(
+                    "OBJ {:?} {:?} {:?} {:?}",
+                    d.object.sort,
+                    d.object.names.iter().map(crate::language::write::text).collect::<Vec<_>>(),
+                    d.object.points.len(),
+                    d.object.uniform
+                );
+            }
+        }
+        let curve = |(name, body, variable): (Expr, &Expr, String)| {
+            Some(Curve::new(name, self.degree_of_formula(body, &variable, place)?))
+        };
+        defined.chain(heard).take(MOST_CURVES).filter_map(curve).collect()
+    }
+
+    /// P_0 = (0, 0), P_1 = (1, 2), P_2 = (3, 3)
+    fn curves_by_points(&self, new: &New, place: &Place) -> Vec<Curve> {
+        let index = |head: &Head| match head.lower.as_slice() {
+            [index] if head.arguments.is_none() && head.upper.is_empty() => integer(index),
+            _ => None,
+        };
+        let letters = self.context.definitions.iter().rev().filter(|definition| {
+            let head = &definition.head;
+            index(head) == Some(0)
+                && (new.arguments > 0 || head.base != new.letter)
+                && place.sees(&definition.place)
+                && place.in_reach(&definition.place, definition.assumed)
+        });
+        let curve = |letter: &str| {
+            let known = |i: &i64| {
+                self.context
+                    .visible(letter, place)
+                    .any(|(_, definition, near)| near && index(&definition.head) == Some(*i))
+            };
+            let points: Vec<Expr> = (0..).take_while(known).map(|i| member(letter, i)).collect();
+            let degree = Expr::int(points.len() as i64 - 1);
+            (points.len() > 2).then(|| Curve {
+                points: Some(letter.to_owned()),
+                object: Some(bezier_curve(points, &degree)),
+                ..Curve::new(Expr::name(CURVE), degree)
+            })
+        };
+        letters.filter_map(|definition| curve(&definition.head.base)).take(MOST_CURVES).collect()
+    }
+
+    /// The degree of a formula in a variable: the upper end of its sum, or that of its value.
+    fn degree_of_formula(&self, body: &Expr, variable: &str, place: &Place) -> Option<Expr> {
+        if let Kind::Big { upper: Some(upper), .. } = &body.kind {
+            return Some(upper.as_ref().clone());
+        }
+        let symbol = Symbol::new(variable);
+        let model = Model::new(self.context.clone(), place.clone(), Default::default(), None);
+        let own = [(symbol.clone(), Value::symbol(symbol.clone()))];
+        let degree = |value: &Value| match value {
+            Value::Scalar(formula) => Some(i64::from(formula.as_polynomial()?.degree_in(&symbol))),
+            _ => None,
+        };
+        let degree = match evaluate_reading(body, Rc::new(model), own).ok()? {
+            Value::List(items) => items.iter().filter_map(degree).max(),
+            value => degree(&value),
+        };
+        degree.filter(|degree| *degree > 0).map(Expr::int)
+    }
+}
+
+impl Meaning {
+    fn object(&self, new: &New) -> Object {
+        let Curve { name, degree, interval, object, .. } = &self.curve;
+        let names = new.names.clone();
+        let points = |degree: Expr, interval: (Expr, Expr)| Object {
+            names: names.clone(),
+            degree: Some(degree),
+            of: Some(name.clone()),
+            interval: Some(interval),
+            ..Object::new(Sort::ControlPoints)
+        };
+        match (&self.made, object) {
+            (Made::Elevated(by), _) => points(degree.clone().plus(*by), interval.clone()),
+            (Made::Part(from, to), _) => points(degree.clone(), (from.clone(), to.clone())),
+            (Made::Itself, Some(object)) => Object { names, ..object.clone() },
+            (Made::PolarForm | Made::Itself, _) => {
+                Object { names, of: Some(name.clone()), ..Object::new(Sort::PolarForm) }
+            }
+        }
+    }
+}
+
+fn member(letter: &str, index: i64) -> Expr {
+    Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(index)]).into()
+}
+
+/// A Bézier curve without a name.
+fn bezier_curve(points: Vec<Expr>, degree: &Expr) -> Object {
+    let names = vec![Expr::name(CURVE)];
+    Object { names, points, degree: Some(degree.clone()), ..Object::new(Sort::BezierCurve) }
+}
+
+/// The number of the last point of b_0, …, b_n.
+fn last_index(points: &[Expr]) -> Option<Expr> {
+    let index = |point: &Expr| match Head::of(point)?.lower.as_slice() {
+        [index] => Some(index.clone()),
+        _ => None,
+    };
+    match points {
+        [one] if Head::of(one).is_some() => None,
+        [first, .., last] if points.iter().any(|point| point.kind == Kind::Ellipsis) => {
+            (integer(&index(first)?)? == 0).then(|| index(last)).flatten()
+        }
+        _ => Some(Expr::int(points.len() as i64 - 1)),
+    }
+}
+
+fn integer(expr: &Expr) -> Option<i64> {
+    match &expr.kind {
+        Kind::Number(q) => Value::number(q.clone()).as_int(),
+        _ => None,
+    }
+}
+
+/// Whether lists agree in half of their items and in two at least, polynomials in half of their terms.
+fn agree_in_most(left: &Value, right: &Value) -> bool {
+    let enough = |common: usize, all: usize| common > 1 && 2 * common >= all;
+    // Rows and columns as points; a product of matrices with one entry as that.
+    let plain = |value: &Value| match value.clone().coordinates() {
+        Some(items) => items.first().filter(|_| items.len() == 1).cloned().unwrap_or(Value::List(items)),
+        None => value.clone(),
+    };
+    match (&plain(left), &plain(right)) {
+        (Value::List(own), Value::List(others)) => {
+            own.len() == others.len()
+                && own.len() > 2
+                && enough(own.iter().zip(others).filter(|(a, b)| a == b).count(), own.len())
+        }
+        (Value::Scalar(own), Value::Scalar(others)) => {
+            let (Some(own), Some(others)) = (own.as_polynomial(), others.as_polynomial()) else {
+                return false;
+            };
+            let variables = own.variables() == others.variables();
+            let (own, others) = (own.terms(MonomialOrder::Lex), others.terms(MonomialOrder::Lex));
+            let common = own.iter().filter(|term| others.contains(term)).count();
+            variables && enough(common, own.len().max(others.len()))
+        }
+        _ => false,
+    }
+}
