@@ -14,6 +14,7 @@ use super::check::Checker;
 use super::context::{Body, Mark, is_variable};
 use super::evaluator::evaluate_reading;
 use super::finding::{Evidence, Finding, Verdict};
+use super::inequality::interval;
 use super::model::Model;
 use super::names::{Head, bases};
 use super::object::{Declared, Object, Sort};
@@ -351,11 +352,8 @@ impl Checker {
     /// The part of its interval that the paragraph speaks of.
     fn interval_heard(&self, curve: &Curve, place: &Place) -> Option<(Expr, Expr)> {
         let latest = self.heard.iter().rev().filter(|(other, _)| other.group == place.group);
-        let mut intervals = latest.filter_map(|(_, expr)| match &expr.kind {
-            Kind::List(ends) => <&[Expr; 2]>::try_from(ends.as_slice()).ok(),
-            _ => None,
-        });
-        let [from, to] = intervals.next()?;
+        let mut intervals = latest.filter_map(|(_, expr)| interval(expr));
+        let ([from, to], _) = intervals.next()?;
         let whole = from.same_as(&curve.interval.0) && to.same_as(&curve.interval.1);
         (!whole).then(|| (from.clone(), to.clone()))
     }

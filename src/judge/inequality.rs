@@ -241,8 +241,8 @@ fn range(symbol: &Symbol, conditions: &[Expr]) -> Option<Range> {
     found
 }
 
-/// [a, b], (a, b), [a, b), (a, b]
-fn of_interval(expr: &Expr) -> Option<Range> {
+/// The ends of [a, b], (a, b), [a, b), (a, b], and which of them are left out.
+pub(crate) fn interval(expr: &Expr) -> Option<([&Expr; 2], [bool; 2])> {
     let (items, open) = match &expr.kind {
         Kind::List(items) => (items, [false, false]),
         Kind::Tuple(items) => (items, [true, true]),
@@ -254,6 +254,11 @@ fn of_interval(expr: &Expr) -> Option<Range> {
         _ => return None,
     };
     let [a, b] = items.as_slice() else { return None };
+    Some(([a, b], open))
+}
+
+fn of_interval(expr: &Expr) -> Option<Range> {
+    let ([a, b], open) = interval(expr)?;
     Some(Range { lower: Some(constant(a)?), upper: Some(constant(b)?), open })
 }
 

@@ -234,6 +234,7 @@ pub fn decide(
         };
         checker.is_determined(&head, &statement.place) || valued()
     });
+    let written = head;
     let head = head.filter(|_| !spoken);
     // Both sides are made of the same points.
     let same = {
@@ -486,6 +487,8 @@ pub fn decide(
         .collect();
     if !extra.is_empty() && unknown.is_empty() && !standard {
         let names: Vec<String> = extra.iter().map(|symbol| symbol.to_string()).collect();
+        // "The Bernstein polynomials over [a, b] are b_i^n(t) = …": the formula says more than the words.
+        let head = written.filter(|_| !claimed);
         return missing_or_redefinition(head, first, &format!("{} has no meaning here", names.join(", ")));
     }
     // c_2 - 2 c_1 + c_0 = …, where the page says no more of the c_i: a condition on them

@@ -1,6 +1,8 @@
 //! Conditions of formulas: which formulas are conditions, and which claims they belong to.
 
+use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
+use crate::judge::inequality::interval;
 use crate::judge::names::{Head, is_range};
 use crate::judge::statement::{Role, Said, Statement};
 
@@ -53,6 +55,7 @@ pub(super) fn announces_condition(gap: &str) -> bool {
 /// such as "where" to the formula before.
 pub(super) fn attach(statements: &mut [Statement]) {
     give_first(statements);
+    give_intervals(statements);
     for at in 0..statements.len() {
         let unread = match &statements[at].said {
             Said::Bare(side, _) | Said::Condition(side) => side.is_unread(),
@@ -68,7 +71,7 @@ pub(super) fn attach(statements: &mut [Statement]) {
         let words = announces_condition(&statements[at].gap);
         let gap_is_short = statements[at].gap.trim().chars().count() <= 3;
         let mut reach = formula;
-        let mut attached = false;
+        let (mut attached, mut passed) = (false, false);
         let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
         for before in (0..=end.unwrap_or(at)).rev() {
             let other = &mut statements[before];
@@ -77,10 +80,13 @@ pub(super) fn attach(statements: &mut [Statement]) {
                 && other.place.formula < formula
                 && (words || (gap_is_short && other.place.group == group))
                 && (reach == formula || other.place.formula == reach);
-            if !same && !earlier {
+            // f(x) = x^2, 0 ≤ x ≤ 1, f(x) = 2 - x, 1 ≤ x ≤ 2: each line has its own.
+            let own = passed && before < at && matches!(other.said, Said::Condition(_));
+            if !same && !earlier || own {
                 break;
             }
             if let Said::Chain(chain) = &mut other.said {
+                passed |= before < at;
                 if !same {
                     reach = other.place.formula;
                 }
@@ -106,6 +112,27 @@ pub(super) fn attach(statements: &mut [Statement]) {
         // The range of one formula is not that of the next.
         if attached && range && !unread {
             statements[at].role = Some(Role::Case);
+        }
+    }
+}
+
+/// "f(x) = x^2 on [0, 1]": x lies there.
+fn give_intervals(statements: &mut [Statement]) {
+    for at in 1..statements.len() {
+        let (before, rest) = statements.split_at_mut(at);
+        let (Some(before), [own, ..]) = (before.last_mut(), rest) else { return };
+        let near = before.place.formula + 1 == own.place.formula && before.place.group == own.place.group;
+        let Said::Bare(side, _) = &own.said else { continue };
+        if !near || interval(&side.expr).is_none() || !speech::says_on(&own.gap) {
+            continue;
+        }
+        let Said::Chain(chain) = &mut before.said else { continue };
+        let variable = Head::of(&chain.sides[0].expr).and_then(|head| match head.flat().as_slice() {
+            [variable @ Expr { kind: Kind::Name(_), .. }] => Some((*variable).clone()),
+            _ => None,
+        });
+        if let Some(variable) = variable {
+            chain.conditions.push(Expr::relation(variable, Rel::In, side.expr.clone()));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
+use crate::judge::names::{Head, bases};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -74,10 +74,15 @@ impl Model {
         };
         let number =
             |factor: &&Expr| power(factor).is_some_and(|(base, _)| matches!(base.kind, Kind::Number(_)));
+        // Nobody writes f(r^{n-i}, s^i) for powers.
+        let counted = |factor: &&Expr| {
+            let symbolic = power(factor).is_some_and(|(_, exponent)| !bases(exponent).is_empty());
+            symbolic || matches!(factor.kind, Kind::Upper(..))
+        };
         // Powers of names are repetitions where that gives the number of arguments, and the powers do not.
         let repeated = factors.iter().any(number)
             || arity.is_some_and(|arity| {
-                (arity != items.len() || factors.iter().any(|factor| matches!(factor.kind, Kind::Upper(..))))
+                (arity != items.len() || factors.iter().any(counted))
                     && factors.iter().map(count).sum::<Option<i64>>() == i64::try_from(arity).ok()
             });
         if !repeated {

@@ -1,5 +1,7 @@
 //! Definitions of the notes: which one fits a name or call, and what it gives.
 
+use std::collections::BTreeSet;
+
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Sign};
 use crate::judge::context::{Body, Definition, Source};
@@ -20,7 +22,7 @@ impl Model {
     ) -> Option<Evaluated> {
         let context = self.context.clone();
         let mut best: Option<(usize, usize, bool, Bound)> = None;
-        let mut excluded = false;
+        let (mut excluded, mut pieces) = (false, 0);
         for (number, definition, near) in context.visible(&head.base, &self.place) {
             // n = 3 holds for its paragraph.
             let fixed = is_index_letter(&definition.head.base) && definition.number().is_some();
@@ -48,9 +50,13 @@ impl Model {
                 continue;
             }
             let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
-            if !self.allows(machine, definition, &bound) {
-                excluded = true;
-                continue;
+            match self.allows(machine, definition, &bound) {
+                Some(false) => {
+                    excluded = true;
+                    continue;
+                }
+                None if near => pieces += 1,
+                _ => {}
             }
             // Of several that fit, the one with most exact indices; else the latest.
             let bare =
@@ -72,6 +78,13 @@ impl Model {
             return (function && excluded).then(|| Err(Diagnostic::error(Code::Domain, message)));
         };
         let definition = &context.definitions[number];
+        // f(x) = x^2 for x ≤ 1, f(x) = 2 - x for x ≥ 1: which of them for any x?
+        if pieces > 1 && self.allows(machine, definition, &bound).is_none() {
+            return Some(Err(Diagnostic::error(
+                Code::Domain,
+                "which of several formulas counts here is open",
+            )));
+        }
         let outermost = self.depth.get() == 0;
         let result = self.unfold(machine, definition, bound);
         // A definition that leads nowhere is as good as none.
@@ -244,11 +257,11 @@ impl Model {
         Some((bound, exact))
     }
 
-    /// Whether the conditions of a definition that fits do not fail. One that needs a definition with conditions says
-    /// nothing: it may need itself.
-    fn allows(&self, machine: &mut Machine, definition: &Definition, bound: &Bound) -> bool {
+    /// Whether the conditions of a definition that fits do not fail; `None` if one on its arguments may. One that needs
+    /// a definition with conditions says nothing: it may need itself.
+    fn allows(&self, machine: &mut Machine, definition: &Definition, bound: &Bound) -> Option<bool> {
         if self.asking.replace(true) {
-            return true;
+            return Some(true);
         }
         // b_i^0 = b_i for 1 ≤ k ≤ n, 0 ≤ i ≤ n - k: the k is that of another formula beside it.
         let own = |condition: &&Expr| {
@@ -257,12 +270,21 @@ impl Model {
                     || bound.iter().any(|(known, _)| known.is_plain() && known.base() == name)
             })
         };
-        let failed = definition.conditions.iter().filter(own).any(|condition| {
-            let held = machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition)));
-            held == Ok(Some(false))
-        });
+        let arguments: BTreeSet<String> = definition.head.flat().into_iter().flat_map(bases).collect();
+        let mut allowed = Some(true);
+        for condition in definition.conditions.iter().filter(own) {
+            match machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition))) {
+                Ok(Some(false)) => {
+                    allowed = Some(false);
+                    break;
+                }
+                Ok(Some(true)) => {}
+                _ if bases(condition).is_disjoint(&arguments) => {}
+                _ => allowed = None,
+            }
+        }
         self.asking.set(false);
-        !failed
+        allowed
     }
 
     pub(super) fn match_arguments(

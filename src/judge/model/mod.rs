@@ -23,6 +23,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::Context;
+use super::inequality::interval;
 use super::names::Head;
 use super::roots;
 use super::statement::Place;
@@ -481,7 +482,7 @@ fn shape(message: &str, expr: &Expr) -> Diagnostic {
     Diagnostic::error(Code::Shape, message).at(expr.span)
 }
 
-/// Whether a condition on integers holds; `None` if that cannot be said.
+/// Whether a condition on numbers holds; `None` if that cannot be said.
 pub fn holds(machine: &mut Machine, condition: &Expr) -> Option<bool> {
     if let Some(items) = condition.alternatives() {
         let held: Vec<Option<bool>> = items.iter().map(|item| holds(machine, item)).collect();
@@ -491,16 +492,25 @@ pub fn holds(machine: &mut Machine, condition: &Expr) -> Option<bool> {
         };
     }
     let Kind::Chain(left, links) = &condition.kind else { return None };
-    let mut value = machine.eval(left).ok()?.as_int()?;
+    let number = |machine: &mut Machine, expr: &Expr| machine.eval(expr).ok()?.as_rational();
+    let mut value = number(machine, left)?;
     for link in links {
         if let (Rel::Eq | Rel::In, Kind::Range(from, to)) = (link.rel, &link.expr.kind) {
-            let (from, to) = (machine.eval(from).ok()?.as_int()?, machine.eval(to).ok()?.as_int()?);
-            if !(from..=to).contains(&value) {
+            let (from, to) = (number(machine, from)?, number(machine, to)?);
+            if !value.is_integer() || value < from || value > to {
                 return Some(false);
             }
             continue;
         }
-        let next = machine.eval(&link.expr).ok()?.as_int()?;
+        if link.rel == Rel::In {
+            let ([from, to], [above, below]) = interval(&link.expr)?;
+            let (from, to) = (number(machine, from)?, number(machine, to)?);
+            if value < from || value > to || above && value == from || below && value == to {
+                return Some(false);
+            }
+            continue;
+        }
+        let next = number(machine, &link.expr)?;
         let ok = match link.rel {
             Rel::Eq => value == next,
             Rel::Ne => value != next,

@@ -2,7 +2,7 @@
 
 use super::super::speech::Word;
 use super::Reader;
-use super::subject::{interval, name_in, named, subject};
+use super::subject::{ends, left_side, name_in, named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
 use crate::judge::names::bases;
@@ -196,7 +196,8 @@ impl Reader<'_> {
         let first = self.skip_fillers(at);
         if let Some(number) = self.formula_at(first) {
             let (items, end) = self.list(first);
-            if items.iter().all(of_name) || matches!(object.sort, Sort::Knots | Sort::Nodes) {
+            let knots = matches!(object.sort, Sort::Knots | Sort::Nodes) && !items.iter().any(is_call);
+            if items.iter().all(of_name) || knots {
                 object.names = items;
                 number_of_name = Some(number);
                 at = end;
@@ -213,7 +214,7 @@ impl Reader<'_> {
         {
             let start = self.skip_fillers(at + 1);
             let (items, end) = self.list(start);
-            if !items.is_empty() {
+            if !items.is_empty() && !items.iter().any(is_call) {
                 object.names = items;
                 number_of_name = self.formula_at(start);
                 at = end;
@@ -306,11 +307,14 @@ impl Reader<'_> {
         })
     }
 
-    /// A number or formula that says a degree.
+    /// A number or formula that says a degree: n, p ≥ 1.
     fn number_at(&self, at: usize) -> Option<Expr> {
         match self.tokens.get(at)? {
             Token::Number(number) => Some(Expr::int(*number)),
-            Token::Formula(number) => self.said(*number).first().cloned(),
+            Token::Formula(number) => self.said(*number).first().map(|said| match &said.kind {
+                Kind::Chain(left, _) => left.as_ref().clone(),
+                _ => said.clone(),
+            }),
             _ => None,
         }
     }
@@ -378,6 +382,9 @@ impl Reader<'_> {
                             at += 1;
                         }
                         let (items, end) = self.list(at);
+                        if items.iter().any(is_call) {
+                            return None;
+                        }
                         // with the ordinates (1, 4, -2)
                         *list = match items.as_slice() {
                             [Expr { kind: Kind::Tuple(inside) | Kind::List(inside), .. }] => inside.clone(),
@@ -435,12 +442,12 @@ impl Reader<'_> {
                         Some(end)
                     }
                     Token::Formula(number) if *word == Word::On => {
-                        object.interval = Some(interval(self.said(*number))?);
+                        object.interval = Some(ends(self.said(*number))?);
                         Some(next + 1)
                     }
                     Token::Unknown(_) if *word == Word::On => {
                         let number = self.formula_at(next + 1)?;
-                        object.interval = Some(interval(self.said(number))?);
+                        object.interval = Some(ends(self.said(number))?);
                         Some(next + 2)
                     }
                     _ => None,
@@ -449,4 +456,9 @@ impl Reader<'_> {
             _ => None,
         }
     }
+}
+
+/// Whether it is, or gives, the value of a function: no knot.
+fn is_call(expr: &Expr) -> bool {
+    matches!(left_side(expr).kind, Kind::Apply(..))
 }

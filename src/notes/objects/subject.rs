@@ -4,6 +4,7 @@ use super::super::speech::Word;
 use super::Reader;
 use super::tokens::Token;
 use crate::formula::{Expr, Kind, Rel};
+use crate::judge::inequality::interval;
 use crate::judge::names::Head;
 
 impl Reader<'_> {
@@ -107,16 +108,9 @@ pub(super) fn named(expr: &Expr) -> Expr {
     }
 }
 
-/// [a, b]
-pub(super) fn interval(items: &[Expr]) -> Option<(Expr, Expr)> {
+/// The ends of an interval.
+pub(super) fn ends(items: &[Expr]) -> Option<(Expr, Expr)> {
     let [one] = items else { return None };
-    let ends: &[Expr] = match &one.kind {
-        Kind::List(ends) | Kind::Tuple(ends) => ends,
-        Kind::Apply(_, groups) => groups.first()?,
-        _ => return None,
-    };
-    match ends {
-        [from, to] => Some((from.clone(), to.clone())),
-        _ => None,
-    }
+    let ([from, to], _) = interval(one)?;
+    Some((from.clone(), to.clone()))
 }

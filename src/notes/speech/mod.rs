@@ -314,6 +314,12 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     best.map(|(_, role)| role)
 }
 
+/// Whether words say nothing but "on": the interval after them belongs to what stands before.
+pub fn says_on(words: &str) -> bool {
+    let text = normal(words);
+    word(&text).is_some_and(|(length, word)| length == text.len() && *word == Word::On)
+}
+
 /// Whether words say that something is 0 in all other cases: ", and zero elsewhere".
 pub fn zero_elsewhere(words: &str) -> bool {
     let text = plain(words);
