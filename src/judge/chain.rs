@@ -160,6 +160,7 @@ impl Checker {
                 && is_variable(&head.base)
                 && !matches!(statement.role, Some(Role::Introduced))
                 && !has_call(&chain.sides[1].expr)
+                && (self.seen.contains(&head.base) || bases(&chain.sides[1].expr).is_empty())
                 && !defines;
             if passing {
                 findings[0].verdict = Verdict::Definition;

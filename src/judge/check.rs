@@ -1,12 +1,13 @@
 //! Judging statements one after the other: what they define is known to those after them.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::context::{Body, Condition, Context, Definition, Letters, Source, is_variable};
 use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
-use super::names::{Head, is_range};
+use super::names::{Head, bases, is_range};
 use super::object::{Declared, Object};
 use super::reach::whole_sums;
 use super::reliance::Use;
@@ -34,6 +35,8 @@ pub struct Checker {
     pub(super) uses: Vec<Use>,
     /// What new names were found to mean.
     pub(super) taken: Vec<Taken>,
+    /// The letters that occurred so far.
+    pub(super) seen: BTreeSet<String>,
     /// Intervals and parameters that words speak of.
     pub(super) heard: Vec<(Place, Expr)>,
     /// What was found so far, one finding for each relation.
@@ -54,6 +57,7 @@ impl Checker {
             open: Vec::new(),
             uses: Vec::new(),
             taken: Vec::new(),
+            seen: BTreeSet::new(),
             heard: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
@@ -66,6 +70,15 @@ impl Checker {
 
     /// Judges the next statement, or takes in what it defines.
     pub fn statement(&mut self, statement: &Statement) {
+        self.take_in(statement);
+        match &statement.said {
+            Said::Chain(chain) => self.seen.extend(chain.sides.iter().flat_map(|side| bases(&side.expr))),
+            Said::Condition(side) | Said::Bare(side, _) => self.seen.extend(bases(&side.expr)),
+            Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
+        }
+    }
+
+    fn take_in(&mut self, statement: &Statement) {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
             Said::Object(object) => self.object(object, &statement.place),
@@ -149,6 +162,7 @@ impl Checker {
 
     /// Takes in what words say that names stand for.
     pub(super) fn object(&mut self, object: &Object, place: &Place) {
+        if std::env::var("DBG").is_ok() { eprintln!("OBJECT {:?} {:?} knots {:?} points {:?}", object.sort, object.names.iter().map(write::text).collect::<Vec<_>>(), object.knots.iter().map(write::text).collect::<Vec<_>>(),object.points.len()); }
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);

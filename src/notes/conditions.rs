@@ -73,6 +73,11 @@ pub(super) fn attach(statements: &mut [Statement]) {
         let mut reach = formula;
         let (mut attached, mut passed) = (false, false);
         let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
+        let follows = statements[..at]
+            .iter()
+            .rev()
+            .take_while(|other| other.place.formula == formula)
+            .any(|other| matches!(other.said, Said::Chain(_)));
         for before in (0..=end.unwrap_or(at)).rev() {
             let other = &mut statements[before];
             let same = other.place.formula == formula;
@@ -84,6 +89,9 @@ pub(super) fn attach(statements: &mut [Statement]) {
             let own = passed && before < at && matches!(other.said, Said::Condition(_));
             if !same && !earlier || own {
                 break;
+            }
+            if before > at && follows {
+                continue;
             }
             if let Said::Chain(chain) = &mut other.said {
                 passed |= before < at;

@@ -13,7 +13,7 @@ mod tokens;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::phrase::Phrase;
+use self::phrase::{Phrase, is_call};
 use self::subject::{left_side, name_in, named};
 use self::tokens::{Token, tokens};
 use super::sentence::Piece;
@@ -199,6 +199,10 @@ impl<'a> Reader<'a> {
             }
             return;
         };
+        // "The control points are f(0, 1), f(1, 1)": values, no names.
+        if !object.is_function() && self.said(number).iter().any(is_call) {
+            return;
+        }
         // "Let N be the B-spline of degree 3: its knots are …"
         if let (Sort::Knots, [owner]) = (&object.sort, of.as_slice())
             && let Some(known) = self.known(owner)

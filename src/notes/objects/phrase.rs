@@ -459,6 +459,6 @@ impl Reader<'_> {
 }
 
 /// Whether it is, or gives, the value of a function: no knot.
-fn is_call(expr: &Expr) -> bool {
+pub(super) fn is_call(expr: &Expr) -> bool {
     matches!(left_side(expr).kind, Kind::Apply(..))
 }
