@@ -101,6 +101,11 @@ impl Checker {
             }
             return findings;
         }
+        if self.gives_values(chain, statement) {
+            findings[0].verdict = Verdict::Definition;
+            findings[0].reason = Some("says what these names are".to_owned());
+            return findings;
+        }
         let curve = statement.curve();
         let head = definable(&chain.sides[0].expr)
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
@@ -241,6 +246,35 @@ impl Checker {
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
     }
 
+    /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
+    fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
+        let items = |expr: &Expr| match &expr.kind {
+            Kind::List(items) | Kind::Tuple(items) => Some(items.clone()),
+            _ => None,
+        };
+        let place = &statement.place;
+        let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
+        let (Some(names), Some(values)) = (items(&chain.sides[0].expr), items(&chain.sides[1].expr)) else {
+            return false;
+        };
+        let new = |name: &Expr| match &name.kind {
+            Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
+            _ => false,
+        };
+        let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
+        let gives = names.len() == values.len()
+            && statement.role != Some(Role::Claimed)
+            && names.iter().all(new)
+            && values.iter().all(constant);
+        if gives {
+            for (head, value) in names.iter().filter_map(Head::of).zip(values) {
+                let span = value.span;
+                self.define(head, Body::Formula(value), &[], place, span);
+            }
+        }
+        gives
+    }
+
     /// Puts the verdict on a relation to the others of its chain; `wrong` is what it is if others confirm its names.
     fn settle(
         &mut self,
@@ -350,6 +384,21 @@ impl Checker {
             if datum {
                 findings[at].verdict = Verdict::Definition;
                 findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
+            }
+            // Let g have the values g(0) = 1, …: not the g of another section.
+            let number = |expr: &Expr| bases(expr).is_empty();
+            let anew = statement.role != Some(Role::Claimed)
+                && findings[at].verdict == Verdict::Undecided
+                && !tally.record.definitions.is_empty()
+                && tally.record.definitions.iter().all(|(_, near)| !near)
+                && matches!(&chain.sides[at].expr.kind, Kind::Apply(callee, groups)
+                    if matches!(callee.kind, Kind::Name(_)) && groups.iter().flatten().all(number))
+                && number(&chain.sides[at + 1].expr);
+            if anew && let Some(head) = Head::of(&chain.sides[at].expr) {
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
+                let value = chain.sides[at + 1].expr.clone();
+                self.define(head, Body::Formula(value), &[], place, findings[at].span);
             }
             let open = given || findings[at].verdict == Verdict::Definition;
             if open && chain.relations[at].0 == Rel::Eq {

@@ -162,7 +162,6 @@ impl Checker {
 
     /// Takes in what words say that names stand for.
     pub(super) fn object(&mut self, object: &Object, place: &Place) {
-        if std::env::var("DBG").is_ok() { eprintln!("OBJECT {:?} {:?} knots {:?} points {:?}", object.sort, object.names.iter().map(write::text).collect::<Vec<_>>(), object.knots.iter().map(write::text).collect::<Vec<_>>(),object.points.len()); }
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);

@@ -222,22 +222,8 @@ impl Checker {
         for meaning in meanings {
             let objects = meaning.curve.object.iter().cloned().chain([meaning.object(new)]);
             let tally = self.with_objects(objects, &chain, statement);
-            if std::env::var("DBG").is_ok() {
-                eprintln!(
-                    "TRY {} of {:?}: holds {} fails {} err {:?} unclear {:?}",
-                    meaning.made.words(),
-                    crate::language::write::text(&meaning.curve.name),
-                    tally.holds,
-                    tally.fails.len(),
-                    tally.errors.first().map(|e| &e.message),
-                    tally.unclear.first()
-                );
-            }
             if !tally.errors.is_empty() || !tally.unclear.is_empty() {
                 continue;
-            }
-            if std::env::var("DBG").is_ok() {
-                eprintln!("{:?}", tally.fails.first().map(|f| (f.left.clone(), f.right.clone())));
             }
             if let Some(failure) = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first()) {
                 failures.push((failure.clone(), meaning));
@@ -447,17 +433,6 @@ impl Checker {
                 _ => None,
             }
         });
-        if std::env::var("DBG").is_ok() {
-            for d in &self.context.objects {
-                eprintln!(
-                    "OBJ {:?} {:?} {:?} {:?}",
-                    d.object.sort,
-                    d.object.names.iter().map(crate::language::write::text).collect::<Vec<_>>(),
-                    d.object.points.len(),
-                    d.object.uniform
-                );
-            }
-        }
         let curve = |(name, body, variable): (Expr, &Expr, String)| {
             Some(Curve::new(name, self.degree_of_formula(body, &variable, place)?))
         };

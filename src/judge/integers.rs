@@ -34,8 +34,8 @@ impl Trial<'_> {
         // n in a formula about P, where P(t) = Σ_{i=0}^n …
         let used: BTreeSet<String> = self.sides.iter().flat_map(|side| bases(side)).collect();
         for base in &used {
-            for (_, definition, near) in self.context.visible(base, self.place) {
-                if let (Body::Formula(body), true) = (&definition.body, near) {
+            for (_, definition, _) in self.context.visible(base, self.place) {
+                if let Body::Formula(body) = &definition.body {
                     let own: Vec<String> =
                         definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).collect();
                     names.extend(

@@ -32,6 +32,8 @@ pub enum Sort {
     Lagrange,
     /// The Bernstein polynomials.
     Bernstein,
+    /// Symmetric functions of variables.
+    Symmetric(Symmetric),
     /// Knots.
     Knots,
     /// Nodes of an interpolation.
@@ -48,6 +50,28 @@ pub enum Sort {
     Symbols,
     /// Something else, in these words: what is claimed of it cannot be wrong as far as is known here.
     Other(Cow<'static, str>),
+}
+
+/// Families of symmetric functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symmetric {
+    /// e_k, the sum of the products of k different variables.
+    Elementary,
+    /// h_k, the sum of the products of k variables.
+    Complete,
+    /// p_k, the sum of the k-th powers.
+    PowerSum,
+}
+
+impl Symmetric {
+    /// The words used in reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Symmetric::Elementary => "an elementary symmetric function",
+            Symmetric::Complete => "a complete homogeneous symmetric function",
+            Symmetric::PowerSum => "a sum of powers",
+        }
+    }
 }
 
 /// Something that a sentence speaks of.
@@ -157,6 +181,7 @@ impl Object {
                 | Sort::BezierCurve
                 | Sort::Lagrange
                 | Sort::Bernstein
+                | Sort::Symmetric(_)
         )
     }
 
@@ -169,7 +194,7 @@ impl Object {
     pub fn determines(&self) -> bool {
         match self.sort {
             Sort::PolarForm => self.of.is_some(),
-            Sort::Bernstein => true,
+            Sort::Bernstein | Sort::Symmetric(_) => true,
             Sort::Lagrange => !self.knots.is_empty(),
             Sort::BezierCurve => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),

@@ -15,6 +15,7 @@ mod objects;
 mod piecewise;
 mod polynomials;
 mod steps;
+mod symmetric;
 
 pub use polynomials::capital_of;
 

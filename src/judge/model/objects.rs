@@ -103,6 +103,9 @@ impl Model {
         let (object, line) = self.declared(head)?;
         let bound = self.indices(machine, &object, head);
         let [arguments] = values else { return None };
+        if let Sort::Symmetric(kind) = object.sort {
+            return self.symmetric(machine, &object, kind, head, Some(arguments));
+        }
         let one = match arguments.as_slice() {
             [Value::Scalar(x)] => Some(x.clone()),
             _ => None,
@@ -263,6 +266,7 @@ impl Model {
                 self.note_generic(format!("{} is any 2 by 2 matrix", head.base));
                 Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
             }
+            Sort::Symmetric(kind) => self.symmetric(machine, &object, kind, head, None),
             Sort::ControlPoints => {
                 let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };
@@ -294,7 +298,7 @@ impl Model {
     }
 
     /// The values of a list, dots written out; as many as are wanted.
-    fn items(
+    pub(super) fn items(
         &self,
         machine: &mut Machine,
         items: &[Expr],

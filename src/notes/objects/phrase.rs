@@ -270,7 +270,7 @@ impl Reader<'_> {
         }
         let object = &mut phrase.object;
         // The Lagrange polynomials of x_0, …, x_n
-        if object.sort == Sort::Lagrange && object.knots.is_empty() {
+        if matches!(object.sort, Sort::Lagrange | Sort::Symmetric(_)) && object.knots.is_empty() {
             object.knots = std::mem::take(&mut phrase.of);
         }
         // The cubic with the Bézier points …
@@ -336,6 +336,8 @@ impl Reader<'_> {
                 &Word::With
             }
             Token::Word(Word::Der) => &Word::Of,
+            // e_k in x_1, …, x_n
+            Token::Word(Word::Preposition) if matches!(object.sort, Sort::Symmetric(_)) => &Word::Of,
             Token::Word(word) => word,
             _ => return None,
         };

@@ -66,6 +66,9 @@ impl Reader<'_> {
     /// "denoted by f"
     pub(super) fn subject_after(&self, to: usize) -> Option<(Vec<Expr>, usize)> {
         let at = self.skip_fillers(to);
+        // "The blossom of F, taken as a cubic, is f(u, v, w) = …"
+        let comma = matches!(self.tokens.get(at), Some(Token::Comma)) && self.is(at + 1, &Word::Be);
+        let at = at + usize::from(comma);
         let by = self.is(at, &Word::By) || self.is(at, &Word::Be);
         let number = self.formula_at(self.skip_fillers(at + 1)).filter(|_| by)?;
         let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();

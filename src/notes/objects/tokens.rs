@@ -24,10 +24,19 @@ pub(super) fn tokens(sentence: &[Piece]) -> Vec<Token> {
     for piece in sentence {
         match piece {
             Piece::Formula(number) => found.push(Token::Formula(*number)),
-            Piece::Words(words) => words_of(words, &mut found),
+            Piece::Words(words) => words_of(after_ordinal(words, &mut found), &mut found),
         }
     }
     found
+}
+
+/// "The i-th polynomial", "an n-variate form": the formula is a part of an adjective. Gives the words after it.
+fn after_ordinal<'a>(words: &'a str, found: &mut Vec<Token>) -> &'a str {
+    let suffix = words.strip_prefix('-').filter(|rest| rest.starts_with(char::is_alphabetic));
+    let (Some(rest), Some(Token::Formula(_))) = (suffix, found.last()) else { return words };
+    found.pop();
+    found.push(Token::Word(Word::Filler));
+    rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '-')
 }
 
 fn words_of(words: &str, found: &mut Vec<Token>) {

@@ -3,7 +3,7 @@
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
-use crate::judge::object::Sort;
+use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
@@ -160,6 +160,14 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("贝塞尔曲线", Noun(Sort::BezierCurve)),
     ("贝齐尔曲线", Noun(Sort::BezierCurve)),
     ("控制点", Noun(Sort::ControlPoints)),
+    ("初等对称多项式", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("初等对称函数", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("基本对称多项式", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("基本对称函数", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("幂和", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("等幂和", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("完全齐次对称多项式", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("完全对称多项式", Noun(Sort::Symmetric(Symmetric::Complete))),
     ("控制系数", Noun(Sort::ControlPoints)),
     ("bézier纵标", Noun(Sort::ControlPoints)),
     ("bézier 纵标", Noun(Sort::ControlPoints)),

@@ -3,7 +3,7 @@
 use super::Cue::{After, Before};
 use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
-use crate::judge::object::Sort;
+use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
@@ -179,6 +179,17 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("courbe de bezier", Noun(Sort::BezierCurve)),
     ("courbe bézier", Noun(Sort::BezierCurve)),
     ("points de contrôle", Noun(Sort::ControlPoints)),
+    ("polynôme symétrique élémentaire", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("fonction symétrique élémentaire", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("polynômes symétriques élémentaires", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("fonctions symétriques élémentaires", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("sommes de newton", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("sommes de puissances", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("somme de newton", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("sommes des puissances", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("polynômes symétriques complets", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("polynômes symétriques homogènes complets", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("fonctions symétriques complètes", Noun(Sort::Symmetric(Symmetric::Complete))),
     ("ordonnées de bézier", Noun(Sort::ControlPoints)),
     ("ordonnées", Noun(Sort::ControlPoints)),
     ("coefficients de contrôle", Noun(Sort::ControlPoints)),

@@ -3,7 +3,7 @@
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
 use super::{Block, Cue, PRIME};
-use crate::judge::object::Sort;
+use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
@@ -224,6 +224,24 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("bezier-kurve", Noun(Sort::BezierCurve)),
     ("bézierkurven", Noun(Sort::BezierCurve)),
     ("kontrollpunkte", Noun(Sort::ControlPoints)),
+    ("elementarsymmetrische polynom", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrische polynome", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrische funktion", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrische funktionen", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrischen polynome", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrischen funktionen", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrischen polynomen", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementarsymmetrisches polynom", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementare symmetrische polynome", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementaren symmetrischen polynome", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementare symmetrische funktionen", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementaren symmetrischen funktionen", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("potenzsumme", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("potenzsummen", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("vollständige symmetrische polynome", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("vollständigen symmetrischen polynome", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("vollständig homogene symmetrische polynome", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("vollständigen homogenen symmetrischen polynome", Noun(Sort::Symmetric(Symmetric::Complete))),
     ("kontrollpunkten", Noun(Sort::ControlPoints)),
     ("bézierordinaten", Noun(Sort::ControlPoints)),
     ("bézier-ordinaten", Noun(Sort::ControlPoints)),

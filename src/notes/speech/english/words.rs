@@ -1,6 +1,6 @@
 //! Words of sentences that say what names stand for.
 
-use crate::judge::object::Sort;
+use crate::judge::object::{Sort, Symmetric};
 use crate::notes::speech::PRIME;
 use crate::notes::speech::Word::{self, *};
 
@@ -24,6 +24,28 @@ pub const WORDS: &[(&str, Word)] = &[
     ("weights", Weights),
     ("weight", Weights),
     ("polar form", Noun(Sort::PolarForm)),
+    ("elementary symmetric polynomial", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementary symmetric polynomials", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementary symmetric function", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("elementary symmetric functions", Noun(Sort::Symmetric(Symmetric::Elementary))),
+    ("complete homogeneous symmetric polynomial", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete homogeneous symmetric polynomials", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete homogeneous symmetric function", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete homogeneous symmetric functions", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete symmetric polynomial", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete symmetric polynomials", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete symmetric function", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete symmetric functions", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("complete homogeneous polynomials", Noun(Sort::Symmetric(Symmetric::Complete))),
+    ("power sum", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("power sums", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("power-sum polynomials", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("power sum polynomials", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("sums of powers", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("newton power sums", Noun(Sort::Symmetric(Symmetric::PowerSum))),
+    ("in", Preposition),
+    ("in the variables", Preposition),
+    ("of the variables", Of),
     ("polar forms", Noun(Sort::PolarForm)),
     ("blossom", Noun(Sort::PolarForm)),
     ("blossoms", Noun(Sort::PolarForm)),
