@@ -80,15 +80,24 @@ fn compositions_w5() {
 
 #[test]
 fn basis_matrices_w6() {
+    // Pascal's triangle
+    let mut rows = vec![vec![1]];
+    for n in 0..200 {
+        let below = (0..n).map(|k| plus(rows[n][k], rows[n][k + 1]));
+        rows.push(std::iter::once(1).chain(below).chain([1]).collect::<Vec<u64>>());
+    }
     for n in [10, 50, 100, 200] {
+        let (rows, choose_n) = (&rows, &rows[n]);
         let bernstein = (0..=n).flat_map(|k| {
             (0..=n).map(move |i| {
-                let size = if i <= k { times(choose(n, k), choose(k, i)) } else { 0 };
+                let size = if i <= k { times(choose_n[k], rows[k][i]) } else { 0 };
                 if i < k && (k - i) % 2 == 1 { minus(0, size) } else { size }
             })
         });
+        let inverses: Vec<u64> = choose_n.iter().map(|&value| inverse(value)).collect();
         let inverse_entries = (0..=n).flat_map(|i| {
-            (0..=n).map(move |k| if k <= i { times(choose(i, k), inverse(choose(n, k))) } else { 0 })
+            let inverses = &inverses;
+            (0..=n).map(move |k| if k <= i { times(rows[i][k], inverses[k]) } else { 0 })
         });
         assert_eq!(ck_residues(bernstein.chain(inverse_entries)), expected(&format!("W6/{n}")));
     }

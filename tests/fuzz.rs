@@ -110,17 +110,17 @@ fn kept_pages() -> Vec<String> {
 #[test]
 fn nothing_breaks() {
     let seeds = seeds_of_formulas();
-    replay(&[Family::Language], &seeds, &seeds, &tokens(&["formulas.tokens"]), 1500);
+    replay(&[Family::Language], &seeds, &seeds, &tokens(&["formulas.tokens"]), 600);
 }
 
 #[test]
 fn nothing_breaks_in_notes() {
     let tokens = tokens(&["formulas.tokens", "pages.tokens"]);
-    replay(&Family::NOTES, &kept_pages(), &seeds_of_pages(), &tokens, 300);
+    replay(&Family::NOTES, &kept_pages(), &seeds_of_pages(), &tokens, 120);
 }
 
 #[test]
 fn nothing_breaks_in_weaving() {
     let tokens = tokens(&["formulas.tokens", "pages.tokens"]);
-    replay(&Family::WEAVE, &kept_pages(), &seeds_of_pages(), &tokens, 300);
+    replay(&Family::WEAVE, &kept_pages(), &seeds_of_pages(), &tokens, 120);
 }

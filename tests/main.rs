@@ -8,6 +8,7 @@ mod bad_input;
 mod bench_inputs;
 mod cli;
 mod curves;
+mod derivation_words;
 mod derivations;
 mod differential;
 mod docs;

@@ -456,9 +456,13 @@ pub(super) fn explain(output: &Output, code: Option<&str>) -> Ran {
             Ok(Status::Fine)
         }
         Err(()) => {
+            let hint = match builtin(text) {
+                Some(_) => format!("polarform functions {text} tells about the function"),
+                None => "polarform explain lists all codes".to_owned(),
+            };
             let problem = Diagnostic::error(Code::Usage, format!("there is no code '{text}'"))
                 .at(Span::new(0, text.len()))
-                .hint("polarform explain lists all codes");
+                .hint(hint);
             Err(Box::new(Failure { problem, file: SourceFile::new("<code>", text) }).into())
         }
     }

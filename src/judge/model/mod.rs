@@ -9,6 +9,7 @@ mod arguments;
 mod calls;
 mod definitions;
 mod dots;
+mod dotted_arguments;
 mod families;
 mod notations;
 mod objects;

@@ -24,6 +24,7 @@ mod splines;
 mod subdivision;
 mod surface_joins;
 mod surfaces;
+mod symmetric;
 mod table;
 
 pub(crate) use callable::{alias, callable, is_argument_word, names, synonym};

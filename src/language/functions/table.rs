@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use super::record::Builtin;
 use super::{
     arrange, curves, derive, differential, figures, interpolation, joins, matrices, numbers, polar,
-    polynomials, rational, roots, splines, subdivision, surfaces,
+    polynomials, rational, roots, splines, subdivision, surfaces, symmetric,
 };
 
 /// All functions, by topic.
@@ -36,6 +36,7 @@ pub static BUILTINS: &[&Builtin] = &{
     }
     const TABLES: &[&[Builtin]] = &[
         polar::TABLE,
+        symmetric::TABLE,
         polynomials::TABLE,
         arrange::TABLE,
         roots::TABLE,

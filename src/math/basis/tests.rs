@@ -216,25 +216,28 @@ fn dot<F: Field>(x: &[F], y: &[F]) -> F {
 fn check_laws<F: Field>(n: usize, bases: &[Basis<F>], coefficients: &[F], t: &F) {
     let identity = DMatrix::identity(n + 1, n + 1);
     let column = DMatrix::from_column_slice(n + 1, 1, coefficients);
-    let to_power: Vec<DMatrix<F>> =
-        bases.iter().map(|basis| change_of_basis(n, basis, &Basis::Power).expect("a basis")).collect();
-    for (x, x_to_power) in bases.iter().zip(&to_power) {
-        assert_eq!(change_of_basis(n, x, x), Ok(identity.clone()));
-        let values = evaluate_basis(n, x, t).unwrap();
-        let powers = evaluate_basis(n, &Basis::Power, t).unwrap();
+    let powers = evaluate_basis(n, &Basis::Power, t).unwrap();
+    // The matrix to the powers, its generic inverse and the values at t.
+    let known = bases.iter().map(|basis| {
+        let to_power = change_of_basis(n, basis, &Basis::Power).expect("a basis");
+        let from_power = inverse(&to_power).unwrap();
+        (basis, to_power, from_power, evaluate_basis(n, basis, t).unwrap())
+    });
+    let known: Vec<_> = known.collect();
+    for (i, (x, to_power, from_power, values)) in known.iter().enumerate() {
         for (j, value) in values.iter().enumerate() {
-            assert_eq!(*value, dot(x_to_power.column(j).as_slice(), &powers));
+            assert_eq!(*value, dot(to_power.column(j).as_slice(), &powers));
         }
-        for (y, y_to_power) in bases.iter().zip(&to_power) {
+        assert_eq!(change_of_basis(n, &Basis::Power, x).as_ref(), Ok(from_power));
+        for (y, y_to_power, y_from_power, there) in &known[i..] {
             let matrix = change_of_basis(n, x, y).unwrap();
-            // composition: X → power is X → Y → power, and the generic inverse agrees
-            assert_eq!(multiply(y_to_power, &matrix).as_ref(), Ok(x_to_power));
-            assert_eq!(multiply(&inverse(y_to_power).unwrap(), x_to_power).as_ref(), Ok(&matrix));
             let back = change_of_basis(n, y, x).unwrap();
+            // composition: X → Y is X → power → Y
+            assert_eq!(multiply(y_from_power, to_power).as_ref(), Ok(&matrix));
+            assert_eq!(multiply(from_power, y_to_power).as_ref(), Ok(&back));
             assert_eq!(multiply(&back, &matrix).as_ref(), Ok(&identity));
             let converted = multiply(&matrix, &column).unwrap();
-            let there = evaluate_basis(n, y, t).unwrap();
-            assert_eq!(dot(coefficients, &values), dot(converted.as_slice(), &there));
+            assert_eq!(dot(coefficients, values), dot(converted.as_slice(), there));
         }
     }
 }
@@ -259,11 +262,11 @@ fn distinct(list: Vec<Rational>) -> Vec<Rational> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn laws_over_the_rationals(
-        n in 0usize..=6,
+        n in 0usize..=5,
         nodes in proptest::collection::vec(number(), 7),
         any in proptest::collection::vec(number(), 7),
         coefficients in proptest::collection::vec(number(), 7),

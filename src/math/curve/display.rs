@@ -46,24 +46,35 @@ impl<C: Field + Display> Display for BezierCurve<C> {
     }
 }
 
+/// The control points, what stands behind them, and `weights=[…]`; with `homogeneous=1` the control
+/// vectors if a point is at infinity.
+pub(crate) fn weighted<C: Display>(
+    f: &mut Formatter<'_>,
+    given: Vec<Option<Point<C>>>,
+    vectors: &[Point<C>],
+    behind: impl FnOnce(&mut Formatter<'_>) -> Result,
+) -> Result {
+    match given.into_iter().collect::<Option<Vec<_>>>() {
+        Some(finite) => {
+            points(f, &finite)?;
+            behind(f)?;
+            f.write_str(", weights=")?;
+            list(f, vectors, |f, vector| vector.last().map_or(Ok(()), |weight| Display::fmt(weight, f)))
+        }
+        None => {
+            list(f, vectors, |f, vector| list(f, vector, |f, x| Display::fmt(x, f)))?;
+            behind(f)?;
+            f.write_str(", homogeneous=1")
+        }
+    }
+}
+
 /// As for a polynomial curve, with `weights=[…]`; with `homogeneous=1` and the control vectors if one
 /// has weight 0.
 impl<C: Field + Display> Display for RationalCurve<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         f.write_str("bezier(")?;
-        match self.points().into_iter().collect::<Option<Vec<_>>>() {
-            Some(finite) => {
-                points(f, &finite)?;
-                ends(f, self.interval().ends())?;
-                f.write_str(", weights=")?;
-                list(f, &self.weights(), |f, w| Display::fmt(w, f))?;
-            }
-            None => {
-                list(f, self.homogeneous().points(), |f, vector| list(f, vector, |f, x| Display::fmt(x, f)))?;
-                ends(f, self.interval().ends())?;
-                f.write_str(", homogeneous=1")?;
-            }
-        }
+        weighted(f, self.points(), self.homogeneous().points(), |f| ends(f, self.interval().ends()))?;
         f.write_str(")")
     }
 }

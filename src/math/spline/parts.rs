@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Formatter, Result as Shown};
 
-use super::{BSpline, KnotVector, SplineError};
+use super::{BSpline, KnotVector, RationalSpline, SplineError};
 use crate::math::blossom::Argument;
 use crate::math::curve::{Curve, CurveError, Point, PolarValue, display};
 use crate::math::ring::Field;
@@ -81,13 +81,28 @@ impl<C: Field> Curve<C> for BSpline<C> {
     }
 }
 
+fn opened<C: Field + Display>(f: &mut Formatter<'_>, knots: &KnotVector<C>) -> Shown {
+    write!(f, "bspline({}, ", knots.degree())?;
+    display::list(f, knots.knots(), |f, knot| Display::fmt(knot, f))?;
+    f.write_str(", ")
+}
+
 /// `bspline(n, [t_0, …], [d_0, …])`
 impl<C: Field + Display> Display for BSpline<C> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
-        write!(f, "bspline({}, ", self.degree())?;
-        display::list(f, self.knots().knots(), |f, knot| Display::fmt(knot, f))?;
-        f.write_str(", ")?;
+        opened(f, self.knots())?;
         display::points(f, self.points())?;
+        f.write_str(")")
+    }
+}
+
+/// As for a polynomial spline, with `weights=[…]`; with `homogeneous=1` and the control vectors if one
+/// has weight 0.
+impl<C: Field + Display> Display for RationalSpline<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
+        let spline = self.homogeneous();
+        opened(f, spline.knots())?;
+        display::weighted(f, self.points(), spline.points(), |_| Ok(()))?;
         f.write_str(")")
     }
 }
@@ -140,5 +155,12 @@ mod tests {
         let knots = KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
         let line = BSpline::new(knots, vec![vec![q(1, 2)], vec![z(3)]]).unwrap();
         assert_eq!(line.to_string(), "bspline(1, [0, 0, 1, 1], [1/2, 3])");
+        let plane = [[0, 1], [2, 3]].map(|p| p.map(z).into()).to_vec();
+        let rational = RationalSpline::new(line.knots().clone(), plane, &[z(1), z(4)]).unwrap();
+        assert_eq!(rational.to_string(), "bspline(1, [0, 0, 1, 1], [(0, 1), (2, 3)], weights=[1, 4])");
+        let vectors = vec![vec![z(1), z(0)], vec![z(2), z(1)]];
+        let infinite = BSpline::new(line.knots().clone(), vectors).unwrap();
+        let infinite = RationalSpline::from_homogeneous(infinite).unwrap();
+        assert_eq!(infinite.to_string(), "bspline(1, [0, 0, 1, 1], [[1, 0], [2, 1]], homogeneous=1)");
     }
 }

@@ -14,22 +14,8 @@ fn at(text: &str, part: &str) -> Span {
 /// A finding on `part` with the mark at the first `mark` within it.
 fn finding(text: &str, part: &str, mark: &str, verdict: Verdict) -> Finding {
     let span = at(text, part);
-    Finding {
-        span,
-        mark: at(part, mark).shifted(span.start),
-        latex: part.to_owned(),
-        reading: part.to_owned(),
-        relation: 1,
-        verdict,
-        reason: None,
-        witness: None,
-        suggestion: None,
-        instances: None,
-        warning: None,
-        evidence: Vec::new(),
-        determined: false,
-        notes: Vec::new(),
-    }
+    let mark = at(part, mark).shifted(span.start);
+    Finding { verdict, ..Finding::new(span, mark, part.to_owned(), part.to_owned(), 1) }
 }
 
 fn some(text: &str) -> Option<String> {
