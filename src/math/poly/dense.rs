@@ -379,6 +379,8 @@ pub(super) mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
         #[test]
         fn every_product_agrees_with_the_definition(a in vector(24), b in vector(24)) {
             let expected = schoolbook(&a, &b);

@@ -164,6 +164,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
         #[test]
         fn values_match_the_definition(a in ints(-99..99, 0..70), p in -12i64..12, q in 1i64..9) {
             let (p, q) = (Int::from(p), Int::from(q));

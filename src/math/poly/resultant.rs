@@ -346,6 +346,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
         #[test]
         fn numbers_agree_with_the_determinant(f in coefficients(), g in coefficients()) {
             let (p, q): (Poly, Poly) = (f.iter().cloned().collect(), g.iter().cloned().collect());

@@ -54,6 +54,8 @@ fn roots(list: &[(i64, i64)]) -> Poly {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn ring_laws(f in any_poly(), g in any_poly(), h in any_poly()) {
         let zero = Poly::zero();

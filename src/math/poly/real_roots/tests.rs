@@ -116,6 +116,8 @@ fn one_number_is_an_interval() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn roots_keep_their_promises(f in any_poly(9), a in -6i64..7, b in -6i64..7, k in 1u32..3, g in any_poly(4)) {
         let f = f * g.pow(k);
