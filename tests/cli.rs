@@ -449,8 +449,8 @@ fn depth_has_an_end() {
 /// Only what is printed of a row of binomials is made.
 #[test]
 fn polar_forms_of_huge_degree_are_printed_or_stopped() {
-    let ran = run(&["eval", "polar(t^50000)"]);
-    assert!(ran.out.starts_with("f(t1, t2,") && ran.out.ends_with(" t49999 t50000\n"));
+    let ran = run(&["eval", "polar(t^20000)"]);
+    assert!(ran.out.starts_with("f(t1, t2,") && ran.out.ends_with(" t19999 t20000\n"));
     // The call on the left is not written as a formula, but like one.
     for query in ["polar(t^9 + t)", "g := polar(x_1^7)", "f_1 := polar(omega^8 - 1)"] {
         for format in ["text", "unicode", "latex"] {

@@ -18,7 +18,7 @@ use crate::math::ring::{Field, Ring};
 /// A polynomial curve by its control points over an interval.
 ///
 /// **Invariant.** At least one point, all of one dimension.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct BezierCurve<C> {
     points: Vec<Point<C>>,
     interval: Interval<C>,

@@ -1,6 +1,6 @@
 //! Curves as text: the calls by which the query language makes them.
 
-use std::fmt::{Display, Formatter, Result};
+use std::fmt::{Debug, Display, Formatter, Result};
 
 use super::{BezierCurve, Point, RationalCurve};
 use crate::math::ring::Field;
@@ -76,6 +76,20 @@ impl<C: Field + Display> Display for RationalCurve<C> {
         f.write_str("bezier(")?;
         weighted(f, self.points(), self.homogeneous().points(), |f| ends(f, self.interval().ends()))?;
         f.write_str(")")
+    }
+}
+
+/// `BezierCurve(bezier([0, 1]))`
+impl<C: Field + Display> Debug for BezierCurve<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "BezierCurve({self})")
+    }
+}
+
+/// `RationalCurve(bezier([0, 1], weights=[1, 2]))`
+impl<C: Field + Display> Debug for RationalCurve<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "RationalCurve({self})")
     }
 }
 

@@ -27,7 +27,7 @@ use crate::math::ring::Field;
 /// assert_eq!(quarter.value(&q(1, 2))?, [q(3, 5), q(4, 5)]);
 /// # Ok::<(), CurveError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalCurve<C> {
     homogeneous: BezierCurve<C>,
 }

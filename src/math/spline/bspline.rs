@@ -9,7 +9,7 @@ use crate::math::piecewise::{Outside, Piecewise};
 use crate::math::ring::Field;
 
 /// A spline curve by its knots and control points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct BSpline<C> {
     knots: KnotVector<C>,
     points: Vec<Point<C>>,

@@ -1,6 +1,6 @@
 //! A spline among other curves: its parts, its text, what it shares with Bézier curves.
 
-use std::fmt::{Display, Formatter, Result as Shown};
+use std::fmt::{Debug, Display, Formatter, Result as Shown};
 
 use super::{BSpline, KnotVector, RationalSpline, SplineError};
 use crate::math::blossom::Argument;
@@ -107,6 +107,20 @@ impl<C: Field + Display> Display for RationalSpline<C> {
     }
 }
 
+/// `BSpline(bspline(1, [0, 0, 1, 1], [1, 3]))`
+impl<C: Field + Display> Debug for BSpline<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
+        write!(f, "BSpline({self})")
+    }
+}
+
+/// `RationalSpline(bspline(1, [0, 0, 1, 1], [1, 3], weights=[1, 2]))`
+impl<C: Field + Display> Debug for RationalSpline<C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Shown {
+        write!(f, "RationalSpline({self})")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,12 +169,13 @@ mod tests {
         let knots = KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
         let line = BSpline::new(knots, vec![vec![q(1, 2)], vec![z(3)]]).unwrap();
         assert_eq!(line.to_string(), "bspline(1, [0, 0, 1, 1], [1/2, 3])");
-        let plane = [[0, 1], [2, 3]].map(|p| p.map(z).into()).to_vec();
-        let rational = RationalSpline::new(line.knots().clone(), plane, &[z(1), z(4)]).unwrap();
+        let plane = [[0, 1], [2, 3]].map(|p| p.map(z)).to_vec();
+        let rational = RationalSpline::new(line.knots().clone(), plane, vec![z(1), z(4)]).unwrap();
         assert_eq!(rational.to_string(), "bspline(1, [0, 0, 1, 1], [(0, 1), (2, 3)], weights=[1, 4])");
         let vectors = vec![vec![z(1), z(0)], vec![z(2), z(1)]];
         let infinite = BSpline::new(line.knots().clone(), vectors).unwrap();
         let infinite = RationalSpline::from_homogeneous(infinite).unwrap();
         assert_eq!(infinite.to_string(), "bspline(1, [0, 0, 1, 1], [[1, 0], [2, 1]], homogeneous=1)");
+        assert_eq!(format!("{line:?}"), "BSpline(bspline(1, [0, 0, 1, 1], [1/2, 3]))");
     }
 }

@@ -21,14 +21,14 @@ use crate::math::ring::Field;
 /// use polarform::number::{integer as z, rational as q};
 /// use polarform::spline::{KnotVector, RationalSpline};
 /// // half of the unit circle from two quarters
-/// let points = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]].map(|p| p.map(z).into()).to_vec();
+/// let points = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]].map(|p| p.map(z)).to_vec();
 /// let knots = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(2))?;
-/// let half = RationalSpline::new(knots, points, &[2, 1, 1, 1, 2].map(z))?;
+/// let half = RationalSpline::new(knots, points, [2, 1, 1, 1, 2].map(z).to_vec())?;
 /// assert_eq!(half.value(&q(1, 2))?, [q(4, 5), q(3, 5)]);
 /// assert_eq!(half.derivative()?.value(&z(0))?, [z(0), z(1)]);
 /// # Ok::<(), polarform::spline::SplineError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct RationalSpline<C> {
     homogeneous: BSpline<C>,
 }
@@ -39,9 +39,14 @@ impl<C: Field> RationalSpline<C> {
     /// # Errors
     /// [`crate::math::curve::CurveError::WeightCount`], [`crate::math::curve::CurveError::ZeroWeight`],
     /// and those of [`BSpline::new`].
-    pub fn new(knots: KnotVector<C>, points: Vec<Point<C>>, weights: &[C]) -> Result<Self, SplineError> {
+    pub fn new(
+        knots: KnotVector<C>,
+        points: Vec<impl Into<Point<C>>>,
+        weights: Vec<C>,
+    ) -> Result<Self, SplineError> {
+        let points: Vec<Point<C>> = points.into_iter().map(Into::into).collect();
         crate::math::curve::dimension(&points)?;
-        Ok(RationalSpline { homogeneous: BSpline::new(knots, lifted(&points, weights)?)? })
+        Ok(RationalSpline { homogeneous: BSpline::new(knots, lifted(&points, &weights)?)? })
     }
 
     /// The image of a polynomial spline, its last coordinate being the weight. Control vectors may
@@ -211,13 +216,13 @@ mod tests {
         let knots = || KnotVector::clamped(1, &z(0), &[z(1)], &z(2)).unwrap();
         let points: Vec<Point<Rational>> = [1, 5, 2].map(|x| [z(x)].into()).to_vec();
         let weights = [2, 1, 3].map(z);
-        let s = RationalSpline::new(knots(), points.clone(), &weights).unwrap();
+        let s = RationalSpline::new(knots(), points.clone(), weights.to_vec()).unwrap();
         assert_eq!(s.weights(), weights);
         assert_eq!(s.points().into_iter().collect::<Option<Vec<_>>>(), Some(points.clone()));
         assert_eq!(s.value(&q(1, 2)).unwrap(), [q(7, 3)]);
-        let zero = RationalSpline::new(knots(), points.clone(), &[2, 0, 3].map(z));
+        let zero = RationalSpline::new(knots(), points.clone(), [2, 0, 3].map(z).to_vec());
         assert_eq!(zero, Err(CurveError::ZeroWeight { index: 1 }.into()));
-        let few = RationalSpline::new(knots(), points, &weights[..2]);
+        let few = RationalSpline::new(knots(), points, weights[..2].to_vec());
         assert_eq!(few, Err(CurveError::WeightCount { weights: 2, points: 3 }.into()));
     }
 }

@@ -25,9 +25,9 @@ use crate::math::ring::Field;
 /// let u = KnotVector::clamped(2, &z(0), &[z(1), z(1)], &z(2))?;
 /// let v = KnotVector::clamped(1, &z(0), &[], &z(1))?;
 /// let circle = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]];
-/// let net = circle.map(|[x, y]| [0, 1].map(|h| [x, y, h].map(z).into()).to_vec()).to_vec();
-/// let weights = [2, 1, 1, 1, 2].map(|w| vec![z(w); 2]);
-/// let half = RationalSplineSurface::new(u, v, net, &weights)?;
+/// let net = circle.map(|[x, y]| [0, 1].map(|h| [x, y, h].map(z)).to_vec()).to_vec();
+/// let weights = [2, 1, 1, 1, 2].map(|w| vec![z(w); 2]).to_vec();
+/// let half = RationalSplineSurface::new(u, v, net, weights)?;
 /// assert_eq!(half.value(&q(1, 2), &q(1, 3))?, [q(4, 5), q(3, 5), q(1, 3)]);
 /// # Ok::<(), polarform::spline::SplineError>(())
 /// ```
@@ -46,12 +46,12 @@ impl<C: Field> RationalSplineSurface<C> {
     pub fn new(
         u: KnotVector<C>,
         v: KnotVector<C>,
-        points: Vec<Vec<Point<C>>>,
-        weights: &[Vec<C>],
+        points: Vec<Vec<impl Into<Point<C>>>>,
+        weights: Vec<Vec<C>>,
     ) -> Result<Self, SplineError> {
         let plain = SplineSurface::new(u, v, points)?;
         let (u, v) = plain.knots();
-        let net = lifted_net(plain.net(), weights)?;
+        let net = lifted_net(plain.net(), &weights)?;
         Ok(RationalSplineSurface { homogeneous: SplineSurface::new(u.clone(), v.clone(), net)? })
     }
 
@@ -176,7 +176,7 @@ mod tests {
         fn values_are_quotients_of_sums((points, weights) in net(), i in 0i64..12, j in 0i64..4) {
             let (u, v) = (q(i, 4), q(j, 4));
             let [in_u, in_v] = knots();
-            let s = RationalSplineSurface::new(in_u.clone(), in_v.clone(), points.clone(), &weights).unwrap();
+            let s = RationalSplineSurface::new(in_u.clone(), in_v.clone(), points.clone(), weights.clone()).unwrap();
             // Σ w_ij d_ij N_i N_j / Σ w_ij N_i N_j with the basis functions by their recurrence
             let basis = |knots: &KnotVector<Rational>, t: &Rational| -> Vec<Rational> {
                 knots.basis_functions().iter().map(|function| function.value(t).unwrap()).collect()
@@ -221,16 +221,16 @@ mod tests {
     fn bad_weights_are_refused() {
         let flat = || KnotVector::clamped(1, &z(0), &[], &z(1)).unwrap();
         let points = || vec![vec![Point::from([z(1)]), Point::from([z(2)])]; 2];
-        let new = |weights: &[Vec<Rational>]| RationalSplineSurface::new(flat(), flat(), points(), weights);
-        assert!(new(&[vec![z(1); 2], vec![z(1); 2]]).is_ok());
+        let new = |weights: Vec<Vec<Rational>>| RationalSplineSurface::new(flat(), flat(), points(), weights);
+        assert!(new(vec![vec![z(1); 2], vec![z(1); 2]]).is_ok());
         let few = CurveError::WeightCount { weights: 2, points: 4 };
-        assert_eq!(new(&[vec![z(1); 2]]), Err(few.into()));
+        assert_eq!(new(vec![vec![z(1); 2]]), Err(few.into()));
         let zero = CurveError::ZeroWeight { index: 3 };
-        assert_eq!(new(&[vec![z(1); 2], vec![z(1), z(0)]]), Err(zero.into()));
+        assert_eq!(new(vec![vec![z(1); 2], vec![z(1), z(0)]]), Err(zero.into()));
         let bare = SplineSurface::new(flat(), flat(), vec![vec![Vec::new(); 2]; 2]).unwrap();
         assert!(RationalSplineSurface::<Rational>::from_homogeneous(bare).is_err());
         // A denominator that vanishes: weights 1 and -1 in v.
-        let s = new(&[vec![z(1), z(-1)], vec![z(1), z(-1)]]).unwrap();
+        let s = new(vec![vec![z(1), z(-1)], vec![z(1), z(-1)]]).unwrap();
         assert_eq!(s.value(&z(0), &q(1, 2)), Err(CurveError::ZeroDenominator.into()));
         assert_eq!(s.derivatives(&z(0), &q(1, 2), 1), Err(CurveError::ZeroDenominator.into()));
     }
