@@ -134,8 +134,12 @@ impl Checker {
             // Facts that speak of it may say what it is already.
             let spoken =
                 || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
+            // P_i = f(a, …, b), where F(t) = Σ P_i B_i^n(t) and f is its polar form: it speaks of itself.
+            let right = &chain.sides[1].expr;
+            let around = !bases(right).contains(&head.base)
+                && self.context.reached(&[right], place).contains(&head.base);
             let claims = statement.role == Some(Role::Claimed)
-                || !matches!(statement.role, Some(Role::Introduced)) && spoken();
+                || !matches!(statement.role, Some(Role::Introduced)) && (around || spoken());
             if claims && !defines {
                 let before = self.context.mark();
                 let mut tried = findings.clone();
@@ -147,7 +151,7 @@ impl Checker {
                         let symbol =
                             Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
-                        statement.role == Some(Role::Claimed) && given
+                        statement.role == Some(Role::Claimed) && (given || around)
                             || tried[0].determined
                             || head.arguments.is_none() && !self.is_open(&symbol, &curve)
                     }

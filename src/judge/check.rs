@@ -108,6 +108,7 @@ impl Checker {
                 }
                 self.findings.push(finding);
                 self.hear(&side.expr, &statement.place);
+                Rc::make_mut(&mut self.context).name_item(&side.expr, &statement.place);
             }
             Said::Chain(chain) => {
                 let chain = &whole_sums(chain);

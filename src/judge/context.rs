@@ -75,6 +75,8 @@ pub struct Context {
     pub conditions: Vec<Condition>,
     /// What words say that names stand for, in the order they were met.
     pub objects: Vec<Declared>,
+    /// Lists that were only named: x_0, …, x_n.
+    pub lists: Vec<(Place, Vec<Expr>)>,
     /// How letters are used in the whole document.
     pub letters: Letters,
     /// The numbers of the definitions and of the objects of each letter.
@@ -342,6 +344,50 @@ impl Context {
             self.named.entry(base).or_default()[1].push(self.objects.len());
         }
         self.objects.push(declared);
+    }
+
+    /// Takes in an item of a list that is only named.
+    pub fn name_item(&mut self, item: &Expr, place: &Place) {
+        match self.lists.last_mut() {
+            Some((last, items)) if last.formula == place.formula => items.push(item.clone()),
+            _ => self.lists.push((place.clone(), vec![item.clone()])),
+        }
+    }
+
+    /// The first and the last number of the members of a letter, as the page lists them last.
+    pub fn listed(&self, letter: &str, place: &Place) -> Option<(Expr, Expr)> {
+        let objects = self.objects.iter().map(|declared| (&declared.place, &declared.object.names));
+        let lists = self.lists.iter().map(|(place, items)| (place, items));
+        let here = |other: &Place| place.sees(other) && place.in_reach(other, false);
+        let index = |expr: &Expr| {
+            let head = Head::of(expr).filter(|head| head.base == letter)?;
+            match head.lower.as_slice() {
+                [index] => Some(index.clone()),
+                _ => None,
+            }
+        };
+        let found = objects.chain(lists).filter(|(other, _)| here(other)).filter_map(|(other, items)| {
+            let dots = items.iter().any(|item| item.kind == Kind::Ellipsis);
+            let ends = (index(items.first()?)?, index(items.last()?)?);
+            dots.then_some((other.formula, ends))
+        });
+        let named = found.max_by_key(|(formula, _)| *formula).map(|(_, ends)| ends);
+        // x_j = x_0 + jh for j = 0, …, n
+        named.or_else(|| {
+            self.visible(letter, place).find_map(|(_, definition, _)| {
+                let [index] = definition.head.lower.as_slice() else { return None };
+                definition.conditions.iter().find_map(|condition| match &condition.kind {
+                    Kind::Chain(own, links) if own.same_as(index) => match &links.as_slice() {
+                        [link] => match &link.expr.kind {
+                            Kind::Range(from, to) => Some((from.as_ref().clone(), to.as_ref().clone())),
+                            _ => None,
+                        },
+                        _ => None,
+                    },
+                    _ => None,
+                })
+            })
+        })
     }
 
     /// How much is known now.

@@ -8,7 +8,7 @@ use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_
 use super::refute::calls;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::lexicon::families::Family;
+use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::words::is_function_word;
 use crate::language::value::Value;
 use crate::language::write;
@@ -318,10 +318,20 @@ impl Checker {
             .flatten()
             .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
         let right = bases(&chain.sides[1].expr);
-        let known =
-            self.context.visible(&head.base, place).any(|(_, d, near)| near && d.head.arguments.is_some())
-                || right.contains(&head.base)
-                || right.contains(&head.base.to_lowercase());
+        // s = Σ c_i N_{i,p} is a function, too.
+        let of_functions = |d: &Definition| match &d.body {
+            Body::Formula(body) => bases(body).iter().any(|base| {
+                families::is_family(base)
+                    || self.context.object_called(base, place).is_some_and(|known| known.object.is_function())
+            }),
+            Body::Value(_) => false,
+        };
+        let known = self
+            .context
+            .visible(&head.base, place)
+            .any(|(_, d, near)| d.head.arguments.is_some() || near && of_functions(d))
+            || right.contains(&head.base)
+            || right.contains(&head.base.to_lowercase());
         (bare && !known).then_some(head.base)
     }
 

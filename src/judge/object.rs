@@ -194,8 +194,8 @@ impl Object {
     pub fn determines(&self) -> bool {
         match self.sort {
             Sort::PolarForm => self.of.is_some(),
-            Sort::Bernstein | Sort::Symmetric(_) => true,
-            Sort::Lagrange => !self.knots.is_empty(),
+            Sort::Bernstein => true,
+            Sort::Lagrange | Sort::Symmetric(_) => !self.knots.is_empty(),
             Sort::BezierCurve => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
             Sort::BSpline => self.degree.is_some(),

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::names::{has_free, own_names};
 use super::statement::Chain;
-use crate::formula::{Expr, Kind, Sign, Term};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
 
 /// The chain with sums that reach as far as their indices are used. An index that is free on another side, or in a
 /// condition, has a meaning outside of the sum.
@@ -19,6 +19,7 @@ pub(super) fn whole_sums(chain: &Chain) -> Cow<'_, Chain> {
         let others: Vec<&Expr> = others.map(|(_, side)| &side.expr).chain(&chain.conditions).collect();
         let means_else = |name: &str| others.iter().any(|other| has_free(other, name));
         extend(&mut whole.sides[at].expr, &means_else);
+        as_outer(&mut whole.sides[at].expr, &mut Vec::new());
     }
     Cow::Owned(whole)
 }
@@ -44,6 +45,39 @@ fn extend(expr: &mut Expr, means_else: &dyn Fn(&str) -> bool) {
     if let ([only], Sign::Plus) = (terms.as_slice(), terms[0].sign) {
         *expr = only.expr.clone();
     }
+}
+
+/// Σ_{i=0}^n Π_{j ≠ i} …: j runs as far as i.
+fn as_outer(expr: &mut Expr, around: &mut Vec<(String, Expr, Expr)>) {
+    let mut own = None;
+    if let Kind::Big { lower, upper, .. } = &mut expr.kind {
+        match (lower.as_slice(), &upper) {
+            ([Expr { kind: Kind::Chain(index, links), .. }], Some(to)) => {
+                if let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) =
+                    (&index.kind, links.as_slice())
+                {
+                    own = Some((name.clone(), from.clone(), to.as_ref().clone()));
+                }
+            }
+            ([Expr { kind: Kind::Chain(index, links), .. }], None) => {
+                if let (
+                    Kind::Name(_),
+                    [Link { rel: Rel::Ne, expr: Expr { kind: Kind::Name(other), .. }, .. }],
+                ) = (&index.kind, links.as_slice())
+                    && let Some((_, from, to)) = around.iter().rev().find(|(name, ..)| name == other)
+                {
+                    let start = Expr::relation(index.as_ref().clone(), Rel::Eq, from.clone());
+                    *upper = Some(Box::new(to.clone()));
+                    lower.insert(0, start);
+                }
+            }
+            _ => {}
+        }
+    }
+    let depth = around.len();
+    around.extend(own);
+    expr.for_each_child_mut(&mut |child| as_outer(child, around));
+    around.truncate(depth);
 }
 
 #[cfg(test)]

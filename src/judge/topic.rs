@@ -26,6 +26,8 @@ pub enum Topic {
     Join,
     /// Rational curves, conics.
     Rational,
+    /// Interpolation by the schemes of Neville and Aitken.
+    Neville,
 }
 
 /// The topics of a section, and the degrees that it names by words: "cubic".

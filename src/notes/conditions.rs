@@ -4,7 +4,7 @@ use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::inequality::interval;
 use crate::judge::names::{Head, is_range};
-use crate::judge::statement::{Role, Said, Statement};
+use crate::judge::statement::{Chain, Role, Said, Side, Statement};
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -124,23 +124,41 @@ pub(super) fn attach(statements: &mut [Statement]) {
     }
 }
 
-/// "f(x) = x^2 on [0, 1]": x lies there.
+/// "f(x) = x^2 on [0, 1]", "on [0, 1] we have f(x) = x^2": x lies there.
 fn give_intervals(statements: &mut [Statement]) {
-    for at in 1..statements.len() {
-        let (before, rest) = statements.split_at_mut(at);
-        let (Some(before), [own, ..]) = (before.last_mut(), rest) else { return };
-        let near = before.place.formula + 1 == own.place.formula && before.place.group == own.place.group;
-        let Said::Bare(side, _) = &own.said else { continue };
-        if !near || interval(&side.expr).is_none() || !speech::says_on(&own.gap) {
+    let ends = |gap: &str| gap.contains(['。', ';', '；']) || gap.contains(". ") || gap.contains(".\n");
+    for at in 0..statements.len() {
+        let own = &statements[at];
+        let Said::Bare(Side { expr, .. }, _) = &own.said else { continue };
+        let last = own.gap.rsplit(". ").next().unwrap_or_default();
+        let opens = last.len() < own.gap.len() || own.gap.starts_with(char::is_uppercase);
+        if interval(expr).is_none() || !speech::says_on(last) {
             continue;
         }
-        let Said::Chain(chain) = &mut before.said else { continue };
-        let variable = Head::of(&chain.sides[0].expr).and_then(|head| match head.flat().as_slice() {
-            [variable @ Expr { kind: Kind::Name(_), .. }] => Some((*variable).clone()),
-            _ => None,
-        });
-        if let Some(variable) = variable {
-            chain.conditions.push(Expr::relation(variable, Rel::In, side.expr.clone()));
+        let (expr, group, formula) = (expr.clone(), own.place.group, own.place.formula);
+        let place = |chain: &mut Chain| {
+            let variable = Head::of(&chain.sides[0].expr).and_then(|head| match head.flat().as_slice() {
+                [variable @ Expr { kind: Kind::Name(_), .. }] => Some((*variable).clone()),
+                _ => None,
+            });
+            if let Some(variable) = variable {
+                chain.conditions.push(Expr::relation(variable, Rel::In, expr.clone()));
+            }
+        };
+        if !opens && let Some(before) = at.checked_sub(1).map(|before| &mut statements[before]) {
+            let near = before.place.group == group && before.place.formula + 1 == formula;
+            if let (true, Said::Chain(chain)) = (near, &mut before.said) {
+                place(chain);
+            }
+            continue;
+        }
+        for later in statements[at + 1..].iter_mut() {
+            if later.place.group != group || ends(&later.gap) {
+                break;
+            }
+            if let Said::Chain(chain) = &mut later.said {
+                place(chain);
+            }
         }
     }
 }

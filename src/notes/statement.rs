@@ -130,7 +130,9 @@ impl Reader<'_> {
             }
             Item::Formula(formula) => {
                 self.formula += 1;
-                self.formula(formula);
+                if !is_end_of_proof(&formula.text) {
+                    self.formula(formula);
+                }
                 self.gap.clear();
             }
         }
@@ -319,6 +321,22 @@ impl Reader<'_> {
             _ => false,
         }
     }
+}
+
+/// Whether a formula is nothing but the sign at the end of a proof.
+fn is_end_of_proof(text: &str) -> bool {
+    let sign = text.trim().trim_end_matches(['.', '\u{20}']);
+    matches!(
+        sign,
+        "\\square"
+            | "\\Box"
+            | "\\blacksquare"
+            | "\\qed"
+            | "\\qedsymbol"
+            | "\\qedhere"
+            | "\\diamond"
+            | "\\checkmark"
+    )
 }
 
 /// Whether a chain says what a family is that the formulas before it use: … R_i(t) …, R_i(t) = ….

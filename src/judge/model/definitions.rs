@@ -215,11 +215,14 @@ impl Model {
                     }
                     exact += 1;
                 }
-                // F_{n+1} = F_n + F_{n-1}
-                _ if let Some((name, more)) = shifted(pattern)
+                // F_{n+1} = F_n + F_{n-1}, q_{2i} = p_i
+                _ if let Some((name, times, more)) = linear(pattern)
                     && let Some(value) = machine.eval(index).ok().and_then(|value| value.as_int()) =>
                 {
-                    bound.push((Symbol::new(name), Value::int(value - more)));
+                    if (value - more) % times != 0 {
+                        return None;
+                    }
+                    bound.push((Symbol::new(name), Value::int((value - more) / times)));
                 }
                 _ if pattern.same_as(index) => exact += 1,
                 _ => {
@@ -354,15 +357,37 @@ impl Model {
     }
 }
 
-/// An index and a number: n + 1, n − 1.
-fn shifted(pattern: &Expr) -> Option<(&str, i64)> {
-    let Kind::Add(terms) = &pattern.kind else { return None };
-    let [name, number] = terms.as_slice() else { return None };
-    match (&name.expr.kind, name.sign, &number.expr.kind) {
-        (Kind::Name(letter), Sign::Plus, Kind::Number(q)) if is_index_letter(letter) => {
-            let number_value = Value::number(q.clone()).as_int()?;
-            Some((letter, if number.sign == Sign::Minus { -number_value } else { number_value }))
-        }
+/// An index, its factor and a number: n + 1, n − 1, 2i, 2i + 1.
+fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
+    let integer = |expr: &Expr| match &expr.kind {
+        Kind::Number(q) => Value::number(q.clone()).as_int(),
+        _ => None,
+    };
+    let multiple = |expr: &Expr| match &expr.kind {
+        Kind::Mul(factors) => match factors.as_slice() {
+            [times, _] => integer(times).filter(|times| *times > 1),
+            _ => None,
+        },
+        _ => Some(1),
+    };
+    let (first, more) = match &pattern.kind {
+        Kind::Add(terms) => match terms.as_slice() {
+            [first, number] if first.sign == Sign::Plus => {
+                let more = integer(&number.expr)?;
+                (&first.expr, if number.sign == Sign::Minus { -more } else { more })
+            }
+            _ => return None,
+        },
+        Kind::Mul(_) => (pattern, 0),
+        _ => return None,
+    };
+    let times = multiple(first)?;
+    let name = match &first.kind {
+        Kind::Mul(factors) => &factors[1],
+        _ => first,
+    };
+    match &name.kind {
+        Kind::Name(letter) if is_index_letter(letter) => Some((letter, times, more)),
         _ => None,
     }
 }

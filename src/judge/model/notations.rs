@@ -197,6 +197,15 @@ impl Model {
                     {
                         all(machine, name)
                     }
+                    // Π_{j ≠ i} (x_i - x_j), where the page lists x_0, …, x_n
+                    (Kind::Name(name), [Link { rel: Rel::Ne, .. }]) => {
+                        let (from, to) = self.listed_with(body, name)?;
+                        let from = Expr::relation(Expr::name(name), Rel::Eq, from);
+                        let lower = vec![from, one.clone()];
+                        let big =
+                            Kind::Big { op, lower, upper: Some(Box::new(to)), body: Box::new(body.clone()) };
+                        Some(machine.eval(&Expr::new(big, expr.span)))
+                    }
                     _ => self.increasing(machine, op, one, body, expr),
                 },
                 _ => None,
@@ -224,6 +233,20 @@ impl Model {
             }
             _ => None,
         }
+    }
+
+    /// The range of an index of a family that the page lists.
+    fn listed_with(&self, body: &Expr, name: &str) -> Option<(Expr, Expr)> {
+        let mut found = None;
+        walk(body, &mut |part| {
+            if let (None, Kind::Subscript(base, lower)) = (&found, &part.kind)
+                && matches!(lower.as_slice(), [Expr { kind: Kind::Name(own), .. }] if own == name)
+                && let Some(head) = Head::of(base)
+            {
+                found = self.context.listed(&head.base, &self.place);
+            }
+        });
+        found
     }
 
     /// Σ over 1 ≤ i_1 < … < i_k ≤ n: over the sets of k of these numbers.

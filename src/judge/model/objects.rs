@@ -271,6 +271,15 @@ impl Model {
                 let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };
                 let i = usize::try_from(machine.eval(index).ok()?.as_int()?).ok()?;
+                // F(t) = Σ P_i B_i^n(t) says what F is by its points.
+                let given = |base: &str| {
+                    self.context.visible(base, &self.place).any(|(_, definition, near)| {
+                        near && matches!(&definition.body, crate::judge::context::Body::Formula(body) if bases(body).contains(&head.base))
+                    })
+                };
+                if Head::of(of).is_some_and(|of| given(&of.base)) {
+                    return None;
+                }
                 // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
                 let value = self.once(&head.base, || {
                     let bound = self.indices(machine, &object, head);

@@ -190,10 +190,15 @@ impl Model {
         let not = |what: &str| Some(Err(unclear(what, expr)));
         let knots: Vec<Rational> = self.breaks.iter().cloned().chain(KNOTS.map(|j| self.knot(j))).collect();
         // ∫ over ℝ: the integrand has to vanish beyond all knots.
-        let whole = upper.is_none()
-            && lower.and_then(Head::of).is_some_and(|set| set.base == "R" && set.lower.is_empty());
+        let infinite =
+            |end: &Expr| end.has(&|part| matches!(&part.kind, Kind::Name(name) if name == "infty"));
+        let whole = match (lower, upper) {
+            (Some(set), None) => Head::of(set).is_some_and(|set| set.base == "R" && set.lower.is_empty()),
+            (Some(lower), Some(upper)) => infinite(lower) && infinite(upper),
+            _ => false,
+        };
         let ends = match (lower, upper) {
-            (Some(_), None) if whole => {
+            _ if whole => {
                 let one = integer(1);
                 [knots.iter().min().map(|end| end - &one), knots.iter().max().map(|end| end + &one)]
             }

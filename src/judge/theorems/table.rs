@@ -168,6 +168,18 @@ pub(super) const THEOREMS: &[Theorem] = &[
         r"s(x)",
         r"\frac16 \left((1-x)^3 d_0 + (3x^3 - 6x^2 + 4) d_1 + (1 + 3x + 3x^2 - 3x^3) d_2 + x^3 d_3\right)",
     ),
+    known(
+        Topic::Neville,
+        "Neville's recursion",
+        r"p_{i,j}(x)",
+        r"\frac{(x - x_i) p_{i+1,j}(x) - (x - x_j) p_{i,j-1}(x)}{x_j - x_i}",
+    ),
+    known(
+        Topic::Neville,
+        "Neville's recursion",
+        r"p_{i,k}(x)",
+        r"\frac{(x - x_i) p_{i+1,k-1}(x) - (x - x_{i+k}) p_{i,k-1}(x)}{x_{i+k} - x_i}",
+    ),
     known(Topic::Rational, "the shoulder point", r"s", r"\frac{b_0 + 2 w b_1 + b_2}{2 (1 + w)}"),
     known(Topic::Rational, "the implicit form of a conic", r"\tau_1^2", r"4 w^2 \tau_0 \tau_2"),
 ];

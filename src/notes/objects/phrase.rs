@@ -319,9 +319,37 @@ impl Reader<'_> {
         }
     }
 
+    /// "Supported on [t_i, t_{i+n+1}]": the knots t_i, …, t_{i+n+1}, and the token after it.
+    fn support(&self, at: usize) -> Option<(Vec<Expr>, usize)> {
+        let joins = |at: usize| {
+            matches!(
+                self.tokens.get(at),
+                Some(
+                    Token::Comma
+                        | Token::Word(
+                            Word::And | Word::Of | Word::With | Word::Der | Word::Filler | Word::Article
+                        )
+                )
+            )
+        };
+        let noun = (at..at + 4).find(|&at| !joins(at)).filter(|&at| self.is(at, &Word::Support))?;
+        let start = (noun + 1..noun + 4)
+            .find(|&at| !joins(at) && !self.is(at, &Word::On) && !self.is(at, &Word::Be))?;
+        let (from, to) = ends(self.said(self.formula_at(start)?))?;
+        Some((vec![from, Kind::Ellipsis.into(), to], start + 1))
+    }
+
     /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
     fn attribute(&self, at: usize, phrase: &mut Phrase) -> Option<usize> {
         let Phrase { object, of, piece, anonymous, inner: within, .. } = phrase;
+        if object.sort == Sort::BSpline
+            && let Some((knots, end)) = self.support(at)
+        {
+            if object.knots.is_empty() {
+                object.knots = knots;
+            }
+            return Some(end);
+        }
         let next = self.skip_fillers(at + 1);
         let word = match self.tokens.get(at)? {
             // with … and weights …

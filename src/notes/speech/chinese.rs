@@ -131,6 +131,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("权因子", Weights),
     ("权", Weights),
     ("极形式", Noun(Sort::PolarForm)),
+    ("支撑区间", Support),
+    ("支集", Support),
+    ("支撑", Support),
+    ("支撑集", Support),
     ("开花", Noun(Sort::PolarForm)),
     ("极化形式", Noun(Sort::PolarForm)),
     ("blossom", Noun(Sort::PolarForm)),
@@ -285,6 +289,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("neville", Topic::Neville),
+    ("aitken", Topic::Neville),
+    ("内维尔", Topic::Neville),
     ("左", Topic::First),
     ("前半", Topic::First),
     ("右", Topic::Second),

@@ -151,6 +151,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("rationnel", Rational),
     ("poids", Weights),
     ("forme polaire", Noun(Sort::PolarForm)),
+    ("support", Support),
+    ("à support", Support),
+    ("nulle en dehors", Support),
+    ("nulle hors", Support),
     ("formes polaires", Noun(Sort::PolarForm)),
     ("floraison", Noun(Sort::PolarForm)),
     ("polynôme", Noun(Sort::Polynomial)),
@@ -338,6 +342,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("neville", Topic::Neville),
+    ("aitken", Topic::Neville),
     ("gauche", Topic::First),
     ("première moitié", Topic::First),
     ("première partie", Topic::First),

@@ -181,6 +181,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("gewichte", Weights),
     ("gewicht", Weights),
     ("polarform", Noun(Sort::PolarForm)),
+    ("träger", Support),
+    ("getragen", Support),
+    ("mit träger", Support),
     ("polarformen", Noun(Sort::PolarForm)),
     ("blossom", Noun(Sort::PolarForm)),
     ("blüte", Noun(Sort::PolarForm)),
@@ -418,6 +421,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("neville", Topic::Neville),
+    ("aitken", Topic::Neville),
     ("link", Topic::First),
     ("erste hälfte", Topic::First),
     ("ersten hälfte", Topic::First),

@@ -65,6 +65,8 @@ pub enum Word {
     Preposition,
     /// "segment", "piece".
     Piece,
+    /// "support": the interval after it is where a B-spline is not 0.
+    Support,
     /// "a": what follows says what a name is.
     Article,
     /// Changes nothing.

@@ -4,6 +4,8 @@ use crate::judge::topic::Topic;
 
 /// How words begin that tell what a section is on.
 pub const TOPICS: &[(&str, Topic)] = &[
+    ("neville", Topic::Neville),
+    ("aitken", Topic::Neville),
     ("left", Topic::First),
     ("first half", Topic::First),
     ("first part", Topic::First),
