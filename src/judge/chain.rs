@@ -138,8 +138,9 @@ impl Checker {
             let right = &chain.sides[1].expr;
             let around = !bases(right).contains(&head.base)
                 && self.context.reached(&[right], place).contains(&head.base);
+            let known = || !head.lower.is_empty() && self.is_covered(head, place);
             let claims = statement.role == Some(Role::Claimed)
-                || !matches!(statement.role, Some(Role::Introduced)) && (around || spoken());
+                || !matches!(statement.role, Some(Role::Introduced)) && (around || spoken() || known());
             if claims && !defines {
                 let before = self.context.mark();
                 let mut tried = findings.clone();
@@ -248,6 +249,41 @@ impl Checker {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+        // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
+        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {
+            let used = bases(&body.expr);
+            let Some(variable) = ["x", "t", "u"].into_iter().find(|name| !used.contains(*name)) else {
+                return;
+            };
+            let mut applied = body.expr.clone();
+            if self.apply_families(&mut applied, &Expr::name(variable), place) {
+                let head = Head { arguments: Some(vec![vec![Expr::name(variable)]]), ..head.clone() };
+                self.define(head, Body::Formula(applied), &chain.conditions, place, body.expr.span);
+            }
+        }
+    }
+
+    /// Gives an argument to each member of a family of functions that has none; whether there is one.
+    fn apply_families(&self, expr: &mut Expr, argument: &Expr, place: &Place) -> bool {
+        if let Kind::Apply(..) = expr.kind {
+            return false;
+        }
+        let one = |head: &Head| (1..3).contains(&head.lower.len());
+        let member = Head::of(expr).filter(one).is_some_and(|head| {
+            let spoken = self.context.object(&head, place).is_some_and(|known| known.object.is_function());
+            spoken || head.notation().is_some()
+        });
+        if member {
+            *expr = Expr::apply(expr.clone(), vec![argument.clone()]);
+            return true;
+        }
+        if let Kind::Big { body, .. } = &mut expr.kind {
+            return self.apply_families(body, argument, place);
+        }
+        let mut found = false;
+        expr.for_each_child_mut(&mut |child| found |= self.apply_families(child, argument, place));
+        found
     }
 
     /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.

@@ -149,6 +149,11 @@ impl Checker {
         object.determines() && object.of.as_ref().is_none_or(known)
     }
 
+    /// Whether a formula of another section says what a name is.
+    pub(super) fn is_covered(&self, head: &Head, place: &Place) -> bool {
+        self.context.visible(&head.base, place).any(|(_, definition, _)| covers(definition, head))
+    }
+
     /// Whether a name has a meaning already, so that an equation for it is a claim.
     pub(super) fn is_known(&self, head: &Head, body: &Expr, place: &Place, curve: &Option<Curve>) -> bool {
         let own = self.context.is_own(&head.base, place);

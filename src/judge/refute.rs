@@ -294,8 +294,16 @@ pub fn decide(
             return refuted(failure);
         }
         // n = 2, a_k = k^2: a name that is no function gets a new value, unless it has one in the same symbols.
+        // A = f(a, b, c), then A = P_1 + …: a second formula in the same letters says the same.
+        let alike = {
+            let symbols = compare::symbols(&failure.left);
+            !symbols.is_empty()
+                && symbols == compare::symbols(&failure.right)
+                && statement.role != Some(Role::Introduced)
+        };
         let value = head.arguments.is_none()
             && !(same && head.lower.is_empty())
+            && !alike
             && (head.lower.is_empty() && is_constant(&failure.right) || again)
             && !own.contains(&head.base);
         if value && !standard {

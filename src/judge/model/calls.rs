@@ -1,5 +1,6 @@
 //! Calls: definitions, derivatives, standard families, polar forms, unknown functions.
 
+use super::definitions::OPEN_PIECE;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::context::Source;
@@ -12,6 +13,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
+use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 
 /// The variable in which functions are differentiated.
@@ -311,11 +313,29 @@ impl Model {
         let own = vec![vec![Value::symbol(fresh.clone())]];
         // Near the argument it is a polynomial.
         let around = if self.is_local() { self.number_here(argument) } else { None };
-        let value = self.moved(around, || self.apply(machine, function, &own, expr))?;
-        each(value, &|formula| {
-            let derived = nth_derivative(&formula, &fresh, order);
-            derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
-        })
+        let derived = |value: Value| {
+            each(value, &|formula| {
+                let derived = nth_derivative(&formula, &fresh, order);
+                derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
+            })
+        };
+        match (self.moved(around, || self.apply(machine, function, &own, expr)), argument.as_rational()) {
+            // Given by several formulas: the derivatives from both sides have to agree.
+            (Err(error), Some(at)) if error.message == OPEN_PIECE => {
+                let near = Rational::new(1.into(), (1i64 << 40).into());
+                let mut side = |at: Rational| {
+                    let value = self.moved(Some(at), || self.apply(machine, function, &own, expr))?;
+                    derived(value)
+                };
+                let (left, right) = (side(&at - &near)?, side(&at + &near)?);
+                if left == right {
+                    Ok(left)
+                } else {
+                    Err(unclear("what the derivative at this knot is", expr))
+                }
+            }
+            (value, _) => derived(value?),
+        }
     }
 
     /// F' alone, as in F' = 3 t^2.

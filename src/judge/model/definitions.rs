@@ -12,6 +12,9 @@ use crate::language::lexicon::{families, roles};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
+/// A function is given by several formulas, and its argument is any number.
+pub(super) const OPEN_PIECE: &str = "which of several formulas counts here is open";
+
 impl Model {
     /// The value of a definition that fits.
     pub(super) fn defined(
@@ -80,10 +83,7 @@ impl Model {
         let definition = &context.definitions[number];
         // f(x) = x^2 for x ≤ 1, f(x) = 2 - x for x ≥ 1: which of them for any x?
         if pieces > 1 && self.allows(machine, definition, &bound).is_none() {
-            return Some(Err(Diagnostic::error(
-                Code::Domain,
-                "which of several formulas counts here is open",
-            )));
+            return Some(Err(Diagnostic::error(Code::Domain, OPEN_PIECE)));
         }
         let outermost = self.depth.get() == 0;
         let result = self.unfold(machine, definition, bound);
@@ -275,6 +275,15 @@ impl Model {
         };
         let arguments: BTreeSet<String> = definition.head.flat().into_iter().flat_map(bases).collect();
         let mut allowed = Some(true);
+        // Near a number the arguments have its value.
+        let near = |value: &Value| match value {
+            Value::Scalar(x) if self.is_local() => self.number_here(x).map(Value::number),
+            _ => None,
+        };
+        let bound: Bound = bound
+            .iter()
+            .map(|(name, value)| (name.clone(), near(value).unwrap_or_else(|| value.clone())))
+            .collect();
         for condition in definition.conditions.iter().filter(own) {
             match machine.with_locals(bound.clone(), |machine| Ok(holds(machine, condition))) {
                 Ok(Some(false)) => {
