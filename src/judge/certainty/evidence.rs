@@ -81,6 +81,16 @@ impl Suspect<'_> {
         let Some(head) = Head::of(left).filter(|head| self.at == 0 && head.notation().is_none()) else {
             return false;
         };
+        // s = x(1/2), and in the same paragraph another formula in the same letters
+        let given = self.used().any(|definition| {
+            definition.head.base == head.base
+                && definition.head.arguments.is_none() == head.arguments.is_none()
+                && definition.place.group == self.statement.place.group
+        });
+        let symbols = compare::symbols(&self.failure.left);
+        if given && !symbols.is_empty() && symbols == compare::symbols(&self.failure.right) {
+            return false;
+        }
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
         match &head.arguments {
             None => head.upper.is_empty() && (head.lower.is_empty() || head.lower.iter().any(number)),
