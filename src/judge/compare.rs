@@ -6,7 +6,7 @@ use super::values::judge;
 pub use super::values::symbols;
 use crate::formula::{Expr, Rel};
 use crate::language::value::{Judgement, Value, Verdict};
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 
 /// What comes of a comparison.
@@ -169,4 +169,31 @@ pub fn solved(
     let slope = parts[1].as_constant()?;
     let rest = Fraction::from(parts[0].clone());
     Some((symbol, rest.scaled(&(-slope.recip()))))
+}
+
+/// Whether lists agree in half of their items and in two at least, polynomials in half of their terms.
+pub(super) fn agree_in_most(left: &Value, right: &Value) -> bool {
+    let enough = |common: usize, all: usize| common > 1 && 2 * common >= all;
+    // Rows and columns as points; a product of matrices with one entry as that.
+    let plain = |value: &Value| match value.clone().coordinates() {
+        Some(items) => items.first().filter(|_| items.len() == 1).cloned().unwrap_or(Value::List(items)),
+        None => value.clone(),
+    };
+    match (&plain(left), &plain(right)) {
+        (Value::List(own), Value::List(others)) => {
+            own.len() == others.len()
+                && own.len() > 2
+                && enough(own.iter().zip(others).filter(|(a, b)| a == b).count(), own.len())
+        }
+        (Value::Scalar(own), Value::Scalar(others)) => {
+            let (Some(own), Some(others)) = (own.as_polynomial(), others.as_polynomial()) else {
+                return false;
+            };
+            let variables = own.variables() == others.variables();
+            let (own, others) = (own.terms(MonomialOrder::Lex), others.terms(MonomialOrder::Lex));
+            let common = own.iter().filter(|term| others.contains(term)).count();
+            variables && enough(common, own.len().max(others.len()))
+        }
+        _ => false,
+    }
 }

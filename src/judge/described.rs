@@ -11,6 +11,7 @@
 use std::rc::Rc;
 
 use super::check::Checker;
+use super::compare;
 use super::context::{Body, Mark, is_variable};
 use super::evaluator::evaluate_reading;
 use super::finding::{Evidence, Finding, Verdict};
@@ -25,7 +26,7 @@ use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
-use crate::math::poly::{MonomialOrder, Symbol};
+use crate::math::poly::Symbol;
 
 /// So many curves of a section are looked at, the latest first.
 const MOST_CURVES: usize = 3;
@@ -251,7 +252,7 @@ impl Checker {
             (_, true) => Evidence::Field,
             _ => Evidence::Terms,
         };
-        (certain || own || agree_in_most(&failure.left, &failure.right)).then(|| {
+        (certain || own || compare::agree_in_most(&failure.left, &failure.right)).then(|| {
             let wrong = Finding {
                 verdict: Verdict::Refuted,
                 reason: Some(format!("it differs from {}", meaning.made.words())),
@@ -540,32 +541,5 @@ fn integer(expr: &Expr) -> Option<i64> {
     match &expr.kind {
         Kind::Number(q) => Value::number(q.clone()).as_int(),
         _ => None,
-    }
-}
-
-/// Whether lists agree in half of their items and in two at least, polynomials in half of their terms.
-fn agree_in_most(left: &Value, right: &Value) -> bool {
-    let enough = |common: usize, all: usize| common > 1 && 2 * common >= all;
-    // Rows and columns as points; a product of matrices with one entry as that.
-    let plain = |value: &Value| match value.clone().coordinates() {
-        Some(items) => items.first().filter(|_| items.len() == 1).cloned().unwrap_or(Value::List(items)),
-        None => value.clone(),
-    };
-    match (&plain(left), &plain(right)) {
-        (Value::List(own), Value::List(others)) => {
-            own.len() == others.len()
-                && own.len() > 2
-                && enough(own.iter().zip(others).filter(|(a, b)| a == b).count(), own.len())
-        }
-        (Value::Scalar(own), Value::Scalar(others)) => {
-            let (Some(own), Some(others)) = (own.as_polynomial(), others.as_polynomial()) else {
-                return false;
-            };
-            let variables = own.variables() == others.variables();
-            let (own, others) = (own.terms(MonomialOrder::Lex), others.terms(MonomialOrder::Lex));
-            let common = own.iter().filter(|term| others.contains(term)).count();
-            variables && enough(common, own.len().max(others.len()))
-        }
-        _ => false,
     }
 }

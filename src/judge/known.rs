@@ -7,7 +7,7 @@ use super::model::{Curve, capital_of};
 use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_range, walk};
 use super::refute::calls;
 use super::statement::{Chain, Place};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, Term};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::words::is_function_word;
 use crate::language::value::Value;
@@ -17,11 +17,25 @@ use crate::math::poly::Symbol;
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
 pub fn definable(expr: &Expr) -> Option<Head> {
     let head = Head::of(expr).filter(|head| !is_function_word(&head.base))?;
+    // q_{2i+1} beside q_{2i}, but not F_{n+1}, of which F_n is one, too
+    let odd = |index: &Expr| match &index.kind {
+        Kind::Add(terms) => {
+            matches!(
+                terms.as_slice(),
+                [
+                    Term { expr: Expr { kind: Kind::Mul(_), .. }, .. },
+                    Term { expr: Expr { kind: Kind::Number(_), .. }, .. }
+                ]
+            )
+        }
+        _ => false,
+    };
     let simple = |index: &Expr| {
-        matches!(
+        let name = matches!(
             index.kind,
             Kind::Name(_) | Kind::Number(_) | Kind::Text(_) | Kind::Accent(..) | Kind::Mul(_)
-        )
+        );
+        name || odd(index)
     };
     if !head.lower.iter().chain(&head.upper).all(simple) {
         return None;

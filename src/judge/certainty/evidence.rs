@@ -293,9 +293,11 @@ impl Suspect<'_> {
 
     /// Whether the sides are polynomials in the same names that agree in three terms and half of all.
     fn agrees_in_part(&self) -> bool {
-        let (Value::Scalar(left), Value::Scalar(right)) = (&self.failure.left, &self.failure.right) else {
-            return false;
-        };
+        let (left, right) = (&self.failure.left, &self.failure.right);
+        if let (Value::List(_), Value::List(_)) = (left, right) {
+            return self.is_equation() && compare::agree_in_most(left, right);
+        }
+        let (Value::Scalar(left), Value::Scalar(right)) = (left, right) else { return false };
         let (Some(left), Some(right)) = (left.as_polynomial(), right.as_polynomial()) else { return false };
         let (own, others) = (left.terms(MonomialOrder::Lex), right.terms(MonomialOrder::Lex));
         let common = own.iter().filter(|term| others.contains(term)).count();

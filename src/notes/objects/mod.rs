@@ -176,7 +176,8 @@ impl<'a> Reader<'a> {
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
             let names = match (of.as_slice(), self.topic.as_slice()) {
-                ([one], _) | ([], [one]) => vec![one.clone()],
+                ([one], _) => vec![one.clone()],
+                ([], [one]) if !anonymous => vec![one.clone()],
                 _ => Vec::new(),
             };
             let number = (from..to).find_map(|at| self.formula_at(at));
