@@ -84,7 +84,8 @@ impl Checker {
             }
             // w_0 = w_2 = 1
             if let Some(Side { expr: value, .. }) = chain.sides.last()
-                && matches!(value.kind, Kind::Number(_))
+                && bases(value).is_empty()
+                && value.kind != Kind::Ellipsis
                 && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
             {
                 for side in &chain.sides {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use super::compare;
 use super::context::Context;
-use super::names::{Head, implied_index, integer_names, own_names, walk};
-use super::statement::{Chain, Place};
+use super::names::{Head, bases, implied_index, integer_names, own_names, walk};
+use super::statement::{Chain, Place, Side};
 use crate::formula::{BigOp, Expr, Kind, Rel};
 use crate::language::value::Value;
 use crate::language::write;
@@ -40,9 +40,10 @@ pub fn definition(head: &Head, body: &Expr, conditions: &[Expr]) -> Option<Strin
 /// Chains that only order names, as a = x_0 < x_1 < … < x_n = b, say what names stand for.
 pub fn declares(chain: &Chain) -> Option<&'static str> {
     let ordered = chain.relations.iter().any(|(rel, _)| matches!(rel, Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge));
+    let constant = |side: &Side| bases(&side.expr).is_empty() && side.expr.kind != Kind::Ellipsis;
     let names = chain.sides.iter().all(|side| {
         side.expr.kind == Kind::Ellipsis
-            || matches!(side.expr.kind, Kind::Number(_))
+            || constant(side)
             || Head::of(&side.expr).is_some_and(|head| head.arguments.is_none())
     });
     if ordered && names && chain.relations.len() > 1 {
@@ -52,7 +53,7 @@ pub fn declares(chain: &Chain) -> Option<&'static str> {
     let set = names
         && chain.relations.len() > 1
         && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
-        && (chain.sides.last().is_some_and(|side| matches!(side.expr.kind, Kind::Number(_)))
+        && (chain.sides.last().is_some_and(constant)
             || chain.sides.iter().any(|side| side.expr.kind == Kind::Ellipsis));
     set.then_some("sets values")
 }

@@ -194,7 +194,12 @@ impl Object {
     pub fn determines(&self) -> bool {
         match self.sort {
             Sort::PolarForm => self.of.is_some(),
-            Sort::Bernstein => true,
+            // β_0, …, β_3 of a degree that is not said
+            Sort::Bernstein => {
+                let indices =
+                    self.names.iter().filter_map(Head::of).map(|head| head.lower.len() + head.upper.len());
+                self.degree.is_some() || indices.max() != Some(1)
+            }
             Sort::Lagrange | Sort::Symmetric(_) => !self.knots.is_empty(),
             Sort::BezierCurve => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),

@@ -88,7 +88,9 @@ impl Checker {
         let told = |fact: &&Condition| {
             place.in_reach(&fact.place, fact.assumed)
                 && place.sees(&fact.place)
-                && (fact.place.group == place.group || statement.role == Some(Role::Claimed))
+                && (fact.place.group == place.group
+                    || statement.role == Some(Role::Claimed)
+                    || !head.lower.is_empty() && fact.place.scope == place.scope)
                 && fact.place.formula < place.formula
                 && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)
                 && !is_range(&fact.expr)

@@ -50,6 +50,15 @@ impl Topics {
         }
     }
 
+    /// Of two parts only the one spoken of last counts.
+    pub fn keep_side(&mut self, side: Option<Topic>) {
+        for other in [Topic::First, Topic::Second] {
+            if side.is_some_and(|side| side != other) {
+                self.topics &= !(1 << other as u16);
+            }
+        }
+    }
+
     /// Whether anything is spoken of.
     pub fn any(self) -> bool {
         self.topics != 0

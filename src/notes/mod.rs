@@ -11,6 +11,7 @@ mod cases;
 mod conditions;
 mod objects;
 mod page;
+mod primes;
 pub mod report;
 mod sentence;
 mod speech;

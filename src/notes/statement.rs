@@ -7,6 +7,7 @@
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word};
 use super::objects;
+use super::primes;
 use super::sentence;
 use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
@@ -16,6 +17,7 @@ use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
+use crate::language::value::Value;
 use crate::language::{latex, syntax};
 
 /// So many letters before a formula say what its sentence speaks of.
@@ -43,6 +45,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         reader.item(item);
     }
     let mut statements = reader.statements;
+    primes::as_marks(&mut statements);
     let sentences = sentence::sentences(document);
     sentence::assign(&sentences, &mut statements);
     attach(&mut statements);
@@ -154,6 +157,7 @@ impl Reader<'_> {
         let curve = self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm);
         if curve || self.topics.has(Topic::Subdivision) {
             speech::topics(&self.last, &mut near);
+            near.keep_side(speech::last_side(&self.last));
         }
         near
     }
@@ -400,7 +404,45 @@ fn clean(latex: &str) -> String {
 }
 
 /// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.
+/// t_0, …, t_3 = 0, 0, 1, 1: one list equals the other.
+fn listed_values(items: &[Expr]) -> Option<Expr> {
+    let at = items.iter().position(|item| matches!(item.kind, Kind::Chain(..)))?;
+    let Kind::Chain(left, links) = &items[at].kind else { return None };
+    let [Link { rel: Rel::Eq, span, expr: first }] = links.as_slice() else { return None };
+    let names: Vec<Expr> = items[..at].iter().chain([left.as_ref()]).cloned().collect();
+    let values: Vec<Expr> = [first].into_iter().chain(&items[at + 1..]).cloned().collect();
+    let member = |name: &&Expr| matches!(name.kind, Kind::Subscript(..));
+    let number = |index: &Expr| match &index.kind {
+        Kind::Number(q) => Value::number(q.clone()).as_int(),
+        _ => None,
+    };
+    let index = |name: &Expr| match &name.kind {
+        Kind::Subscript(_, lower) => number(lower.first()?),
+        _ => None,
+    };
+    let dots = names.iter().any(|name| name.kind == Kind::Ellipsis);
+    let named = names.iter().filter(|name| name.kind != Kind::Ellipsis).all(|name| member(&name));
+    let count = match dots {
+        true => index(names.last()?)? - index(names.first()?)? + 1,
+        false => names.len() as i64,
+    };
+    let constant = values.iter().all(|value| bases(value).is_empty() && value.kind != Kind::Ellipsis);
+    (at > 0 && named && constant && count == values.len() as i64).then(|| {
+        let list = |items: Vec<Expr>| {
+            let span = items[0].span.to(items[items.len() - 1].span);
+            Expr::new(Kind::Tuple(items), span)
+        };
+        let (left, right) = (list(names), list(values));
+        let whole = left.span.to(right.span);
+        let link = Link { rel: Rel::Eq, span: *span, expr: right };
+        Expr::new(Kind::Chain(Box::new(left), vec![link]), whole)
+    })
+}
+
 fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
+    if let Some(lists) = listed_values(&items) {
+        return vec![lists];
+    }
     let mut result: Vec<Expr> = Vec::with_capacity(items.len());
     let mut rest = items.into_iter().peekable();
     while let Some(item) = rest.next() {

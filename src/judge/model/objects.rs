@@ -144,12 +144,26 @@ impl Model {
             Sort::BSpline => {
                 let x = one?;
                 let degree = self.stated_degree(machine, &object, &bound)?;
-                let knots = match self.explicit_knots(machine, &object, &bound, degree) {
+                let explicit = self.explicit_knots(machine, &object, &bound, degree);
+                let knots = match explicit {
                     Some(knots) => knots,
                     None => {
                         let first =
                             head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
-                        (first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect()
+                        let all = self.all_knots(machine, &object, &bound);
+                        let numbers = object
+                            .knots
+                            .iter()
+                            .any(|knot| bases(knot).is_empty() && knot.kind != Kind::Ellipsis);
+                        match all {
+                            // N_2 on all the knots 0, 0, 0, 1, 2, 2, 2
+                            Some(all) if numbers => {
+                                let first = usize::try_from(first).ok()?;
+                                all.get(first..first + degree + 2)?.to_vec()
+                            }
+                            None if numbers => return Some(Err(unclear("what the knots are", expr))),
+                            _ => (first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect(),
+                        }
                     }
                 };
                 note("the B-spline");

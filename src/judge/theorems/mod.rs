@@ -15,9 +15,11 @@ use std::rc::Rc;
 
 use self::table::{THEOREMS, Theorem};
 use super::check::Checker;
+use super::compare;
 use super::context::{Context, Mark};
+use super::evaluator::evaluate_reading;
 use super::finding::{Finding, Verdict};
-use super::model::Choices;
+use super::model::{Choices, Model};
 use super::names::{Head, is_index_letter, own_names, walk};
 use super::object::Sort;
 use super::repair;
@@ -177,6 +179,12 @@ impl Checker {
     fn fits(&self, setting: &Setting, right: &Expr, wanted: &Expr) -> Option<Outcomes> {
         held(&self.bare(setting, right, wanted)).or_else(|| {
             let setting = setting.without_equations();
+            // Numbers may be equal by chance.
+            let model = Model::new(self.context.clone(), setting.place.clone(), Choices::default(), None);
+            let value = evaluate_reading(right, Rc::new(model), []);
+            if value.is_ok_and(|value| compare::symbols(&value).is_empty()) {
+                return None;
+            }
             held(&self.trial(&setting, &[right, wanted], &[Rel::Eq], Choices::default()))
         })
     }

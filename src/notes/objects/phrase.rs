@@ -415,8 +415,16 @@ impl Reader<'_> {
                         if items.iter().any(is_call) {
                             return None;
                         }
-                        // with the ordinates (1, 4, -2)
+                        // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
                         *list = match items.as_slice() {
+                            [Expr { kind: Kind::Chain(_, links), .. }]
+                                if matches!(&links[0].expr.kind, Kind::Tuple(_) | Kind::List(_)) =>
+                            {
+                                match &links[0].expr.kind {
+                                    Kind::Tuple(inside) | Kind::List(inside) => inside.clone(),
+                                    _ => Vec::new(),
+                                }
+                            }
                             [Expr { kind: Kind::Tuple(inside) | Kind::List(inside), .. }] => inside.clone(),
                             _ => items,
                         };

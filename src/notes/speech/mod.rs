@@ -251,6 +251,17 @@ pub fn topics(words: &str, found: &mut Topics) {
     }
 }
 
+/// Which of two parts, the left or the right one, words speak of last.
+pub fn last_side(words: &str) -> Option<Topic> {
+    let text = plain(words);
+    let sides = LANGUAGES.iter().flat_map(|language| language.topics);
+    let found = sides.filter(|(_, topic)| matches!(topic, Topic::First | Topic::Second));
+    found
+        .filter_map(|(phrase, topic)| Some((text.rfind(phrase)?, *topic)))
+        .max_by_key(|(at, _)| *at)
+        .map(|(_, topic)| topic)
+}
+
 /// The words after the last occurrence of a phrase, if only fillers follow it.
 fn ends_with(words: &str, phrase: &str, language: &Language) -> bool {
     let mut rest = words;
