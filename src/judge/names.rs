@@ -373,8 +373,14 @@ pub fn bases(expr: &Expr) -> BTreeSet<String> {
 /// Whether one of two factors is a name and the other a bracket of nodes: f[x_0, x_1], and [x_0, x_1]f, for which it
 /// is true.
 pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
-    let name =
-        |expr: &Expr| Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.upper.is_empty());
+    // (fg)[x_0, …, x_n], too
+    let combined = |expr: &Expr| match &expr.kind {
+        Kind::Group(inner) => matches!(inner.kind, Kind::Mul(_) | Kind::Add(_)),
+        _ => false,
+    };
+    let name = |expr: &Expr| {
+        combined(expr) || Head::of(expr).is_some_and(|head| head.arguments.is_none() && head.upper.is_empty())
+    };
     let is_node = |item: &Expr| matches!(item.kind, Kind::Subscript(..));
     let nodes = |expr: &Expr| match &expr.kind {
         Kind::List(items) => items.len() > 1 || items.first().is_some_and(is_node),
@@ -382,7 +388,8 @@ pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
     };
     // The reader makes f[x_0], with one node, a product with a bracket.
     let one = matches!(&second.kind, Kind::Group(inner) if is_node(inner));
-    match (name(first) && (nodes(second) || one), nodes(first) && name(second)) {
+    let before = nodes(first) && name(second) && !combined(second);
+    match (name(first) && (nodes(second) || one && !combined(first)), before) {
         (true, _) => Some(false),
         (false, true) => Some(true),
         _ => None,

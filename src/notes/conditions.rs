@@ -130,8 +130,8 @@ fn give_intervals(statements: &mut [Statement]) {
     for at in 0..statements.len() {
         let own = &statements[at];
         let Said::Bare(Side { expr, .. }, _) = &own.said else { continue };
-        let last = own.gap.rsplit(". ").next().unwrap_or_default();
-        let opens = last.len() < own.gap.len() || own.gap.starts_with(char::is_uppercase);
+        let last = own.gap.rsplit(['.', '。']).next().unwrap_or_default();
+        let opens = last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
         if interval(expr).is_none() || !speech::says_on(last) {
             continue;
         }

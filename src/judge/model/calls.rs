@@ -3,7 +3,7 @@
 use super::definitions::OPEN_PIECE;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
-use crate::judge::context::Source;
+use crate::judge::context::{Source, is_variable};
 use crate::judge::names::{Head, is_index_letter};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -104,7 +104,11 @@ impl Model {
             }
             Kind::Group(inner) => match &inner.kind {
                 Kind::Add(terms) => terms.iter().all(|term| self.is_function(machine, &term.expr)),
-                Kind::Mul(factors) => factors.iter().all(|factor| self.is_function(machine, factor)),
+                Kind::Mul(factors) => {
+                    let mut function = |factor: &Expr| self.is_function(machine, factor);
+                    factors.iter().any(&mut function)
+                        && factors.iter().all(|factor| function(factor) || self.is_identity(factor))
+                }
                 Kind::Compose(_) | Kind::Derivative { .. } => true,
                 _ => self.is_function(machine, inner),
             },
@@ -141,6 +145,12 @@ impl Model {
                 }
             }
         }
+    }
+
+    /// Whether a factor of a function is a variable, which stands for itself: x in x f.
+    fn is_identity(&self, factor: &Expr) -> bool {
+        matches!(&factor.kind, Kind::Name(name) if is_variable(name)
+            && self.context.visible(name, &self.place).next().is_none())
     }
 
     /// The value of a function at arguments that are values already.
@@ -205,7 +215,11 @@ impl Model {
             Kind::Mul(factors) => {
                 let mut product = Value::int(1);
                 for factor in factors {
-                    let value = self.apply_some(machine, factor, values, expr)?;
+                    let value = match values {
+                        // (x f)(t) = t f(t)
+                        [group] if group.len() == 1 && self.is_identity(factor) => group[0].clone(),
+                        _ => self.apply_some(machine, factor, values, expr)?,
+                    };
                     product = arithmetic::multiply(product, value)?;
                 }
                 Ok(product)

@@ -78,12 +78,12 @@ impl Model {
             .enumerate()
             .find_map(|(at, pair)| bracket_beside_name(&pair[0], &pair[1]).map(|before| (at, before)))?;
         let (function, bracket) = if before { (at + 1, at) } else { (at, at + 1) };
-        let name = Head::of(&factors[function])?;
-        if machine.lookup(&Symbol::new(&name.base)).is_some() {
+        let name = Head::of(&factors[function]).map_or_else(|| "the factors".to_owned(), |head| head.base);
+        if machine.lookup(&Symbol::new(&name)).is_some() {
             return None;
         }
         if !self.is_function(machine, &factors[function]) {
-            return Some(Err(unclear(&format!("what the bracket beside {} is", name.base), expr)));
+            return Some(Err(unclear(&format!("what the bracket beside {name} is"), expr)));
         }
         let nodes = match &factors[bracket].kind {
             Kind::List(nodes) => nodes.clone(),
@@ -92,7 +92,7 @@ impl Model {
         };
         // b[0^{n-i}, 1^i]: arguments that repeat, no nodes
         if nodes.iter().any(is_repeated) {
-            return Some(Err(unclear(&format!("what the bracket beside {} is", name.base), expr)));
+            return Some(Err(unclear(&format!("what the bracket beside {name} is"), expr)));
         }
         let difference = self.divided_difference(machine, &factors[function], &nodes, expr);
         let rest: Vec<Expr> = factors[..at].iter().chain(&factors[at + 2..]).cloned().collect();

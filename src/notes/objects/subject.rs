@@ -71,7 +71,11 @@ impl Reader<'_> {
         let at = at + usize::from(comma);
         let by = self.is(at, &Word::By) || self.is(at, &Word::Be);
         let number = self.formula_at(self.skip_fillers(at + 1)).filter(|_| by)?;
-        let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
+        // "The curve is x(t) = …, w(t) = …" says what x is.
+        let said = self.said(number);
+        let equation = matches!(said.first(), Some(Expr { kind: Kind::Chain(..), .. }));
+        let said = if equation { &said[..1] } else { said };
+        let items: Vec<Expr> = said.iter().filter_map(name_in).collect();
         (!items.is_empty()).then_some((items, number))
     }
 }
