@@ -131,10 +131,9 @@ fn give_intervals(statements: &mut [Statement]) {
         let own = &statements[at];
         let Said::Bare(Side { expr, .. }, _) = &own.said else { continue };
         let last = own.gap.rsplit(['.', '。']).next().unwrap_or_default();
-        let opens = last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
-        if interval(expr).is_none() || !speech::says_on(last) {
-            continue;
-        }
+        let Some(joined) = speech::says_on(last).filter(|_| interval(expr).is_some()) else { continue };
+        let opens =
+            joined || last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
         let (expr, group, formula) = (expr.clone(), own.place.group, own.place.formula);
         let place = |chain: &mut Chain| {
             let variable = Head::of(&chain.sides[0].expr).and_then(|head| match head.flat().as_slice() {
@@ -153,7 +152,9 @@ fn give_intervals(statements: &mut [Statement]) {
             continue;
         }
         for later in statements[at + 1..].iter_mut() {
-            if later.place.group != group || ends(&later.gap) {
+            let another = matches!(&later.said, Said::Bare(side, _) if interval(&side.expr).is_some())
+                && speech::says_on(&later.gap).is_some();
+            if later.place.group != group || ends(&later.gap) || another {
                 break;
             }
             if let Said::Chain(chain) = &mut later.said {

@@ -327,10 +327,17 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     best.map(|(_, role)| role)
 }
 
-/// Whether words say nothing but "on": the interval after them belongs to what stands before.
-pub fn says_on(words: &str) -> bool {
+/// Whether words say nothing but "on": the interval after them belongs to what stands before them.
+///
+/// True for "and on": then it belongs to what comes after.
+pub fn says_on(words: &str) -> Option<bool> {
     let text = normal(words);
-    word(&text).is_some_and(|(length, word)| length == text.len() && *word == Word::On)
+    let on = |text: &str| word(text).is_some_and(|(length, word)| length == text.len() && *word == Word::On);
+    let joined = || {
+        let (before, last) = text.rsplit_once(' ')?;
+        (on(last) && goes_on(before) == Some(false)).then_some(true)
+    };
+    if on(&text) { Some(false) } else { joined() }
 }
 
 /// Whether words say that something is 0 in all other cases: ", and zero elsewhere".
