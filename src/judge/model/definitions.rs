@@ -372,14 +372,7 @@ fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
         Kind::Number(q) => Value::number(q.clone()).as_int(),
         _ => None,
     };
-    let multiple = |expr: &Expr| match &expr.kind {
-        Kind::Mul(factors) => match factors.as_slice() {
-            [times, _] => integer(times).filter(|times| *times > 1),
-            _ => None,
-        },
-        _ => Some(1),
-    };
-    let (first, more) = match &pattern.kind {
+    let (multiple, more) = match &pattern.kind {
         Kind::Add(terms) => match terms.as_slice() {
             [first, number] if first.sign == Sign::Plus => {
                 let more = integer(&number.expr)?;
@@ -390,12 +383,14 @@ fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
         Kind::Mul(_) => (pattern, 0),
         _ => return None,
     };
-    let times = multiple(first)?;
-    let name = match &first.kind {
-        Kind::Mul(factors) => &factors[1],
-        _ => first,
+    let (times, index) = match &multiple.kind {
+        Kind::Mul(factors) => match factors.as_slice() {
+            [times, index] => (integer(times).filter(|times| *times > 1)?, index),
+            _ => return None,
+        },
+        _ => (1, multiple),
     };
-    match &name.kind {
+    match &index.kind {
         Kind::Name(letter) if is_index_letter(letter) => Some((letter, times, more)),
         _ => None,
     }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::context::is_variable;
+use crate::judge::context::{Body, is_variable};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Declared, Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -144,27 +144,9 @@ impl Model {
             Sort::BSpline => {
                 let x = one?;
                 let degree = self.stated_degree(machine, &object, &bound)?;
-                let explicit = self.explicit_knots(machine, &object, &bound, degree);
-                let knots = match explicit {
-                    Some(knots) => knots,
-                    None => {
-                        let first =
-                            head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
-                        let all = self.all_knots(machine, &object, &bound);
-                        let numbers = object
-                            .knots
-                            .iter()
-                            .any(|knot| bases(knot).is_empty() && knot.kind != Kind::Ellipsis);
-                        match all {
-                            // N_2 on all the knots 0, 0, 0, 1, 2, 2, 2
-                            Some(all) if numbers => {
-                                let first = usize::try_from(first).ok()?;
-                                all.get(first..first + degree + 2)?.to_vec()
-                            }
-                            None if numbers => return Some(Err(unclear("what the knots are", expr))),
-                            _ => (first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect(),
-                        }
-                    }
+                let knots = match self.knots_of(machine, &object, head, &bound, degree, expr)? {
+                    Ok(knots) => knots,
+                    Err(error) => return Some(Err(error)),
                 };
                 note("the B-spline");
                 self.local_spline(&knots, &x, expr).map(Value::Scalar)
@@ -285,13 +267,7 @@ impl Model {
                 let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };
                 let i = usize::try_from(machine.eval(index).ok()?.as_int()?).ok()?;
-                // F(t) = Σ P_i B_i^n(t) says what F is by its points.
-                let given = |base: &str| {
-                    self.context.visible(base, &self.place).any(|(_, definition, near)| {
-                        near && matches!(&definition.body, crate::judge::context::Body::Formula(body) if bases(body).contains(&head.base))
-                    })
-                };
-                if Head::of(of).is_some_and(|of| given(&of.base)) {
+                if self.is_made_of(of, &head.base) {
                     return None;
                 }
                 // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
@@ -313,6 +289,15 @@ impl Model {
             }
             _ => None,
         }
+    }
+
+    /// Whether the page gives a function by a formula with members of a letter: F(t) = Σ P_i B_i^n(t).
+    fn is_made_of(&self, function: &Expr, letter: &str) -> bool {
+        Head::of(function).is_some_and(|head| {
+            self.context.visible(&head.base, &self.place).any(|(_, definition, near)| {
+                near && matches!(&definition.body, Body::Formula(body) if bases(body).contains(letter))
+            })
+        })
     }
 
     /// How many items a list has, dots written out.
@@ -539,7 +524,7 @@ impl Model {
             && definition.head.arguments.is_none()
             && definition.head.lower.len() + definition.head.upper.len()
                 == head.lower.len() + head.upper.len()
-            && let crate::judge::context::Body::Formula(body) = &definition.body
+            && let Body::Formula(body) = &definition.body
         {
             let body = body.clone();
             return self.at_place(machine, &body, symbols, expr);

@@ -4,9 +4,10 @@
 //! polynomials agree near t₀ if these formulas do; whether they agree everywhere is sampled by enough t₀.
 
 use super::calls::unclear;
-use super::{Evaluated, Model};
+use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
-use crate::judge::names::Head;
+use crate::judge::names::{Head, bases};
+use crate::judge::object::Object;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -65,6 +66,32 @@ impl Model {
         let around = self.around.borrow().clone()?;
         let at = |symbol: &Symbol| symbol.is_plain().then(|| around.clone());
         x.value(&at)
+    }
+
+    /// The knots of a B-spline: those that words give it, a part of all that they give, or those of its number.
+    pub(super) fn knots_of(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        head: &Head,
+        bound: &Bound,
+        degree: usize,
+        expr: &Expr,
+    ) -> Option<Result<Vec<Rational>, Diagnostic>> {
+        if let Some(knots) = self.explicit_knots(machine, object, bound, degree) {
+            return Some(Ok(knots));
+        }
+        let first = head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
+        let number = |knot: &Expr| bases(knot).is_empty() && knot.kind != Kind::Ellipsis;
+        if !object.knots.iter().any(number) {
+            return Some(Ok((first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect()));
+        }
+        // N_2 on all the knots 0, 0, 0, 1, 2, 2, 2
+        let Some(all) = self.all_knots(machine, object, bound) else {
+            return Some(Err(unclear("what the knots are", expr)));
+        };
+        let first = usize::try_from(first).ok()?;
+        Some(Ok(all.get(first..first + degree + 2)?.to_vec()))
     }
 
     /// Evaluates with another parameter to be near to.
