@@ -300,6 +300,7 @@ pub fn decide(
             !symbols.is_empty()
                 && symbols == compare::symbols(&failure.right)
                 && statement.role != Some(Role::Introduced)
+                && checker.is_covered(head, &statement.place)
         };
         let value = head.arguments.is_none()
             && !(same && head.lower.is_empty())

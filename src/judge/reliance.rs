@@ -107,8 +107,9 @@ impl Checker {
         };
         let named = |one: &Use| one.grounds.iter().any(|ground| matches!(ground, Ground::Name(_)));
         for one in self.uses.iter().filter(|one| named(one) && one.grounds.iter().all(confirmed)) {
-            if let (Some(wrong), Some(finding)) = (&one.wrong, self.findings.get_mut(one.finding)) {
-                *finding = Finding { evidence: vec![Evidence::Names], ..wrong.clone() };
+            let wrong = one.wrong.as_ref().filter(|wrong| wrong.evidence.contains(&Evidence::Names));
+            if let (Some(wrong), Some(finding)) = (wrong, self.findings.get_mut(one.finding)) {
+                *finding = wrong.clone();
             }
         }
         for one in self.uses.iter().filter(|one| one.outcome == Outcome::Refuted) {

@@ -165,7 +165,9 @@ impl Checker {
                     finding.suggestion = repair.as_ref().map(Repair::latex);
                     finding.evidence = suspect.evidence(repair.as_ref());
                     finding.evidence.is_empty().then(|| {
-                        unfounded = Some(wrong(&finding, &failure, reasons.clone()));
+                        let mut found = wrong(&finding, &failure, reasons.clone());
+                        found.evidence.extend(suspect.can_be_confirmed().then_some(Evidence::Names));
+                        unfounded = Some(found);
                         UNFOUNDED.to_owned()
                     })
                 });

@@ -43,6 +43,15 @@ impl Suspect<'_> {
         shown.into_iter().filter(|(_, holds)| *holds).map(|(evidence, _)| evidence).collect()
     }
 
+    /// Whether the rest of the page can show that it is wrong: it gives a value of a function, or calculates with
+    /// numbers that have names, and is no condition.
+    pub(in crate::judge) fn can_be_confirmed(&self) -> bool {
+        let [left, _] = self.sides();
+        let calculated = self.symbols().is_empty() && Head::of(left).is_none();
+        let value = matches!(left.kind, Kind::Apply(..));
+        self.is_equation() && (calculated || value) && !self.may_be_a_condition()
+    }
+
     /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
     pub(in crate::judge) fn is_slip(&self, repair: impl FnOnce() -> Option<Repair>) -> bool {
         self.says_much()
@@ -87,6 +96,7 @@ impl Suspect<'_> {
                 && definition.head.arguments.is_none() == head.arguments.is_none()
                 && definition.place.group == self.statement.place.group
         });
+        let given = given && self.checker.is_covered(&head, &self.statement.place);
         let symbols = compare::symbols(&self.failure.left);
         if given && !symbols.is_empty() && symbols == compare::symbols(&self.failure.right) {
             return false;
@@ -151,8 +161,12 @@ impl Suspect<'_> {
             || bases(left).symmetric_difference(&bases(right)).any(place_of_mean);
         // S'_i(x_i) = S'_{i-1}(x_i), B_{i,n}(u) = 0
         let [one, other] = self.sides();
-        let call = |side: &Expr| {
-            Head::of(side).filter(|head| head.arguments.is_some() || matches!(side.kind, Kind::Prime(..)))
+        let call = |side: &Expr| match &side.kind {
+            Kind::Derivative { body: Some(body), .. } => Head::of(body),
+            _ => {
+                let primed = matches!(side.kind, Kind::Prime(..));
+                Head::of(side).filter(|head| head.arguments.is_some() || primed)
+            }
         };
         let same = match (call(one), call(other)) {
             (Some(a), Some(b)) => {
@@ -166,7 +180,10 @@ impl Suspect<'_> {
             }
             _ => false,
         };
-        let family = same && !self.claimed() && self.chain.conditions.is_empty();
+        // dP_i/dx = dP_{i+1}/dx, where two pieces meet
+        let derived = |side: &Expr| matches!(side.kind, Kind::Derivative { .. });
+        let joined = same && derived(one) && derived(other);
+        let family = joined || same && !self.claimed() && self.chain.conditions.is_empty();
         alone || family
     }
 

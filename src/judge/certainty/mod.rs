@@ -43,7 +43,8 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 6] = [
+        let rules: [fn(&Self) -> Option<String>; 7] = [
+            Self::new_function,
             Self::operator,
             Self::equation_to_be_solved,
             Self::matrices,
@@ -91,6 +92,21 @@ impl Suspect<'_> {
         }
         let unknown = self.tally.record.unknown.iter().find(|name| !spoken(name))?;
         Some(format!("what {unknown} is is not said"))
+    }
+
+    /// Δ_{j,i}(x) = P_{j+1}(x) − P_j(x), where nothing tells what Δ is, may say what it is.
+    fn new_function(&self) -> Option<String> {
+        let [left, right] = self.sides();
+        let callee = match &left.kind {
+            Kind::Apply(callee, _) => Head::of(callee)?,
+            _ => return None,
+        };
+        let record = &self.tally.record;
+        let new = record.unknown.contains(&callee.base)
+            && !callee.lower.is_empty()
+            && !record.paired.contains(&callee.base)
+            && !bases(right).contains(&callee.base);
+        new.then(|| format!("it may say what {} is", callee.base))
     }
 
     /// Whether words say what a name is.
