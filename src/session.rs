@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Sign, Term};
+use crate::formula::{Expr, Kind};
 use crate::judge::{asked, doubtful, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
@@ -322,23 +322,11 @@ pub fn read_items(file: &SourceFile) -> Result<Vec<Expr>, Diagnostic> {
 fn numbers_of_range(item: Expr) -> Vec<Expr> {
     const LONGEST: i64 = 10_000;
     let Kind::Range(first, last) = &item.kind else { return vec![item] };
-    match (integer(first), integer(last)) {
+    match (first.as_signed_int(), last.as_signed_int()) {
         (Some(first), Some(last)) if last.saturating_sub(first) < LONGEST => {
             (first..=last).map(|number| Expr { span: item.span, ..Expr::int(number) }).collect()
         }
         _ => vec![item],
-    }
-}
-
-/// The integer written here, with or without a minus sign.
-fn integer(expr: &Expr) -> Option<i64> {
-    match &expr.kind {
-        Kind::Number(value) if value.is_integer() => value.numer().as_small(),
-        Kind::Add(terms) => match terms.as_slice() {
-            [Term { sign: Sign::Minus, expr }] => integer(expr).map(|value| -value),
-            _ => None,
-        },
-        _ => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Expr, Kind, Link, Quotient, Rel, Sign, Term};
 use crate::formula::source::Span;
 use crate::math::number::Rational;
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, ToPrimitive};
 
 impl Expr {
     /// An expression read at `span`.
@@ -40,6 +40,40 @@ impl Expr {
             Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "or") => {
                 groups.first().map(Vec::as_slice)
             }
+            _ => None,
+        }
+    }
+
+    /// The number written here.
+    pub fn as_number(&self) -> Option<&Rational> {
+        match &self.kind {
+            Kind::Number(q) => Some(q),
+            _ => None,
+        }
+    }
+
+    /// The integer written here, without a sign.
+    pub fn as_int(&self) -> Option<i64> {
+        self.as_number().filter(|q| q.is_integer())?.to_i64()
+    }
+
+    /// The integer written here, with or without a sign and brackets.
+    pub fn as_signed_int(&self) -> Option<i64> {
+        match &self.kind {
+            Kind::Group(inner) => inner.as_signed_int(),
+            Kind::Add(terms) => match terms.as_slice() {
+                [Term { sign: Sign::Minus, expr }] => expr.as_signed_int().map(|n| -n),
+                [only] => only.expr.as_signed_int(),
+                _ => None,
+            },
+            _ => self.as_int(),
+        }
+    }
+
+    /// The items of [a, b] or (a, b).
+    pub fn items(&self) -> Option<&[Expr]> {
+        match &self.kind {
+            Kind::List(items) | Kind::Tuple(items) => Some(items),
             _ => None,
         }
     }

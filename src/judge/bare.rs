@@ -6,7 +6,7 @@ use super::names::walk;
 use crate::formula::{Expr, Kind, Sign};
 use crate::language::write;
 use crate::math::number::Rational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 /// Factors with their powers.
 type Product = Vec<(String, i64)>;
@@ -54,26 +54,13 @@ fn letters<'a>(expr: &'a Expr, sign: i64, found: &mut Vec<(&'a str, i64)>) -> bo
         }
         Kind::Group(inner) => letters(inner, sign, found),
         Kind::Mul(factors) => factors.iter().all(|factor| letters(factor, sign, found)),
-        Kind::Pow(base, exponent) => match integer_of(exponent) {
+        Kind::Pow(base, exponent) => match exponent.as_signed_int() {
             Some(power) if (1..9).contains(&power.abs()) => {
                 (0..power.abs()).all(|_| letters(base, sign * power.signum(), found))
             }
             _ => false,
         },
         _ => false,
-    }
-}
-
-/// The integer written here, with or without a sign and brackets.
-pub(super) fn integer_of(expr: &Expr) -> Option<i64> {
-    match &expr.kind {
-        Kind::Number(q) if q.is_integer() => q.to_i64(),
-        Kind::Group(inner) => integer_of(inner),
-        Kind::Add(terms) => match terms.as_slice() {
-            [only] => integer_of(&only.expr).map(|n| if only.sign == Sign::Minus { -n } else { n }),
-            _ => None,
-        },
-        _ => None,
     }
 }
 

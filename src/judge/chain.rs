@@ -135,13 +135,17 @@ impl Checker {
             // Facts that speak of it may say what it is already.
             let spoken =
                 || self.context.object(head, place).is_some() || self.is_constrained(&head.base, place);
+            let known = || !head.lower.is_empty() && self.is_covered(head, place);
+            let claimed = statement.role == Some(Role::Claimed);
+            let introduced = statement.role == Some(Role::Introduced);
+            let told = !claimed && !introduced && (spoken() || known());
             // P_i = f(a, …, b), where F(t) = Σ P_i B_i^n(t) and f is its polar form: it speaks of itself.
             let right = &chain.sides[1].expr;
-            let around = !bases(right).contains(&head.base)
+            let around = !told
+                && !introduced
+                && !bases(right).contains(&head.base)
                 && self.context.reached(&[right], place).contains(&head.base);
-            let known = || !head.lower.is_empty() && self.is_covered(head, place);
-            let claims = statement.role == Some(Role::Claimed)
-                || !matches!(statement.role, Some(Role::Introduced)) && (around || spoken() || known());
+            let claims = claimed || told || around;
             if claims && !defines {
                 let before = self.context.mark();
                 let mut tried = findings.clone();
@@ -153,7 +157,7 @@ impl Checker {
                         let symbol =
                             Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
-                        statement.role == Some(Role::Claimed) && (given || around)
+                        claimed && (given || around)
                             || tried[0].determined
                             || head.arguments.is_none() && !self.is_open(&symbol, &curve)
                     }
@@ -289,13 +293,9 @@ impl Checker {
 
     /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
     fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
-        let items = |expr: &Expr| match &expr.kind {
-            Kind::List(items) | Kind::Tuple(items) => Some(items.clone()),
-            _ => None,
-        };
         let place = &statement.place;
         let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
-        let (Some(names), Some(values)) = (items(&chain.sides[0].expr), items(&chain.sides[1].expr)) else {
+        let (Some(names), Some(values)) = (chain.sides[0].expr.items(), chain.sides[1].expr.items()) else {
             return false;
         };
         let new = |name: &Expr| match &name.kind {
@@ -309,8 +309,7 @@ impl Checker {
             && values.iter().all(constant);
         if gives {
             for (head, value) in names.iter().filter_map(Head::of).zip(values) {
-                let span = value.span;
-                self.define(head, Body::Formula(value), &[], place, span);
+                self.define(head, Body::Formula(value.clone()), &[], place, value.span);
             }
         }
         gives

@@ -37,8 +37,6 @@ pub struct Checker {
     pub(super) taken: Vec<Taken>,
     /// The letters that occurred so far.
     pub(super) seen: BTreeSet<String>,
-    /// Intervals and parameters that words speak of.
-    pub(super) heard: Vec<(Place, Expr)>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -58,7 +56,6 @@ impl Checker {
             uses: Vec::new(),
             taken: Vec::new(),
             seen: BTreeSet::new(),
-            heard: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -90,7 +87,7 @@ impl Checker {
                     finding.verdict = Verdict::Unread;
                 }
                 self.findings.push(finding);
-                self.hear(&side.expr, &statement.place);
+                Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
                 // A case is a condition of the claims of its sentence, and of nothing else.
                 if !statement.is_case() {
                     // A range said in passing holds in its paragraph.
@@ -107,8 +104,7 @@ impl Checker {
                     finding.reason = problems.first().map(|problem| problem.message.clone());
                 }
                 self.findings.push(finding);
-                self.hear(&side.expr, &statement.place);
-                Rc::make_mut(&mut self.context).name_item(&side.expr, &statement.place);
+                Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
             }
             Said::Chain(chain) => {
                 let chain = &whole_sums(chain);
@@ -127,7 +123,7 @@ impl Checker {
                 let limits = self.limits.clone();
                 let before = self.context.mark();
                 if let Some(mut findings) = self.unasserted(chain, statement) {
-                    self.hear(&chain.whole(), &statement.place);
+                    Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
                     // What two curves have to fulfil where they meet is known.
                     let join = statement.role == Some(Role::Assumed) && statement.topics.has(Topic::Join);
                     if statement.role == Some(Role::Sought) {

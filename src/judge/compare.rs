@@ -189,11 +189,21 @@ pub(super) fn agree_in_most(left: &Value, right: &Value) -> bool {
             let (Some(own), Some(others)) = (own.as_polynomial(), others.as_polynomial()) else {
                 return false;
             };
-            let variables = own.variables() == others.variables();
-            let (own, others) = (own.terms(MonomialOrder::Lex), others.terms(MonomialOrder::Lex));
-            let common = own.iter().filter(|term| others.contains(term)).count();
-            variables && enough(common, own.len().max(others.len()))
+            let (common, all) = common_terms(own, others);
+            own.variables() == others.variables() && enough(common, all)
         }
         _ => false,
     }
+}
+
+/// Whether both sides have symbols, and the same ones.
+pub(super) fn in_the_same_symbols(left: &Value, right: &Value) -> bool {
+    let own = symbols(left);
+    !own.is_empty() && own == symbols(right)
+}
+
+/// How many terms polynomials have in common, and how many the longer one has.
+pub(super) fn common_terms(left: &MultiPoly, right: &MultiPoly) -> (usize, usize) {
+    let (own, others) = (left.terms(MonomialOrder::Lex), right.terms(MonomialOrder::Lex));
+    (own.iter().filter(|term| others.contains(term)).count(), own.len().max(others.len()))
 }

@@ -75,8 +75,8 @@ pub struct Context {
     pub conditions: Vec<Condition>,
     /// What words say that names stand for, in the order they were met.
     pub objects: Vec<Declared>,
-    /// Lists that were only named: x_0, …, x_n.
-    pub lists: Vec<(Place, Vec<Expr>)>,
+    /// What was only named or supposed, in the order it was met: x_0, …, x_n; t = 1/2.
+    pub heard: Vec<(Place, Rc<Expr>)>,
     /// How letters are used in the whole document.
     pub letters: Letters,
     /// The numbers of the definitions and of the objects of each letter.
@@ -346,32 +346,29 @@ impl Context {
         self.objects.push(declared);
     }
 
-    /// Takes in an item of a list that is only named.
-    pub fn name_item(&mut self, item: &Expr, place: &Place) {
-        match self.lists.last_mut() {
-            Some((last, items)) if last.formula == place.formula => items.push(item.clone()),
-            _ => self.lists.push((place.clone(), vec![item.clone()])),
-        }
+    /// Keeps what is only named or supposed.
+    pub fn hear(&mut self, expr: &Expr, place: &Place) {
+        self.heard.push((place.clone(), Rc::new(expr.clone())));
     }
 
     /// The first and the last number of the members of a letter, as the page lists them last.
     pub fn listed(&self, letter: &str, place: &Place) -> Option<(Expr, Expr)> {
-        let objects = self.objects.iter().map(|declared| (&declared.place, &declared.object.names));
-        let lists = self.lists.iter().map(|(place, items)| (place, items));
-        let here = |other: &Place| place.sees(other) && place.in_reach(other, false);
-        let index = |expr: &Expr| {
-            let head = Head::of(expr).filter(|head| head.base == letter)?;
-            match head.lower.as_slice() {
-                [index] => Some(index.clone()),
-                _ => None,
-            }
+        let index = |expr: &Expr| Head::of(expr).filter(|head| head.base == letter)?.index().cloned();
+        let ends = |other: &Place, items: &[&Expr]| {
+            let listed = place.knows(other, false) && items.iter().any(|item| item.kind == Kind::Ellipsis);
+            let (first, last) = (items.first()?, items.last()?);
+            listed.then_some((other.formula, (index(first)?, index(last)?)))
         };
-        let found = objects.chain(lists).filter(|(other, _)| here(other)).filter_map(|(other, items)| {
-            let dots = items.iter().any(|item| item.kind == Kind::Ellipsis);
-            let ends = (index(items.first()?)?, index(items.last()?)?);
-            dots.then_some((other.formula, ends))
+        let object =
+            self.objects.iter().rev().find_map(|declared| {
+                ends(&declared.place, &declared.object.names.iter().collect::<Vec<_>>())
+            });
+        let heard = self.heard.chunk_by(|(a, _), (b, _)| a.formula == b.formula).rev().find_map(|items| {
+            let named = items.iter().map(|(_, item)| &**item);
+            let named = named.filter(|item| !matches!(item.kind, Kind::Chain(..)));
+            ends(&items[0].0, &named.collect::<Vec<_>>())
         });
-        let named = found.max_by_key(|(formula, _)| *formula).map(|(_, ends)| ends);
+        let named = object.into_iter().chain(heard).max_by_key(|(formula, _)| *formula).map(|(_, ends)| ends);
         // x_j = x_0 + jh for j = 0, …, n
         named.or_else(|| {
             self.visible(letter, place).find_map(|(_, definition, _)| {

@@ -107,10 +107,7 @@ struct New {
 
 impl New {
     fn of(left: &Expr, right: &Expr) -> Option<New> {
-        let items = |expr: &Expr| match &expr.kind {
-            Kind::List(items) | Kind::Tuple(items) if items.len() > 2 => Some(items.clone()),
-            _ => None,
-        };
+        let items = |expr: &Expr| expr.items().filter(|items| items.len() > 2).map(<[Expr]>::to_vec);
         let given = items(right).filter(|items| items.iter().all(|item| item.kind != Kind::Ellipsis));
         let points = given.map(|items| items.len() as i64);
         if let Some(names) = items(left) {
@@ -159,11 +156,6 @@ impl New {
 }
 
 impl Checker {
-    /// Keeps an interval or a parameter that words speak of.
-    pub(super) fn hear(&mut self, expr: &Expr, place: &Place) {
-        self.heard.push((place.clone(), expr.clone()));
-    }
-
     /// Judges a formula for a new name by what words say that it is for.
     pub(super) fn by_description(
         &mut self,
@@ -186,9 +178,8 @@ impl Checker {
         let Some(new) = New::of(&left.expr, &right.expr) else { return };
         let limits = self.limits.clone();
         let kept = self.context.clone();
-        Rc::make_mut(&mut self.context).forget(before);
         let finding = findings[0].clone();
-        let found = budget::run(&limits, || self.meant(&new, chain, statement, &finding));
+        let found = budget::run(&limits, || self.meant(&new, chain, statement, &finding, before));
         self.context = kept;
         let Ok(Some((found, meaning))) = found else { return };
         if found.verdict == Verdict::Refuted {
@@ -206,19 +197,26 @@ impl Checker {
         chain: &Chain,
         statement: &Statement,
         finding: &Finding,
+        before: Mark,
     ) -> Option<(Finding, Option<Meaning>)> {
         let place = &statement.place;
         let right = &chain.sides[1].expr;
         let sides = [&new.side, right].map(|expr| Side { expr: expr.clone(), latex: String::new() });
         let chain = Chain { sides: sides.into(), relations: vec![chain.relations[0]], ..chain.clone() };
-        let told = self.taken.iter().rev().find(|taken| {
-            taken.letter == new.letter && place.in_reach(&taken.place, false) && place.sees(&taken.place)
-        });
+        let told = self
+            .taken
+            .iter()
+            .rev()
+            .find(|taken| taken.letter == new.letter && place.knows(&taken.place, false));
         let certain = told.is_some();
         let meanings = match told {
             Some(told) => vec![told.meaning.clone()],
             None => self.meanings(new, right, statement),
         };
+        if meanings.is_empty() {
+            return None;
+        }
+        Rc::make_mut(&mut self.context).forget(before);
         let mut failures: Vec<(Failure, Meaning)> = Vec::new();
         for meaning in meanings {
             let objects = meaning.curve.object.iter().cloned().chain([meaning.object(new)]);
@@ -290,7 +288,7 @@ impl Checker {
         let mut found = Vec::new();
         for curve in self.curves(new, right, statement) {
             let mut add = |made: Made| found.push(Meaning { curve: curve.clone(), made });
-            let degree = integer(&curve.degree);
+            let degree = curve.degree.as_int();
             match new.arguments {
                 0 => {}
                 1 if curve.object.is_some() => {
@@ -332,13 +330,17 @@ impl Checker {
 
     /// What the section said, the latest first.
     fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
-        let here = |other: &Place| place.sees(other) && place.in_reach(other, false);
-        self.heard.iter().rev().filter(move |(other, _)| here(other)).map(|(_, expr)| expr)
+        self.context
+            .heard
+            .iter()
+            .rev()
+            .filter(|(other, _)| place.knows(other, false))
+            .map(|(_, expr)| &**expr)
     }
 
     /// The part of its interval that the paragraph speaks of.
     fn interval_heard(&self, curve: &Curve, place: &Place) -> Option<(Expr, Expr)> {
-        let latest = self.heard.iter().rev().filter(|(other, _)| other.group == place.group);
+        let latest = self.context.heard.iter().rev().filter(|(other, _)| other.group == place.group);
         let mut intervals = latest.filter_map(|(_, expr)| interval(expr));
         let ([from, to], _) = intervals.next()?;
         let whole = from.same_as(&curve.interval.0) && to.same_as(&curve.interval.1);
@@ -377,8 +379,7 @@ impl Checker {
 
     /// "A cubic Bézier curve with the control points b_0, …, b_3"
     fn curves_in_words(&self, new: &New, place: &Place) -> Vec<Curve> {
-        let here =
-            |declared: &&Declared| place.sees(&declared.place) && place.in_reach(&declared.place, false);
+        let here = |declared: &&Declared| place.knows(&declared.place, false);
         let curve = |declared: &Declared| {
             let object = &*declared.object;
             if object.names.iter().filter_map(Head::of).any(|head| head.base == new.letter) {
@@ -423,7 +424,7 @@ impl Checker {
                 return None;
             };
             let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
-            let here = place.sees(&definition.place) && place.in_reach(&definition.place, definition.assumed);
+            let here = place.knows(&definition.place, definition.assumed);
             (plain && here && shares(body)).then(|| (Expr::name(&head.base), body, variable.clone()))
         });
         let heard = self.heard(place).filter_map(|expr| {
@@ -442,16 +443,14 @@ impl Checker {
 
     /// P_0 = (0, 0), P_1 = (1, 2), P_2 = (3, 3)
     fn curves_by_points(&self, new: &New, place: &Place) -> Vec<Curve> {
-        let index = |head: &Head| match head.lower.as_slice() {
-            [index] if head.arguments.is_none() && head.upper.is_empty() => integer(index),
-            _ => None,
+        let index = |head: &Head| {
+            head.index().filter(|_| head.arguments.is_none() && head.upper.is_empty())?.as_int()
         };
         let letters = self.context.definitions.iter().rev().filter(|definition| {
             let head = &definition.head;
             index(head) == Some(0)
                 && (new.arguments > 0 || head.base != new.letter)
-                && place.sees(&definition.place)
-                && place.in_reach(&definition.place, definition.assumed)
+                && place.knows(&definition.place, definition.assumed)
         });
         let curve = |letter: &str| {
             let known = |i: &i64| {
@@ -524,22 +523,12 @@ fn bezier_curve(points: Vec<Expr>, degree: &Expr) -> Object {
 
 /// The number of the last point of b_0, …, b_n.
 fn last_index(points: &[Expr]) -> Option<Expr> {
-    let index = |point: &Expr| match Head::of(point)?.lower.as_slice() {
-        [index] => Some(index.clone()),
-        _ => None,
-    };
+    let index = |point: &Expr| Head::of(point)?.index().cloned();
     match points {
         [one] if Head::of(one).is_some() => None,
         [first, .., last] if points.iter().any(|point| point.kind == Kind::Ellipsis) => {
-            (integer(&index(first)?)? == 0).then(|| index(last)).flatten()
+            (index(first)?.as_int()? == 0).then(|| index(last)).flatten()
         }
         _ => Some(Expr::int(points.len() as i64 - 1)),
-    }
-}
-
-fn integer(expr: &Expr) -> Option<i64> {
-    match &expr.kind {
-        Kind::Number(q) => Value::number(q.clone()).as_int(),
-        _ => None,
     }
 }

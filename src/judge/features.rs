@@ -7,7 +7,6 @@ use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 use crate::language::write;
-use num_traits::ToPrimitive;
 
 /// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
 /// or f has several arguments.
@@ -38,10 +37,7 @@ pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
 
 /// The highest order of a derivative that is written as a number, with primes or as F^{(5)}.
 pub fn highest_derivative(side: &Expr) -> usize {
-    let number = |expr: &Expr| match &expr.kind {
-        Kind::Number(q) if q.is_integer() => q.numer().to_usize(),
-        _ => None,
-    };
+    let number = |expr: &Expr| usize::try_from(expr.as_int()?).ok();
     let mut highest = 0;
     walk(side, &mut |part| {
         let order = match &part.kind {

@@ -10,7 +10,6 @@ use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel, Term};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::words::is_function_word;
-use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::Symbol;
 
@@ -62,10 +61,8 @@ pub fn definable(expr: &Expr) -> Option<Head> {
         .iter()
         .filter_map(|argument| {
             let own = Head::of(argument)?;
-            match own.lower.as_slice() {
-                [Expr { kind: Kind::Number(q), .. }] => Some((own.base, Value::number(q.clone()).as_int()?)),
-                _ => None,
-            }
+            let index = own.index()?.as_int()?;
+            Some((own.base, index))
         })
         .collect();
     if let Some((_, first)) = numbered.first()
@@ -380,7 +377,7 @@ impl Checker {
 
     /// The conditions of the section that speak of a name.
     fn conditions_on<'a>(&'a self, base: &'a str, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
-        let alive = |c: &&Condition| place.in_reach(&c.place, c.assumed) && place.sees(&c.place);
+        let alive = |c: &&Condition| place.knows(&c.place, c.assumed);
         let expressions = self.context.conditions.iter().filter(alive).map(|condition| &condition.expr);
         expressions.filter(|expr| bases(expr).contains(base))
     }

@@ -23,6 +23,14 @@ pub struct Head {
 }
 
 impl Head {
+    /// Its index below, if that is the only one there.
+    pub(super) fn index(&self) -> Option<&Expr> {
+        match self.lower.as_slice() {
+            [index] => Some(index),
+            _ => None,
+        }
+    }
+
     /// The standard notation that it is written in, if it has one.
     pub(super) fn notation(&self) -> Option<&'static Notation> {
         families::notation(&self.base, self.lower.len(), self.upper.len())

@@ -8,7 +8,6 @@ use super::context::{Body, Context};
 use super::names::{Head, bases, is_index_letter, walk};
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::value::Value;
 use crate::math::number::Rational;
 
 /// What a name stands for.
@@ -141,10 +140,7 @@ impl Object {
     pub fn members(&self) -> Vec<(Head, Expr)> {
         let dots = self.names.iter().any(|name| name.kind == Kind::Ellipsis);
         let Some(first) = self.names.first().and_then(Head::of) else { return Vec::new() };
-        let start = match first.lower.as_slice() {
-            [Expr { kind: Kind::Number(q), .. }] => Value::number(q.clone()).as_int(),
-            _ => None,
-        };
+        let start = first.index().and_then(Expr::as_int);
         let heads: Vec<Head> = match (dots, start) {
             (true, Some(start)) => (start..)
                 .take(self.values.len())
@@ -309,10 +305,7 @@ impl Context {
                     Body::Value(value) => value.as_rational(),
                     Body::Formula(_) => None,
                 };
-                let index = match definition.head.lower.as_slice() {
-                    [Expr { kind: Kind::Number(q), .. }] => Value::number(q.clone()).as_int(),
-                    _ => None,
-                };
+                let index = definition.head.index().and_then(Expr::as_int);
                 if let (true, Some(index), Some(value)) = (near, index, value) {
                     found.entry(index).or_insert(value);
                 }
@@ -328,21 +321,14 @@ impl Context {
 
     /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1).
     fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
-        let told = |declared: &&Declared| {
-            declared.object.sort == Sort::Knots
-                && place.in_reach(&declared.place, false)
-                && place.sees(&declared.place)
-        };
+        let told =
+            |declared: &&Declared| declared.object.sort == Sort::Knots && place.knows(&declared.place, false);
         let Some(declared) = self.objects.iter().rev().find(told) else { return Vec::new() };
         let items = match declared.object.names.as_slice() {
             [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => inside,
             names => names,
         };
-        let number = |item: &Expr| match &item.kind {
-            Kind::Number(q) => Some(q.clone()),
-            _ => None,
-        };
-        items.iter().map(number).collect::<Option<Vec<_>>>().unwrap_or_default()
+        items.iter().map(|item| item.as_number().cloned()).collect::<Option<Vec<_>>>().unwrap_or_default()
     }
 
     /// The letters that the page itself gives to knots.

@@ -3,7 +3,6 @@
 //! **Rule.** An equation that holds whatever numbers stand in their places holds. Equal arguments give equal values,
 //! e^{a + b} is e^a e^b, and (√a)² is a; no other law is used, and nothing is refuted by them.
 
-use super::bare::integer_of;
 use super::check::Checker;
 use super::finding::{Finding, Verdict};
 use super::names::{bases, is_index_letter, walk};
@@ -135,7 +134,7 @@ fn square_root(expr: &Expr) -> Option<&Expr> {
 }
 
 fn half_of(exponent: &Expr) -> Option<i64> {
-    integer_of(exponent).filter(|power| *power > 0 && power % 2 == 0).map(|power| power / 2)
+    exponent.as_signed_int().filter(|power| *power > 0 && power % 2 == 0).map(|power| power / 2)
 }
 
 /// Whether a power of it is one of a number, not of a matrix or a function.

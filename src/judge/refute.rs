@@ -295,13 +295,9 @@ pub fn decide(
         }
         // n = 2, a_k = k^2: a name that is no function gets a new value, unless it has one in the same symbols.
         // A = f(a, b, c), then A = P_1 + …: a second formula in the same letters says the same.
-        let alike = {
-            let symbols = compare::symbols(&failure.left);
-            !symbols.is_empty()
-                && symbols == compare::symbols(&failure.right)
-                && statement.role != Some(Role::Introduced)
-                && checker.is_covered(head, &statement.place)
-        };
+        let alike = statement.role != Some(Role::Introduced)
+            && compare::in_the_same_symbols(&failure.left, &failure.right)
+            && checker.is_covered(head, &statement.place);
         let value = head.arguments.is_none()
             && !(same && head.lower.is_empty())
             && !alike

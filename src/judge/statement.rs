@@ -40,6 +40,11 @@ impl Place {
         self.blocks.starts_with(&earlier.blocks) && (!assumed || earlier.group == self.group)
     }
 
+    /// Whether a fact from there is alive here.
+    pub fn knows(&self, earlier: &Place, assumed: bool) -> bool {
+        self.sees(earlier) && self.in_reach(earlier, assumed)
+    }
+
     /// Whether what was said there holds here, as far as the layout tells.
     pub fn sees(&self, earlier: &Place) -> bool {
         self.scope.starts_with(&earlier.scope)

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::formula::{Expr, Kind};
+use crate::judge::names::walk;
 use crate::judge::statement::{Said, Statement};
 
 /// Reads a prime on a name with an index as a mark, if the page applies its letter to nothing: it is no derivative.
@@ -11,7 +12,13 @@ use crate::judge::statement::{Said, Statement};
 pub(super) fn as_marks(statements: &mut [Statement]) {
     let mut applied = BTreeSet::new();
     for statement in statements.iter_mut() {
-        each(statement, &mut |expr| functions(expr, &mut applied));
+        each(statement, &mut |expr| {
+            walk(expr, &mut |part| {
+                if let Kind::Apply(callee, _) = &part.kind {
+                    applied.extend(letter(callee));
+                }
+            });
+        });
     }
     for statement in statements {
         each(statement, &mut |expr| mark(expr, &applied));
@@ -26,14 +33,6 @@ fn each(statement: &mut Statement, work: &mut dyn FnMut(&mut Expr)) {
         Said::Condition(side) | Said::Bare(side, _) => work(&mut side.expr),
         Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
     }
-}
-
-/// The letters that are applied to arguments.
-fn functions(expr: &mut Expr, found: &mut BTreeSet<String>) {
-    if let Kind::Apply(callee, _) = &expr.kind {
-        found.extend(letter(callee));
-    }
-    expr.for_each_child_mut(&mut |child| functions(child, found));
 }
 
 /// The letter of a name with indices, primes and accents.

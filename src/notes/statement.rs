@@ -17,7 +17,6 @@ use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
-use crate::language::value::Value;
 use crate::language::{latex, syntax};
 
 /// So many letters before a formula say what its sentence speaks of.
@@ -403,7 +402,6 @@ fn clean(latex: &str) -> String {
     text.trim().trim_start_matches('&').trim_end_matches('&').trim_end_matches("\\\\").trim().to_owned()
 }
 
-/// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.
 /// t_0, …, t_3 = 0, 0, 1, 1: one list equals the other.
 fn listed_values(items: &[Expr]) -> Option<Expr> {
     let at = items.iter().position(|item| matches!(item.kind, Kind::Chain(..)))?;
@@ -412,12 +410,8 @@ fn listed_values(items: &[Expr]) -> Option<Expr> {
     let names: Vec<Expr> = items[..at].iter().chain([left.as_ref()]).cloned().collect();
     let values: Vec<Expr> = [first].into_iter().chain(&items[at + 1..]).cloned().collect();
     let member = |name: &&Expr| matches!(name.kind, Kind::Subscript(..));
-    let number = |index: &Expr| match &index.kind {
-        Kind::Number(q) => Value::number(q.clone()).as_int(),
-        _ => None,
-    };
     let index = |name: &Expr| match &name.kind {
-        Kind::Subscript(_, lower) => number(lower.first()?),
+        Kind::Subscript(_, lower) => lower.first()?.as_int(),
         _ => None,
     };
     let dots = names.iter().any(|name| name.kind == Kind::Ellipsis);
@@ -439,6 +433,7 @@ fn listed_values(items: &[Expr]) -> Option<Expr> {
     })
 }
 
+/// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.
 fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
     if let Some(lists) = listed_values(&items) {
         return vec![lists];

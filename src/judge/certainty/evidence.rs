@@ -20,7 +20,7 @@ use crate::judge::statement::Role;
 use crate::language::lexicon::roles;
 use crate::language::lexicon::words::is_function_word;
 use crate::language::value::Value;
-use crate::math::poly::{MonomialOrder, Symbol};
+use crate::math::poly::Symbol;
 
 impl Suspect<'_> {
     /// What shows that it is wrong, with the repair found. Without any of it the relation stays open.
@@ -96,9 +96,8 @@ impl Suspect<'_> {
                 && definition.head.arguments.is_none() == head.arguments.is_none()
                 && definition.place.group == self.statement.place.group
         });
-        let given = given && self.checker.is_covered(&head, &self.statement.place);
-        let symbols = compare::symbols(&self.failure.left);
-        if given && !symbols.is_empty() && symbols == compare::symbols(&self.failure.right) {
+        let covered = given && self.checker.is_covered(&head, &self.statement.place);
+        if covered && compare::in_the_same_symbols(&self.failure.left, &self.failure.right) {
             return false;
         }
         let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
@@ -316,14 +315,13 @@ impl Suspect<'_> {
         }
         let (Value::Scalar(left), Value::Scalar(right)) = (left, right) else { return false };
         let (Some(left), Some(right)) = (left.as_polynomial(), right.as_polynomial()) else { return false };
-        let (own, others) = (left.terms(MonomialOrder::Lex), right.terms(MonomialOrder::Lex));
-        let common = own.iter().filter(|term| others.contains(term)).count();
+        let (common, all) = compare::common_terms(left, right);
         self.tally.record.definitions.is_empty()
             && self.tally.record.unknown.is_empty()
             && self.is_equation()
             && left.variables() == right.variables()
             && common > 2
-            && 2 * common >= own.len().max(others.len())
+            && 2 * common >= all
     }
 }
 

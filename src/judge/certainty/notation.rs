@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Accent, Expr, Kind};
-use crate::judge::bare::integer_of;
 use crate::judge::context::{Body, Definition};
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
@@ -283,5 +282,5 @@ fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {
-    integer_of(exponent) == Some(-1)
+    exponent.as_signed_int() == Some(-1)
 }

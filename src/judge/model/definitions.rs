@@ -368,14 +368,10 @@ impl Model {
 
 /// An index, its factor and a number: n + 1, n − 1, 2i, 2i + 1.
 fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
-    let integer = |expr: &Expr| match &expr.kind {
-        Kind::Number(q) => Value::number(q.clone()).as_int(),
-        _ => None,
-    };
     let (multiple, more) = match &pattern.kind {
         Kind::Add(terms) => match terms.as_slice() {
             [first, number] if first.sign == Sign::Plus => {
-                let more = integer(&number.expr)?;
+                let more = number.expr.as_int()?;
                 (&first.expr, if number.sign == Sign::Minus { -more } else { more })
             }
             _ => return None,
@@ -385,7 +381,7 @@ fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
     };
     let (times, index) = match &multiple.kind {
         Kind::Mul(factors) => match factors.as_slice() {
-            [times, index] => (integer(times).filter(|times| *times > 1)?, index),
+            [times, index] => (times.as_int().filter(|times| *times > 1)?, index),
             _ => return None,
         },
         _ => (1, multiple),

@@ -6,6 +6,7 @@
 use super::calls::unclear;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
+use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases};
 use crate::judge::object::Object;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -120,12 +121,7 @@ impl Model {
         let mut unknown = false;
         for link in links {
             if link.rel == Rel::In {
-                let items = match &link.expr.kind {
-                    Kind::Apply(_, groups) => groups.first().map(Vec::as_slice),
-                    Kind::List(items) | Kind::Tuple(items) => Some(items.as_slice()),
-                    _ => None,
-                };
-                let [from, to] = items? else { return None };
+                let ([from, to], _) = interval(&link.expr)?;
                 let (from, to) = (number(machine, from), number(machine, to));
                 let value = value.as_ref()?;
                 if from.as_ref().is_some_and(|from| value < from) || to.as_ref().is_some_and(|to| value > to)

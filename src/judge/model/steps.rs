@@ -7,10 +7,7 @@ use crate::language::eval::Machine;
 /// In t_2, t_1, …, t_n the dots do not stand for t_2 again. `list` is what stands for t_1, …, t_n, the
 /// last one as written being `last`. `None` if a name that is pulled forward does not exist (n = 1).
 pub(super) fn not_yet_named(mut list: Vec<Expr>, items: &[Expr], last: &Expr) -> Option<Vec<Expr>> {
-    let index = |expr: &Expr| match Head::of(expr)?.lower.as_slice() {
-        [Expr { kind: Kind::Number(index), .. }] => Some(index.clone()),
-        _ => None,
-    };
+    let index = |expr: &Expr| Head::of(expr)?.index()?.as_number().cloned();
     let (Some(first), None) = (list.first().and_then(index), index(last)) else { return Some(list) };
     let written = Head::of(last)?;
     for ahead in items.iter().take_while(|item| item.kind != Kind::Ellipsis) {

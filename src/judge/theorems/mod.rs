@@ -10,6 +10,7 @@
 
 mod table;
 
+use std::cell::LazyCell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -121,13 +122,23 @@ impl Checker {
             });
             spoken.flat_map(|read| self.instances(read, left, right, statement)).collect::<Vec<_>>()
         });
+        // Numbers may be equal by chance.
+        let number = LazyCell::new(|| {
+            let model = Model::new(self.context.clone(), setting.place.clone(), Choices::default(), None);
+            let value = evaluate_reading(right, Rc::new(model), []);
+            value.is_ok_and(|value| compare::symbols(&value).is_empty())
+        });
         let mut slip: Option<(&Instance, Expr)> = None;
         let mut doubt = false;
         for instance in &instances {
             if long() {
                 return None;
             }
-            let Some(outcomes) = self.fits(setting, right, &instance.right) else { continue };
+            let outcomes = held(&self.bare(setting, right, &instance.right)).or_else(|| match *number {
+                true => None,
+                false => held(&self.with_what_is_given(setting, right, &instance.right)),
+            });
+            let Some(outcomes) = outcomes else { continue };
             if !instance.certain {
                 doubt = true;
                 continue;
@@ -175,18 +186,9 @@ impl Checker {
         })
     }
 
-    /// Whether two formulas are equal, whatever their points and knots are, or for those that the page gives.
-    fn fits(&self, setting: &Setting, right: &Expr, wanted: &Expr) -> Option<Outcomes> {
-        held(&self.bare(setting, right, wanted)).or_else(|| {
-            let setting = setting.without_equations();
-            // Numbers may be equal by chance.
-            let model = Model::new(self.context.clone(), setting.place.clone(), Choices::default(), None);
-            let value = evaluate_reading(right, Rc::new(model), []);
-            if value.is_ok_and(|value| compare::symbols(&value).is_empty()) {
-                return None;
-            }
-            held(&self.trial(&setting, &[right, wanted], &[Rel::Eq], Choices::default()))
-        })
+    /// Two formulas with the points and knots that the page gives.
+    fn with_what_is_given<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
+        self.trial(&setting.without_equations(), &[right, wanted], &[Rel::Eq], Choices::default())
     }
 
     /// Whether two formulas are equal, whatever their letters mean.

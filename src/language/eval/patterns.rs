@@ -11,7 +11,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::unsupported;
 use crate::language::value::Value;
 use crate::math::number::Rational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::Zero;
 
 type Combine = fn(Value, Value) -> Evaluated;
 
@@ -123,7 +123,7 @@ impl Machine {
 fn integers(expr: &Expr) -> Vec<i64> {
     let mut found = Vec::new();
     fn collect(expr: &Expr, found: &mut Vec<i64>) {
-        if let Some(n) = integer(expr)
+        if let Some(n) = expr.as_int()
             && !found.contains(&n)
         {
             found.push(n);
@@ -134,17 +134,10 @@ fn integers(expr: &Expr) -> Vec<i64> {
     found
 }
 
-fn integer(expr: &Expr) -> Option<i64> {
-    match &expr.kind {
-        Kind::Number(q) if q.denom().is_one() => q.numer().to_i64(),
-        _ => None,
-    }
-}
-
 /// The formula with another integer in the places of n that the bits of a mask choose, and how many places there are.
 fn with_integer(expr: &Expr, n: i64, other: Option<(u32, i64)>) -> (Expr, u32) {
     fn replace(expr: &mut Expr, n: i64, other: Option<(u32, i64)>, places: &mut u32) {
-        if integer(expr) == Some(n) {
+        if expr.as_int() == Some(n) {
             if let Some((mask, k)) = other
                 && mask >> *places & 1 == 1
             {

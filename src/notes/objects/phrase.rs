@@ -417,15 +417,13 @@ impl Reader<'_> {
                         }
                         // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
                         *list = match items.as_slice() {
-                            [Expr { kind: Kind::Chain(_, links), .. }]
-                                if matches!(&links[0].expr.kind, Kind::Tuple(_) | Kind::List(_)) =>
-                            {
-                                match &links[0].expr.kind {
-                                    Kind::Tuple(inside) | Kind::List(inside) => inside.clone(),
-                                    _ => Vec::new(),
-                                }
+                            [only] => {
+                                let list = match &only.kind {
+                                    Kind::Chain(_, links) => &links[0].expr,
+                                    _ => only,
+                                };
+                                list.items().map_or_else(|| items.clone(), <[Expr]>::to_vec)
                             }
-                            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside), .. }] => inside.clone(),
                             _ => items,
                         };
                         // "With uniform knots" gives none.
