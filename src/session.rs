@@ -3,6 +3,8 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+mod given;
+
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -17,6 +19,8 @@ use crate::language::lexicon::words;
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax};
 use crate::math::poly::Symbol;
+
+pub use given::Conditions;
 
 /// A statement that failed, with the text it was read from.
 #[derive(Clone, Debug)]
@@ -119,9 +123,21 @@ impl Session {
     ) -> Result<Vec<Answer>, Box<Failure>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
+        let whole = part.unwrap_or(Span::new(0, file.text().len()));
+        let known = |word: &str| self.env.get(&Symbol::new(word)).is_some();
+        if let Some(sentence) = syntax::sentence(file.slice(whole), &known)
+            && let Some(answers) = self.run_sentence(file, &sentence.shifted(whole.start), equals)?
+        {
+            return Ok(answers);
+        }
         let statement = guarded(&limits, || read_in(&self.env, file, part)).map_err(fail)?;
+        if let Some(sentence) = given::beside(&statement)
+            && let Some(answers) = self.run_sentence(file, &sentence, equals)?
+        {
+            return Ok(answers);
+        }
         let before = self.env.clone();
-        let latex = syntax::looks_like_latex(file.slice(part.unwrap_or(Span::new(0, file.text().len()))));
+        let latex = syntax::looks_like_latex(file.slice(whole));
         let mut answers = Vec::new();
         for mut statement in self.statements_in(statement, equals) {
             let span = statement.span;

@@ -22,8 +22,10 @@ Examples:
   polarform polar \"t^2\" --degree 3 --format latex
   polarform product \"t^2 + 2t\" \"t^3 + 1\"
   polarform check \"f(0,1) = 1/2\" --given \"f := polar(t^2 + t)\"
-  polarform eval \"f := polar(t^3)\" \"f(0, 1, hat(1))\"
+  polarform \"f := polar(t^3)\" \"f(0, 1, hat(1))\"
+  polarform \"t^2 <= t for t in [0, 1]\"
 
+A formula in the place of a command is evaluated.
 In the place of a formula, '-' stands for the text on standard input.
 Exit status: 0 done, all claims true; 1 a claim is refuted; 2 not read or not decided.";
 

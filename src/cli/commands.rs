@@ -7,7 +7,6 @@ use std::sync::Arc;
 use super::Status;
 use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
-use super::given::give;
 use super::output::{Output, Trouble};
 use super::script::script_file;
 use super::waiting::Waiting;
@@ -426,7 +425,7 @@ fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ra
 }
 
 fn check(session: &mut Session, output: &Output, claim: &str, given: &[String]) -> Ran {
-    let conditions = give(session, given)?;
+    let conditions = session.give(given)?;
     let file = SourceFile::new("<claim>", claim);
     let mut answer = session.run_statement(&file, None, Equals::Claims)?;
     let Value::Claim(judged) = answer.outcome.value.clone() else {

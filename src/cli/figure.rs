@@ -8,7 +8,6 @@ use super::argument_reader::{ArgumentReader, Failed, call, named};
 use super::arguments::{FormatArgument, Global};
 use super::commands::Ran;
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
-use super::given::give;
 use super::output::{Output, PREVIEW, Trouble};
 use super::raster;
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
@@ -41,7 +40,7 @@ pub(super) fn run(
 ) -> Ran {
     // What cannot be written is refused before anything is computed.
     let target = target(arguments, global.format)?;
-    give(session, &arguments.given)?;
+    session.give(&arguments.given)?;
     let mut reader = ArgumentReader::new(output);
     let query = query(&mut reader, arguments)?;
     let whole = query.span;

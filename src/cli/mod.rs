@@ -6,7 +6,6 @@ mod commands;
 mod curves;
 mod figure;
 mod figure_arguments;
-mod given;
 mod interpolate;
 mod lsp;
 mod manual;
@@ -25,12 +24,16 @@ mod weave;
 
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
 use clap::error::{ContextKind, ContextValue};
 
 use arguments::Arguments;
+
+use crate::document::Container;
+use crate::language::write::Format;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,9 +71,9 @@ fn formula_or_option(argument: OsString) -> OsString {
     }
 }
 
-/// A formula or a function in the place of a command is for `eval`; in the place of the kind of a
-/// figure, it needs that kind before it.
-fn advise(error: &mut clap::Error) {
+/// A function or a file in the place of a command is for another one; in the place of the kind of a
+/// figure, a function needs that kind before it; `--latex` is a format.
+fn advise(error: &mut clap::Error, arguments: &[OsString]) {
     if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidValue)
         && let Some((function, _)) = given.split_once('(')
         && matches!(error.get(ContextKind::InvalidArg), Some(ContextValue::String(name)) if name == "<KIND>")
@@ -81,25 +84,67 @@ fn advise(error: &mut clap::Error) {
         error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![advice.into()]));
         return;
     }
+    if let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidArg)
+        && let Ok(format) = given.trim_start_matches('-').parse::<Format>()
+    {
+        let advice = format!("results are printed so by --format {}", format.name());
+        error.remove(ContextKind::SuggestedArg);
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![advice.into()]));
+        return;
+    }
     let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else { return };
-    let word = given.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_');
-    let advice = match (word, crate::language::functions::builtin(given)) {
-        (false, _) => "a formula is evaluated by 'polarform eval FORMULA', in quotation marks".to_owned(),
-        (true, Some(function)) => {
-            format!("a function of the language: polarform eval \"{}\"", function.example)
+    let advice = match crate::language::functions::builtin(given) {
+        _ if is_page(given) => format!("formulas in a file are checked by: polarform notes check {given}"),
+        Some(function) => {
+            let rest = arguments.iter().skip_while(|argument| argument.to_str() != Some(given)).skip(1);
+            let own: Vec<_> = rest.filter_map(|argument| argument.to_str()).map(str::trim).collect();
+            let call = match own.is_empty() || own.iter().any(|argument| argument.starts_with('-')) {
+                true => function.example.to_owned(),
+                false => format!("{given}({})", own.join(", ")),
+            };
+            format!("a function of the language: polarform \"{call}\"")
         }
-        (true, None) => return,
+        None => return,
     };
     error.remove(ContextKind::SuggestedSubcommand);
     error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![advice.into()]));
 }
 
+/// A word, as commands, functions and files are named.
+fn is_word(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic())
+        && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_')
+}
+
+/// Reads the arguments. A formula in the place of a command is evaluated: `polarform "t^2 for t = 3"`.
+fn read(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
+    Arguments::try_parse_from(&arguments).or_else(|mut error| {
+        advise(&mut error, &arguments);
+        let Some(ContextValue::String(given)) = error.get(ContextKind::InvalidSubcommand) else {
+            return Err(error);
+        };
+        let at = arguments.iter().position(|argument| argument.to_str() == Some(given));
+        match at.filter(|_| !is_word(given) && !is_page(given)) {
+            Some(at) => {
+                let (before, formulas) = arguments.split_at(at);
+                Arguments::try_parse_from([before, &[OsString::from("eval")], formulas].concat())
+            }
+            None => Err(error),
+        }
+    })
+}
+
+/// Whether a file is named in the place of a command.
+fn is_page(given: &str) -> bool {
+    let path = Path::new(given);
+    path.exists() || path.extension().is_some() && Container::of(path).is_ok()
+}
+
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse_from(std::env::args_os().map(formula_or_option)) {
+    let arguments = match read(std::env::args_os().map(formula_or_option).collect()) {
         Ok(arguments) => arguments,
-        Err(mut error) => {
-            advise(&mut error);
+        Err(error) => {
             // Help that cannot be printed is a failure; nothing better can be done about a message.
             let printed = error.print().and_then(|()| std::io::stdout().flush());
             let failed = error.use_stderr() || printed.is_err();

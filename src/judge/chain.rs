@@ -112,7 +112,9 @@ impl Checker {
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {
-                chain.relations[0].0 == Rel::Define || names_its_variables(head, &chain.sides[1].expr)
+                let right = &chain.sides[1].expr;
+                chain.relations[0].0 == Rel::Define
+                    || names_its_variables(head, right) && !is_law(head, right)
             });
         let queried = head.as_ref().is_some_and(|head| self.is_queried(head, place));
         let first_known = queried
@@ -507,4 +509,23 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
     };
     let fixed = matches!(body.kind, Kind::Name(_));
     is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed
+}
+
+/// Whether a formula for a function of variables applies it to others: f(u, v, t) = (1 - s) f(u, v, a) + s f(u, v, b) is
+/// a law of f. Where the variable is an integer it may be a recursion.
+fn is_law(head: &Head, right: &Expr) -> bool {
+    let arguments = head.flat();
+    let variable = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if !is_index_letter(name));
+    let own = |part: &Expr| match &part.kind {
+        Kind::Apply(callee, groups) => {
+            matches!(&callee.kind, Kind::Name(name) if *name == head.base)
+                && groups.iter().map(Vec::len).sum::<usize>() == arguments.len()
+        }
+        _ => false,
+    };
+    head.lower.is_empty()
+        && head.upper.is_empty()
+        && !arguments.is_empty()
+        && arguments.iter().all(variable)
+        && right.has(&own)
 }

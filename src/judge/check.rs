@@ -11,7 +11,7 @@ use super::names::{Head, bases, is_range};
 use super::object::{Declared, Object};
 use super::reach::whole_sums;
 use super::reliance::Use;
-use super::statement::{Chain, Place, Role, Said, Side, Statement};
+use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
 use crate::budget::{self, Limits};
 use crate::formula::source::{SourceFile, Span};
@@ -229,8 +229,10 @@ impl Checker {
     /// Adds a condition that later formulas may need.
     pub(super) fn condition(&mut self, expr: Expr, span: Span, assumed: bool, place: &Place) {
         let line = self.line(span);
-        let condition = Condition { expr, assumed, place: place.clone(), line };
-        Rc::make_mut(&mut self.context).conditions.push(condition);
+        for expr in links(&expr) {
+            let condition = Condition { expr, assumed, place: place.clone(), line };
+            Rc::make_mut(&mut self.context).conditions.push(condition);
+        }
     }
 
     /// Adds a definition that later formulas use.

@@ -67,7 +67,14 @@ impl Conditions<'_> {
                 return Outcome::Unclear(CANNOT_HOLD.to_owned());
             }
             let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
-            solved.push((symbol, value));
+            // w_0 = w_2 = 1: what is solved later stands in what was solved before.
+            let later = [(symbol, value)];
+            for (_, earlier) in &mut solved {
+                if let Ok(put_in) = earlier.substitute(&later) {
+                    *earlier = put_in;
+                }
+            }
+            solved.extend(later);
             let (l, r) = (compare::substituted(left, &solved), compare::substituted(right, &solved));
             if let (Some(l), Some(r)) = (l, r) {
                 let outcome = compare::relation(rel, &l, &r, &ranges, domain);

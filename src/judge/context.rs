@@ -7,6 +7,7 @@ use std::rc::Rc;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Place, Said, Statement};
+use super::topic::Topic;
 use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
@@ -113,6 +114,8 @@ impl Mark {
 pub struct Letters {
     /// Letters that are applied to arguments like functions.
     pub functions: BTreeSet<String>,
+    /// Whether the document speaks of polar forms.
+    polar_forms: bool,
     /// Letters whose index 10 means 1, 0, because there is an index 00 or 01 or 011, too.
     pub pairs: BTreeSet<String>,
     /// Letters with an upper index that is no power: b_i^r.
@@ -191,6 +194,7 @@ impl Letters {
             functions: roles::NAMED_FUNCTIONS.iter().map(|name| (*name).to_owned()).collect(),
             ..Letters::default()
         };
+        letters.polar_forms = statements.iter().any(|statement| statement.topics.has(Topic::PolarForm));
         let mut letters_seen = false;
         let mut look = |expr: &Expr| {
             walk(expr, &mut |part| letters.look(part));
@@ -293,6 +297,11 @@ impl Letters {
     /// Whether the page speaks of no intervals of different lengths.
     pub fn has_one_length(&self) -> bool {
         self.lengths.len() < 2 && !self.ratios
+    }
+
+    /// Whether an f with several arguments may be the polar form of F, as far as the page as a whole tells.
+    pub fn may_have_polar_form(&self, capital: &str) -> bool {
+        self.polar_forms || self.is_function(capital)
     }
 
     /// Whether a letter is applied like a function.

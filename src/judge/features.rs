@@ -9,8 +9,8 @@ use crate::language::lexicon::roles;
 use crate::language::write;
 
 /// The capital letters F whose small ones occur as polar forms in the chain: F and f both occur,
-/// or f has several arguments.
-pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
+/// or f has several arguments and F may be known.
+pub fn pairs(sides: &[&Expr], may_be_known: &dyn Fn(&str) -> bool) -> BTreeSet<String> {
     let mut called: BTreeMap<String, usize> = BTreeMap::new();
     for side in sides {
         walk(side, &mut |part| {
@@ -27,7 +27,7 @@ pub fn pairs(sides: &[&Expr]) -> BTreeSet<String> {
     for (base, count) in &called {
         if base.chars().next().is_some_and(char::is_lowercase) {
             let capital = super::model::capital_of(base);
-            if *count > 1 || called.contains_key(&capital) {
+            if *count > 1 && may_be_known(&capital) || called.contains_key(&capital) {
                 found.insert(capital);
             }
         }
@@ -147,6 +147,7 @@ pub fn has_call(side: &Expr) -> bool {
 /// Whether an argument of a polar form says how often it stands there: t^n, 0^{n-i}.
 pub fn is_repeated(argument: &Expr) -> bool {
     matches!(&argument.kind, Kind::Pow(_, times) if !matches!(times.kind, Kind::Number(_)))
+        || matches!(argument.kind, Kind::Upper(..))
 }
 
 /// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.

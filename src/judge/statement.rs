@@ -1,6 +1,7 @@
 //! What is judged: chains of relations with what is said of them, and where they stand.
 
 use super::model::Curve;
+use super::names::bases;
 use super::object::Object;
 use super::topic::{Topic, Topics};
 use crate::formula::source::Span;
@@ -49,6 +50,22 @@ impl Place {
     pub fn sees(&self, earlier: &Place) -> bool {
         self.scope.starts_with(&earlier.scope)
     }
+}
+
+/// A condition m = n = 1 as m = 1 and n = 1, a = b = c as a = b and b = c; anything else as it is.
+pub(crate) fn links(condition: &Expr) -> Vec<Expr> {
+    let Kind::Chain(left, links) = &condition.kind else { return vec![condition.clone()] };
+    let Some(last) = links.last().filter(|_| links.len() > 1 && links.iter().all(|link| link.rel == Rel::Eq))
+    else {
+        return vec![condition.clone()];
+    };
+    let value = bases(&last.expr).is_empty();
+    let sides = std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr));
+    let one = |(left, link): (&Expr, &Link)| {
+        let link = if value { last } else { link };
+        Expr::new(Kind::Chain(Box::new(left.clone()), vec![link.clone()]), condition.span)
+    };
+    sides.zip(links).map(one).collect()
 }
 
 /// What a formula is said as.

@@ -118,7 +118,7 @@ impl<'a> Trial<'a> {
         limits: &Limits,
     ) -> Self {
         let reading = Model::new(context.clone(), setting.place.clone(), choices, setting.curve.clone())
-            .with_pairs(pairs(&sides))
+            .with_pairs(pairs(&sides, &|letter| context.letters.may_have_polar_form(letter)))
             .opaque(has_divided_differences(&sides))
             .with_tensor(has_groups(&sides))
             .with_ends(ends_of_sums(&sides));

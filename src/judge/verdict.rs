@@ -44,7 +44,8 @@ impl Checker {
             format!("{names} from 0 to {largest}")
         };
         if tally.fails.is_empty()
-            && tally.mismatches.len() > tally.holds
+            // Where the count fits it says what the degree is.
+            && tally.holds == 0
             && let Some((integers, message)) = tally.mismatches.first()
         {
             let values: Vec<String> =

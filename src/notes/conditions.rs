@@ -4,7 +4,7 @@ use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::inequality::interval;
 use crate::judge::names::{Head, is_range};
-use crate::judge::statement::{Chain, Role, Said, Side, Statement};
+use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -101,7 +101,7 @@ pub(super) fn attach(statements: &mut [Statement]) {
                 attached = true;
                 match unread {
                     true => chain.blocked = true,
-                    false => chain.conditions.push(condition.clone()),
+                    false => chain.conditions.extend(links(&condition)),
                 }
             }
         }

@@ -11,7 +11,7 @@ use crate::document::{Document, Item, Style};
 use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::Head;
-use crate::judge::statement::{Chain, Role, Said, Statement};
+use crate::judge::statement::{Chain, Role, Said, Statement, links};
 
 /// Gives every statement its role and every claim the cases of its sentence.
 ///
@@ -336,7 +336,7 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
         for target in targets {
             if let Said::Chain(chain) = &mut statements[target].said {
                 match &conditions {
-                    Some(conditions) => chain.conditions.extend(conditions.iter().cloned()),
+                    Some(conditions) => chain.conditions.extend(conditions.iter().flat_map(links)),
                     None => chain.partial = true,
                 }
             }

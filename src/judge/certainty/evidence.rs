@@ -13,6 +13,7 @@ use crate::judge::compare;
 use crate::judge::context::{Body, Definition, Source, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
+use crate::judge::hypotheses::is_coefficient;
 use crate::judge::names::{Head, bases, contains, is_index_letter};
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
@@ -40,7 +41,17 @@ impl Suspect<'_> {
             (Evidence::Expansion, self.is_expansion()),
             (Evidence::Terms, self.agrees_in_part()),
         ];
-        shown.into_iter().filter(|(_, holds)| *holds).map(|(evidence, _)| evidence).collect()
+        let data = self.are_data();
+        let counts = |evidence: &Evidence| !data || *evidence == Evidence::ForAll;
+        shown.into_iter().filter(|(e, holds)| *holds && counts(e)).map(|(evidence, _)| evidence).collect()
+    }
+
+    /// Whether one side is a value of a polynomial that may be any, and the other one a number: f(1, 1) = 5 says something
+    /// of it.
+    fn are_data(&self) -> bool {
+        let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+        let (other, value) = if left.is_empty() { (left, right) } else { (right, left) };
+        self.tally.determined == 0 && other.is_empty() && value.iter().any(is_coefficient)
     }
 
     /// Whether the rest of the page can show that it is wrong: it gives a value of a function, or calculates with
@@ -114,6 +125,9 @@ impl Suspect<'_> {
     /// Names on one side only, or other members of a family on each side, of which nothing is said: what they are may
     /// make it true.
     fn may_be_a_condition(&self) -> bool {
+        if self.are_data() {
+            return true;
+        }
         if self.tally.determined > 0 || self.statement.curve().is_some() {
             return false;
         }

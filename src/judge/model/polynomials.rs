@@ -64,6 +64,10 @@ impl Model {
             }
             [arguments] if head.lower.is_empty() && !(upper && arguments.len() > 1) => {
                 let capital = capital_of(&head.base);
+                // z(u, v) on a page without Z and polar forms is any function.
+                if arguments.len() > 1 && !upper && !self.is_paired(machine, head) {
+                    return Err(unclear("what this function is", expr));
+                }
                 self.polar(machine, &capital, head, arguments, expr)
             }
             [u, v] if head.lower.is_empty() => self.tensor(head, u, v, expr),

@@ -6,7 +6,7 @@ use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::wrong_kind;
-use crate::language::ops::formula::{Univariate, symbol_of, univariate};
+use crate::language::ops::formula::{Univariate, form_of, symbol_of, univariate};
 use crate::language::value::{Claim, Polar, Value};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
@@ -24,6 +24,19 @@ pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
         },
         _ => None,
     }
+}
+
+/// A list of rows as a matrix: [[1, 2], [3, 4]].
+fn matrix_of(value: &Value) -> Option<DMatrix<Fraction>> {
+    let Value::List(rows) = value else { return None };
+    let row = |row: &Value| match row {
+        Value::List(items) => items.iter().map(|item| item.as_scalar().cloned()).collect(),
+        _ => None,
+    };
+    let rows: Vec<Vec<Fraction>> = rows.iter().map(row).collect::<Option<_>>()?;
+    let columns = rows.first().map_or(0, Vec::len);
+    let whole = columns > 0 && rows.iter().all(|row| row.len() == columns);
+    whole.then(|| DMatrix::from_row_iterator(rows.len(), columns, rows.into_iter().flatten()))
 }
 
 /// The arguments of one call.
@@ -246,14 +259,20 @@ impl Arguments {
     pub fn matrix(&self, i: usize) -> Result<DMatrix<Fraction>> {
         match self.value(i)? {
             Value::Matrix(matrix) => Ok(matrix.clone()),
-            other => Err(wrong_kind("a matrix such as [1, 2; 3, 4]", other).at(self.span(i))),
+            other => matrix_of(other)
+                .ok_or_else(|| wrong_kind("a matrix such as [1, 2; 3, 4]", other).at(self.span(i))),
         }
     }
 
-    /// A polar form.
+    /// A polar form, also one given as a function by its formula.
     pub fn polar(&self, i: usize) -> Result<std::sync::Arc<Polar>> {
         match self.value(i)? {
             Value::Polar(polar) => Ok(polar.clone()),
+            Value::Function(function) => form_of(function).map(Arc::new).ok_or_else(|| {
+                Diagnostic::error(Code::Type, "this function is not symmetric and affine in each argument")
+                    .at(self.span(i))
+                    .hint("polar(F) is the polar form of a polynomial")
+            }),
             other => Err(wrong_kind("a polar form", other)
                 .at(self.span(i))
                 .hint("polar(F) is the polar form of a polynomial")),

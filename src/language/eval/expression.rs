@@ -230,17 +230,9 @@ impl Machine {
                 })
             }
             // What is differentiated has to be known, as under F'.
-            Accent::Dot | Accent::Ddot if self.reading.is_none() => {
+            Accent::Dot | Accent::Ddot => {
                 let order = if accent == Accent::Dot { 1 } else { 2 };
                 self.eval(&Expr::new(Kind::Prime(Box::new(body.clone()), order), whole.span))
-            }
-            Accent::Dot => {
-                let value = self.eval(body)?;
-                self.derivative_of(&value, 1, body.span)
-            }
-            Accent::Ddot => {
-                let value = self.eval(body)?;
-                self.derivative_of(&value, 2, body.span)
             }
             // The vectors 1 - 0 and b - a.
             Accent::Vec if matches!(body.kind, Kind::Number(_)) => self.eval_accent(Accent::Hat, body, whole),

@@ -2,11 +2,12 @@
 
 use super::Builtin;
 use super::parameter::{Takes, many, required, size};
-use crate::language::diagnostic::{At, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::wrong_kind;
 use crate::language::value::Value;
+use crate::math::number::exact_root;
 
 const NEW: Builtin = Builtin::about("Numbers");
 
@@ -28,6 +29,22 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "1 2 ... n; also written n!",
         example: "factorial(5)",
         call: |_, args| arithmetic::factorial(args.value(0)?).at(args.span(0)),
+        ..NEW
+    },
+    Builtin {
+        name: "sqrt",
+        parameters: &[required("q", Takes::Number, "the square of a rational number")],
+        summary: "the square root of a number that is the square of a rational one",
+        example: "sqrt(9/16)",
+        call: |_, args| {
+            let square = args.rational(0)?;
+            exact_root(&square, 2).map(Value::number).ok_or_else(|| {
+                Diagnostic::error(Code::Domain, format!("{square} is not the square of a rational number"))
+                    .at(args.span(0))
+                    .reason("its root is not rational")
+                    .hint(format!("roots(t^2 - {square}) isolates the roots exactly"))
+            })
+        },
         ..NEW
     },
     Builtin {

@@ -1,11 +1,12 @@
 //! Letters side by side: a word, a name, or a product.
 
 use super::Word;
-use super::commands::{BARE_WORDS, CONNECTIVES};
+use super::commands::{self, BARE_WORDS, CONNECTIVES};
 use super::lexer::Lexer;
 use super::token::Tok;
 use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::is_ideograph;
+use crate::language::lexicon::words;
 
 impl Lexer<'_> {
     pub(super) fn letters(&mut self) {
@@ -13,6 +14,12 @@ impl Lexer<'_> {
         let word = self.rest().piece(..length);
         let (start, end) = (self.at, self.at + length);
         let content = (start as u32, end as u32);
+        if words::is_sign_with_bounds(word, self.rest().piece(length..))
+            && let Some(command) = commands::lookup(word)
+        {
+            let word = word.to_owned();
+            return self.known(start, end, command.role(), &word);
+        }
         if BARE_WORDS.contains(&word) {
             return self.push(Tok::Word(content.0, content.1), length);
         }

@@ -26,8 +26,9 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("def", "a function is defined by F(t) := t^2"),
     ("var", "a name needs no declaration; a definition is written x := 3"),
     ("set", "a definition is written x := 3"),
-    ("where", "define the names first, in statements of their own: a := 3"),
-    ("with", "define the names first, in statements of their own: a := 3"),
+    ("where", "what follows gives names their values: t^2 where t = 2"),
+    ("with", "what follows gives names their values: t^2 with t = 2"),
+    ("for", "what follows gives names their values or says where a claim holds: t^2 <= t for 0 <= t <= 1"),
     ("and", "write two statements, with ';' between them"),
     ("or", "write two statements, with ';' between them"),
     ("is", "claims are written with =, !=, <, <=, > or >="),
@@ -36,6 +37,12 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("lim", "a limit is written in LaTeX: \\lim_{t \\to 0} t^2"),
     ("eval", "write the formula alone, or F(2) for a value of F"),
     ("print", "write the formula alone"),
+    ("compute", "write the formula alone"),
+    ("calculate", "write the formula alone"),
+    ("evaluate", "write the formula alone, or t^2 at t = 2"),
+    ("find", "equations are solved by solve(2t = 1)"),
+    ("berechne", "write the formula alone"),
+    ("calculer", "write the formula alone"),
     ("minus", "an exponent of several characters needs braces: t^{-1}"),
     ("plus", "an exponent of several characters needs braces: t^{-1}"),
     ("dt", "a derivative is written diff(F, t) or d/dt F"),
@@ -73,7 +80,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
 const PROSE: &[(&str, &str)] = &[
     ("of", ""),
     ("the", ""),
-    ("at", "a value is F(2) for a function F, or subs(t^2, t=2)"),
+    ("at", "a value is F(2) for a function F, or t^2 at t = 2"),
     ("in", ""),
     ("is", "claims are written with =, !=, <, <=, > or >="),
     ("are", "claims are written with =, !=, <, <=, > or >="),
@@ -81,7 +88,7 @@ const PROSE: &[(&str, &str)] = &[
     ("from", ""),
     ("to", ""),
     ("by", ""),
-    ("for", "give a name its value first: t := 2"),
+    ("for", ""),
     ("where", ""),
     ("with", ""),
     ("on", ""),
@@ -150,7 +157,69 @@ pub(crate) fn prose(word: &str) -> Option<&'static str> {
 
 /// Whether a word only stands between two statements.
 pub(crate) fn joins_statements(word: &str) -> bool {
-    ["and", "und", "et", "且", "和", "及"].contains(&word.trim())
+    aside(word.trim()) == Some(Aside::Joint)
+}
+
+/// What a word beside a formula says of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Aside {
+    /// A condition follows: for, where.
+    Condition,
+    /// All values are meant: every.
+    Every,
+    /// Two of a kind: and.
+    Joint,
+    /// A definition follows: let.
+    Let,
+    /// It is asked: is … ?
+    Question,
+}
+
+const ASIDES: &[(Aside, &[&str])] = &[
+    (
+        Aside::Condition,
+        &[
+            "for", "where", "with", "when", "whenever", "if", "at", "given", "provided", "für", "wobei",
+            "mit", "falls", "wenn", "bei", "pour", "où", "avec", "si", "quand", "lorsque", "其中", "当",
+            "对", "\\forall", "∀",
+        ],
+    ),
+    (
+        Aside::Every,
+        &[
+            "all", "every", "any", "each", "alle", "jedes", "jeden", "tout", "tous", "toute", "toutes",
+            "chaque", "所有", "任意",
+        ],
+    ),
+    (Aside::Joint, &["and", "und", "et", "且", "和", "及"]),
+    (Aside::Let, &["let", "sei", "seien", "soit", "soient", "设", "令"]),
+    (Aside::Question, &["is", "ist", "gilt", "?", "？"]),
+];
+
+/// What a word says that stands beside a formula.
+pub(crate) fn aside(word: &str) -> Option<Aside> {
+    let small = match word.chars().skip(1).all(char::is_lowercase) {
+        true => word.to_lowercase(),
+        false => word.to_owned(),
+    };
+    ASIDES.iter().find(|(_, words)| words.contains(&small.as_str())).map(|(aside, _)| *aside)
+}
+
+/// Whether a word is a sign with bounds below it, written without its backslash: `sum_{i=0}^n`, not `sum_rules`.
+pub(crate) fn is_sign_with_bounds(word: &str, after: &str) -> bool {
+    let mut next = after.strip_prefix('_').unwrap_or_default().chars();
+    let bound = match next.next() {
+        Some('{') => true,
+        Some(first) => first.is_alphanumeric() && !next.next().is_some_and(|c| c.is_alphabetic() || c == '_'),
+        None => false,
+    };
+    bound && ["sum", "prod", "int"].contains(&word)
+}
+
+/// Whether a command sets words in a formula: `\text`.
+pub(crate) fn is_text_command(command: &str) -> bool {
+    ["\\text", "\\textrm", "\\textit", "\\textnormal", "\\mathrm", "\\mbox", "\\hbox", "\\operatorname"]
+        .contains(&command)
 }
 
 /// The function that a word of a question is about.

@@ -3,7 +3,8 @@
 use super::errors::{division_by_zero, wrong_kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::roles;
-use crate::language::value::{Function, PolarKind, Value};
+use crate::language::value::{Function, Polar, PolarKind, Value};
+use crate::math::blossom::PolarForm;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Field;
 
@@ -80,6 +81,25 @@ pub(crate) fn univariate(value: &Value, given: Option<Symbol>) -> Result<Univari
     };
     let coefficients = coefficients_in(&formula, &variable)?;
     Ok(Univariate { variable, coefficients })
+}
+
+/// The polar form that a function of several variables is; `None` unless its formula is symmetric and affine in each.
+///
+/// It is compared with the polar form of its diagonal. Cost: that of evaluating this form at symbols.
+pub(crate) fn form_of(function: &Function) -> Option<Polar> {
+    let (names, formula) = function.as_formula_of_many()?;
+    let variable = Symbol::new(names.first()?.base());
+    if formula.variables().contains(&variable) && !names.contains(&&variable) {
+        return None;
+    }
+    let symbol = |name: &Symbol| Fraction::from(MultiPoly::symbol(name.clone()));
+    let all: Vec<(Symbol, Fraction)> =
+        names.iter().map(|name| ((*name).clone(), symbol(&variable))).collect();
+    let coefficients = coefficients_in(&formula.substitute(&all).ok()?, &variable).ok()?;
+    let form = PolarForm::with_degree(coefficients, names.len()).ok()?;
+    let arguments: Vec<Fraction> = names.into_iter().map(symbol).collect();
+    let same = form.value(&arguments).is_ok_and(|value| value == *formula);
+    same.then(|| Polar { kind: PolarKind::Univariate(form), variables: vec![variable] })
 }
 
 fn formula_of(function: &Function) -> Result<(Symbol, Fraction)> {

@@ -22,6 +22,7 @@ mod chars;
 mod items;
 mod lexer;
 mod parser;
+mod sentence;
 mod statement;
 mod token;
 pub(crate) mod truncated;
@@ -32,12 +33,13 @@ mod tests;
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};
+pub(crate) use sentence::{Sentence, sentence};
 pub use token::MAX_TOKENS;
 
 use crate::formula::Expr;
 use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, words};
 
 /// The formula in `text`, which holds one statement; comments start with `#`.
 ///
@@ -131,14 +133,14 @@ pub fn is_incomplete(text: &str) -> bool {
     lexer::lex(text).is_ok_and(|tokens| statement::is_incomplete(text, &tokens))
 }
 
-/// Whether a statement should go to the LaTeX reader: it has a `$`, a sign such as ∑ with bounds below it, or a
-/// backslash that does not begin the name of a Greek letter.
+/// Whether a statement should go to the LaTeX reader: it has a `$`, a sign or word such as ∑ or `sum` with bounds below
+/// it, or a backslash that does not begin the name of a Greek letter.
 ///
 /// ```
 /// use polarform::syntax::looks_like_latex;
 /// assert!(looks_like_latex(r"\frac{1}{2} t"));
 /// assert!(looks_like_latex("$t^2$"));
-/// assert!(looks_like_latex("∑_{i=0}^n t^i"));
+/// assert!(looks_like_latex("∑_{i=0}^n t^i") && looks_like_latex("sum_{i=0}^n t^i"));
 /// assert!(!looks_like_latex(r"\alpha t_{12}^{2}"));
 /// ```
 pub fn looks_like_latex(text: &str) -> bool {
@@ -146,7 +148,12 @@ pub fn looks_like_latex(text: &str) -> bool {
     bytes.iter().enumerate().any(|(at, &byte)| match byte {
         b'$' => true,
         b'{' => text.piece(at..).starts_with("{,}"),
-        b'_' => ["∑", "∏", "∫"].iter().any(|sign| text.piece(..at).trim_end().ends_with(sign)),
+        b'_' => {
+            let before = text.piece(..at).trim_end();
+            let word = before.rsplit(|c: char| !c.is_ascii_alphabetic()).next();
+            ["∑", "∏", "∫"].iter().any(|sign| before.ends_with(sign))
+                || word.is_some_and(|word| words::is_sign_with_bounds(word, text.piece(before.len()..)))
+        }
         b'\\' => {
             let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
             letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()

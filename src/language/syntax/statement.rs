@@ -50,14 +50,14 @@ pub(super) fn is_incomplete(text: &str, tokens: &[Token]) -> bool {
     last.is_some_and(|token| needs_right(token.kind)) || nesting(text, tokens).unclosed
 }
 
-struct Nesting {
+pub(super) struct Nesting {
     /// For each token 1 if it opens a bracket that is closed later, -1 if it closes one.
-    change: Vec<i8>,
+    pub change: Vec<i8>,
     /// Whether some bracket is never closed.
     unclosed: bool,
 }
 
-fn nesting(text: &str, tokens: &[Token]) -> Nesting {
+pub(super) fn nesting(text: &str, tokens: &[Token]) -> Nesting {
     let mut change = vec![0; tokens.len()];
     let mut open: Vec<usize> = Vec::new();
     let mut dollar: Option<usize> = None; // where in `open` an opening dollar stands

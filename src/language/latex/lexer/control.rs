@@ -62,7 +62,7 @@ impl Lexer<'_> {
         self.bad(start, end, problem);
     }
 
-    fn known(&mut self, start: usize, end: usize, role: Role, name: &str) {
+    pub(in crate::language::latex) fn known(&mut self, start: usize, end: usize, role: Role, name: &str) {
         match role {
             Role::Symbol(symbol) => self.push_from(start, Tok::Symbol(symbol), end),
             Role::Prime => self.push_from(start, Tok::Prime(1), end),

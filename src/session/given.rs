@@ -1,0 +1,363 @@
+//! What a query may use: definitions, and conditions on the names of the claim, given beside it or in its own sentence,
+//! `t^2 <= t for t in [0, 1]`, `F(t) where F(t) = t^2`.
+//!
+//! An equation that defines nothing is solved for one of its names, which then has that value; so
+//! `a - b = 0` makes a the same as b. Other conditions are kept: a counterexample counts only where
+//! they hold.
+
+use std::sync::Arc;
+
+use super::{Answer, Failure, Session, read_in};
+use crate::formula::source::SourceFile;
+use crate::formula::{Expr, Kind, Link, Rel};
+use crate::judge::inequality::{decided_in, interval, positive};
+use crate::judge::names::{Head, bases};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::{Env, Equals};
+use crate::language::syntax::{self, Sentence};
+use crate::language::value::{Claim, Judgement, Value, Verdict};
+use crate::language::write;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::ring::{Field, Ring};
+use num_traits::Signed;
+
+/// A definition or a condition, where it stands.
+#[derive(Clone)]
+struct Given {
+    file: SourceFile,
+    statement: Expr,
+}
+
+/// The conditions that are no equations, for the claims to which they apply.
+#[derive(Default)]
+pub struct Conditions {
+    claims: Vec<Given>,
+    judgements: Vec<Judgement>,
+}
+
+type Failed<T> = Result<T, Box<Failure>>;
+
+impl Session {
+    /// Runs the definitions in texts, and solves the conditions that are equations: `polarform check --given`.
+    ///
+    /// # Errors
+    /// The problem of the first text that is neither a definition nor a condition that can be used.
+    ///
+    /// ```
+    /// use polarform::session::Session;
+    /// let mut session = Session::default();
+    /// session.give(&["a + b = 1".to_owned()]).unwrap();
+    /// assert_eq!(session.run("a + b").unwrap().outcome.value.as_int(), Some(1));
+    /// ```
+    pub fn give(&mut self, texts: &[String]) -> Failed<Conditions> {
+        let mut given = Vec::new();
+        let mut reader = self.clone();
+        for (i, text) in texts.iter().enumerate() {
+            let file = SourceFile::new(format!("<given {}>", i + 1), text.as_str());
+            let fail = |problem| Box::new(Failure { problem, file: file.clone() });
+            for span in syntax::statements(text).map_err(fail)? {
+                let read = read_in(&reader.env, &file, Some(span)).map_err(fail)?;
+                for statement in reader.statements_in(read, Equals::DefinesUnbound) {
+                    let given_here = Given { file: file.clone(), statement: bounded(statement) };
+                    // A later definition may need it to be read.
+                    reader.supposed(&given_here)?;
+                    given.push(given_here);
+                }
+            }
+        }
+        self.take(&given)
+    }
+
+    fn take(&mut self, given: &[Given]) -> Failed<Conditions> {
+        let start = self.env.clone();
+        let mut solved: Vec<(Symbol, Fraction)> = Vec::new();
+        loop {
+            self.env = with(&start, &solved);
+            let mut claims = Vec::new();
+            for one in given {
+                if self.supposed(one)?.outcome.defined.is_none() {
+                    claims.push(one);
+                }
+            }
+            let (mut found, mut others, mut judgements) = (None, Vec::new(), Vec::new());
+            for one in claims {
+                let answer = self.supposed(one)?;
+                let Value::Claim(claim) = &answer.outcome.value else { continue };
+                for judgement in claim.judgements.iter().filter(|judgement| !holds(judgement)) {
+                    match judgement.rel {
+                        Rel::Eq | Rel::Equiv if found.is_none() => {
+                            found = Some(solution(judgement).ok_or_else(|| unused(&answer))?);
+                        }
+                        Rel::Eq | Rel::Equiv => {}
+                        _ => {
+                            others.push(one.clone());
+                            judgements.push(judgement.clone());
+                        }
+                    }
+                }
+            }
+            match found {
+                Some(value) => solved.push(value),
+                None => return Ok(Conditions { claims: others, judgements }),
+            }
+        }
+    }
+
+    fn supposed(&mut self, given: &Given) -> Failed<Answer> {
+        let mut statement = given.statement.clone();
+        let outcome = self.evaluate(&mut statement, Equals::DefinesUnbound);
+        match outcome {
+            Ok(outcome) => Ok(Answer { statement, outcome, file: given.file.clone() }),
+            Err(problem) => {
+                let problem = problem.at(statement.span);
+                Err(Box::new(Failure { problem, file: given.file.clone() }))
+            }
+        }
+    }
+
+    /// Answers the formula of a sentence under its conditions, which end with it; `None` if its words are not those of
+    /// conditions.
+    pub(super) fn run_sentence(
+        &mut self,
+        file: &SourceFile,
+        sentence: &Sentence,
+        equals: Equals,
+    ) -> Failed<Option<Vec<Answer>>> {
+        let fail = |problem| Box::new(Failure { problem, file: file.clone() });
+        let mut given = Vec::new();
+        for span in &sentence.conditions {
+            let read = read_in(&self.env, file, Some(*span)).map_err(fail)?;
+            let items = match read.kind {
+                Kind::Sequence(items) => items,
+                _ => vec![read],
+            };
+            for item in items {
+                match &item.kind {
+                    // for all t, u
+                    Kind::Name(_) | Kind::Subscript(..) => {}
+                    Kind::Chain(..) => {
+                        let statement = bounded(value_given(item).map_err(fail)?);
+                        given.push(Given { file: file.clone(), statement });
+                    }
+                    _ => return Ok(None),
+                }
+            }
+        }
+        let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
+        if sentence.asked && !read_in(&self.env, file, Some(sentence.formula)).is_ok_and(|read| asks(&read)) {
+            return Ok(None);
+        }
+        let mut there = self.clone();
+        let conditions = there.take(&in_order(given))?;
+        let equals = if sentence.asked { Equals::Claims } else { equals };
+        let mut answers = there.run_part(file, Some(sentence.formula), equals)?;
+        for answer in &mut answers {
+            match &answer.outcome.value {
+                Value::Claim(claim) => {
+                    let claim = conditions.applied(&there, claim);
+                    answer.outcome.value = Value::Claim(Arc::new(claim));
+                }
+                _ => conditions.are_for_claims().map_err(fail)?,
+            }
+        }
+        for name in
+            answers.iter().filter_map(|answer| answer.outcome.defined.clone()).chain([Symbol::new("ans")])
+        {
+            if let Some(value) = there.env.get(&name) {
+                self.env.set(name, value.clone());
+            }
+        }
+        Ok(Some(answers))
+    }
+}
+
+/// What a definition uses goes before it: F(t) = t^2 + a and a = 1.
+fn in_order(mut given: Vec<Given>) -> Vec<Given> {
+    let defined = |given: &Given| {
+        match &given.statement.kind {
+            Kind::Chain(left, links) if links[0].rel == Rel::Define => {
+                Some((Head::of(left)?.base, &links[0].expr))
+            }
+            _ => None,
+        }
+        .map(|(name, body)| (name, bases(body)))
+    };
+    let mut ordered = Vec::new();
+    while !given.is_empty() {
+        let names: Vec<_> = given.iter().map(defined).collect();
+        let needs_none = |at: &usize| match &names[*at] {
+            Some((own, used)) => names.iter().flatten().all(|(name, _)| name == own || !used.contains(name)),
+            None => names.iter().all(Option::is_none),
+        };
+        let next = (0..given.len()).find(needs_none).unwrap_or(0);
+        ordered.push(given.remove(next));
+    }
+    ordered
+}
+
+/// A formula with the values of its names after it: Σ_{i=0}^n i, n = 4.
+pub(super) fn beside(statement: &Expr) -> Option<Sentence> {
+    let Kind::Sequence(items) = &statement.kind else { return None };
+    let (formula, values) = items.split_first()?;
+    let used = bases(formula);
+    let value = |item: &Expr| match &item.kind {
+        Kind::Chain(left, links) => {
+            let name = matches!(&left.kind, Kind::Name(name) if used.contains(name));
+            name && matches!(links.as_slice(), [Link { rel: Rel::Eq | Rel::Define, .. }])
+        }
+        _ => false,
+    };
+    let beside = !matches!(formula.kind, Kind::Chain(..)) && !values.is_empty() && values.iter().all(value);
+    let conditions = values.iter().map(|item| item.span).collect();
+    beside.then_some(Sentence { formula: formula.span, conditions, asked: false })
+}
+
+/// `t = 2` beside a formula gives t its value here, whatever it was before.
+fn value_given(mut statement: Expr) -> Result<Expr, Diagnostic> {
+    let Kind::Chain(left, links) = &mut statement.kind else { return Ok(statement) };
+    let name = |expr: &Expr| matches!(expr.kind, Kind::Name(_) | Kind::Subscript(..));
+    let named = match &left.kind {
+        Kind::Apply(callee, groups) => name(callee) && groups.iter().flatten().all(name),
+        _ => name(left),
+    };
+    if let [link @ Link { rel: Rel::Eq, .. }] = links.as_mut_slice()
+        && named
+    {
+        if matches!(link.expr.kind, Kind::Range(..)) {
+            let list = format!("for a list write [... for {}]", write::text(&statement));
+            return Err(Diagnostic::error(Code::Type, "several values at once")
+                .at(statement.span)
+                .hint(list));
+        }
+        link.rel = Rel::Define;
+    }
+    Ok(statement)
+}
+
+/// t ∈ [a, b] as a ≤ t ≤ b.
+fn bounded(statement: Expr) -> Expr {
+    let Kind::Chain(left, links) = &statement.kind else { return statement };
+    let [Link { rel: Rel::In, span, expr }] = links.as_slice() else { return statement };
+    let Some(([from, to], open)) = interval(expr) else { return statement };
+    let link = |open: bool, expr: &Expr| Link {
+        rel: if open { Rel::Lt } else { Rel::Le },
+        span: *span,
+        expr: expr.clone(),
+    };
+    let links = vec![link(open[0], left), link(open[1], to)];
+    Expr::new(Kind::Chain(Box::new(from.clone()), links), statement.span)
+}
+
+impl Conditions {
+    /// The claim, where conditions hold: a counterexample that they exclude is none.
+    pub fn applied(&self, session: &Session, claim: &Claim) -> Claim {
+        let judged = |judgement: &Judgement| {
+            if !holds(judgement) && self.judgements.iter().any(|condition| follows(judgement, condition)) {
+                let reasons = vec!["it follows from a condition".to_owned()];
+                return Judgement { verdict: Verdict::Proved, witness: None, reasons, ..judgement.clone() };
+            }
+            if !holds(judgement)
+                && let Some(decided) = decided_in(judgement, &self.judgements)
+                && (holds(&decided) || self.allow(session, &decided))
+            {
+                return decided;
+            }
+            let open = !holds(judgement) && judgement.witness.is_some();
+            if self.claims.is_empty() || !open || self.allow(session, judgement) {
+                return judgement.clone();
+            }
+            let reason = "a counterexample was found, but a condition excludes it".to_owned();
+            Judgement {
+                verdict: Verdict::Undecided,
+                witness: None,
+                reasons: vec![reason],
+                ..judgement.clone()
+            }
+        };
+        Claim { judgements: claim.judgements.iter().map(judged).collect() }
+    }
+
+    /// Whether all conditions hold at the counterexample.
+    fn allow(&self, session: &Session, judgement: &Judgement) -> bool {
+        let Some(witness) = &judgement.witness else { return false };
+        let mut there = session.clone();
+        for (name, value) in &witness.assignment {
+            there.env.set(name.clone(), Value::number(value.clone()));
+        }
+        self.claims.iter().all(|given| {
+            there.supposed(given).is_ok_and(|answer| match &answer.outcome.value {
+                Value::Claim(claim) => claim.decided() == Some(true),
+                _ => true,
+            })
+        })
+    }
+
+    /// Refuses an inequality beside a value or a definition.
+    fn are_for_claims(&self) -> Result<(), Diagnostic> {
+        let Some(first) = self.claims.first() else { return Ok(()) };
+        Err(Diagnostic::error(Code::Usage, "this condition is for claims only")
+            .at(first.statement.span)
+            .reason("a value does not depend on it")
+            .hint("give a name its value: t^2 for t = 2")
+            .hint("a function by cases is cases(t^2 if t < 1, 2t - 1 otherwise)"))
+    }
+}
+
+/// Whether an inequality follows from another one: d = k c + m with k > 0 and m ≥ 0.
+fn follows(claim: &Judgement, condition: &Judgement) -> bool {
+    let (Some((d, strict)), Some((c, given))) = (positive(claim), positive(condition)) else { return false };
+    let Some(name) = c.variables().into_iter().next() else { return false };
+    let factor =
+        c.derivative(&name).inverse().and_then(|slope| d.derivative(&name).times(&slope).as_rational());
+    let Some(factor) = factor.filter(|factor| factor.is_positive()) else { return false };
+    d.minus(&c.scaled(&factor))
+        .as_rational()
+        .is_some_and(|rest| rest.is_positive() || num_traits::Zero::is_zero(&rest) && (given || !strict))
+}
+
+fn holds(judgement: &Judgement) -> bool {
+    matches!(judgement.verdict, Verdict::Proved | Verdict::Sampled)
+}
+
+fn with(start: &Env, solved: &[(Symbol, Fraction)]) -> Env {
+    let mut env = start.clone();
+    // Later solutions stand in earlier ones.
+    let mut values: Vec<(Symbol, Fraction)> = Vec::new();
+    for (name, value) in solved {
+        for (_, known) in &mut values {
+            if let Ok(put_in) = known.substitute(&[(name.clone(), value.clone())]) {
+                *known = put_in;
+            }
+        }
+        values.push((name.clone(), value.clone()));
+    }
+    for (name, value) in values {
+        env.set(name, Value::Scalar(value));
+    }
+    env
+}
+
+/// A name with the value that the equation gives it: one that occurs with a number before it.
+fn solution(judgement: &Judgement) -> Option<(Symbol, Fraction)> {
+    let Some(Value::Scalar(difference)) = &judgement.difference else { return None };
+    let equation = difference.numerator();
+    equation.variables().iter().find_map(|name| {
+        if equation.degree_in(name) != 1 {
+            return None;
+        }
+        let parts = equation.coefficients_in(name);
+        let factor = parts.get(1)?.as_constant()?;
+        let rest = Fraction::from(parts[0].clone());
+        let inverse = Fraction::from(MultiPoly::constant(factor)).inverse()?;
+        Some((name.clone(), -(rest.times(&inverse))))
+    })
+}
+
+/// The error for a condition that cannot be used.
+fn unused(answer: &Answer) -> Box<Failure> {
+    let problem = Diagnostic::error(Code::Undecided, "this condition cannot be solved for one of its names")
+        .at(answer.statement.span)
+        .reason("neither a definition nor a linear equation")
+        .hint("write it as a definition, for example a := 1 - b");
+    Box::new(Failure { problem, file: answer.file.clone() })
+}
