@@ -125,7 +125,7 @@ impl Session {
     ) -> Failed<Option<Vec<Answer>>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let mut given = Vec::new();
-        for span in &sentence.conditions {
+        for (span, all) in &sentence.conditions {
             let read = read_in(&self.env, file, Some(*span)).map_err(fail)?;
             let items = match read.kind {
                 Kind::Sequence(items) => items,
@@ -134,7 +134,7 @@ impl Session {
             for item in items {
                 match &item.kind {
                     // for all t, u
-                    Kind::Name(_) | Kind::Subscript(..) => {}
+                    Kind::Name(_) | Kind::Subscript(..) if *all => {}
                     Kind::Chain(..) => {
                         let statement = bounded(value_given(item).map_err(fail)?);
                         given.push(Given { file: file.clone(), statement });
@@ -143,8 +143,10 @@ impl Session {
                 }
             }
         }
+        let formula = read_in(&self.env, file, Some(sentence.formula)).map_err(fail)?;
+        uses_all(&formula, &given).map_err(fail)?;
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
-        if sentence.asked && !read_in(&self.env, file, Some(sentence.formula)).is_ok_and(|read| asks(&read)) {
+        if sentence.asked && !asks(&formula) {
             return Ok(None);
         }
         let mut there = self.clone();
@@ -169,6 +171,27 @@ impl Session {
         }
         Ok(Some(answers))
     }
+}
+
+/// Refuses a value for a name that occurs nowhere: a curve at t = 1/2.
+fn uses_all(formula: &Expr, given: &[Given]) -> Result<(), Diagnostic> {
+    for one in given {
+        let Kind::Chain(left, links) = &one.statement.kind else { continue };
+        let Some(head) = Head::of(left).filter(|_| links[0].rel == Rel::Define) else { continue };
+        let others = given.iter().filter(|other| !other.statement.same_as(&one.statement));
+        if !bases(formula).contains(&head.base)
+            && !others.into_iter().any(|other| bases(&other.statement).contains(&head.base))
+        {
+            return Err(Diagnostic::error(
+                Code::Usage,
+                format!("{} does not occur in the formula", head.base),
+            )
+            .at(one.statement.span)
+            .reason("this value changes nothing")
+            .hint("a function or a curve c has its value c(1/2)"));
+        }
+    }
+    Ok(())
 }
 
 /// What a definition uses goes before it: F(t) = t^2 + a and a = 1.
@@ -208,7 +231,7 @@ pub(super) fn beside(statement: &Expr) -> Option<Sentence> {
         _ => false,
     };
     let beside = !matches!(formula.kind, Kind::Chain(..)) && !values.is_empty() && values.iter().all(value);
-    let conditions = values.iter().map(|item| item.span).collect();
+    let conditions = values.iter().map(|item| (item.span, false)).collect();
     beside.then_some(Sentence { formula: formula.span, conditions, asked: false })
 }
 

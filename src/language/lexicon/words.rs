@@ -167,6 +167,8 @@ pub(crate) enum Aside {
     Condition,
     /// All values are meant: every.
     Every,
+    /// Both: ∀.
+    ForAll,
     /// Two of a kind: and.
     Joint,
     /// A definition follows: let.
@@ -181,7 +183,7 @@ const ASIDES: &[(Aside, &[&str])] = &[
         &[
             "for", "where", "with", "when", "whenever", "if", "at", "given", "provided", "für", "wobei",
             "mit", "falls", "wenn", "bei", "pour", "où", "avec", "si", "quand", "lorsque", "其中", "当",
-            "对", "\\forall", "∀",
+            "对",
         ],
     ),
     (
@@ -191,7 +193,8 @@ const ASIDES: &[(Aside, &[&str])] = &[
             "chaque", "所有", "任意",
         ],
     ),
-    (Aside::Joint, &["and", "und", "et", "且", "和", "及"]),
+    (Aside::ForAll, &["\\forall", "∀"]),
+    (Aside::Joint, &["and", "und", "et", "且", "和", "及", "时"]),
     (Aside::Let, &["let", "sei", "seien", "soit", "soient", "设", "令"]),
     (Aside::Question, &["is", "ist", "gilt", "?", "？"]),
 ];

@@ -175,7 +175,9 @@ impl Lexer<'_> {
     }
 
     fn word(&mut self, start: usize) -> Lexed {
-        self.skip(chars::is_letter);
+        // 当t=2时: no blanks stand between Chinese words and names.
+        let chinese = self.peek().is_some_and(letters::is_ideograph);
+        self.skip(|c| chars::is_letter(c) && letters::is_ideograph(c) == chinese);
         let index = self.last() == Some(TokenKind::Underscore);
         // polar_sum is one word; a_xy and sigma_xy are names with an index.
         while !index && joins_words(self.text.piece(start..self.at), self.text.piece(self.at..)) {

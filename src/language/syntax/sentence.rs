@@ -3,6 +3,7 @@
 use super::token::{Bracket, Token, TokenKind};
 use super::{lexer, statement};
 use crate::formula::source::Span;
+use crate::language::lexicon::letters::is_ideograph;
 use crate::language::lexicon::words::{self, Aside};
 
 /// A statement taken apart.
@@ -10,8 +11,8 @@ use crate::language::lexicon::words::{self, Aside};
 pub(crate) struct Sentence {
     /// Where its formula stands.
     pub formula: Span,
-    /// Where conditions stand.
-    pub conditions: Vec<Span>,
+    /// Where conditions stand, each with whether it may only name what is meant for all values: for all t.
+    pub conditions: Vec<(Span, bool)>,
     /// Whether it is a question.
     pub asked: bool,
 }
@@ -21,7 +22,7 @@ impl Sentence {
     pub fn shifted(self, by: usize) -> Self {
         Sentence {
             formula: self.formula.shifted(by),
-            conditions: self.conditions.into_iter().map(|span| span.shifted(by)).collect(),
+            conditions: self.conditions.into_iter().map(|(span, all)| (span.shifted(by), all)).collect(),
             asked: self.asked,
         }
     }
@@ -54,12 +55,13 @@ pub(crate) fn sentence(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Sente
     if parts.first() == Some(&Part::Word(Aside::Condition)) {
         let end = parts.iter().rposition(|part| *part == Part::Stop)?;
         let before: Vec<Part> = parts.drain(..=end).collect();
-        pieces.extend(before.into_iter().filter_map(Part::piece));
+        pieces.extend(conditions(before));
         words += 1;
     }
     let mut rest = parts.into_iter().skip_while(|part| *part == Part::Stop).peekable();
     let mut formula = rest.next()?.piece()?;
-    while let Some(part) = rest.next_if(|part| !matches!(part, Part::Word(Aside::Condition))) {
+    while let Some(part) = rest.next_if(|part| !matches!(part, Part::Word(Aside::Condition | Aside::ForAll)))
+    {
         match part {
             Part::Piece(more) => formula = formula.to(more),
             Part::Stop => {}
@@ -67,8 +69,23 @@ pub(crate) fn sentence(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Sente
         }
     }
     words += usize::from(rest.peek().is_some());
-    pieces.extend(rest.filter_map(Part::piece));
+    pieces.extend(conditions(rest));
     (asked || introduced || words > 0).then_some(Sentence { formula, conditions: pieces, asked })
+}
+
+/// The pieces among parts, each with whether a word such as "all" stands before it, after the last "for".
+fn conditions(parts: impl IntoIterator<Item = Part>) -> Vec<(Span, bool)> {
+    let mut all = false;
+    let mut found = Vec::new();
+    for part in parts {
+        match part {
+            Part::Piece(span) => found.push((span, all)),
+            Part::Word(Aside::Every | Aside::ForAll) => all = true,
+            Part::Word(Aside::Condition) => all = false,
+            Part::Word(_) | Part::Stop => {}
+        }
+    }
+    found
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,6 +159,7 @@ fn word(text: &str, tokens: &[Token], at: usize, known: &dyn Fn(&str) -> bool) -
     match token.kind {
         TokenKind::Name | TokenKind::If | TokenKind::For | TokenKind::And => {
             let apart = (at == 0 || token.spaced) && tokens.get(at + 1).is_none_or(|next| next.spaced);
+            let apart = apart || written.chars().all(is_ideograph);
             let aside = words::aside(written).filter(|_| apart && !known(written))?;
             Some((aside, 1))
         }
@@ -153,8 +171,11 @@ fn word(text: &str, tokens: &[Token], at: usize, known: &dyn Fn(&str) -> bool) -
             let words =
                 text.get(inside.range())?.split_whitespace().map(|word| words::aside(word.trim_matches(',')));
             let asides: Vec<Aside> = words.collect::<Option<_>>()?;
-            let strongest = asides.iter().find(|aside| **aside == Aside::Condition).or(asides.first())?;
-            Some((*strongest, close + 1))
+            let one = match asides.as_slice() {
+                [Aside::Condition, .., Aside::Every] => Aside::ForAll,
+                _ => *asides.iter().find(|aside| **aside == Aside::Condition).or(asides.first())?,
+            };
+            Some((one, close + 1))
         }
         TokenKind::Command | TokenKind::Unknown => Some((words::aside(written)?, 1)),
         _ => None,
@@ -177,7 +198,8 @@ mod tests {
     fn taken_apart(text: &str) -> Option<(&str, Vec<&str>, bool)> {
         let found = sentence(text, &|name| name == "at")?;
         let piece = |span: Span| &text[span.range()];
-        Some((piece(found.formula), found.conditions.into_iter().map(piece).collect(), found.asked))
+        let conditions = found.conditions.into_iter().map(|(span, _)| piece(span)).collect();
+        Some((piece(found.formula), conditions, found.asked))
     }
 
     #[test]
