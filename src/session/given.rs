@@ -7,8 +7,8 @@
 
 use std::sync::Arc;
 
-use super::{Answer, Failure, Session, read_in};
-use crate::formula::source::SourceFile;
+use super::{Answer, Failure, Session, guarded, read_in};
+use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::inequality::{decided_in, interval, positive};
 use crate::judge::names::{Head, bases};
@@ -26,6 +26,18 @@ use num_traits::Signed;
 struct Given {
     file: SourceFile,
     statement: Expr,
+}
+
+impl Given {
+    /// The name that it defines, and its formula.
+    fn definition(&self) -> Option<(String, &Expr)> {
+        match &self.statement.kind {
+            Kind::Chain(left, links) if links[0].rel == Rel::Define => {
+                Some((Head::of(left)?.base, &links[0].expr))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The conditions that are no equations, for the claims to which they apply.
@@ -50,37 +62,49 @@ impl Session {
     /// assert_eq!(session.run("a + b").unwrap().outcome.value.as_int(), Some(1));
     /// ```
     pub fn give(&mut self, texts: &[String]) -> Failed<Conditions> {
-        let mut given = Vec::new();
-        let mut reader = self.clone();
+        let start = self.env.clone();
+        let (mut given, mut claims) = (Vec::new(), Vec::new());
         for (i, text) in texts.iter().enumerate() {
             let file = SourceFile::new(format!("<given {}>", i + 1), text.as_str());
             let fail = |problem| Box::new(Failure { problem, file: file.clone() });
             for span in syntax::statements(text).map_err(fail)? {
-                let read = read_in(&reader.env, &file, Some(span)).map_err(fail)?;
-                for statement in reader.statements_in(read, Equals::DefinesUnbound) {
-                    let given_here = Given { file: file.clone(), statement: bounded(statement) };
-                    // A later definition may need it to be read.
-                    reader.supposed(&given_here)?;
-                    given.push(given_here);
+                let read = self.read(&file, span)?;
+                for statement in self.statements_in(read, Equals::DefinesUnbound) {
+                    let one = Given { file: file.clone(), statement: bounded(statement) };
+                    // What comes later may need it to be read.
+                    if self.supposed(&one)?.outcome.defined.is_none() {
+                        claims.push(given.len());
+                    }
+                    given.push(one);
                 }
             }
         }
-        self.take(&given)
+        self.solve(start, &given, claims)
     }
 
     fn take(&mut self, given: &[Given]) -> Failed<Conditions> {
         let start = self.env.clone();
+        let claims = self.suppose(given)?;
+        self.solve(start, given, claims)
+    }
+
+    /// Runs what is given; the numbers of what defined nothing.
+    fn suppose(&mut self, given: &[Given]) -> Failed<Vec<usize>> {
+        let mut claims = Vec::new();
+        for (at, one) in given.iter().enumerate() {
+            if self.supposed(one)?.outcome.defined.is_none() {
+                claims.push(at);
+            }
+        }
+        Ok(claims)
+    }
+
+    /// Solves those of the claims that are equations, after all that is given has run from the start.
+    fn solve(&mut self, start: Env, given: &[Given], mut claims: Vec<usize>) -> Failed<Conditions> {
         let mut solved: Vec<(Symbol, Fraction)> = Vec::new();
         loop {
-            self.env = with(&start, &solved);
-            let mut claims = Vec::new();
-            for one in given {
-                if self.supposed(one)?.outcome.defined.is_none() {
-                    claims.push(one);
-                }
-            }
             let (mut found, mut others, mut judgements) = (None, Vec::new(), Vec::new());
-            for one in claims {
+            for one in claims.iter().map(|&at| &given[at]) {
                 let answer = self.supposed(one)?;
                 let Value::Claim(claim) = &answer.outcome.value else { continue };
                 for judgement in claim.judgements.iter().filter(|judgement| !holds(judgement)) {
@@ -96,11 +120,16 @@ impl Session {
                     }
                 }
             }
-            match found {
-                Some(value) => solved.push(value),
-                None => return Ok(Conditions { claims: others, judgements }),
-            }
+            let Some(value) = found else { return Ok(Conditions { claims: others, judgements }) };
+            solved.push(value);
+            self.env = with(&start, &solved);
+            claims = self.suppose(given)?;
         }
+    }
+
+    fn read(&self, file: &SourceFile, span: Span) -> Failed<Expr> {
+        guarded(&self.limits, || read_in(&self.env, file, Some(span)))
+            .map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
     }
 
     fn supposed(&mut self, given: &Given) -> Failed<Answer> {
@@ -126,7 +155,7 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let mut given = Vec::new();
         for (span, all) in &sentence.conditions {
-            let read = read_in(&self.env, file, Some(*span)).map_err(fail)?;
+            let read = self.read(file, *span)?;
             let items = match read.kind {
                 Kind::Sequence(items) => items,
                 _ => vec![read],
@@ -143,7 +172,7 @@ impl Session {
                 }
             }
         }
-        let formula = read_in(&self.env, file, Some(sentence.formula)).map_err(fail)?;
+        let formula = self.read(file, sentence.formula)?;
         uses_all(&formula, &given).map_err(fail)?;
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
         if sentence.asked && !asks(&formula) {
@@ -175,20 +204,15 @@ impl Session {
 
 /// Refuses a value for a name that occurs nowhere: a curve at t = 1/2.
 fn uses_all(formula: &Expr, given: &[Given]) -> Result<(), Diagnostic> {
-    for one in given {
-        let Kind::Chain(left, links) = &one.statement.kind else { continue };
-        let Some(head) = Head::of(left).filter(|_| links[0].rel == Rel::Define) else { continue };
-        let others = given.iter().filter(|other| !other.statement.same_as(&one.statement));
-        if !bases(formula).contains(&head.base)
-            && !others.into_iter().any(|other| bases(&other.statement).contains(&head.base))
-        {
-            return Err(Diagnostic::error(
-                Code::Usage,
-                format!("{} does not occur in the formula", head.base),
-            )
-            .at(one.statement.span)
-            .reason("this value changes nothing")
-            .hint("a function or a curve c has its value c(1/2)"));
+    for (at, one) in given.iter().enumerate() {
+        let Some((name, _)) = one.definition() else { continue };
+        let others =
+            given.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, other)| &other.statement);
+        if !std::iter::once(formula).chain(others).any(|part| bases(part).contains(&name)) {
+            return Err(Diagnostic::error(Code::Usage, format!("{name} does not occur in the formula"))
+                .at(one.statement.span)
+                .reason("this value changes nothing")
+                .hint("a function or a curve c has its value c(1/2)"));
         }
     }
     Ok(())
@@ -196,23 +220,18 @@ fn uses_all(formula: &Expr, given: &[Given]) -> Result<(), Diagnostic> {
 
 /// What a definition uses goes before it: F(t) = t^2 + a and a = 1.
 fn in_order(mut given: Vec<Given>) -> Vec<Given> {
-    let defined = |given: &Given| {
-        match &given.statement.kind {
-            Kind::Chain(left, links) if links[0].rel == Rel::Define => {
-                Some((Head::of(left)?.base, &links[0].expr))
-            }
-            _ => None,
-        }
-        .map(|(name, body)| (name, bases(body)))
-    };
     let mut ordered = Vec::new();
     while !given.is_empty() {
-        let names: Vec<_> = given.iter().map(defined).collect();
-        let needs_none = |at: &usize| match &names[*at] {
-            Some((own, used)) => names.iter().flatten().all(|(name, _)| name == own || !used.contains(name)),
+        let names: Vec<Option<String>> =
+            given.iter().map(|one| one.definition().map(|(name, _)| name)).collect();
+        let is_ready = |one: &Given| match one.definition() {
+            Some((own, body)) => {
+                let used = bases(body);
+                names.iter().flatten().all(|name| *name == own || !used.contains(name))
+            }
             None => names.iter().all(Option::is_none),
         };
-        let next = (0..given.len()).find(needs_none).unwrap_or(0);
+        let next = given.iter().position(is_ready).unwrap_or(0);
         ordered.push(given.remove(next));
     }
     ordered
