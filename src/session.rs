@@ -4,6 +4,7 @@
 //! is kept only when everything went well: a failed line changes nothing.
 
 mod given;
+mod spoken;
 
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,7 +18,7 @@ use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
 use crate::language::lexicon::words;
 use crate::language::value::{Value, symbol_expr};
-use crate::language::{latex, syntax};
+use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
 
 pub use given::Conditions;
@@ -125,6 +126,12 @@ impl Session {
         let limits = self.limits.clone();
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
         let known = |word: &str| self.env.get(&Symbol::new(word)).is_some();
+        if let Some(formula) = self.spoken(file, whole)? {
+            let read = Diagnostic::note(Code::StandardMeaning, format!("read as {}", write::text(&formula)));
+            let mut answer = self.evaluated(file, formula, equals, false)?;
+            answer.outcome.notes.insert(0, read.at(whole));
+            return Ok(vec![answer]);
+        }
         if let Some(sentence) = syntax::sentence(file.slice(whole), &known)
             && let Some(answers) = self.run_sentence(file, &sentence.shifted(whole.start), equals)?
         {
@@ -139,21 +146,34 @@ impl Session {
         let before = self.env.clone();
         let latex = syntax::looks_like_latex(file.slice(whole));
         let mut answers = Vec::new();
-        for mut statement in self.statements_in(statement, equals) {
-            let span = statement.span;
-            // What exceeds a limit has no place of its own; the statement will do.
-            match self.evaluate(&mut statement, equals) {
-                Ok(mut outcome) => {
-                    doubtful::products(&statement, latex, &mut outcome.notes);
-                    answers.push(Answer { statement, outcome, file: file.clone() });
-                }
-                Err(problem) => {
+        for statement in self.statements_in(statement, equals) {
+            match self.evaluated(file, statement, equals, latex) {
+                Ok(answer) => answers.push(answer),
+                Err(failure) => {
                     self.env = before;
-                    return Err(fail(problem.at(span)));
+                    return Err(failure);
                 }
             }
         }
         Ok(answers)
+    }
+
+    fn evaluated(
+        &mut self,
+        file: &SourceFile,
+        mut statement: Expr,
+        equals: Equals,
+        latex: bool,
+    ) -> Result<Answer, Box<Failure>> {
+        let span = statement.span;
+        match self.evaluate(&mut statement, equals) {
+            Ok(mut outcome) => {
+                doubtful::products(&statement, latex, &mut outcome.notes);
+                Ok(Answer { statement, outcome, file: file.clone() })
+            }
+            // What exceeds a limit has no place of its own; the statement will do.
+            Err(problem) => Err(Box::new(Failure { problem: problem.at(span), file: file.clone() })),
+        }
     }
 
     /// The definitions that stand side by side in a statement, and what follows them: `k = 1, b = 2`,
@@ -322,11 +342,17 @@ fn letters_alone(text: &str) -> BTreeSet<char> {
 /// assert!(count("1 -1").is_err());
 /// ```
 pub fn read_items(file: &SourceFile) -> Result<Vec<Expr>, Diagnostic> {
-    let text = file.text();
+    items_in(&Env::default(), file, Span::new(0, file.text().len()))
+}
+
+/// The same of a part of a file, where some names are defined.
+fn items_in(env: &Env, file: &SourceFile, part: Span) -> Result<Vec<Expr>, Diagnostic> {
+    let text = file.slice(part);
     let spaced = if syntax::looks_like_latex(text) { None } else { syntax::spaced_items(text)? };
+    let read = |span: Span| read_in(env, file, Some(span.shifted(part.start)));
     let items = match spaced {
-        Some(spans) => spans.into_iter().map(|span| read(file, Some(span))).collect::<Result<_, _>>()?,
-        None => match read(file, None)? {
+        Some(spans) => spans.into_iter().map(read).collect::<Result<_, _>>()?,
+        None => match read(Span::new(0, text.len()))? {
             Expr { kind: Kind::Sequence(items), .. } => items,
             one => vec![one],
         },

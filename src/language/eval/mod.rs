@@ -43,6 +43,7 @@ mod unit_matrix;
 mod words;
 
 pub use arguments::Arguments;
+pub(crate) use arguments::named;
 pub(crate) use curves::{call_geometry, call_piecewise};
 pub use env::Env;
 pub(crate) use machine::Evaluated;

@@ -147,6 +147,12 @@ pub(crate) fn synonym(name: &str) -> Option<&'static str> {
     ALIASES.iter().chain(SYNONYMS).find(|(other, _)| *other == name).map(|(_, known)| *known)
 }
 
+/// The name of the function that is called so, by its own name or another one for it.
+pub(crate) fn function_called(name: &str) -> Option<&'static str> {
+    let own = builtin(name).map(|builtin| builtin.name);
+    own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
+}
+
 /// The function with another name that is called like this one.
 pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
     ALIASES.iter().find(|(other, _)| *other == name).and_then(|(_, known)| callable(known))

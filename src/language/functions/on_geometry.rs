@@ -6,11 +6,11 @@ use crate::language::ops::geometry::{bezier, scalar_list, spline};
 use crate::language::ops::{arithmetic, formula};
 use std::sync::Arc;
 
-use super::parameter::{CURVE, Takes, named, optional, required};
+use super::parameter::{CURVE, Takes, free, named, optional, required};
 use super::record::Variant;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
+use crate::language::value::{symbol_expr, Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
 use crate::math::curve::{Interval, RationalCurve};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -39,6 +39,11 @@ pub(super) const DERIVATIVE: Option<Variant> = Variant::new(
         optional("k", Takes::Size, "1", "how often, also in the second place"),
     ],
     derivative,
+);
+
+pub(super) const SUBS: Option<Variant> = Variant::new(
+    &[CURVE, free("t=value", Takes::Scalar, "the parameter at which its value is wanted")],
+    subs,
 );
 
 pub(super) const INTEGRATE: Option<Variant> = Variant::new(
@@ -191,6 +196,26 @@ pub(crate) fn derivative(args: &Arguments) -> Evaluated {
             s.nth_derivative(order).map(|s| spline(s, *form)).map_err(spline_error).at(args.span(0))
         }
         other => Err(not_a_curve(other, args)),
+    }
+}
+
+/// The value of a curve at its parameter, whatever that is called; its points keep their symbols.
+fn subs(args: &Arguments) -> Evaluated {
+    let values = args.substitutions()?;
+    let span = args.span(0);
+    let [(name, value)] = values.as_slice() else {
+        return Err(Diagnostic::error(Code::Arity, "a curve has one parameter").at(span));
+    };
+    let own = args.value(0)?.to_expr();
+    if matches!(args.value(0)?, Value::Geometry(_)) && own.has(&|part| part.same_as(&symbol_expr(name))) {
+        let problem = Diagnostic::error(Code::Type, format!("{name} stands in the points of this curve"));
+        return Err(problem.at(span).hint("a curve c has its value c(1/2)"));
+    }
+    let value = [(Value::Scalar(value.clone()), span)];
+    match args.value(0)? {
+        Value::Piecewise(function) => call_piecewise(function, &value, span),
+        Value::Geometry(geometry) => call_geometry(geometry, &value, span),
+        other => Err(wrong_kind("a curve", other)),
     }
 }
 

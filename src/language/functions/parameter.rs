@@ -183,7 +183,7 @@ impl Parameter {
     }
 
     /// Whether one argument may be given by this name.
-    pub(super) fn has_name(&self) -> bool {
+    pub(crate) fn has_name(&self) -> bool {
         !matches!(self.need, Need::Many(..) | Need::Free)
     }
 

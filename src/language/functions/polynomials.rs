@@ -9,7 +9,7 @@ use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::ops::{calculus, formula, function};
 use crate::language::value::Value;
 use crate::math::number::Rational;
-use crate::math::poly::{Coefficients, Fraction, MultiPoly};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -87,6 +87,7 @@ pub(super) const TABLE: &[Builtin] = &[
         ],
         summary: "puts a value in place of a variable; subs(F, t=value) is the same",
         example: "subs(t^2 + c_0, t, 3)",
+        on_curve: on_geometry::SUBS,
         call: |_, args| {
             let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;
@@ -267,17 +268,22 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "bernstein",
         parameters: &[
             DEGREE,
-            required("i", Takes::Integer, "its number"),
-            required("t", Takes::Scalar, "the parameter"),
+            optional("i", Takes::Integer, "all of them", "its number"),
+            optional("t", Takes::Scalar, "t", "the parameter"),
         ],
-        summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), 0 outside 0 <= i <= n",
+        summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), 0 outside 0 <= i <= n; without i, all of them",
         example: "bernstein(3, 1, t)",
         call: |_, args| {
             let n = args.size(0)?;
-            let index = args.value(1)?;
-            let i = index.as_int().ok_or_else(|| wrong_kind("an integer", index).at(args.span(1)))?;
-            let t = args.scalar(2)?;
-            Ok(Value::Scalar(families::bernstein(n as i64, i, &t)))
+            let t = match args.given(2) {
+                Some(_) => args.scalar(2)?,
+                None => Fraction::from(MultiPoly::symbol(Symbol::new("t"))),
+            };
+            let one = |i| Value::Scalar(families::bernstein(n as i64, i, &t));
+            let Some((index, span)) = args.given(1) else {
+                return Ok(Value::List((0..=n as i64).map(one).collect()));
+            };
+            index.as_int().map(one).ok_or_else(|| wrong_kind("an integer", index).at(span))
         },
         ..NEW
     },

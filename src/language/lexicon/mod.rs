@@ -1,7 +1,8 @@
 //! What the field means by its letters and notations, whoever reads them: their signs (`letters`), what
-//! they usually stand for (`roles`), words (`words`), and families with a standard meaning and its values (`families`).
+//! they usually stand for (`roles`), words (`words`), requests in words (`phrases`), and families with a standard meaning and its values (`families`).
 
 pub(crate) mod families;
 pub mod letters;
+pub(crate) mod phrases;
 pub(crate) mod roles;
 pub mod words;

@@ -1,0 +1,310 @@
+//! What is asked for in words: `polar form of t^3`, `racines de t^2 - 1`, `t^2 的极形式`.
+
+use super::letters::is_ideograph;
+
+/// What a phrase of a request says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Phrase {
+    /// A function of the program: polar form.
+    Function(&'static str),
+    /// A function, by a word that commands it: expand.
+    Command(&'static str),
+    /// A degree: cubic.
+    Degree(i64),
+    /// What follows belongs to a parameter: knots.
+    Label(Label),
+    /// What it is a function of follows.
+    Of,
+    /// Two of a kind.
+    And,
+    /// It says nothing: the, please.
+    Filler,
+}
+
+/// What a label says of that which follows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Label {
+    /// A parameter or the values of names: at.
+    At,
+    /// An interval, or knots: over.
+    Over,
+    /// The start of an interval: from.
+    From,
+    /// Its end, or a degree: to.
+    To,
+    /// A variable, or the form that is wanted: in.
+    In,
+    /// A value, a condition or another label: with, for.
+    With,
+    /// The degree.
+    OfDegree,
+    /// The knots.
+    Knots,
+    /// The nodes of an interpolation.
+    Nodes,
+    /// The values there.
+    Values,
+    /// The weights.
+    Weights,
+    /// Control points or coefficients.
+    Points,
+    /// How often.
+    Times,
+    /// The number of a member: index.
+    Number,
+}
+
+use self::Label::*;
+use self::Phrase::{And, Command, Degree, Filler, Function, Of};
+
+/// Phrases, in small letters; a hyphen or more blanks stand for one blank.
+const PHRASES: &[(Phrase, &[&str])] = &[
+    (
+        Function("polar"),
+        &[
+            "polar form", "polarform", "blossom", "blossoms", "polar value", "forme polaire", "blüte",
+            "极形式", "开花", "polarization",
+        ],
+    ),
+    (Command("polar"), &["polarize", "polarise", "polarisiere", "polariser"]),
+    (Function("diagonal"), &["diagonal", "diagonale", "diagonal value"]),
+    (
+        Function("derivative"),
+        &[
+            "derivative", "first derivative", "ableitung", "erste ableitung", "dérivée", "derivee", "导数",
+            "tangent", "tangent vector", "tangentenvektor", "vecteur tangent", "切向量", "velocity",
+        ],
+    ),
+    (Command("derivative"), &["differentiate", "derive", "dérive", "dériver", "differenziere", "求导"]),
+    (
+        Function("integrate"),
+        &[
+            "integral", "antiderivative", "indefinite integral", "definite integral", "stammfunktion",
+            "intégrale", "primitive", "积分", "不定积分", "定积分",
+        ],
+    ),
+    (Command("integrate"), &["integrate", "integriere", "intègre", "intégrer", "求积分"]),
+    (Command("expand"), &["expand", "multiply out", "multipliziere", "développe", "développer", "展开"]),
+    (Command("factor"), &["factor", "factorise", "factorize", "faktorisiere", "factoriser", "因式分解"]),
+    (Function("factor"), &["factorization", "factorisation", "prime factorization", "faktorisierung"]),
+    (Command("simplify"), &["simplify", "vereinfache", "simplifie", "simplifier", "化简"]),
+    (Command("solve"), &["solve", "löse", "résous", "résoudre", "解", "求解", "solution", "solutions", "lösungen", "lösung"]),
+    (
+        Function("roots"),
+        &[
+            "roots", "root", "real roots", "zeros", "zeroes", "nullstellen", "nullstelle", "racines",
+            "zéros", "零点", "根",
+        ],
+    ),
+    (Function("discriminant"), &["diskriminante", "判别式"]),
+    (Function("degree"), &["polynomial degree"]),
+    (Function("coefficients"), &["power coefficients", "koeffizienten der potenzbasis"]),
+    (Function("coefficient"), &["coefficient", "koeffizient", "coeff", "系数"]),
+    (
+        Function("in_bernstein"),
+        &[
+            "bernstein", "bernstein form", "bernstein basis", "bernstein coefficients", "bernstein coeffs",
+            "b form", "bézier form", "bezier form", "bernsteinbasis", "bernsteinform", "bernstein darstellung",
+            "bernstein koeffizienten", "bernsteinkoeffizienten", "base de bernstein", "forme de bernstein",
+            "coefficients de bernstein", "伯恩斯坦基", "伯恩斯坦形式", "bernstein representation",
+            "bernstein bézier form", "bernstein bezier form",
+        ],
+    ),
+    (
+        Function("expand"),
+        &[
+            "monomial", "monomial form", "monomial basis", "monomials", "power form", "power basis", "powers",
+            "standard form", "monombasis", "potenzbasis", "potenzform", "base canonique", "base monomiale",
+            "幂基", "幂形式", "polynomial form", "normal form",
+        ],
+    ),
+    (
+        Function("bernstein"),
+        &[
+            "bernstein polynomial", "bernstein polynomials", "bernsteinpolynom", "bernsteinpolynome",
+            "bernstein polynome", "bernstein basis polynomials", "bernstein basis functions",
+            "polynômes de bernstein", "polynôme de bernstein", "伯恩斯坦多项式",
+        ],
+    ),
+    (
+        Function("bezier_points"),
+        &[
+            "bézier points", "bezier points", "bézierpunkte", "bezierpunkte", "points de bézier",
+            "bézier control points", "bezier control points", "bézier coefficients", "bezier coefficients",
+            "bézier ordinates", "贝塞尔点",
+        ],
+    ),
+    (
+        Function("control_points"),
+        &["control points", "control polygon", "kontrollpunkte", "points de contrôle", "控制点"],
+    ),
+    (
+        Function("bezier"),
+        &[
+            "bezier", "bézier", "bezier curve", "bézier curve", "bezierkurve", "bézierkurve", "courbe de bézier",
+            "courbe de bezier", "贝塞尔曲线", "point on bezier", "point on bezier curve", "bezier polynomial",
+            "bézier polynomial", "bezier polygon",
+        ],
+    ),
+    (
+        Function("casteljau"),
+        &["de casteljau", "casteljau", "de casteljau algorithm", "casteljau algorithm", "de casteljau schema",
+          "algorithme de casteljau", "algorithme de de casteljau", "德卡斯特里奥"],
+    ),
+    (Command("elevate"), &["elevate", "raise degree", "degree elevate", "degree raise", "erhöhe den grad", "升阶"]),
+    (Function("elevate"), &["degree elevation", "graderhöhung", "élévation du degré"]),
+    (Command("reduce"), &["degree reduce", "reduce degree", "lower degree", "降阶"]),
+    (Function("reduce"), &["degree reduction", "gradreduktion"]),
+    (Command("subdivide"), &["split", "subdivide", "unterteile", "teile", "subdivise", "subdiviser", "细分", "分割"]),
+    (Function("subdivide"), &["subdivision", "unterteilung"]),
+    (Command("reverse"), &["reverse"]),
+    (Function("hodograph"), &["hodograph", "hodographe"]),
+    (Function("curvature"), &["krümmung", "courbure", "曲率"]),
+    (
+        Function("bspline_basis"),
+        &["b spline", "bspline", "b spline basis function", "b spline basis functions", "b spline basis",
+          "bspline basis function", "b spline funktion", "b样条"],
+    ),
+    (Function("bspline"), &["b spline curve", "spline curve", "b spline kurve", "courbe b spline", "b样条曲线"]),
+    (Function("deboor"), &["de boor", "deboor", "de boor algorithm"]),
+    (Function("greville"), &["greville abscissae", "greville points", "greville", "greville abszissen"]),
+    (Command("insert_knots"), &["insert knot", "insert knots", "knot insertion"]),
+    (
+        Function("lagrange"),
+        &[
+            "interpolation polynomial", "interpolating polynomial", "lagrange polynomial", "interpolant",
+            "interpolationspolynom", "polynôme d'interpolation", "polynôme interpolateur", "插值多项式",
+            "lagrange interpolation", "polynomial interpolation", "lagrange interpolation polynomial",
+            "line through", "parabola through", "polynomial through", "cubic through", "quadratic through",
+        ],
+    ),
+    (Command("lagrange"), &["interpolate", "interpoliere", "interpole", "interpoler", "插值"]),
+    (
+        Function("newton"),
+        &["newton polynomial", "newton form", "newton interpolation", "newton interpolation polynomial", "newtonform"],
+    ),
+    (
+        Function("divided_differences"),
+        &["divided differences", "newton divided differences", "divided difference table", "dividierte differenzen",
+          "différences divisées", "差商"],
+    ),
+    (Function("lagrange_basis"), &["lagrange basis", "lagrange basis polynomials", "lagrangebasis"]),
+    (Function("det"), &["determinant", "determinante", "déterminant", "行列式"]),
+    (Function("inverse"), &["inverse matrix", "inverse of matrix", "inverse"]),
+    (Command("inverse"), &["invert", "invertiere", "inverser"]),
+    (Function("gcd"), &["greatest common divisor", "ggt", "pgcd", "最大公约数", "最大公因式"]),
+    (Function("lcm"), &["least common multiple", "kgv", "ppcm", "最小公倍数"]),
+    (Function("binomial"), &["binomial coefficient", "binomialkoeffizient"]),
+    (Function("factorial"), &["fakultät", "factorielle", "阶乘"]),
+    (Function("sqrt"), &["square root", "wurzel", "quadratwurzel", "racine carrée"]),
+    (Function("resultant"), &["resultante"]),
+    (Function("symmetrize"), &["symmetrization"]),
+    (Command("symmetrize"), &["symmetrise", "symmetrize", "symmetrisiere", "symétriser", "对称化"]),
+    (Degree(1), &["linear", "lineare", "linéaire", "线性"]),
+    (Degree(2), &["quadratic", "quadratische", "quadratischen", "quadratique", "二次"]),
+    (Degree(3), &["cubic", "kubische", "kubischen", "cubique", "三次"]),
+    (Degree(4), &["quartic", "四次"]),
+    (Degree(5), &["quintic", "五次"]),
+    (Of, &["of", "von", "vom", "des", "der", "de", "du", "d'", "de la", "de l'", "的"]),
+    (And, &["and", "und", "et", "和"]),
+    (
+        Phrase::Label(At),
+        &["at", "at parameter", "at the parameter", "at the point", "bei", "an der stelle", "für t", "im punkt", "en", "au point", "在", "evaluated at",
+          "ausgewertet bei", "évaluée en", "value at", "wert bei"],
+    ),
+    (Phrase::Label(Over), &["over", "on", "on the interval", "over the interval", "über", "auf", "im intervall", "sur", "sur l'intervalle", "in the interval"]),
+    (Phrase::Label(From), &["from", "从"]),
+    (Phrase::Label(To), &["to", "bis", "auf", "à", "jusqu'à", "auf grad", "into", "nach", "in die", "到", "转换为", "转化为", "dans la", "as", "as a", "als", "comme"]),
+    (Phrase::Label(In), &["in", "with respect to", "wrt", "w r t", "nach der variablen", "bezüglich", "par rapport à", "by", "关于"]),
+    (Phrase::Label(With), &["for", "with", "where", "when", "given", "für", "mit", "avec", "pour", "wobei"]),
+    (Phrase::Label(OfDegree), &["degree", "deg", "grad", "grades", "degré", "vom grad", "of degree", "de degré", "次数"]),
+    (Phrase::Label(Knots), &["knots", "knot vector", "knot sequence", "knoten", "knotenvektor", "nœuds", "noeuds", "vecteur nodal", "节点"]),
+    (Phrase::Label(Nodes), &["nodes", "node", "stützstellen", "abscissae", "abscissas", "abscisses"]),
+    (Phrase::Label(Values), &["values", "ordinates", "werte", "werten", "valeurs"]),
+    (Phrase::Label(Weights), &["weights", "gewichte", "gewichten", "poids", "权"]),
+    (Phrase::Label(Points), &["points", "coefficients", "coeffs", "kontrollpunkten", "koeffizienten", "de boor points"]),
+    (Phrase::Label(Times), &["times", "mal", "fois", "次"]),
+    (Phrase::Label(Number), &["index"]),
+    (
+        Filler,
+        &[
+            "the", "a", "an", "its", "what is", "what's", "whats", "what are", "compute", "calculate", "find", "give",
+            "give me", "show", "show me", "list", "list all", "all", "tell me", "please", "pls", "determine", "write", "express",
+            "convert", "transform", "rewrite", "evaluate", "value", "value of", "point", "point on", "exactly", "exact", "polynomial",
+            "function", "curve", "the curve", "the function", "the polynomial", "curve with", "wert", "funktion", "kurve", "polynom",
+            "was ist", "berechne", "bestimme", "finde", "gib", "wandle", "schreibe", "um", "die", "das", "den", "dem",
+            "calcule", "calculer", "calculez", "donne", "donner", "détermine", "déterminer", "trouve", "trouver", "la", "le", "les", "l'", "un", "une",
+            "convertir", "convertis", "écrire", "quelle est", "quel est", "la courbe", "le polynôme", "svp", "bitte", "matrix", "interval",
+            "求", "计算", "将", "把", "处", "上", "处的点", "处的值", "请", "矩阵", "多项式", "函数", "曲线", "过点", "poly", "form", "basis",
+            "equation", "gleichung", "l'équation", "方程", "aus", "arguments",
+        ],
+    ),
+];
+
+/// The phrase at the start of a text, and its length in bytes. Other names of functions are looked up by
+/// `function`, with blanks as they stand.
+///
+/// A phrase ends with a word, but for those of languages that set no blanks.
+pub(crate) fn phrase(
+    text: &str,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Option<(Phrase, usize)> {
+    const LONGEST: usize = 5;
+    if text.starts_with(is_ideograph) {
+        let listed = PHRASES.iter().flat_map(|(phrase, names)| names.iter().map(move |name| (*phrase, *name)));
+        let (phrase, name) =
+            listed.filter(|(_, name)| text.starts_with(name)).max_by_key(|(_, name)| name.len())?;
+        return Some((phrase, name.len()));
+    }
+    let mut found = None;
+    let mut written = String::new();
+    let mut at = 0;
+    for number in 0..LONGEST {
+        let rest = text.get(at..)?;
+        let separator: usize = rest.chars().take_while(|c| c.is_whitespace() || *c == '-').map(char::len_utf8).sum();
+        if (separator == 0) != (number == 0) || rest.get(..separator)?.contains('\n') {
+            break;
+        }
+        let word = word(rest.get(separator..)?);
+        if word.is_empty() {
+            break;
+        }
+        if number > 0 {
+            written.push(' ');
+        }
+        written.extend(word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }));
+        at += separator + word.len();
+        if let Some(phrase) = listed(&written, function) {
+            found = Some((phrase, at));
+        }
+    }
+    if found.is_some() {
+        return found;
+    }
+    // l'intégrale, d'interpolation
+    ["l'", "l’", "d'", "d’"].iter().find_map(|article| {
+        let start = text.get(..article.len())?.to_lowercase();
+        let of = if start.starts_with('d') { Of } else { Filler };
+        (start == *article).then_some((of, article.len()))
+    })
+}
+
+/// The word at the start of a text: letters, and apostrophes between them.
+fn word(text: &str) -> &str {
+    let letter = |c: char| c.is_alphabetic() && !is_ideograph(c);
+    let mut end = 0;
+    let mut chars = text.char_indices().peekable();
+    while let Some((at, c)) = chars.next() {
+        let inside = matches!(c, '\'' | '’') && end > 0 && chars.peek().is_some_and(|(_, next)| letter(*next));
+        if !(letter(c) || inside) {
+            break;
+        }
+        end = at + c.len_utf8();
+    }
+    text.get(..end).unwrap_or_default()
+}
+
+fn listed(written: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<Phrase> {
+    let known = PHRASES.iter().find(|(_, names)| names.contains(&written)).map(|(phrase, _)| *phrase);
+    known.or_else(|| function(&written.replace(' ', "_")).filter(|_| written.len() > 2).map(Function))
+}

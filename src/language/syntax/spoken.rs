@@ -1,0 +1,343 @@
+//! Requests in words: `polar form of t^3`, `derivative of t^2 at t = 1`, `(1+t)^2 in Bernstein form`.
+//!
+//! A request is made of phrases (see `lexicon::phrases`) and of the formulas between them. Only a text all of
+//! whose words are known is one; what its words mean together is settled here, what a function makes of
+//! it, where functions are known.
+
+use crate::formula::source::{Pieces, Span};
+use crate::language::lexicon::letters::{self, is_ideograph};
+use crate::language::lexicon::phrases::{Label, Phrase, phrase};
+
+/// What is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Request {
+    /// A formula, or several between which "and" stands.
+    Formula(Vec<Span>),
+    /// A function of something.
+    Call(Call),
+}
+
+/// A function, and what is said of its arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Call {
+    /// The name of the function.
+    pub function: &'static str,
+    /// Where its phrase stands.
+    pub phrase: Span,
+    /// What it is applied to.
+    pub subject: Option<Box<Request>>,
+    /// What is said besides.
+    pub labels: Vec<Said>,
+}
+
+/// Something said of the arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Said {
+    /// What it is said of.
+    pub label: Label,
+    /// What is said.
+    pub what: What,
+}
+
+/// A formula, or a number in a word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum What {
+    /// Where the formula stands.
+    Formula(Span),
+    /// cubic
+    Degree(i64),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Part {
+    Phrase(Phrase, Span),
+    Piece(Span),
+}
+
+/// What the words of a text ask for; `None` if they are no request or some of them are not known.
+///
+/// A name that is `known` is no word, and `function` finds a function by its name. Cost: linear in the length
+/// of the text.
+pub(crate) fn request(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Option<Request> {
+    let parts = parts(text, known, function);
+    let named = |part: &Part| matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _));
+    if !parts.iter().any(named) {
+        return None;
+    }
+    let pieces = parts.iter().filter_map(|part| match part {
+        Part::Piece(span) => Some(text.piece(span.range())),
+        Part::Phrase(..) => None,
+    });
+    if pieces.into_iter().any(|piece| has_words(piece, known)) {
+        return None;
+    }
+    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler, _));
+    let parts: Vec<Part> = parts.into_iter().filter(says).collect();
+    let mut reader = Reader { text, parts, at: 0 };
+    let request = reader.request()?;
+    (reader.at == reader.parts.len() && matches!(request, Request::Call(_))).then_some(request)
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    parts: Vec<Part>,
+    at: usize,
+}
+
+impl Reader<'_> {
+    fn next(&self) -> Option<Part> {
+        self.parts.get(self.at).copied()
+    }
+
+    fn phrase(&self) -> Option<Phrase> {
+        match self.next()? {
+            Part::Phrase(phrase, _) => Some(phrase),
+            Part::Piece(_) => None,
+        }
+    }
+
+    fn take(&mut self, phrase: Phrase) -> bool {
+        let found = self.phrase() == Some(phrase);
+        self.at += usize::from(found);
+        found
+    }
+
+    /// A formula or a function of something, and what is done with that.
+    fn request(&mut self) -> Option<Request> {
+        let mut request = self.subject()?;
+        while let Some(next) = self.next() {
+            match next {
+                // t^2 in Bernstein form, u^3, blossom
+                Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
+                    self.at += 1;
+                    request = Request::Call(Call {
+                        function,
+                        phrase,
+                        subject: Some(Box::new(request)),
+                        labels: Vec::new(),
+                    });
+                }
+                Part::Phrase(Phrase::Of, _) => self.at += 1,
+                Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
+                _ => {
+                    let said = self.said()?;
+                    let Request::Call(call) = &mut request else { return None };
+                    call.labels.extend(said);
+                }
+            }
+        }
+        Some(request)
+    }
+
+    /// Whether a function follows a label, or what goes before it: into the Bernstein basis.
+    fn leads_to_function(&self) -> bool {
+        let label = matches!(self.phrase(), Some(Phrase::Label(Label::In | Label::To | Label::With)));
+        label && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _)))
+    }
+
+    /// A formula, or a function of something.
+    fn subject(&mut self) -> Option<Request> {
+        let mut labels = Vec::new();
+        while let Some(Phrase::Degree(degree)) = self.phrase() {
+            labels.push(Said { label: Label::OfDegree, what: What::Degree(degree) });
+            self.at += 1;
+        }
+        match self.next()? {
+            Part::Piece(span) if labels.is_empty() => {
+                self.at += 1;
+                let mut spans = vec![span];
+                while self.phrase() == Some(Phrase::And)
+                    && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
+                {
+                    spans.push(*span);
+                    self.at += 2;
+                }
+                Some(Request::Formula(spans))
+            }
+            Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
+                self.at += 1;
+                let subject = self.argument(&mut labels)?;
+                Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a function is applied to: nothing if labels follow at once, which may also stand before it.
+    fn argument(&mut self, labels: &mut Vec<Said>) -> Option<Option<Request>> {
+        loop {
+            while self.take(Phrase::Of) {}
+            match self.next() {
+                None => return Some(None),
+                Some(Part::Phrase(Phrase::Label(_), _)) => {
+                    let count = labels.len();
+                    // Degree 2 on 0, 1, 2; but: at 1/2 of t^3
+                    labels.extend(self.said()?);
+                    if count == labels.len() && matches!(self.next(), Some(Part::Phrase(Phrase::Label(_), _)))
+                    {
+                        continue;
+                    }
+                    if !matches!(self.phrase(), Some(Phrase::Of | Phrase::Label(_))) {
+                        // control points 0, 1, 3
+                        return match self.next() {
+                            None => Some(None),
+                            Some(_) => self.subject().map(Some),
+                        };
+                    }
+                }
+                Some(_) => return self.subject().map(Some),
+            }
+        }
+    }
+
+    /// What a label says; several equations are several things. A label before another one says nothing.
+    fn said(&mut self) -> Option<Vec<Said>> {
+        let label = match self.next()? {
+            Part::Phrase(Phrase::Label(label), _) => label,
+            Part::Phrase(Phrase::And | Phrase::Of, _) => {
+                self.at += 1;
+                return Some(Vec::new());
+            }
+            Part::Phrase(Phrase::Degree(degree), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::OfDegree, what: What::Degree(degree) }]);
+            }
+            // bezier 0, 1, 4, t = 1/2
+            Part::Piece(span) if self.text.piece(span.range()).contains('=') => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::With, what: What::Formula(span) }]);
+            }
+            _ => return None,
+        };
+        self.at += 1;
+        while self.take(Phrase::Of) {}
+        match self.next()? {
+            Part::Piece(span) => {
+                self.at += 1;
+                // with 3 times, in 3 times
+                let label = match self.phrase() {
+                    Some(Phrase::Label(Label::Times)) => {
+                        self.at += 1;
+                        Label::Times
+                    }
+                    _ => label,
+                };
+                Some(vec![Said { label, what: What::Formula(span) }])
+            }
+            Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
+            Part::Phrase(..) => None,
+        }
+    }
+}
+
+/// The phrases outside of brackets and the formulas between them.
+fn parts(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Vec<Part> {
+    let mut parts = Vec::new();
+    let mut depth = 0_usize;
+    let mut dollar = false;
+    let mut start = 0;
+    let mut at = 0;
+    let mut before = ' ';
+    let push = |parts: &mut Vec<Part>, from: usize, to: usize| {
+        let piece = text.piece(from..to);
+        let separates = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!');
+        // 5! is a factorial
+        let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
+        if !trimmed.is_empty() {
+            let from = from + (piece.len() - piece.trim_start_matches(separates).len());
+            parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
+        }
+    };
+    while let Some(c) = text.piece(at..).chars().next() {
+        let apart = !(before.is_alphanumeric() && !is_ideograph(before) || matches!(before, '_' | '^' | '\\' | '{'))
+            || is_ideograph(c);
+        if depth == 0
+            && !dollar
+            && apart
+            && c.is_alphabetic()
+            && let Some((phrase, length)) = phrase(text.piece(at..), function)
+            && is_word(text, at, length, known, phrase)
+        {
+            push(&mut parts, start, at);
+            parts.push(Part::Phrase(phrase, Span::new(at, at + length)));
+            at += length;
+            // knots = 0, 1, 2
+            let sign = text.piece(at..).trim_start();
+            if matches!(phrase, Phrase::Label(_)) && sign.starts_with(['=', ':']) {
+                at = text.len() - sign.len() + 1;
+            }
+            start = at;
+            before = ' ';
+            continue;
+        }
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            '$' => dollar = !dollar,
+            _ => {}
+        }
+        before = c;
+        at += c.len_utf8();
+    }
+    push(&mut parts, start, text.len());
+    parts
+}
+
+/// Whether what reads like a phrase is none of a formula: `degree(t)`, `a_1`, `roots := 3`, a name with a value.
+fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, phrase: Phrase) -> bool {
+    let written = text.piece(at..at + length);
+    if known(written) {
+        return false;
+    }
+    if written.ends_with(['\'', '’']) || written.starts_with(is_ideograph) {
+        return true;
+    }
+    let rest = text.piece(at + length..);
+    let label = matches!(phrase, Phrase::Label(_));
+    let next = rest.trim_start();
+    if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
+        || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-']) && !(label && next.starts_with('='))
+        || next.starts_with(":=")
+        || rest.starts_with(|c: char| c.is_alphanumeric())
+    {
+        return false;
+    }
+    // One letter is a name, unless words follow: a cubic.
+    if written.chars().count() == 1 && written.is_ascii() {
+        return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
+    }
+    true
+}
+
+/// Whether a formula has a word in it that nobody knows: "t^2 nonsense".
+fn has_words(piece: &str, known: &dyn Fn(&str) -> bool) -> bool {
+    let mut before = ' ';
+    let mut rest = piece;
+    while let Some(c) = rest.chars().next() {
+        let length = rest.chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
+        if length == 0 {
+            before = c;
+            rest = rest.piece(c.len_utf8()..);
+            continue;
+        }
+        let word = rest.piece(..length);
+        let after = rest.piece(length..);
+        let spaced = matches!(before, ' ' | ',' | ':' | ';') && !after.starts_with(['(', '[', '_']);
+        let long = word.chars().count() > 2 || word.chars().any(is_ideograph);
+        let name = known(word) || letters::sign(word).is_some();
+        if spaced && long && !name && before != '\\' {
+            return true;
+        }
+        before = 'a';
+        rest = after;
+    }
+    false
+}

@@ -1,0 +1,393 @@
+//! Requests in words as calls of functions: `derivative of t^3 at t = 2` is `subs(derivative(t^3), t=2)`.
+//!
+//! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
+//! are put into the result.
+
+use super::{Failure, Session, guarded, items_in, read_in};
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::eval;
+use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin, function_called};
+use crate::language::lexicon::phrases::Label;
+use crate::language::syntax::{self, Call, Request, Said, What};
+use crate::math::poly::Symbol;
+
+/// A call whose arguments are being gathered.
+struct Draft {
+    builtin: &'static Builtin,
+    phrase: Span,
+    placed: Vec<Expr>,
+    named: Vec<(&'static str, Expr)>,
+    /// The degree that an elevation or reduction leads to.
+    degree: Option<Expr>,
+}
+
+/// Something that a label says, read.
+struct Read {
+    label: Label,
+    items: Vec<Expr>,
+}
+
+impl Session {
+    /// The formula that a request in words stands for; `None` if it is none, or says what no function takes.
+    pub(super) fn spoken(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
+        let known = |word: &str| self.env.get(&Symbol::new(word)).is_some();
+        let text = file.slice(whole);
+        let Some(request) = syntax::request(text, &known, &function_called) else { return Ok(None) };
+        let reader = Reader { session: self, file, start: whole.start };
+        reader.formula(request)
+    }
+}
+
+struct Reader<'a> {
+    session: &'a Session,
+    file: &'a SourceFile,
+    start: usize,
+}
+
+impl Reader<'_> {
+    fn formula(&self, request: Request) -> Result<Option<Expr>, Box<Failure>> {
+        let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
+        let mut rest = Some(Box::new(request));
+        while let Some(request) = rest.take() {
+            match *request {
+                Request::Call(Call { function, phrase, subject, labels }) => {
+                    let Some(builtin) = builtin(function) else { return Ok(None) };
+                    let phrase = phrase.shifted(self.start);
+                    drafts.push(Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), degree: None });
+                    for Said { label, what } in labels {
+                        let items = match what {
+                            What::Formula(span) => self.items(span)?,
+                            What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
+                        };
+                        said.push(Read { label, items });
+                    }
+                    rest = subject;
+                }
+                Request::Formula(spans) => {
+                    for span in spans {
+                        items.extend(self.items(span)?);
+                    }
+                }
+            }
+        }
+        // From the inside out.
+        drafts.reverse();
+        if said.iter().any(|read| read.label == Label::Points)
+            && let Some(basis) = drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
+            && let Some(spline) = builtin("bspline")
+        {
+            basis.builtin = spline;
+        }
+        let Some(innermost) = drafts.first_mut() else { return Ok(None) };
+        if !innermost.is_about(items, &mut said) {
+            return Ok(None);
+        }
+        let mut after = Vec::new();
+        for read in said {
+            let mut left = Some(read);
+            for draft in &mut drafts {
+                left = left.and_then(|read| draft.take(read));
+            }
+            after.extend(left);
+        }
+        let mut formula: Option<Expr> = None;
+        for draft in drafts {
+            formula = draft.applied_to(formula);
+            if formula.is_none() {
+                return Ok(None);
+            }
+        }
+        let polar = |expr: &Expr| matches!(&expr.kind, Kind::Apply(callee, _) if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
+        for read in after {
+            let Some(whole) = formula.take() else { return Ok(None) };
+            formula = value_of(whole, read, &polar);
+        }
+        Ok(formula)
+    }
+
+    fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {
+        let span = span.shifted(self.start);
+        let session = self.session;
+        // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
+        let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));
+        guarded(&session.limits, || items_in(&session.env, self.file, span))
+            .or_else(|_| read(span).map(|one| vec![one]))
+            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
+    }
+}
+
+/// The value of a result: at a parameter, or for values of its names.
+fn value_of(whole: Expr, read: Read, is_polar: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+    if !matches!(read.label, Label::At | Label::With | Label::To) {
+        return None;
+    }
+    let span = whole.span;
+    let equation = |item: &Expr| eval::named(item).is_some();
+    let call = |callee: Expr, arguments| Expr { span, ..Expr::apply(callee, arguments) };
+    if read.items.iter().all(equation) {
+        let arguments = std::iter::once(whole).chain(read.items).collect();
+        return Some(call(Expr { span, ..Expr::name("subs") }, arguments));
+    }
+    if read.label != Label::At || read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..))) {
+        return None;
+    }
+    let arguments = match read.items.as_slice() {
+        [Expr { kind: Kind::Tuple(items) | Kind::List(items), .. }] if is_polar(&whole) => items.clone(),
+        _ => read.items,
+    };
+    Some(call(whole, arguments))
+}
+
+fn is_points(items: &[Expr]) -> bool {
+    !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
+}
+
+fn list(items: Vec<Expr>) -> Expr {
+    let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+    Expr::new(Kind::List(items), span)
+}
+
+fn is_list(kind: Takes) -> bool {
+    matches!(
+        kind,
+        Takes::Scalars
+            | Takes::ScalarOrList
+            | Takes::Points
+            | Takes::Net
+            | Takes::Rows
+            | Takes::Variables
+            | Takes::List
+            | Takes::Coordinates
+    )
+}
+
+impl Draft {
+    /// Takes what the innermost function is applied to, which may be said by a label; false if it cannot.
+    fn is_about(&mut self, mut items: Vec<Expr>, said: &mut Vec<Read>) -> bool {
+        let Some(first) = self.builtin.parameters.first() else { return items.is_empty() };
+        if items.is_empty() {
+            // bezier with control points 0, 1, 3; interpolate for (0,1), (1,2)
+            let subject = |read: &Read| match read.label {
+                Label::Points => matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar),
+                Label::Nodes => first.name == "nodes",
+                Label::With => {
+                    !matches!(first.kind, Takes::Size) && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
+                }
+                _ => false,
+            };
+            match said.iter().position(subject) {
+                Some(at) => items = said.remove(at).items,
+                None => return first.kind == Takes::Size,
+            }
+        }
+        // Values of names: t = 1/2 after a function without anything else.
+        if items.iter().all(|item| eval::named(item).is_some()) && first.kind == Takes::Size {
+            said.push(Read { label: Label::With, items });
+            return true;
+        }
+        match first.kind {
+            Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => {
+                let gathered = match items.as_slice() {
+                    [Expr { kind: Kind::List(points), .. }] if !points.is_empty() => points.clone(),
+                    [_] => {
+                        self.placed = items;
+                        return true;
+                    }
+                    _ => items,
+                };
+                let points = list(gathered);
+                let span = points.span;
+                self.placed = vec![Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }];
+            }
+            // (0, 1), (1, 3) for nodes and values
+            Takes::Scalars if is_points(&items) => self.placed = items,
+            kind if is_list(kind) => {
+                self.placed = match items.as_slice() {
+                    [Expr { kind: Kind::List(_), .. }] => items,
+                    [_] if kind == Takes::Coordinates => items,
+                    _ => vec![list(items)],
+                };
+            }
+            // A degree before knots: b-spline 0, 1, 2, 3
+            Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
+                self.named.push((self.builtin.parameters[1].name, list(items)));
+            }
+            _ => self.placed = items,
+        }
+        true
+    }
+
+    fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
+        let own = self.builtin.parameters.iter().filter(|p| p.has_name());
+        let free = |p: &&Parameter| !self.named.iter().any(|(name, _)| *name == p.name);
+        let place = |p: &&Parameter| {
+            let at = self.builtin.parameters.iter().position(|other| other.name == p.name);
+            at.is_some_and(|at| at >= self.placed.len())
+        };
+        own.filter(free).filter(place).find(|p| names.contains(&p.name))
+    }
+
+    /// Takes what a label says, if there is a parameter for it; else gives it back.
+    fn take(&mut self, read: Read) -> Option<Read> {
+        let one = read.items.len() == 1;
+        let Some(first) = read.items.first().cloned() else { return Some(read) };
+        // n = 3, a = 0
+        if let Some((name, value)) = eval::named(&first)
+            && one
+            && matches!(read.label, Label::At | Label::With)
+        {
+            let shown = |p: &&&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
+            let own = self.builtin.parameters.iter().collect::<Vec<_>>();
+            let found = own.iter().find(shown).filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
+            let degree = || match name == "n" {
+                true => self.parameter(&["degree"]).map(|p| p.name),
+                false => None,
+            };
+            return match found.filter(|name| self.parameter(&[name]).is_some()).or_else(degree) {
+                Some(name) => {
+                    self.named.push((name, value.clone()));
+                    None
+                }
+                None => Some(read),
+            };
+        }
+        let number = one && matches!(first.kind, Kind::Number(_));
+        let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
+        let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
+        let found = match read.label {
+            Label::OfDegree => return self.take_degree(read, first),
+            Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => Some("b"),
+            Label::To | Label::With | Label::Over if number => return self.take_degree(read, first),
+            Label::From => single(&["a"]),
+            Label::In | Label::To | Label::With | Label::Over if name => {
+                let variable = self.builtin.parameters.iter().find(|p| p.kind == Takes::Variable);
+                variable.map(|p| p.name)
+            }
+            Label::Over | Label::With | Label::In => return self.take_interval(read),
+            Label::Times => single(&["k", "times"]),
+            Label::Number => single(&["i"]),
+            Label::At => return self.take_parameter(read),
+            Label::Knots | Label::Nodes | Label::Values | Label::Weights | Label::Points => {
+                let name = match read.label {
+                    Label::Knots => "knots",
+                    Label::Nodes => "nodes",
+                    Label::Values => "values",
+                    Label::Weights => "weights",
+                    _ => "points",
+                };
+                let Some(parameter) = self.parameter(&[name]) else { return Some(read) };
+                let value = match &first.kind {
+                    Kind::List(_) if one && !is_points(first.items().unwrap_or_default()) => first,
+                    _ => list(read.items),
+                };
+                self.named.push((parameter.name, value));
+                return None;
+            }
+            _ => None,
+        };
+        match found {
+            Some(name) => {
+                self.named.push((name, first));
+                None
+            }
+            None => Some(read),
+        }
+    }
+
+    fn take_degree(&mut self, read: Read, degree: Expr) -> Option<Read> {
+        if matches!(self.builtin.name, "elevate" | "reduce") && self.degree.is_none() {
+            self.degree = Some(degree);
+            return None;
+        }
+        let parameter = self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
+        match parameter {
+            Some(parameter) => {
+                self.named.push((parameter.name, degree));
+                None
+            }
+            None => Some(read),
+        }
+    }
+
+    /// [0, 2] over which a curve is given, or the knots of a spline.
+    fn take_interval(&mut self, read: Read) -> Option<Read> {
+        let ends = match read.items.as_slice() {
+            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends.clone(),
+            [Expr { kind: Kind::Chain(_, links), .. }] => match links.as_slice() {
+                [link] if link.rel == Rel::In => link.expr.items().unwrap_or_default().to_vec(),
+                _ => return Some(read),
+            },
+            _ => read.items.clone(),
+        };
+        if let (Some(a), Some(b), [from, to]) = (self.parameter(&["a"]), self.parameter(&["b"]), ends.as_slice()) {
+            self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
+            return None;
+        }
+        match self.parameter(&["knots"]) {
+            Some(knots) if ends.len() > 1 => {
+                self.named.push((knots.name, list(ends)));
+                None
+            }
+            _ => Some(read),
+        }
+    }
+
+    /// A value for the parameter that comes after what the function is applied to.
+    fn take_parameter(&mut self, read: Read) -> Option<Read> {
+        let second = self.builtin.parameters.get(1);
+        let takes = second.is_some_and(|p| {
+            matches!(p.need, Need::Required | Need::Many(..))
+                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::Any)
+        });
+        if !takes || self.placed.len() > 1 {
+            return Some(read);
+        }
+        let values = read.items.iter().map(|item| match eval::named(item) {
+            Some((_, value)) => value.clone(),
+            None => item.clone(),
+        });
+        self.named.extend(values.map(|value| ("", value)));
+        None
+    }
+
+    /// The call, of what is inside of it.
+    fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
+        let span = self.phrase;
+        let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
+        if let Some(inside) = inside {
+            self.placed.insert(0, inside);
+        }
+        let call = |name: &str, arguments| {
+            let callee = Expr { span: self.phrase, ..Expr::name(name) };
+            Expr { span, ..Expr::apply(callee, arguments) }
+        };
+        // As many degrees as lie between.
+        if let Some(degree) = self.degree.take() {
+            let own = call("degree", vec![self.placed.first()?.clone()]);
+            let (more, less) = match self.builtin.name {
+                "elevate" => (degree, own),
+                _ => (own, degree),
+            };
+            let by = Expr { span, ..Expr::sum(vec![Term { sign: Sign::Plus, expr: more }, Term { sign: Sign::Minus, expr: less }]) };
+            self.placed.push(by);
+        }
+        if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
+            let knots = self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
+            let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
+            // The only one.
+            if let (Some(knots), Some(degree)) = (knots, degree)
+                && i64::try_from(knots.len()).is_ok_and(|count| count == degree + 2)
+            {
+                self.named.push(("i", Expr { span, ..Expr::int(0) }));
+            }
+        }
+        let named = std::mem::take(&mut self.named).into_iter().map(|(name, value)| match name {
+            "" => value,
+            _ => Expr { span: value.span, ..Expr::relation(Expr { span: value.span, ..Expr::name(name) }, Rel::Eq, value) },
+        });
+        let arguments = std::mem::take(&mut self.placed).into_iter().chain(named).collect();
+        Some(call(self.builtin.name, arguments))
+    }
+}
+
