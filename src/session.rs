@@ -3,6 +3,7 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+mod foreign;
 mod given;
 mod spoken;
 
@@ -308,7 +309,7 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     match result {
         Ok(mut expr) => {
             expr.shift(span.start);
-            Ok(expr)
+            Ok(foreign::with_calls(expr, &|name| env.get(&Symbol::new(name)).is_some()))
         }
         Err(mut problem) => {
             problem.span = problem.span.map(|place| place.shifted(span.start));

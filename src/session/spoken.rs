@@ -9,6 +9,7 @@ use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
+use crate::language::lexicon::roles;
 use crate::language::syntax::{self, Call, Request, Said, What};
 use crate::math::poly::Symbol;
 
@@ -54,7 +55,7 @@ impl Reader<'_> {
                 Request::Call(Call { function, phrase, subject, labels }) => {
                     let Some(builtin) = builtin(function) else { return Ok(None) };
                     let phrase = phrase.shifted(self.start);
-                    drafts.push(Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), degree: None });
+                    drafts.push(Draft { phrase, ..Draft::new(builtin) });
                     for Said { label, what } in labels {
                         let items = match what {
                             What::Formula(span) => self.items(span)?,
@@ -73,15 +74,41 @@ impl Reader<'_> {
         }
         // From the inside out.
         drafts.reverse();
+        // insert knot 1: knots 0, 0, 2, 2, control points 3, 4
+        let knots = said.iter().any(|read| read.label == Label::Knots);
+        if let Some(Draft { builtin: first, phrase, .. }) = drafts.first()
+            && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
+            && let (true, Some(spline)) = (knots, builtin("bspline"))
+        {
+            drafts.insert(0, Draft { phrase: *phrase, ..Draft::new(spline) });
+            drafts[1].placed = std::mem::take(&mut items);
+        }
         if said.iter().any(|read| read.label == Label::Points)
             && let Some(basis) = drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
             && let Some(spline) = builtin("bspline")
         {
             basis.builtin = spline;
         }
-        let Some(innermost) = drafts.first_mut() else { return Ok(None) };
+        let Some(innermost) = drafts.first_mut() else {
+            // compute 3 + 4
+            return Ok(match items.as_slice() {
+                [one] => Some(one.clone()),
+                _ => None,
+            });
+        };
         if !innermost.is_about(items, &mut said) {
             return Ok(None);
+        }
+        innermost.takes_coefficient(&mut said);
+        let named = |read: &Read| {
+            let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
+            variable && matches!(read.label, Label::In | Label::To)
+        };
+        if innermost.builtin.name == "derivative"
+            && said.iter().any(named)
+            && let Some(of_formulas) = builtin("diff")
+        {
+            innermost.builtin = of_formulas;
         }
         let mut after = Vec::new();
         for read in said {
@@ -148,6 +175,17 @@ fn list(items: Vec<Expr>) -> Expr {
     Expr::new(Kind::List(items), span)
 }
 
+/// The first coordinates of points, and what follows them.
+fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
+    let parts = points.iter().map(|point| match point.items()?.split_first()? {
+        (_, []) => None,
+        (node, [value]) => Some((node.clone(), value.clone())),
+        (node, values) => Some((node.clone(), list(values.to_vec()))),
+    });
+    let (nodes, values): (Vec<Expr>, Vec<Expr>) = parts.collect::<Option<Vec<_>>>()?.into_iter().unzip();
+    Some([list(nodes), list(values)])
+}
+
 fn is_list(kind: Takes) -> bool {
     matches!(
         kind,
@@ -163,6 +201,10 @@ fn is_list(kind: Takes) -> bool {
 }
 
 impl Draft {
+    fn new(builtin: &'static Builtin) -> Self {
+        Draft { builtin, phrase: Span::default(), placed: Vec::new(), named: Vec::new(), degree: None }
+    }
+
     /// Takes what the innermost function is applied to, which may be said by a label; false if it cannot.
     fn is_about(&mut self, mut items: Vec<Expr>, said: &mut Vec<Read>) -> bool {
         let Some(first) = self.builtin.parameters.first() else { return items.is_empty() };
@@ -172,7 +214,8 @@ impl Draft {
                 Label::Points => matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar),
                 Label::Nodes => first.name == "nodes",
                 Label::With => {
-                    !matches!(first.kind, Takes::Size) && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
+                    !matches!(first.kind, Takes::Size)
+                        && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
                 }
                 _ => false,
             };
@@ -186,10 +229,31 @@ impl Draft {
             said.push(Read { label: Label::With, items });
             return true;
         }
+        // Coefficients: bernstein coefficients 1, 0, 1.
+        if matches!(self.builtin.name, "in_bernstein" | "bezier_points" | "control_points")
+            && items.len() > 1
+            && let Some(bezier) = builtin("bezier")
+        {
+            self.builtin = bezier;
+            return self.is_about(items, said);
+        }
+        // solve x = 3 y, y = 2
+        if self.builtin.on_equations.is_some() {
+            said.retain_mut(|read| {
+                let equations = read.items.iter().all(|item| eval::named(item).is_some());
+                let given = read.label == Label::With && equations;
+                if given {
+                    items.append(&mut read.items);
+                }
+                !given
+            });
+        }
         match first.kind {
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => {
                 let gathered = match items.as_slice() {
-                    [Expr { kind: Kind::List(points), .. }] if !points.is_empty() => points.clone(),
+                    [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] if !points.is_empty() => {
+                        points.clone()
+                    }
                     [_] => {
                         self.placed = items;
                         return true;
@@ -198,10 +262,14 @@ impl Draft {
                 };
                 let points = list(gathered);
                 let span = points.span;
-                self.placed = vec![Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }];
+                self.placed =
+                    vec![Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }];
             }
             // (0, 1), (1, 3) for nodes and values
-            Takes::Scalars if is_points(&items) => self.placed = items,
+            Takes::Scalars if is_points(&items) => match nodes_and_values(&items) {
+                Some(both) => self.placed = both.into(),
+                None => return false,
+            },
             kind if is_list(kind) => {
                 self.placed = match items.as_slice() {
                     [Expr { kind: Kind::List(_), .. }] => items,
@@ -216,6 +284,22 @@ impl Draft {
             _ => self.placed = items,
         }
         true
+    }
+
+    /// The coefficient of x^3 in (1 + x)^7.
+    fn takes_coefficient(&mut self, said: &mut Vec<Read>) {
+        let whole = |read: &Read| read.label == Label::In && read.items.len() == 1;
+        if self.builtin.name != "coefficient" {
+            return;
+        }
+        if let ([monomial], Some(at)) = (self.placed.as_slice(), said.iter().position(whole)) {
+            let (variable, power) = match &monomial.kind {
+                Kind::Pow(base, exponent) => ((**base).clone(), (**exponent).clone()),
+                _ => (monomial.clone(), Expr { span: monomial.span, ..Expr::int(1) }),
+            };
+            self.placed = said.remove(at).items;
+            self.placed.extend([variable, power]);
+        }
     }
 
     fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
@@ -240,16 +324,17 @@ impl Draft {
             let shown = |p: &&&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
             let own = self.builtin.parameters.iter().collect::<Vec<_>>();
             let found = own.iter().find(shown).filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
-            let degree = || match name == "n" {
-                true => self.parameter(&["degree"]).map(|p| p.name),
-                false => None,
+            let degree = || {
+                let called = roles::is_degree(&name) || name == "p";
+                let parameter = self.parameter(&["degree", "n"]).filter(|_| called);
+                parameter.filter(|p| p.kind == Takes::Size).map(|p| p.name)
             };
             return match found.filter(|name| self.parameter(&[name]).is_some()).or_else(degree) {
                 Some(name) => {
                     self.named.push((name, value.clone()));
                     None
                 }
-                None => Some(read),
+                None => self.take_parameter(read),
             };
         }
         let number = one && matches!(first.kind, Kind::Number(_));
@@ -257,7 +342,9 @@ impl Draft {
         let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
         let found = match read.label {
             Label::OfDegree => return self.take_degree(read, first),
-            Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => Some("b"),
+            Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => {
+                Some("b")
+            }
             Label::To | Label::With | Label::Over if number => return self.take_degree(read, first),
             Label::From => single(&["a"]),
             Label::In | Label::To | Label::With | Label::Over if name => {
@@ -300,7 +387,8 @@ impl Draft {
             self.degree = Some(degree);
             return None;
         }
-        let parameter = self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
+        let parameter =
+            self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
         match parameter {
             Some(parameter) => {
                 self.named.push((parameter.name, degree));
@@ -320,7 +408,9 @@ impl Draft {
             },
             _ => read.items.clone(),
         };
-        if let (Some(a), Some(b), [from, to]) = (self.parameter(&["a"]), self.parameter(&["b"]), ends.as_slice()) {
+        if let (Some(a), Some(b), [from, to]) =
+            (self.parameter(&["a"]), self.parameter(&["b"]), ends.as_slice())
+        {
             self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
             return None;
         }
@@ -335,10 +425,14 @@ impl Draft {
 
     /// A value for the parameter that comes after what the function is applied to.
     fn take_parameter(&mut self, read: Read) -> Option<Read> {
+        let many = self.builtin.parameters.get(1).is_some_and(|p| matches!(p.need, Need::Many(..)));
+        if !many && self.named.iter().any(|(name, _)| name.is_empty()) {
+            return Some(read);
+        }
         let second = self.builtin.parameters.get(1);
         let takes = second.is_some_and(|p| {
             matches!(p.need, Need::Required | Need::Many(..))
-                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::Any)
+                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
         });
         if !takes || self.placed.len() > 1 {
             return Some(read);
@@ -355,7 +449,26 @@ impl Draft {
     fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
         let span = self.phrase;
         let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
-        if let Some(inside) = inside {
+        if let Some(mut inside) = inside {
+            let subject = self.builtin.parameters.first().map(|first| first.kind);
+            let Kind::Apply(callee, groups) = &inside.kind else { return None };
+            match (subject, &callee.kind, groups.first().map(Vec::as_slice)) {
+                // The points of a curve stand for it.
+                (Some(Takes::Curve | Takes::Polar | Takes::Geometry), Kind::Name(name), Some([curve]))
+                    if matches!(name.as_str(), "control_points" | "bezier_points") =>
+                {
+                    inside = curve.clone();
+                }
+                // The zeros of a Bézier polynomial.
+                (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), Kind::Name(name), _)
+                    if name == "bezier" =>
+                {
+                    let span = inside.span;
+                    let value = Expr { span, ..Expr::apply(inside, vec![Expr { span, ..Expr::name("t") }]) };
+                    inside = value;
+                }
+                _ => {}
+            }
             self.placed.insert(0, inside);
         }
         let call = |name: &str, arguments| {
@@ -369,11 +482,18 @@ impl Draft {
                 "elevate" => (degree, own),
                 _ => (own, degree),
             };
-            let by = Expr { span, ..Expr::sum(vec![Term { sign: Sign::Plus, expr: more }, Term { sign: Sign::Minus, expr: less }]) };
+            let by = Expr {
+                span,
+                ..Expr::sum(vec![
+                    Term { sign: Sign::Plus, expr: more },
+                    Term { sign: Sign::Minus, expr: less },
+                ])
+            };
             self.placed.push(by);
         }
         if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
-            let knots = self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
+            let knots =
+                self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
             let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
             // The only one.
             if let (Some(knots), Some(degree)) = (knots, degree)
@@ -384,10 +504,12 @@ impl Draft {
         }
         let named = std::mem::take(&mut self.named).into_iter().map(|(name, value)| match name {
             "" => value,
-            _ => Expr { span: value.span, ..Expr::relation(Expr { span: value.span, ..Expr::name(name) }, Rel::Eq, value) },
+            _ => Expr {
+                span: value.span,
+                ..Expr::relation(Expr { span: value.span, ..Expr::name(name) }, Rel::Eq, value)
+            },
         });
         let arguments = std::mem::take(&mut self.placed).into_iter().chain(named).collect();
         Some(call(self.builtin.name, arguments))
     }
 }
-

@@ -100,6 +100,26 @@ const ALIASES: &[(&str, &str)] = &[
     ("natural_spline", "cubic_spline"),
     ("bezier_pieces", "pieces"),
     ("primitive", "antiderivative"),
+    ("nchoosek", "binomial"),
+    ("combin", "binomial"),
+    ("fact", "factorial"),
+    ("ggT", "gcd"),
+    ("ggt", "gcd"),
+    ("pgcd", "gcd"),
+    ("kgV", "lcm"),
+    ("kgv", "lcm"),
+    ("ppcm", "lcm"),
+    ("polynomial_gcd", "gcd"),
+    ("polynomial_lcm", "lcm"),
+    ("polynomial_quotient", "quotient"),
+    ("polynomial_remainder", "remainder"),
+    ("coefficient_list", "coefficients"),
+    ("interpolating_polynomial", "lagrange"),
+    ("bernstein_basis", "bernstein"),
+    ("matrix_rank", "rank"),
+    ("row_reduce", "row_echelon"),
+    ("together", "simplify"),
+    ("full_simplify", "simplify"),
 ];
 
 /// Functions that somebody may mean by other names.
@@ -153,9 +173,25 @@ pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
 }
 
+/// The same, written as other systems do: `Expand`, `GCD`, `ControlPoints`.
+pub(crate) fn function_in_capitals(name: &str) -> Option<&'static str> {
+    if name.len() < 3 || !name.starts_with(char::is_uppercase) {
+        return None;
+    }
+    let mut small = String::new();
+    for (at, letter) in name.char_indices() {
+        let start = letter.is_uppercase() && name.chars().any(char::is_lowercase);
+        if start && at > 0 && !small.ends_with('_') {
+            small.push('_');
+        }
+        small.extend(letter.to_lowercase());
+    }
+    function_called(&small)
+}
+
 /// The function with another name that is called like this one.
 pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
-    ALIASES.iter().find(|(other, _)| *other == name).and_then(|(_, known)| callable(known))
+    function_called(name).or_else(|| function_in_capitals(name)).and_then(callable)
 }
 
 /// What to write for an argument that a function does not take: its derivation may.

@@ -6,7 +6,7 @@ use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{linalg_error, wrong_kind};
 use nalgebra::DMatrix;
 
-use super::parameter::{DEGREE, Parameter, Takes, required, size};
+use super::parameter::{DEGREE, Parameter, Takes, optional, required, size};
 use super::{Builtin, solve};
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -146,11 +146,17 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "solve",
-        parameters: &[MATRIX, required("b", Takes::Any, "the right side, a list or matrix")],
+        parameters: &[
+            required("M", Takes::Any, "the matrix, or a polynomial whose zeros are wanted"),
+            optional("b", Takes::Any, "0", "the right side, a list or matrix; of a polynomial its variable"),
+        ],
         on_equations: solve::EQUATIONS,
         summary: "the x with M x = b, for a list or matrix b; of equations, their solutions",
         example: "solve([2, 0; 0, 4], [1, 1])",
-        call: |_, args| {
+        call: |machine, args| {
+            if let Value::Scalar(formula) = args.value(0)? {
+                return solve::zeros_of(machine, args, formula);
+            }
             let matrix = args.matrix(0)?;
             if let Value::List(_) = args.value(1)? {
                 let column = args.scalars(1)?;

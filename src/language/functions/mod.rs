@@ -27,7 +27,9 @@ mod surfaces;
 mod symmetric;
 mod table;
 
-pub(crate) use callable::{alias, callable, function_called, is_argument_word, names, synonym};
+pub(crate) use callable::{
+    alias, callable, function_called, function_in_capitals, is_argument_word, names, synonym,
+};
 
 pub use arrange::Arrangement;
 pub use parameter::{Need, Parameter, Takes};

@@ -10,7 +10,7 @@ use super::parameter::{CURVE, Takes, free, named, optional, required};
 use super::record::Variant;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{At, Code, Diagnostic};
-use crate::language::value::{symbol_expr, Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value};
+use crate::language::value::{Form, Geometry, PiecewiseFunction, Polar, PolarKind, Value, symbol_expr};
 use crate::math::curve::{Interval, RationalCurve};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};

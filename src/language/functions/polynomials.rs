@@ -271,7 +271,7 @@ pub(super) const TABLE: &[Builtin] = &[
             optional("i", Takes::Integer, "all of them", "its number"),
             optional("t", Takes::Scalar, "t", "the parameter"),
         ],
-        summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), 0 outside 0 <= i <= n; without i, all of them",
+        summary: "the Bernstein polynomial C(n, i) t^i (1 - t)^(n - i), or 0; without i, all of them",
         example: "bernstein(3, 1, t)",
         call: |_, args| {
             let n = args.size(0)?;

@@ -36,6 +36,23 @@ const PARAMETERS: &[Parameter] = &[
 /// How `solve` works on equations.
 pub(super) const EQUATIONS: Option<Variant> = Variant::noting(PARAMETERS, solve);
 
+/// The solutions of F = 0, where F stands by itself.
+pub(super) fn zeros_of(machine: &mut Machine, args: &Arguments, formula: &Fraction) -> Evaluated {
+    let equations = vec![formula.numerator().clone()];
+    let (unknowns, _) = match args.given(1) {
+        Some((value, span)) => symbols(value, span)?,
+        None => all_symbols(&equations),
+    };
+    match unknowns.as_slice() {
+        [unknown] if formula.numerator().degree_in(unknown) > 0 => {
+            in_one_unknown(machine, args, &equations, unknown)
+        }
+        _ => Err(Diagnostic::error(Code::AmbiguousVariable, "for which variable is this to be solved?")
+            .at(args.span(0))
+            .hint("name it: solve(x^2 - a = 0, x)")),
+    }
+}
+
 fn solve(machine: &mut Machine, args: &Arguments) -> Evaluated {
     let Value::Claim(claim) = args.value(0)? else { return Err(wrong_kind("equations", args.value(0)?)) };
     let span = args.span(0);

@@ -50,6 +50,34 @@ pub(super) fn accent(c: char) -> Option<Accent> {
     })
 }
 
+/// Numerator and denominator of a fraction in one character: ½.
+pub(super) fn fraction(c: char) -> Option<[i64; 2]> {
+    Some(match c {
+        '½' => [1, 2],
+        '⅓' => [1, 3],
+        '⅔' => [2, 3],
+        '¼' => [1, 4],
+        '¾' => [3, 4],
+        '⅕' => [1, 5],
+        '⅖' => [2, 5],
+        '⅗' => [3, 5],
+        '⅘' => [4, 5],
+        '⅙' => [1, 6],
+        '⅚' => [5, 6],
+        '⅐' => [1, 7],
+        '⅛' => [1, 8],
+        '⅜' => [3, 8],
+        '⅝' => [5, 8],
+        '⅞' => [7, 8],
+        '⅑' => [1, 9],
+        '⅒' => [1, 10],
+        _ => return None,
+    })
+}
+
+/// The sign of a square root before a number or formula without brackets.
+pub(super) const ROOT: char = '√';
+
 /// How many primes a character stands for.
 pub(super) fn primes(c: char) -> Option<u32> {
     match c {

@@ -31,7 +31,9 @@ impl Lexer<'_> {
     fn run(&mut self) -> Lexed {
         while let Some(c) = self.peek() {
             let start = self.at;
-            let after_name = !self.spaced && self.last().is_some_and(takes_index);
+            let after_name = !self.spaced
+                && self.last().is_some_and(takes_index)
+                && !self.text.piece(..start).ends_with(chars::ROOT);
             let plain = chars::ordinary(c);
             if c == '\n' {
                 self.at += 1;
@@ -54,6 +56,12 @@ impl Lexer<'_> {
                 self.push(if decimal { TokenKind::BadNumber } else { TokenKind::Index }, start)?;
             } else if plain.is_ascii_digit() || (plain == '.' && self.nth(1).is_some_and(is_digit)) {
                 self.number(start)?;
+            } else if chars::fraction(c).is_some() {
+                self.at += c.len_utf8();
+                self.push(TokenKind::Number, start)?;
+            } else if c == chars::ROOT {
+                self.at += c.len_utf8();
+                self.push(TokenKind::Name, start)?;
             } else if chars::is_letter(c) {
                 self.word(start)?;
             } else if letters::name(c).is_some() || letters::of_blackboard(c).is_some() || c == '∞' {

@@ -64,8 +64,16 @@ pub(crate) fn request(
     function: &dyn Fn(&str) -> Option<&'static str>,
 ) -> Option<Request> {
     let parts = parts(text, known, function);
-    let named = |part: &Part| matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_), _));
-    if !parts.iter().any(named) {
+    let named = |part: &Part| {
+        matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_), _))
+    };
+    let label =
+        |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
+    let labelled =
+        parts.windows(2).any(|pair| label(&pair[0]) && matches!(pair[1], Part::Phrase(Phrase::Of, _)));
+    let polite = matches!(parts.first(), Some(Part::Phrase(Phrase::Filler, _)))
+        || matches!(parts.last(), Some(Part::Phrase(Phrase::Filler, _)));
+    if !parts.iter().any(named) && !polite && !labelled {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -79,7 +87,7 @@ pub(crate) fn request(
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
     let mut reader = Reader { text, parts, at: 0 };
     let request = reader.request()?;
-    (reader.at == reader.parts.len() && matches!(request, Request::Call(_))).then_some(request)
+    (reader.at == reader.parts.len()).then_some(request)
 }
 
 struct Reader<'a> {
@@ -108,9 +116,18 @@ impl Reader<'_> {
 
     /// A formula or a function of something, and what is done with that.
     fn request(&mut self) -> Option<Request> {
+        while self.take(Phrase::Of) {}
         let mut request = self.subject()?;
         while let Some(next) = self.next() {
             match next {
+                // a spline with control points 0, 1, 3
+                Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _)
+                    if let (Some(Part::Piece(span)), Request::Call(call)) =
+                        (self.parts.get(self.at + 1).copied(), &mut request) =>
+                {
+                    self.at += 2;
+                    call.labels.push(Said { label: Label::Points, what: What::Formula(span) });
+                }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
                     self.at += 1;
@@ -121,7 +138,27 @@ impl Reader<'_> {
                         labels: Vec::new(),
                     });
                 }
-                Part::Phrase(Phrase::Of, _) => self.at += 1,
+                // 7 choose 3
+                Part::Phrase(Phrase::Between(function), phrase) => {
+                    let (Request::Formula(mut spans), Some(Part::Piece(span))) =
+                        (request, self.parts.get(self.at + 1).copied())
+                    else {
+                        return None;
+                    };
+                    self.at += 2;
+                    spans.push(span);
+                    if spans.iter().any(|span| is_sum(self.text.piece(span.range()))) {
+                        return None;
+                    }
+                    let subject = Some(Box::new(Request::Formula(spans)));
+                    request = Request::Call(Call { function, phrase, subject, labels: Vec::new() });
+                }
+                // t^3 的导数
+                Part::Phrase(Phrase::Of, _)
+                    if !matches!(self.parts.get(self.at + 1), Some(Part::Piece(_))) =>
+                {
+                    self.at += 1;
+                }
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
                 _ => {
                     let said = self.said()?;
@@ -163,6 +200,15 @@ impl Reader<'_> {
                 let subject = self.argument(&mut labels)?;
                 Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
             }
+            // the degree of t^3, the knots of a spline
+            Part::Phrase(Phrase::Label(label), phrase)
+                if matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _))) =>
+            {
+                let function = label.function()?;
+                self.at += 1;
+                let subject = self.argument(&mut labels)?;
+                Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
+            }
             _ => None,
         }
     }
@@ -198,6 +244,15 @@ impl Reader<'_> {
     fn said(&mut self) -> Option<Vec<Said>> {
         let label = match self.next()? {
             Part::Phrase(Phrase::Label(label), _) => label,
+            // von 0 bis 1
+            Part::Phrase(Phrase::Of, _)
+                if matches!(
+                    self.parts.get(self.at + 1..self.at + 3),
+                    Some([Part::Piece(_), Part::Phrase(Phrase::Label(Label::To), _)])
+                ) =>
+            {
+                Label::From
+            }
             Part::Phrase(Phrase::And | Phrase::Of, _) => {
                 self.at += 1;
                 return Some(Vec::new());
@@ -226,7 +281,15 @@ impl Reader<'_> {
                     }
                     _ => label,
                 };
-                Some(vec![Said { label, what: What::Formula(span) }])
+                let mut said = vec![Said { label, what: What::Formula(span) }];
+                // at 1/2 and 3/4
+                while self.phrase() == Some(Phrase::And)
+                    && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
+                {
+                    said.push(Said { label, what: What::Formula(*span) });
+                    self.at += 2;
+                }
+                Some(said)
             }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
             Part::Phrase(..) => None,
@@ -248,7 +311,9 @@ fn parts(
     let mut before = ' ';
     let push = |parts: &mut Vec<Part>, from: usize, to: usize| {
         let piece = text.piece(from..to);
-        let separates = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!');
+        let separates = |c: char| {
+            c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!')
+        };
         // 5! is a factorial
         let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
         if !trimmed.is_empty() {
@@ -256,8 +321,10 @@ fn parts(
             parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
         }
     };
+    let mut listed = false;
     while let Some(c) = text.piece(at..).chars().next() {
-        let apart = !(before.is_alphanumeric() && !is_ideograph(before) || matches!(before, '_' | '^' | '\\' | '{'))
+        let apart = !(before.is_alphanumeric() && !is_ideograph(before)
+            || matches!(before, '_' | '^' | '\\' | '{'))
             || is_ideograph(c);
         if depth == 0
             && !dollar
@@ -275,8 +342,29 @@ fn parts(
                 at = text.len() - sign.len() + 1;
             }
             start = at;
+            listed = false;
             before = ' ';
             continue;
+        }
+        // 0, 4, 2, t = 1/2
+        let after_list = before == ',' || listed && before.is_whitespace();
+        if depth == 0 && after_list && start < at && begins_equation(text.piece(at..)) {
+            push(&mut parts, start, at);
+            start = at;
+            listed = false;
+        }
+        listed |= depth == 0 && matches!(c, ',' | '=') || depth == 1 && c == ']';
+        // -> Bernstein
+        if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
+            let after = text.piece(at + arrow.len()..).trim_start();
+            if matches!(phrase(after, function), Some((Phrase::Function(_), _))) {
+                push(&mut parts, start, at);
+                parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + arrow.len())));
+                at += arrow.len();
+                start = at;
+                before = ' ';
+                continue;
+            }
         }
         match c {
             '(' | '[' | '{' => depth += 1,
@@ -291,6 +379,13 @@ fn parts(
     parts
 }
 
+/// Whether a name with its value stands at the start of a text: t = 1/2.
+fn begins_equation(text: &str) -> bool {
+    let rest = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''));
+    let sign = rest.trim_start();
+    text.starts_with(char::is_alphabetic) && sign.starts_with('=') && !sign.starts_with("==")
+}
+
 /// Whether what reads like a phrase is none of a formula: `degree(t)`, `a_1`, `roots := 3`, a name with a value.
 fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, phrase: Phrase) -> bool {
     let written = text.piece(at..at + length);
@@ -303,6 +398,13 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     let rest = text.piece(at + length..);
     let label = matches!(phrase, Phrase::Label(_));
     let next = rest.trim_start();
+    // sqrt (4) + 1 is a call.
+    if matches!(phrase, Phrase::Function(_)) && next.starts_with('(') {
+        let after = after_brackets(next).trim_start();
+        if after.starts_with(['+', '-', '*', '/', '=', '<', '>', '!']) {
+            return false;
+        }
+    }
     if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
         || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-']) && !(label && next.starts_with('='))
         || next.starts_with(":=")
@@ -315,6 +417,27 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
         return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
     }
     true
+}
+
+/// What follows the brackets at the start of a text.
+fn after_brackets(text: &str) -> &str {
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        if depth == 0 {
+            return text.piece(at + c.len_utf8()..);
+        }
+    }
+    ""
+}
+
+/// Whether a sum stands in a formula outside of brackets: what belongs to it is not clear beside words.
+fn is_sum(text: &str) -> bool {
+    let mut depth = 0_i32;
+    text.trim_start_matches(['-', ' ']).chars().any(|c| {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        depth == 0 && matches!(c, '+' | '-')
+    })
 }
 
 /// Whether a formula has a word in it that nobody knows: "t^2 nonsense".

@@ -129,6 +129,13 @@ impl Parser<'_> {
         if self.at_call() && is_special(self.text_of(token)) {
             return self.special(token);
         }
+        if self.text_of(token).starts_with(chars::ROOT) {
+            let root = self.node(Kind::Name("sqrt".to_owned()), token.span(), 0)?;
+            let body = self.atom(Some(token))?;
+            let span = token.span().to(body.extent);
+            let kind = Kind::Apply(Box::new(root.expr), vec![vec![body.expr]]);
+            return self.node(kind, span, body.height);
+        }
         // hat 1, vec d
         let accented = matches!(self.peek().kind, TokenKind::Number | TokenKind::Name) && self.peek().spaced;
         if let Some(accent) = accent_of(self.text_of(token)).filter(|_| accented) {
@@ -184,6 +191,8 @@ impl Parser<'_> {
         }
         let value = if text.is_ascii() {
             parse_decimal(text)
+        } else if let Some([numerator, denominator]) = text.chars().next().and_then(chars::fraction) {
+            return Ok(Rational::new(numerator.into(), denominator.into()));
         } else {
             parse_decimal(&text.chars().map(chars::ordinary).collect::<String>())
         };

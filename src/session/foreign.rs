@@ -1,0 +1,91 @@
+//! Calls as Mathematica has them, `D[t^3, t]` and `Sum[k^2, {k, 1, 5}]`, as calls of the functions here.
+
+use crate::formula::{BigOp, Expr, Kind, Rel};
+use crate::language::functions::{function_called, function_in_capitals};
+
+/// The same formula, with calls in square brackets read as calls. A name that is `known` has its own meaning.
+pub(super) fn with_calls(mut expr: Expr, known: &dyn Fn(&str) -> bool) -> Expr {
+    rewrite(&mut expr, known);
+    expr
+}
+
+fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
+    expr.for_each_child_mut(&mut |child| rewrite(child, known));
+    let Kind::Subscript(base, inside) = &expr.kind else { return };
+    let (Kind::Name(name), [Expr { kind: Kind::List(arguments), .. }]) = (&base.kind, inside.as_slice())
+    else {
+        return;
+    };
+    if known(name) {
+        return;
+    }
+    let big = match name.as_str() {
+        "Sum" => Some(BigOp::Sum),
+        "Product" => Some(BigOp::Product),
+        _ => None,
+    };
+    if let Some(op) = big {
+        if let Some(kind) = over_ranges(op, arguments) {
+            expr.kind = kind;
+        }
+        return;
+    }
+    let function = match name.as_str() {
+        "D" => Some("diff"),
+        other => function_in_capitals(other).or_else(|| function_called(other).filter(|_| other.len() > 2)),
+    };
+    let Some(function) = function else { return };
+    // {t, 0, 1} after the first argument, {{0, 1}, {1, 3}} as the first one
+    let mut own = Vec::new();
+    for (place, argument) in arguments.iter().enumerate() {
+        match &argument.kind {
+            Kind::Set(items, None)
+                if place > 0 && matches!(items.first(), Some(Expr { kind: Kind::Name(_), .. })) =>
+            {
+                own.extend(items.iter().cloned());
+            }
+            _ => own.push(as_list(argument.clone())),
+        }
+    }
+    let callee = Expr { span: base.span, ..Expr::name(function) };
+    // The letter of what is interpolated goes by its name.
+    if function == "lagrange"
+        && let [_, letter] = own.as_mut_slice()
+        && matches!(letter.kind, Kind::Name(_))
+    {
+        let span = letter.span;
+        let value = Expr::relation(Expr { span, ..Expr::name("variable") }, Rel::Eq, letter.clone());
+        *letter = Expr { span, ..value };
+    }
+    expr.kind = Kind::Apply(Box::new(callee), vec![own]);
+}
+
+/// Sum[f, {i, a, b}, {j, c, d}]: the last range is the inner one.
+fn over_ranges(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
+    let (body, ranges) = arguments.split_first()?;
+    let mut whole = body.clone();
+    for range in ranges.iter().rev() {
+        let Kind::Set(items, None) = &range.kind else { return None };
+        let one = Expr { span: range.span, ..Expr::int(1) };
+        let (name, from, to) = match items.as_slice() {
+            [name, to] => (name, &one, to),
+            [name, from, to] => (name, from, to),
+            _ => return None,
+        };
+        let lower =
+            Expr { span: name.span.to(to.span), ..Expr::relation(name.clone(), Rel::Eq, from.clone()) };
+        let span = whole.span.to(range.span);
+        let body = Expr { span: whole.span, ..whole.grouped() };
+        let kind =
+            Kind::Big { op, lower: vec![lower], upper: Some(Box::new(to.clone())), body: Box::new(body) };
+        whole = Expr::new(kind, span);
+    }
+    (!ranges.is_empty()).then_some(whole.kind)
+}
+
+fn as_list(mut expr: Expr) -> Expr {
+    if let Kind::Set(items, None) = &expr.kind {
+        expr.kind = Kind::List(items.iter().cloned().map(as_list).collect());
+    }
+    expr
+}
