@@ -203,7 +203,14 @@ impl Model {
                         && definition.is_of_members(name)
                         && !bases(index).contains(name)
                         && machine.lookup(&Symbol::new(name)).is_some_and(|end| *end != value);
-                    if last {
+                    // P_N = 1 is said of the last one.
+                    let named = own.lower.len() == 1
+                        && own.upper.is_empty()
+                        && own.arguments.is_none()
+                        && roles::is_size(name)
+                        && matches!(&definition.body, Body::Formula(body) if !bases(body).contains(name))
+                        && machine.lookup(&Symbol::new(name)).is_none_or(|end| *end != value);
+                    if last || named {
                         return None;
                     }
                     bound.push((Symbol::new(name), value));

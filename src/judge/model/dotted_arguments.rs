@@ -56,7 +56,9 @@ impl Model {
                         && next(4).is_some_and(|last| same_base(&item, last)) =>
                 {
                     let last = next(4).cloned().unwrap_or_else(|| item.clone());
-                    values.extend(self.with_one_replaced(machine, &item, middle, &last, expr)?);
+                    let others = values.len() + pieces.len() - at - 5;
+                    let own = arity.map(|arity| arity.saturating_sub(others));
+                    values.extend(self.with_one_replaced(machine, &item, middle, &last, own, expr)?);
                     at += 5;
                 }
                 (true, Some(after)) if after.same_as(&item) => {
@@ -183,13 +185,15 @@ impl Model {
         }
     }
 
-    /// t_1, …, X, …, t_d with X in the place of the t_i that it is made of.
+    /// t_1, …, X, …, t_d with X in the place of the t_i that it is made of; t_i with a hat is left out where one
+    /// argument is too many.
     fn with_one_replaced(
         &self,
         machine: &mut Machine,
         first: &Expr,
         middle: &Expr,
         last: &Expr,
+        arity: Option<usize>,
         expr: &Expr,
     ) -> Result<Vec<Value>, Diagnostic> {
         let (Some(head), Some(end)) = (Head::of(first), Head::of(last)) else {
@@ -219,8 +223,14 @@ impl Model {
         if !(from_value..=to_value).contains(&place) {
             return Err(Diagnostic::error(Code::Domain, "there is no such argument").at(expr.span));
         }
+        let whole = usize::try_from(to_value - from_value + 1).ok();
+        let left_out = matches!(&middle.kind, Kind::Accent(Accent::Hat, inner) if same_base(inner, first))
+            && arity.is_none_or(|arity| Some(arity) != whole);
         let mut values = Vec::new();
         for i in from_value..=to_value {
+            if i == place && left_out {
+                continue;
+            }
             if i == place {
                 values.push(machine.eval(middle)?);
             } else {

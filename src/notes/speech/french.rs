@@ -195,7 +195,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("polynômes symétriques homogènes complets", Noun(Sort::Symmetric(Symmetric::Complete))),
     ("fonctions symétriques complètes", Noun(Sort::Symmetric(Symmetric::Complete))),
     ("ordonnées de bézier", Noun(Sort::ControlPoints)),
-    ("ordonnées", Noun(Sort::ControlPoints)),
     ("coefficients de contrôle", Noun(Sort::ControlPoints)),
     ("sommets de contrôle", Noun(Sort::ControlPoints)),
     ("points de bezier", Noun(Sort::ControlPoints)),

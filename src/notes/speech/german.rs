@@ -248,7 +248,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("kontrollpunkten", Noun(Sort::ControlPoints)),
     ("bézierordinaten", Noun(Sort::ControlPoints)),
     ("bézier-ordinaten", Noun(Sort::ControlPoints)),
-    ("ordinaten", Noun(Sort::ControlPoints)),
     ("bézier-kontrollpunkte", Noun(Sort::ControlPoints)),
     ("bézier-koeffizienten", Noun(Sort::ControlPoints)),
     ("kontrollkoeffizienten", Noun(Sort::ControlPoints)),

@@ -117,7 +117,6 @@ pub const WORDS: &[(&str, Word)] = &[
     ("bézier coefficients", Noun(Sort::ControlPoints)),
     ("bernstein coefficients", Noun(Sort::ControlPoints)),
     ("control coefficients", Noun(Sort::ControlPoints)),
-    ("ordinates", Noun(Sort::ControlPoints)),
     ("bézier ordinates", Noun(Sort::ControlPoints)),
     ("bezier ordinates", Noun(Sort::ControlPoints)),
     ("bezier control points", Noun(Sort::ControlPoints)),
