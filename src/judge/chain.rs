@@ -9,7 +9,7 @@ use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
-use super::names::{Head, bases, contains, is_index_letter};
+use super::names::{Head, bases, contains, is_index_letter, symbol_of};
 use super::object::Sort;
 use super::refute;
 use super::statement::{Chain, Place, Role, Side, Statement};
@@ -18,7 +18,7 @@ use super::trial::Setting;
 use super::verdict::Judged;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::{Value, symbol_expr};
-use crate::math::poly::{Index, Symbol};
+use crate::math::poly::Index;
 
 impl Checker {
     pub(super) fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
@@ -157,7 +157,7 @@ impl Checker {
                     // Nothing can be wrong of a family that the page never spoke of.
                     Verdict::Refuted => {
                         let symbol =
-                            Symbol::new(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
+                            symbol_of(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
                         claimed && (given || around)
                             || tried[0].determined

@@ -7,7 +7,7 @@ use super::compare::{self, Domain, Outcome};
 use super::context::is_variable;
 use super::hypotheses::{self, Solution};
 use super::model::FREE_TERMS;
-use super::names::{Head, implied_index, own_names};
+use super::names::{Head, base_of, implied_index, own_names};
 use super::object::Sort;
 use super::tally::Tally;
 use super::trial::Trial;
@@ -110,11 +110,11 @@ impl Conditions<'_> {
             .collect();
         let family = |value: &Value| -> BTreeSet<String> {
             let members = compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain());
-            members.map(|symbol| symbol.base().to_owned()).collect()
+            members.map(|symbol| base_of(&symbol).into_owned()).collect()
         };
         let wanted = family(left);
         let Some(Solution { values: solution, sampled }) =
-            hypotheses::solve(&equations, &|symbol| wanted.contains(symbol.base()))
+            hypotheses::solve(&equations, &|symbol| wanted.contains(&*base_of(symbol)))
         else {
             return plain;
         };
@@ -124,7 +124,7 @@ impl Conditions<'_> {
             return plain;
         };
         let open = |value: &Value| {
-            compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(s.base())).count()
+            compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(&*base_of(s))).count()
         };
         let is_solved = |symbol: &Symbol| solution.iter().any(|(solved, _)| solved == symbol);
         let touched = |value: &Value| compare::symbols(value).iter().any(is_solved);
@@ -132,9 +132,9 @@ impl Conditions<'_> {
             // c_5, where the hypotheses say what c_0, …, c_3 are.
             let members = |symbol: &Symbol| {
                 !symbol.is_plain()
-                    && wanted.contains(symbol.base())
+                    && wanted.contains(&*base_of(symbol))
                     && solution.iter().any(|(solved, _)| {
-                        solved.base() == symbol.base() && solved.upper().len() == symbol.upper().len()
+                        base_of(solved) == base_of(symbol) && solved.upper().len() == symbol.upper().len()
                     })
             };
             let beyond = compare::symbols(left).iter().any(members);
@@ -195,7 +195,7 @@ fn with_upper_bound(condition: &Expr, left: &Value, right: &Value) -> Expr {
     let most = compare::symbols(left)
         .into_iter()
         .chain(compare::symbols(right))
-        .filter(|symbol| symbol.base() == head.base)
+        .filter(|symbol| base_of(symbol) == head.base)
         .filter_map(|symbol| match symbol.indices() {
             [crate::math::poly::Index::Number(i)] => Some(*i),
             _ => None,

@@ -4,7 +4,7 @@
 use super::check::Checker;
 use super::context::{Body, Condition, Definition, Source, is_variable};
 use super::model::{Curve, capital_of};
-use super::names::{Head, bases, has_members, integer_names, is_index_letter, is_range, walk};
+use super::names::{Head, base_of, bases, has_members, integer_names, is_index_letter, is_range, walk};
 use super::refute::calls;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel, Term};
@@ -40,13 +40,10 @@ pub fn definable(expr: &Expr) -> Option<Head> {
         return None;
     }
     // t^j is a power, unless the name is applied to something or has another index.
-    let star = matches!(head.upper.as_slice(), [one] if matches!(&one.kind, Kind::Name(name)
-        if matches!(name.as_str(), "ast" | "star")));
     if head.arguments.is_none()
         && head.lower.is_empty()
         && !head.upper.is_empty()
         && !head.parenthesized
-        && !star
     {
         return None;
     }
@@ -390,7 +387,7 @@ impl Checker {
             if let Body::Formula(body) = &definition.body {
                 walk(body, &mut |part| {
                     mentioned |= Head::of(part).is_some_and(|head| {
-                        head.base == symbol.base() && head.upper.len() == symbol.upper().len()
+                        head.base == base_of(symbol) && head.upper.len() == symbol.upper().len()
                     });
                 });
             }

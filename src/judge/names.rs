@@ -1,11 +1,13 @@
 //! Names as written: heads of definitions and calls, names that stand for integers.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family, Notation};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_index_letter;
+use crate::math::poly::Symbol;
 
 /// A name with its indices and arguments, as it stands on the left of a definition or in a call.
 #[derive(Clone, Debug)]
@@ -72,7 +74,11 @@ impl Head {
                 if !head.upper.is_empty() || head.arguments.is_some() {
                     return None;
                 }
-                head.upper = vec![upper.as_ref().clone()];
+                // b_i^* is no member of the family b.
+                match is_star(upper) && !head.base.contains(' ') {
+                    true => head.base = format!("{STAR} {}", head.base),
+                    false => head.upper = vec![upper.as_ref().clone()],
+                }
                 Some(head)
             }
             Kind::Upper(base, upper) => {
@@ -101,6 +107,14 @@ impl Head {
     pub fn flat(&self) -> Vec<&Expr> {
         self.arguments.iter().flatten().flatten().collect()
     }
+}
+
+/// The mark of names such as b^*.
+const STAR: &str = "star";
+
+/// Whether an upper index only makes another name of a letter.
+pub(super) fn is_star(upper: &Expr) -> bool {
+    matches!(&upper.kind, Kind::Name(name) if matches!(name.as_str(), "ast" | "star"))
 }
 
 /// (B_n f)(x): an operator with an index, and what it is applied to, make one name.
@@ -361,6 +375,22 @@ pub fn is_range(condition: &Expr) -> bool {
     !matches!(&condition.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq))
 }
 
+/// The base of the names that stand for a symbol: "hat v".
+pub(super) fn base_of(symbol: &Symbol) -> Cow<'_, str> {
+    match symbol.accent() {
+        "" => Cow::Borrowed(symbol.base()),
+        accent => Cow::Owned(format!("{accent} {}", symbol.base())),
+    }
+}
+
+/// The symbol of a base, without indices.
+pub(super) fn symbol_of(base: &str) -> Symbol {
+    match base.split_once(' ') {
+        Some((accent, base)) => Symbol::new(base).with_accent(accent),
+        None => Symbol::new(base),
+    }
+}
+
 /// The bases of all names in an expression.
 pub fn bases(expr: &Expr) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
@@ -368,7 +398,8 @@ pub fn bases(expr: &Expr) -> BTreeSet<String> {
         Kind::Name(name) => {
             found.insert(name.clone());
         }
-        Kind::Accent(..) => {
+        Kind::Pow(_, upper) if !is_star(upper) => {}
+        Kind::Accent(..) | Kind::Pow(..) => {
             if let Some(head) = Head::of(part) {
                 found.insert(head.base);
             }

@@ -35,6 +35,9 @@ enum Tried {
     Open,
 }
 
+/// So many facts that hold show that a formula is meant for the name they speak of.
+const ENOUGH: usize = 2;
+
 impl Checker {
     /// Keeps what could not be judged: it may tell of a formula that comes later.
     pub(super) fn remember(&mut self, chain: &Chain, statement: &Statement, findings: &[Finding]) {
@@ -90,7 +93,8 @@ impl Checker {
                 && place.sees(&fact.place)
                 && (fact.place.group == place.group
                     || statement.role == Some(Role::Claimed)
-                    || !head.lower.is_empty() && fact.place.scope == place.scope)
+                    || fact.place.scope == place.scope
+                        && (!head.lower.is_empty() || statement.role != Some(Role::Introduced)))
                 && fact.place.formula < place.formula
                 && matches!(&fact.expr.kind, Kind::Chain(_, links) if links.len() == 1 && links[0].rel == Rel::Eq)
                 && !is_range(&fact.expr)
@@ -145,14 +149,17 @@ impl Checker {
                         .all(|fact| !matches!(self.tried(fact, statement, before), Tried::Fails(_)))
             });
             self.context = kept;
-            let repaired = repaired?;
+            // Or else, if other facts hold with it.
+            if repaired.is_none() && holding.len() < ENOUGH {
+                return None;
+            }
             let told = write::text(&fact.expr);
-            let repaired = Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, repaired);
+            let repaired = repaired.map(|repaired| Expr::relation(left.clone(), Rel::Eq, repaired));
             return Some(Finding {
                 verdict: Verdict::Refuted,
                 reason: Some(format!("with it {told}, which line {} says, is wrong", fact.line)),
                 witness: witness::counterexample(&failure),
-                suggestion: Some(write::latex(&repaired)),
+                suggestion: repaired.as_ref().map(write::latex),
                 ..finding
             });
         }

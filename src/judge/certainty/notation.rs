@@ -92,7 +92,10 @@ impl Suspect<'_> {
         }
         // f^{-1}(y) is a value of the inverse.
         let function = |name: &str| {
-            context.letters.is_function(name)
+            // M (b_0, b_1)^T is a product, where M is a matrix.
+            let mut plain = context.visible(name, place).map(|(_, definition, _)| &definition.head);
+            let value = plain.next().is_some_and(|head| head.arguments.is_none() && head.lower.is_empty());
+            context.letters.is_function(name) && !value
                 || context.visible(name, place).any(|(_, definition, _)| definition.head.arguments.is_some())
         };
         let inverse = self.any(&mut |part| match &part.kind {

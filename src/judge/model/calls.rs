@@ -468,9 +468,6 @@ impl Model {
                 let order = usize::try_from(order).ok()?;
                 return Some(self.derivative(machine, &bare, order, values, expr));
             }
-            if matches!(&upper.kind, Kind::Name(name) if matches!(name.as_str(), "ast" | "star")) {
-                return None;
-            }
             if head.lower.is_empty() && self.context.letters.is_function(&head.base) {
                 let order = machine.eval(upper).ok()?;
                 if !matches!(upper.kind, Kind::Number(_)) {

@@ -26,7 +26,7 @@ use std::rc::Rc;
 
 use super::context::Context;
 use super::inequality::interval;
-use super::names::Head;
+use super::names::{Head, symbol_of};
 use super::roots;
 use super::statement::Place;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel};
@@ -390,10 +390,7 @@ impl Model {
     }
 
     fn symbol_of(&self, machine: &mut Machine, head: &Head) -> Option<Symbol> {
-        let mut symbol = match head.base.split_once(' ') {
-            Some((accent, base)) => Symbol::new(base).with_accent(accent),
-            None => Symbol::new(&head.base),
-        };
+        let mut symbol = symbol_of(&head.base);
         let mut lower = Vec::with_capacity(head.lower.len());
         for index in &head.lower {
             match self.index(machine, index)? {

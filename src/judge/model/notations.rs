@@ -5,7 +5,7 @@ use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::context::Body;
-use crate::judge::names::{Head, implied_index, is_index_letter, own_names, walk};
+use crate::judge::names::{is_star, Head, implied_index, is_index_letter, own_names, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;
@@ -57,7 +57,8 @@ impl Model {
         if !head.lower.is_empty() && self.context.letters.towers.contains(&head.base) && !head.parenthesized {
             return Some(self.symbol(machine, &head, expr).map(Value::symbol));
         }
-        if matches!(&exponent.kind, Kind::Name(star) if star == "ast" || star == "star" || star == "prime") {
+        let prime = matches!(&exponent.kind, Kind::Name(name) if name == "prime");
+        if prime || is_star(exponent) {
             return Some(self.symbol(machine, &head, expr).map(Value::symbol));
         }
         None
