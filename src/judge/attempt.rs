@@ -99,7 +99,8 @@ impl Checker {
             if solid(&attempt) * 2 < solid(&best) {
                 continue;
             }
-            if bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
+            let decides = good(&attempt) + bad(&attempt) > 0;
+            if decides && bad(&attempt) < bad(&best) && good(&attempt) >= good(&best)
                 || bad(&attempt) == 0 && good(&attempt) > 0
             {
                 best = attempt;

@@ -369,8 +369,10 @@ pub fn decide(
     if !sl.is_empty() && sl == sr && matches!(chain.relations[at].0, Rel::Eq) && apart() {
         return refuted(failure);
     }
-    // Numbers are not to be solved for.
-    if sl.is_empty() && sr.is_empty() && tally.record.unknown.is_empty() {
+    // Numbers are not to be solved for; f(1, 3, 3) is one where F(t) = 2t^3 + 1.
+    let numbers = is_constant(&failure.left) && is_constant(&failure.right);
+    let paired = tally.record.unknown.is_subset(&tally.record.paired);
+    if sl.is_empty() && sr.is_empty() && (tally.record.unknown.is_empty() || numbers && paired) {
         return refuted(failure);
     }
     // (τ - t_2)/(t_4 - t_2) = 3/4: which numbers t_2 and t_4 are is not said.
