@@ -11,6 +11,7 @@ use super::names::{Head, bases, is_range};
 use super::object::{Declared, Object};
 use super::reach::whole_sums;
 use super::reliance::Use;
+use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
 use crate::budget::{self, Limits};
@@ -35,6 +36,8 @@ pub struct Checker {
     pub(super) uses: Vec<Use>,
     /// What new names were found to mean.
     pub(super) taken: Vec<Taken>,
+    /// Schemes of which points agreed.
+    pub(super) schemes: Vec<Scheme>,
     /// The letters that occurred so far.
     pub(super) seen: BTreeSet<String>,
     /// What was found so far, one finding for each relation.
@@ -55,6 +58,7 @@ impl Checker {
             open: Vec::new(),
             uses: Vec::new(),
             taken: Vec::new(),
+            schemes: Vec::new(),
             seen: BTreeSet::new(),
             findings: Vec::new(),
             problems: Vec::new(),
@@ -140,6 +144,7 @@ impl Checker {
                         self.by_what_was_said(chain, statement, &mut findings, before);
                         self.by_the_field(chain, statement, &mut findings, before);
                         self.by_description(chain, statement, &mut findings, before);
+                        self.by_scheme(chain, statement, &mut findings);
                         self.remember(chain, statement, &findings);
                         self.findings.extend(findings);
                     }

@@ -22,6 +22,7 @@ mod conditions;
 mod context;
 mod declare;
 mod described;
+mod scheme;
 pub(crate) mod doubtful;
 pub mod evaluator;
 mod family;

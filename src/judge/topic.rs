@@ -28,6 +28,8 @@ pub enum Topic {
     Rational,
     /// Interpolation by the schemes of Neville and Aitken.
     Neville,
+    /// De Casteljau's algorithm.
+    Casteljau,
 }
 
 /// The topics of a section, and the degrees that it names by words: "cubic".

@@ -289,6 +289,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("casteljau", Topic::Casteljau),
+    ("德卡斯特里奥", Topic::Casteljau),
+    ("德卡斯特罗", Topic::Casteljau),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("内维尔", Topic::Neville),

@@ -420,6 +420,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("casteljau", Topic::Casteljau),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("link", Topic::First),
