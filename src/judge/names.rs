@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family, Notation};
 use crate::language::lexicon::roles;
+use crate::language::write;
 pub(crate) use crate::language::lexicon::roles::is_index_letter;
 use crate::math::poly::Symbol;
 
@@ -123,8 +124,8 @@ fn operator(product: &Expr) -> Option<Head> {
     let [operator, function] = factors.as_slice() else { return None };
     let plain = |head: &Head| head.arguments.is_none() && head.upper.is_empty();
     let mut head = Head::of(operator).filter(|head| plain(head) && head.lower.len() == 1)?;
-    let of = Head::of(function).filter(|head| plain(head) && head.lower.is_empty())?;
-    head.base = format!("{}[{}]", head.base, of.base);
+    Head::of(function).filter(plain)?;
+    head.base = format!("{}[{}]", head.base, write::text(function));
     Some(head)
 }
 

@@ -8,7 +8,8 @@ use super::features::has_splines;
 use super::names::{Head, has_members, is_index_letter, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{BigOp, Expr, Kind, Rel};
+use crate::language::lexicon::families::Family;
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::Symbol;
@@ -111,6 +112,15 @@ impl Trial<'_> {
         let mentions_knots = |condition: &&Expr| has_members(condition, &self.facts.knot_letters);
         let conditions: Vec<&Expr> =
             self.conditions.iter().chain(self.hypotheses().iter().filter(mentions_knots)).collect();
+        // Σ_{i=a}^b c_i N_{i,p} is meant where no other N_{i,p} lives, if nothing else is said.
+        if !self.conditions.iter().any(|condition| mentions_knots(&condition)) {
+            for [from, to, degree] in self.sums_of_splines(bound) {
+                let (start, end) = (model.knot(from + degree), model.knot(to + 1));
+                if breaks.is_empty() && start < end {
+                    places.retain(|place| start <= *place && *place < end);
+                }
+            }
+        }
         places.retain(|place| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
             let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
@@ -123,6 +133,37 @@ impl Trial<'_> {
             })
         });
         places
+    }
+
+    /// The bounds and the degree of each sum of B-splines in the sides, for some values of the integers.
+    fn sums_of_splines(&self, bound: &[(String, i64)]) -> Vec<[i64; 3]> {
+        let names: Vec<(Symbol, Value)> =
+            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let number = |expr: &Expr| {
+            let value = evaluator::machine().with_locals(names.clone(), |machine| machine.eval_int(expr));
+            value.ok()
+        };
+        let order = i64::from(self.context.spline_has_degree(self.place) == Some(false));
+        let mut found = Vec::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                let Kind::Big { op: BigOp::Sum, lower, upper: Some(upper), body } = &part.kind else { return };
+                let [Expr { kind: Kind::Chain(own, links), .. }] = lower.as_slice() else { return };
+                let (Kind::Name(index), [link]) = (&own.kind, links.as_slice()) else { return };
+                walk(body, &mut |inner| {
+                    let Some(head) = Head::of(inner).filter(|head| head.is_a(Family::Spline)) else { return };
+                    let runs = |expr: &&Expr| matches!(&expr.kind, Kind::Name(name) if name == index);
+                    let mut indices = head.lower.iter().chain(&head.upper);
+                    if let (Some(_), Some(degree)) = (indices.next().filter(runs), indices.next())
+                        && let (Some(from), Some(to), Some(degree)) =
+                            (number(&link.expr), number(upper), number(degree))
+                    {
+                        found.push([from, to, degree - order]);
+                    }
+                });
+            });
+        }
+        found
     }
 
     /// Whether a function in it is defined by B-splines.

@@ -40,6 +40,8 @@ pub enum Decision {
     Open(String),
     /// It may be a condition, unless something shows that it is a slip.
     Condition(String),
+    /// It contradicts what another section defines: wrong, if others of this section show that the same is meant.
+    Far(Box<Failure>, String),
     /// Suspicious: an index that belongs to nothing.
     Loose(String),
 }
@@ -532,11 +534,11 @@ pub fn decide(
         });
         if !linked {
             let line = checker.context.definitions[far[0]].line;
-            return missing_or_redefinition(
-                head,
-                first,
-                &format!("it contradicts line {line}, which stands in another section"),
-            );
+            let reason = format!("it contradicts line {line}, which stands in another section");
+            return match missing_or_redefinition(head, first, &reason) {
+                Decision::Condition(reason) => Decision::Far(Box::new(failure), reason),
+                other => other,
+            };
         }
     }
     refuted(failure)

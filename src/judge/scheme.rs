@@ -32,6 +32,8 @@ impl Checker {
         let (left, right) = (&chain.sides[0], &chain.sides[1]);
         if !matches!(findings[0].verdict, Verdict::Definition | Verdict::Undecided)
             || !statement.topics.has(Topic::Casteljau)
+            || statement.topics.has(Topic::Rational)
+            || self.context.visible("w", place).next().is_some()
             || chain.relations[0].0 != Rel::Eq
             || left.is_unread()
             || right.is_unread()

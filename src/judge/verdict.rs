@@ -181,6 +181,15 @@ impl Checker {
                     None => refute::Decision::Refuted { failure, reasons },
                 }
             }
+            refute::Decision::Far(failure, reason) => {
+                let suspect = Suspect { checker: self, tally, chain, at, statement, failure: &failure };
+                if suspect.doubt().is_none() && suspect.can_be_confirmed() {
+                    let mut found = wrong(&finding, &failure, witness::reasons(&failure, tally));
+                    found.evidence.push(Evidence::Names);
+                    unfounded = Some(found);
+                }
+                refute::Decision::Open(reason)
+            }
             refute::Decision::Condition(_) | refute::Decision::Redefinition(_) => {
                 let failure = witness::best_failure(tally, outcomes, chain);
                 let slip = failure.filter(|failure| {
@@ -211,7 +220,9 @@ impl Checker {
             }
             refute::Decision::Redefinition(warning) => return Judged::Redefinition(warning),
             refute::Decision::Recursion(head) => return Judged::Recursion(head),
-            refute::Decision::Open(reason) | refute::Decision::Condition(reason) => {
+            refute::Decision::Open(reason)
+            | refute::Decision::Condition(reason)
+            | refute::Decision::Far(_, reason) => {
                 finding.suggestion = None;
                 finding.reason = Some(reason);
                 if let Some(wrong) = unfounded {

@@ -45,6 +45,12 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
     while let Some(c) = rest.chars().next() {
         if c == ' ' {
             rest = rest.piece(1..);
+        } else if matches!(found.last(), Some(Token::Word(Word::Noun(_))))
+            && c == '('
+            && let Some(end) = rest.find(')')
+        {
+            // control points (de Boor points) d_0, …, d_n
+            rest = rest.piece(end + 1..);
         } else if let Some((length, word)) = speech::word(rest) {
             let size = matches!(found.last(), Some(Token::Word(Word::Degree | Word::Order)));
             found.push(match word {
