@@ -116,7 +116,7 @@ impl Trial<'_> {
         if !self.conditions.iter().any(|condition| mentions_knots(&condition)) {
             for [from, to, degree] in self.sums_of_splines(bound) {
                 let (start, end) = (model.knot(from + degree), model.knot(to + 1));
-                if breaks.is_empty() && start < end {
+                if breaks.is_empty() {
                     places.retain(|place| start <= *place && *place < end);
                 }
             }

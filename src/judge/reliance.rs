@@ -23,6 +23,9 @@ enum Ground {
     Name(String),
 }
 
+/// Names with which so many times more relations hold than fail are understood.
+const MANY: usize = 4;
+
 /// A relation that was judged.
 pub(super) struct Use {
     finding: usize,
@@ -101,8 +104,9 @@ impl Checker {
         };
         let confirmed = |ground: &Ground| {
             record.get(ground).is_some_and(|outcomes| {
-                count(outcomes, Outcome::Holds) > 0
-                    && count(outcomes, Outcome::Unfounded) + count(outcomes, Outcome::Refuted) == 1
+                let failing = count(outcomes, Outcome::Unfounded) + count(outcomes, Outcome::Refuted);
+                let holding = count(outcomes, Outcome::Holds);
+                failing == 1 && holding > 0 || holding >= MANY * failing
             })
         };
         let named = |one: &Use| one.grounds.iter().any(|ground| matches!(ground, Ground::Name(_)));

@@ -167,7 +167,9 @@ impl Checker {
                     finding.evidence = suspect.evidence(repair.as_ref());
                     finding.evidence.is_empty().then(|| {
                         let mut found = wrong(&finding, &failure, reasons.clone());
-                        found.evidence.extend(suspect.can_be_confirmed().then_some(Evidence::Names));
+                        let near = repair.as_ref().is_some_and(|repair| repair.near);
+                        let confirmed = suspect.can_be_confirmed() || near && suspect.is_claim_beside_truth();
+                        found.evidence.extend(confirmed.then_some(Evidence::Names));
                         unfounded = Some(found);
                         UNFOUNDED.to_owned()
                     })

@@ -63,6 +63,11 @@ impl Suspect<'_> {
         self.is_equation() && (calculated || value) && !self.may_be_a_condition()
     }
 
+    /// Whether the rest of the page can show that it is a slip, where next to it there is a truth.
+    pub(in crate::judge) fn is_claim_beside_truth(&self) -> bool {
+        self.is_equation() && self.says_much() && !self.names_something() && !self.may_be_a_condition()
+    }
+
     /// Whether it is a slip whatever it speaks of: it says much, and next to it there is a truth.
     pub(in crate::judge) fn is_slip(&self, repair: impl FnOnce() -> Option<Repair>) -> bool {
         self.says_much()
