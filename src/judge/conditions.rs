@@ -124,7 +124,10 @@ impl Conditions<'_> {
             return plain;
         };
         let open = |value: &Value| {
-            compare::symbols(value).into_iter().filter(|s| !s.is_plain() && wanted.contains(&*base_of(s))).count()
+            compare::symbols(value)
+                .into_iter()
+                .filter(|s| !s.is_plain() && wanted.contains(&*base_of(s)))
+                .count()
         };
         let is_solved = |symbol: &Symbol| solution.iter().any(|(solved, _)| solved == symbol);
         let touched = |value: &Value| compare::symbols(value).iter().any(is_solved);

@@ -40,11 +40,7 @@ pub fn definable(expr: &Expr) -> Option<Head> {
         return None;
     }
     // t^j is a power, unless the name is applied to something or has another index.
-    if head.arguments.is_none()
-        && head.lower.is_empty()
-        && !head.upper.is_empty()
-        && !head.parenthesized
-    {
+    if head.arguments.is_none() && head.lower.is_empty() && !head.upper.is_empty() && !head.parenthesized {
         return None;
     }
     if matches!(head.base.as_str(), "Delta" | "nabla" | "D")

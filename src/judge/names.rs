@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
 use crate::language::lexicon::families::{self, Family, Notation};
 use crate::language::lexicon::roles;
-use crate::language::write;
 pub(crate) use crate::language::lexicon::roles::is_index_letter;
+use crate::language::write;
 use crate::math::poly::Symbol;
 
 /// A name with its indices and arguments, as it stands on the left of a definition or in a call.

@@ -147,7 +147,9 @@ impl Trial<'_> {
         let mut found = Vec::new();
         for side in &self.sides {
             walk(side, &mut |part| {
-                let Kind::Big { op: BigOp::Sum, lower, upper: Some(upper), body } = &part.kind else { return };
+                let Kind::Big { op: BigOp::Sum, lower, upper: Some(upper), body } = &part.kind else {
+                    return;
+                };
                 let [Expr { kind: Kind::Chain(own, links), .. }] = lower.as_slice() else { return };
                 let (Kind::Name(index), [link]) = (&own.kind, links.as_slice()) else { return };
                 walk(body, &mut |inner| {

@@ -8,10 +8,10 @@ use std::collections::BTreeSet;
 use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition, is_variable};
-use super::features::{bare_values, has_column, has_structure, loose_index, without_argument};
+use super::doubts;
+use super::features::{bare_values, has_structure, loose_index};
 use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
-use super::object::Sort;
 use super::roots;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
@@ -82,75 +82,10 @@ pub fn decide(
         let reasons = reasons(&failure, tally);
         Decision::Refuted { failure: Box::new(failure), reasons }
     };
-    if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
-        return Decision::Open(format!("{name} has no argument here"));
+    if let Some(reason) = doubts::of_meaning(checker, tally, chain, at, statement) {
+        return Decision::Open(reason);
     }
-    let used = tally.record.definitions.iter().map(|(number, _)| &checker.context.definitions[*number].body);
-    let columns = used.into_iter().any(|body| matches!(body, Body::Formula(body) if has_column(body)));
-    if columns || has_column(left) || has_column(right) {
-        return Decision::Open("what looks like a binomial coefficient may be a column".to_owned());
-    }
-    // "at the same point B_{300}^3 = 1/27"
-    let bare = |side: &Expr| {
-        Head::of(side).is_some_and(|head| {
-            let head = checker.context.with_pairs_apart(head);
-            head.arguments.is_none() && head.is_bernstein()
-        })
-    };
     let number = |side: &Expr| bases(side).is_empty();
-    if bare(left) && number(right) || number(left) && bare(right) {
-        return Decision::Open("it has no argument here".to_owned());
-    }
-    if tally.record.unbounded {
-        return Decision::Open("it fails for some bounds, but the bounds of a sum are not given".to_owned());
-    }
-    if chain.relations[at].0 == Rel::Define {
-        return Decision::Open("it defines its left side".to_owned());
-    }
-    if chain.blocked || !chain.conditions.iter().all(is_understood) {
-        return Decision::Open(
-            "it fails for some values, but a condition beside it is not understood".to_owned(),
-        );
-    }
-    let invented = tally.fails.iter().all(|failure| failure.around.is_some())
-        && !tally.fails.is_empty()
-        && checker.invents_knots(left, right, &statement.place);
-    if invented {
-        return Decision::Open("nothing says what the knots are".to_owned());
-    }
-    // Numbers of an example belong to its knots.
-    let numbers = tally.record.definitions.iter().any(|(number, _)| {
-        let definition = &checker.context.definitions[*number];
-        !definition.head.lower.is_empty()
-            && match &definition.body {
-                Body::Formula(body) => bases(body).is_empty(),
-                Body::Value(value) => compare::symbols(value).is_empty(),
-            }
-    });
-    let letters = checker.context.knot_letters(&statement.place, &[left, right]);
-    let given = !checker.context.given_knots(&letters, &statement.place).is_empty();
-    if numbers
-        && !given
-        && !tally.fails.is_empty()
-        && tally.fails.iter().all(|failure| failure.around.is_some())
-    {
-        return Decision::Open("the knots that these numbers belong to are not known".to_owned());
-    }
-    // What the page says of a name in words that are not understood may be what the claim rests on.
-    let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
-        // A formula for it says all.
-        let defined = checker.context.visible(&base, &statement.place).any(|(_, definition, near)| {
-            near && definition.head.arguments.is_some()
-                && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
-        });
-        match &checker.context.object_called(&base, &statement.place)?.object.sort {
-            Sort::Other(words) if !defined => Some((base, words.clone())),
-            _ => None,
-        }
-    });
-    if let Some((base, words)) = unknown_sort {
-        return Decision::Open(format!("it fails for some values, but {base} is said to be: {words}"));
-    }
     if let Some(index) = loose_index(left, right, &chain.conditions) {
         let reason = format!("the index {index} occurs on one side only, and nothing says what it is");
         return Decision::Loose(reason);
@@ -542,25 +477,6 @@ pub fn decide(
         }
     }
     refuted(failure)
-}
-
-/// Whether what a condition restricts is seen from its form.
-fn is_understood(condition: &Expr) -> bool {
-    if let Some(items) = condition.alternatives() {
-        return items.iter().all(is_understood);
-    }
-    let Kind::Chain(_, links) = &condition.kind else { return false };
-    links.iter().all(|link| match link.rel {
-        Rel::In => match &link.expr.kind {
-            Kind::List(_) | Kind::Tuple(_) | Kind::Apply(..) | Kind::Set(_, None) | Kind::Range(..) => true,
-            // i ∈ ℤ, x ∈ ℝ, p ∈ ℝ^3
-            Kind::Accent(..) => true,
-            Kind::Pow(base, _) | Kind::Subscript(base, _) => matches!(base.kind, Kind::Accent(..)),
-            _ => false,
-        },
-        Rel::Eq | Rel::Ne | Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge => true,
-        _ => false,
-    })
 }
 
 pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {

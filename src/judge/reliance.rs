@@ -109,8 +109,13 @@ impl Checker {
                 failing == 1 && holding > 0 || holding >= MANY * failing
             })
         };
-        let named = |one: &Use| one.grounds.iter().any(|ground| matches!(ground, Ground::Name(_)));
-        for one in self.uses.iter().filter(|one| named(one) && one.grounds.iter().all(confirmed)) {
+        // Without a name of its own it needs a truth next to it.
+        let named = |one: &Use| {
+            let near = one.wrong.as_ref().is_some_and(|wrong| wrong.suggestion.is_some());
+            near || one.grounds.iter().any(|ground| matches!(ground, Ground::Name(_)))
+        };
+        let founded = |one: &Use| named(one) && !one.grounds.is_empty() && one.grounds.iter().all(confirmed);
+        for one in self.uses.iter().filter(|one| founded(one)) {
             let wrong = one.wrong.as_ref().filter(|wrong| wrong.evidence.contains(&Evidence::Names));
             if let (Some(wrong), Some(finding)) = (wrong, self.findings.get_mut(one.finding)) {
                 *finding = wrong.clone();

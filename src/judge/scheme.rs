@@ -114,7 +114,8 @@ impl Checker {
         let number = |expr: &Expr| match &expr.kind {
             Kind::Chain(left, links) => {
                 let named = matches!(&left.kind, Kind::Name(name) if is_variable(name) || name == "lambda");
-                let value = links.last().filter(|link| link.rel == Rel::Eq && bases(&link.expr).is_empty())?;
+                let value =
+                    links.last().filter(|link| link.rel == Rel::Eq && bases(&link.expr).is_empty())?;
                 named.then(|| evaluator::machine().eval(&value.expr).ok()?.as_rational()).flatten()
             }
             _ => None,
@@ -122,7 +123,8 @@ impl Checker {
         let said = self.context.conditions.iter().rev();
         let said = said.filter(|condition| place.sees(&condition.place)).map(|c| (c.place.formula, &c.expr));
         let heard = self.context.heard.iter().rev();
-        let heard = heard.filter(|(other, _)| place.sees(other)).map(|(other, expr)| (other.formula, &**expr));
+        let heard =
+            heard.filter(|(other, _)| place.sees(other)).map(|(other, expr)| (other.formula, &**expr));
         let defined = self.context.definitions.iter().rev().filter(|definition| {
             let head = &definition.head;
             let name = is_variable(&head.base) || head.base == "lambda";

@@ -5,7 +5,7 @@ use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
 use crate::judge::context::Body;
-use crate::judge::names::{is_star, Head, implied_index, is_index_letter, own_names, walk};
+use crate::judge::names::{Head, implied_index, is_index_letter, is_star, own_names, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;

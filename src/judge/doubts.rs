@@ -1,0 +1,135 @@
+//! Doubts about what is meant: why a relation that fails is not wrong for sure.
+
+use std::collections::BTreeSet;
+
+use super::check::Checker;
+use super::compare;
+use super::context::{Body, Definition};
+use super::features::{has_column, without_argument};
+use super::names::{Head, bases, is_range, walk};
+use super::object::Sort;
+use super::statement::{Chain, Statement};
+use super::tally::Tally;
+use crate::formula::{Expr, Kind, Rel};
+
+/// Why it is not sure what a relation means, if it is not.
+pub(super) fn of_meaning(
+    checker: &Checker,
+    tally: &Tally,
+    chain: &Chain,
+    at: usize,
+    statement: &Statement,
+) -> Option<String> {
+    let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
+    if let Some(name) = without_argument(left).or_else(|| without_argument(right)) {
+        return Some(format!("{name} has no argument here"));
+    }
+    let used = tally.record.definitions.iter().map(|(number, _)| &checker.context.definitions[*number].body);
+    let columns = used.into_iter().any(|body| matches!(body, Body::Formula(body) if has_column(body)));
+    if columns || has_column(left) || has_column(right) {
+        return Some("what looks like a binomial coefficient may be a column".to_owned());
+    }
+    // "at the same point B_{300}^3 = 1/27"
+    let bare = |side: &Expr| {
+        Head::of(side).is_some_and(|head| {
+            let head = checker.context.with_pairs_apart(head);
+            head.arguments.is_none() && head.is_bernstein()
+        })
+    };
+    let number = |side: &Expr| bases(side).is_empty();
+    if bare(left) && number(right) || number(left) && bare(right) {
+        return Some("it has no argument here".to_owned());
+    }
+    if [left, right].iter().any(|side| checker.leaves_a_part(side, tally)) {
+        return Some("a formula in it holds for a part of the range only".to_owned());
+    }
+    if tally.record.unbounded {
+        return Some("it fails for some bounds, but the bounds of a sum are not given".to_owned());
+    }
+    if chain.relations[at].0 == Rel::Define {
+        return Some("it defines its left side".to_owned());
+    }
+    if chain.blocked || !chain.conditions.iter().all(is_understood) {
+        return Some("it fails for some values, but a condition beside it is not understood".to_owned());
+    }
+    let invented = tally.fails.iter().all(|failure| failure.around.is_some())
+        && !tally.fails.is_empty()
+        && checker.invents_knots(left, right, &statement.place);
+    if invented {
+        return Some("nothing says what the knots are".to_owned());
+    }
+    // Numbers of an example belong to its knots.
+    let numbers = tally.record.definitions.iter().any(|(number, _)| {
+        let definition = &checker.context.definitions[*number];
+        !definition.head.lower.is_empty()
+            && match &definition.body {
+                Body::Formula(body) => bases(body).is_empty(),
+                Body::Value(value) => compare::symbols(value).is_empty(),
+            }
+    });
+    let letters = checker.context.knot_letters(&statement.place, &[left, right]);
+    let given = !checker.context.given_knots(&letters, &statement.place).is_empty();
+    if numbers
+        && !given
+        && !tally.fails.is_empty()
+        && tally.fails.iter().all(|failure| failure.around.is_some())
+    {
+        return Some("the knots that these numbers belong to are not known".to_owned());
+    }
+    // What the page says of a name in words that are not understood may be what the claim rests on.
+    let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
+        // A formula for it says all.
+        let defined = checker.context.visible(&base, &statement.place).any(|(_, definition, near)| {
+            near && definition.head.arguments.is_some()
+                && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
+        });
+        match &checker.context.object_called(&base, &statement.place)?.object.sort {
+            Sort::Other(words) if !defined => Some((base, words.clone())),
+            _ => None,
+        }
+    });
+    if let Some((base, words)) = unknown_sort {
+        return Some(format!("it fails for some values, but {base} is said to be: {words}"));
+    }
+    None
+}
+
+impl Checker {
+    /// Whether an integral goes beyond what the page says of its function: ∫_0^3 s(x) dx, where s is given on [0, 1].
+    fn leaves_a_part(&self, side: &Expr, tally: &Tally) -> bool {
+        let range = |definition: &Definition| {
+            let own: BTreeSet<String> = definition.head.flat().into_iter().flat_map(bases).collect();
+            let restricts = |condition: &&Expr| is_range(condition) && !bases(condition).is_disjoint(&own);
+            definition.conditions.iter().find(restricts).cloned()
+        };
+        let used = tally.record.definitions.iter().map(|(number, _)| &self.context.definitions[*number]);
+        let ranges: Vec<Expr> = used.filter_map(range).collect();
+        let mut found = false;
+        walk(side, &mut |part| {
+            let Kind::Integral { lower, upper, .. } = &part.kind else { return };
+            let ends = || lower.iter().chain(upper);
+            let named = |range: &Expr| ends().all(|end| range.has(&|inner| inner.same_as(end)));
+            found |= ranges.iter().any(|range| !named(range));
+        });
+        found
+    }
+}
+
+/// Whether what a condition restricts is seen from its form.
+fn is_understood(condition: &Expr) -> bool {
+    if let Some(items) = condition.alternatives() {
+        return items.iter().all(is_understood);
+    }
+    let Kind::Chain(_, links) = &condition.kind else { return false };
+    links.iter().all(|link| match link.rel {
+        Rel::In => match &link.expr.kind {
+            Kind::List(_) | Kind::Tuple(_) | Kind::Apply(..) | Kind::Set(_, None) | Kind::Range(..) => true,
+            // i ∈ ℤ, x ∈ ℝ, p ∈ ℝ^3
+            Kind::Accent(..) => true,
+            Kind::Pow(base, _) | Kind::Subscript(base, _) => matches!(base.kind, Kind::Accent(..)),
+            _ => false,
+        },
+        Rel::Eq | Rel::Ne | Rel::Lt | Rel::Le | Rel::Gt | Rel::Ge => true,
+        _ => false,
+    })
+}
