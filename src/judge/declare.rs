@@ -65,8 +65,12 @@ impl Checker {
             });
         }
         for (base, operator, function) in wanted {
-            let like =
-                |known: &str| known.strip_prefix(operator.as_str()).is_some_and(|rest| rest.starts_with('['));
+            let like = |known: &str| {
+                known.strip_prefix(operator.as_str()).is_some_and(|rest| {
+                    // Not one that was made of it.
+                    rest.starts_with('[') && rest.chars().all(|c| c.is_alphabetic() || matches!(c, '[' | ']'))
+                })
+            };
             let definitions = &self.context.definitions;
             let known = definitions.iter().rev().find(|definition| {
                 like(&definition.head.base) && place.in_reach(&definition.place, definition.assumed)

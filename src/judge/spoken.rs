@@ -15,7 +15,7 @@ use super::context::{Body, Condition, Mark};
 use super::finding::{Finding, Verdict};
 use super::hypotheses::is_coefficient;
 use super::known::definable;
-use super::names::{Head, contains, is_range};
+use super::names::{Head, bases, contains, is_range};
 use super::refute::calls;
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
@@ -149,8 +149,11 @@ impl Checker {
                         .all(|fact| !matches!(self.tried(fact, statement, before), Tried::Fails(_)))
             });
             self.context = kept;
-            // Or else, if other facts hold with it.
-            if repaired.is_none() && holding.len() < ENOUGH {
+            // Or else, if other facts of the same name hold with it.
+            let own =
+                |fact: &Condition| definable(left).is_some_and(|head| bases(&fact.expr).contains(&head.base));
+            let told = holding.iter().filter(|fact| own(fact)).count();
+            if repaired.is_none() && (told < ENOUGH || !own(fact)) {
                 return None;
             }
             let told = write::text(&fact.expr);

@@ -186,6 +186,12 @@ fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
     Some([list(nodes), list(values)])
 }
 
+/// The Bézier curve with some points.
+fn bezier(points: Expr) -> Expr {
+    let span = points.span;
+    Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }
+}
+
 fn is_list(kind: Takes) -> bool {
     matches!(
         kind,
@@ -211,7 +217,9 @@ impl Draft {
         if items.is_empty() {
             // bezier with control points 0, 1, 3; interpolate for (0,1), (1,2)
             let subject = |read: &Read| match read.label {
-                Label::Points => matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar),
+                Label::Points | Label::Values => {
+                    matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar)
+                }
                 Label::Nodes => first.name == "nodes",
                 Label::With => {
                     !matches!(first.kind, Takes::Size)
@@ -248,7 +256,20 @@ impl Draft {
                 !given
             });
         }
+        // The control points of a polynomial.
+        let polynomial = !is_points(&items)
+            && items.len() == 1
+            && !matches!(items[0].kind, Kind::Name(_) | Kind::Apply(..));
+        if self.builtin.name == "control_points"
+            && polynomial
+            && let Some(points) = builtin("bezier_points")
+        {
+            self.builtin = points;
+            return self.is_about(items, said);
+        }
+        let of_points = first.kind == Takes::Function && items.len() > 1 && is_points(&items);
         match first.kind {
+            _ if of_points => self.placed = vec![bezier(list(items))],
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => {
                 let gathered = match items.as_slice() {
                     [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] if !points.is_empty() => {
@@ -260,10 +281,7 @@ impl Draft {
                     }
                     _ => items,
                 };
-                let points = list(gathered);
-                let span = points.span;
-                self.placed =
-                    vec![Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }];
+                self.placed = vec![bezier(list(gathered))];
             }
             // (0, 1), (1, 3) for nodes and values
             Takes::Scalars if is_points(&items) => match nodes_and_values(&items) {

@@ -458,6 +458,10 @@ impl Model {
             if families::is_family(&head.base) {
                 return None;
             }
+            // f^+ is another function.
+            if matches!(&upper.kind, Kind::Name(sign) if matches!(sign.as_str(), "plus" | "minus")) {
+                return Some(Err(unclear("what the sign above this name says", expr)));
+            }
             if head.parenthesized {
                 if matches!(&upper.kind, Kind::Add(terms) if terms.len() == 1 && terms[0].sign == Sign::Plus)
                 {

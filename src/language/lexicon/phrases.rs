@@ -11,6 +11,8 @@ pub(crate) enum Phrase {
     Command(&'static str),
     /// A degree: cubic.
     Degree(i64),
+    /// How often: second.
+    Ordinal(i64),
     /// What follows belongs to a parameter: knots.
     Label(Label),
     /// A function of what stands before and after it: choose.
@@ -70,7 +72,7 @@ impl Label {
 }
 
 use self::Label::*;
-use self::Phrase::{And, Between, Command, Degree, Filler, Function, Of};
+use self::Phrase::{And, Between, Command, Degree, Filler, Function, Of, Ordinal};
 
 /// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank.
 const PHRASES: &[(Phrase, &str)] = &[
@@ -181,7 +183,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("newton"),
         "newton polynomial | newton form | newton interpolation | newton interpolation polynomial | \
-         newtonform",
+         newtonform | 牛顿插值",
     ),
     (
         Function("divided_differences"),
@@ -205,6 +207,8 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Degree(2), "quadratic | quadratische | quadratischen | quadratique | 二次"),
     (Degree(3), "cubic | kubische | kubischen | cubique | 三次"),
     (Degree(4), "quartic | 四次"),
+    (Ordinal(2), "second | zweite | zweiten | deuxième | seconde | 二阶"),
+    (Ordinal(3), "third | dritte | dritten | troisième | 三阶"),
     (Degree(5), "quintic | 五次"),
     (Of, "of | von | vom | des | der | de | du | d' | de la | de l' | 的"),
     (And, "and | und | et | 和"),
@@ -217,13 +221,15 @@ const PHRASES: &[(Phrase, &str)] = &[
     (
         Phrase::Label(Over),
         "over | on | on the interval | over the interval | über | auf | im intervall | sur | \
-         sur l'intervalle | in the interval",
+         sur l'intervalle | in the interval | interval | intervall | \
+         intervalle | 区间",
     ),
     (Phrase::Label(From), "from | 从"),
     (
         Phrase::Label(To),
         "to | bis | auf | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
-         as | as a | als | comme",
+         as | as a | regarded as | regarded as a | seen as | seen as a | considered as a | als | comme | \
+         写成 | 表示为",
     ),
     (
         Phrase::Label(In),
@@ -251,7 +257,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
+        "évalue | évaluer | 值 | 用 | 算法 | the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
          value of | point | point on | exactly | exact | polynomial | function | curve | \

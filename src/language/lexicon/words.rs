@@ -196,7 +196,7 @@ const ASIDES: &[(Aside, &[&str])] = &[
     (Aside::ForAll, &["\\forall", "∀"]),
     (Aside::Joint, &["and", "und", "et", "且", "和", "及", "时"]),
     (Aside::Let, &["let", "sei", "seien", "soit", "soient", "设", "令"]),
-    (Aside::Question, &["is", "ist", "gilt", "?", "？"]),
+    (Aside::Question, &["is", "ist", "gilt", "stimmt", "?", "？"]),
 ];
 
 /// What a word says that stands beside a formula.

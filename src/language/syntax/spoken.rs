@@ -179,8 +179,13 @@ impl Reader<'_> {
     /// A formula, or a function of something.
     fn subject(&mut self) -> Option<Request> {
         let mut labels = Vec::new();
-        while let Some(Phrase::Degree(degree)) = self.phrase() {
-            labels.push(Said { label: Label::OfDegree, what: What::Degree(degree) });
+        loop {
+            let (label, number) = match self.phrase() {
+                Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
+                Some(Phrase::Ordinal(number)) => (Label::Times, number),
+                _ => break,
+            };
+            labels.push(Said { label, what: What::Degree(number) });
             self.at += 1;
         }
         match self.next()? {
