@@ -1,5 +1,8 @@
 //! What is asked for in words: `polar form of t^3`, `racines de t^2 - 1`, `t^2 的极形式`.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use super::letters::is_ideograph;
 
 /// What a phrase of a request says.
@@ -271,9 +274,20 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
 ];
 
-fn all() -> impl Iterator<Item = (Phrase, &'static str)> {
-    PHRASES.iter().flat_map(|(phrase, names)| names.split(" | ").map(move |name| (*phrase, name)))
-}
+/// The phrases that begin with a word, or with an ideograph.
+static BY_START: LazyLock<HashMap<&str, Vec<(Phrase, &str)>>> = LazyLock::new(|| {
+    let mut found: HashMap<&str, Vec<(Phrase, &str)>> = HashMap::new();
+    for (phrase, names) in PHRASES {
+        for name in names.split(" | ") {
+            let start = match name.char_indices().nth(1) {
+                Some((second, _)) if name.starts_with(is_ideograph) => name.get(..second),
+                _ => name.split(' ').next(),
+            };
+            found.entry(start.unwrap_or(name)).or_default().push((*phrase, name));
+        }
+    }
+    found
+});
 
 /// The phrase at the start of a text, and its length in bytes. Other names of functions are looked up by
 /// `function`, with blanks as they stand.
@@ -281,12 +295,16 @@ fn all() -> impl Iterator<Item = (Phrase, &'static str)> {
 /// A phrase ends with a word, but for those of languages that set no blanks.
 pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<(Phrase, usize)> {
     const LONGEST: usize = 5;
+    const SHORTEST_NAME: usize = 3;
     if text.starts_with(is_ideograph) {
+        let second = text.char_indices().nth(1).map_or(text.len(), |(at, _)| at);
+        let listed = BY_START.get(text.get(..second)?)?.iter();
         let (phrase, name) =
-            all().filter(|(_, name)| text.starts_with(name)).max_by_key(|(_, name)| name.len())?;
-        return Some((phrase, name.len()));
+            listed.filter(|(_, name)| text.starts_with(name)).max_by_key(|(_, name)| name.len())?;
+        return Some((*phrase, name.len()));
     }
     let mut found = None;
+    let mut listed: Option<&[(Phrase, &str)]> = None;
     let mut written = String::new();
     let mut at = 0;
     for number in 0..LONGEST {
@@ -305,7 +323,14 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         }
         written.extend(word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }));
         at += separator + word.len();
-        if let Some(phrase) = listed(&written, function) {
+        let own = listed.get_or_insert_with(|| BY_START.get(written.as_str()).map_or(&[][..], Vec::as_slice));
+        // Most letters of formulas begin no phrase.
+        if own.is_empty() && written.len() < SHORTEST_NAME {
+            break;
+        }
+        let known = own.iter().find(|(_, name)| *name == written).map(|(phrase, _)| *phrase);
+        let name = || function(&written.replace(' ', "_")).filter(|_| written.len() >= SHORTEST_NAME);
+        if let Some(phrase) = known.or_else(|| name().map(Function)) {
             found = Some((phrase, at));
         }
     }
@@ -334,9 +359,4 @@ fn word(text: &str) -> &str {
         end = at + c.len_utf8();
     }
     text.get(..end).unwrap_or_default()
-}
-
-fn listed(written: &str, function: &dyn Fn(&str) -> Option<&'static str>) -> Option<Phrase> {
-    let known = all().find(|(_, name)| *name == written).map(|(phrase, _)| phrase);
-    known.or_else(|| function(&written.replace(' ', "_")).filter(|_| written.len() > 2).map(Function))
 }
