@@ -100,16 +100,17 @@ impl Expr {
         found
     }
 
-    /// The same with another name in the place of one.
-    pub fn with_name(&self, name: &str, other: &str) -> Expr {
-        fn rename(expr: &mut Expr, name: &str, other: &str) {
+    /// The same with a formula in the place of a name.
+    pub fn with_name(&self, name: &str, other: &Expr) -> Expr {
+        fn put_in(expr: &mut Expr, name: &str, other: &Expr) {
             if matches!(&expr.kind, Kind::Name(own) if own == name) {
-                expr.kind = Kind::Name(other.to_owned());
+                expr.kind = other.kind.clone();
+                return;
             }
-            expr.for_each_child_mut(&mut |child| rename(child, name, other));
+            expr.for_each_child_mut(&mut |child| put_in(child, name, other));
         }
         let mut copy = self.clone();
-        rename(&mut copy, name, other);
+        put_in(&mut copy, name, other);
         copy
     }
 

@@ -16,15 +16,6 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::{latex, syntax};
 
-/// Puts a function in the place of another name.
-fn put_in(expr: &mut Expr, name: &str, function: &Expr) {
-    if matches!(&expr.kind, Kind::Name(own) if own == name) {
-        *expr = function.clone();
-        return;
-    }
-    expr.for_each_child_mut(&mut |child| put_in(child, name, function));
-}
-
 fn read(statement: &str) -> Result<Expr, Diagnostic> {
     if syntax::looks_like_latex(statement) { latex::read(statement) } else { syntax::parse(statement) }
 }
@@ -80,8 +71,7 @@ impl Checker {
             };
             let argument = head.base[operator.len()..].trim_matches(['[', ']']).to_owned();
             let Ok(function) = syntax::parse(&function) else { continue };
-            let mut body = body;
-            put_in(&mut body, &argument, &function);
+            let body = body.with_name(&argument, &function);
             self.define(Head { base, ..head }, Body::Formula(body.clone()), &conditions, place, body.span);
         }
     }
