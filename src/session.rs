@@ -126,7 +126,7 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
-        let known = |word: &str| self.env.get(&Symbol::new(word)).is_some();
+        let known = |word: &str| defines(&self.env, word);
         if let Some(formula) = self.spoken(file, whole)? {
             let read = Diagnostic::note(Code::StandardMeaning, format!("read as {}", write::text(&formula)));
             let mut answer = self.evaluated(file, formula, equals, false)?;
@@ -309,7 +309,7 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     match result {
         Ok(mut expr) => {
             expr.shift(span.start);
-            Ok(foreign::with_calls(expr, &|name| env.get(&Symbol::new(name)).is_some()))
+            Ok(foreign::with_calls(expr, &|name| defines(env, name)))
         }
         Err(mut problem) => {
             problem.span = problem.span.map(|place| place.shifted(span.start));
@@ -317,6 +317,11 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
             Err(problem)
         }
     }
+}
+
+/// Whether a word is a name with a value.
+fn defines(env: &Env, word: &str) -> bool {
+    env.get(&Symbol::new(word)).is_some()
 }
 
 /// The letters that stand by themselves in a formula in LaTeX.

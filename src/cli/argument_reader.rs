@@ -8,7 +8,7 @@
 use super::output::Output;
 use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::eval::Equals;
 use crate::language::value::Value;
@@ -184,21 +184,4 @@ pub(super) fn bound(session: &mut Session, name: &str, value: Value, span: Span)
     let name = Expr::new(Kind::Name(name.to_owned()), span);
     // Messages about a function would tell its name.
     Expr::new(Kind::Group(Box::new(name)), span)
-}
-
-/// function(arguments), found wrong as a whole at `span`.
-pub(super) fn call(function: &str, arguments: Vec<Expr>, span: Span) -> Expr {
-    applied(Expr::new(Kind::Name(function.to_owned()), span), arguments, span)
-}
-
-/// callee(arguments), found wrong as a whole at `span`.
-pub(super) fn applied(callee: Expr, arguments: Vec<Expr>, span: Span) -> Expr {
-    Expr::new(Kind::Apply(Box::new(callee), vec![arguments]), span)
-}
-
-/// The argument `name = value` of a function.
-pub(super) fn named(name: &str, value: Expr) -> Expr {
-    let span = value.span;
-    let left = Expr::new(Kind::Name(name.to_owned()), span);
-    Expr::new(Kind::Chain(Box::new(left), vec![Link { rel: Rel::Eq, span, expr: value }]), span)
 }

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::Status;
-use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
+use super::argument_reader::{ArgumentReader, Failed, bound};
 use super::arguments::{Arguments, Command, FormatArgument, Global, MatrixArguments, PolarArguments, Two};
 use super::output::{Output, Trouble};
 use super::script::script_file;
 use super::waiting::Waiting;
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::eval::Equals;
 use crate::language::functions::{BUILTINS, builtin};

@@ -1,8 +1,8 @@
 //! The commands about curves: each is a query of the language.
 
-use super::argument_reader::{ArgumentReader, Failed, applied, call, named};
+use super::argument_reader::{ArgumentReader, Failed};
 use super::arguments::{BezierArguments, BsplineArguments, Change};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 /// function(curve, items); what is wrong with the call is wrong with the items.

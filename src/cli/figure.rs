@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 use super::Status;
-use super::argument_reader::{ArgumentReader, Failed, call, named};
+use super::argument_reader::{ArgumentReader, Failed};
 use super::arguments::{FormatArgument, Global};
 use super::commands::Ran;
 use super::figure_arguments::{FigureArguments, FigureKind, ThemeArgument};
@@ -12,7 +12,7 @@ use super::output::{Output, PREVIEW, Trouble};
 use super::raster;
 use crate::figure::{SvgOptions, Theme, TikzOptions, figure_json, svg, terminal, tikz};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
 use crate::language::write::Format;

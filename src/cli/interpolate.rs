@@ -1,12 +1,12 @@
 //! `polarform interpolate`: queries for polynomials and splines through points.
 
 use super::Status;
-use super::argument_reader::{ArgumentReader, Failed, applied, bound, call, named};
+use super::argument_reader::{ArgumentReader, Failed, bound};
 use super::arguments::{Interpolate, Interpolation};
 use super::commands::Ran;
 use super::output::Output;
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::{Value, symbol_expr};
 use crate::language::write::Format;

@@ -11,7 +11,7 @@ use rustyline::history::FileHistory;
 use rustyline::{Config, Editor};
 
 use super::Status;
-use super::argument_reader::{ArgumentReader, call, named};
+use super::argument_reader::ArgumentReader;
 use super::commands;
 use super::output::{Output, Trouble, shown};
 use super::repl_helper::Helper;
@@ -20,7 +20,7 @@ use crate::budget::MOST_DEPTH;
 use crate::document::read_string;
 use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, call, named};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
 use crate::language::functions::BUILTINS;
 use crate::language::syntax;

@@ -154,3 +154,20 @@ impl From<Kind> for Expr {
         Expr { kind, span: Span::default() }
     }
 }
+
+/// function(arguments), found wrong as a whole at `span`.
+pub(crate) fn call(function: &str, arguments: Vec<Expr>, span: Span) -> Expr {
+    applied(Expr::new(Kind::Name(function.to_owned()), span), arguments, span)
+}
+
+/// callee(arguments), found wrong as a whole at `span`.
+pub(crate) fn applied(callee: Expr, arguments: Vec<Expr>, span: Span) -> Expr {
+    Expr::new(Kind::Apply(Box::new(callee), vec![arguments]), span)
+}
+
+/// The argument `name = value` of a function.
+pub(crate) fn named(name: &str, value: Expr) -> Expr {
+    let span = value.span;
+    let left = Expr::new(Kind::Name(name.to_owned()), span);
+    Expr::new(Kind::Chain(Box::new(left), vec![Link { rel: Rel::Eq, span, expr: value }]), span)
+}

@@ -11,6 +11,7 @@ mod precedence;
 pub mod source;
 mod visit;
 
+pub(crate) use build::{applied, call, named};
 pub use precedence::Precedence;
 
 use crate::formula::source::Span;

@@ -7,7 +7,7 @@
 
 use super::check::Checker;
 use super::context::{Body, Definition, Source};
-use super::names::{Head, bases, walk};
+use super::names::{Head, bases, operated, walk};
 use super::object::{Object, Sort};
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
@@ -42,16 +42,14 @@ impl Checker {
 
     /// (B_n q)(x), where the page says what (B_n f)(x) is: the same with q in the place of f.
     pub(super) fn operators(&mut self, chain: &Chain, place: &Place) {
-        let mut wanted: Vec<(String, String, String)> = Vec::new();
+        let mut wanted: Vec<(String, String, Expr)> = Vec::new();
         for side in &chain.sides {
             walk(&side.expr, &mut |part| {
-                let Some(base) = Head::of(part).map(|head| head.base) else { return };
-                if let Some((operator, function)) =
-                    base.strip_suffix(']').and_then(|base| base.split_once('['))
-                    && !operator.is_empty()
-                    && self.context.visible(&base, place).next().is_none()
+                if let Kind::Group(product) = &part.kind
+                    && let (Some(whole), Some((operator, function))) = (Head::of(part), operated(product))
+                    && self.context.visible(&whole.base, place).next().is_none()
                 {
-                    wanted.push((base.clone(), operator.to_owned(), function.to_owned()));
+                    wanted.push((whole.base, operator.base, function.clone()));
                 }
             });
         }
@@ -70,7 +68,6 @@ impl Checker {
                 continue;
             };
             let argument = head.base[operator.len()..].trim_matches(['[', ']']).to_owned();
-            let Ok(function) = syntax::parse(&function) else { continue };
             let body = body.with_name(&argument, &function);
             self.define(Head { base, ..head }, Body::Formula(body.clone()), &conditions, place, body.span);
         }

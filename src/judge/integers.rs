@@ -8,6 +8,13 @@ use super::evaluator;
 use super::names::{Head, bases, integer_names, is_index_letter, walk};
 use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+/// Names with their integers, for the evaluator.
+pub(super) fn as_values(bound: &[(String, i64)]) -> impl Iterator<Item = (Symbol, Value)> {
+    bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)))
+}
 
 impl Trial<'_> {
     /// The integers of the chain.

@@ -120,13 +120,19 @@ pub(super) fn is_star(upper: &Expr) -> bool {
 
 /// (B_n f)(x): an operator with an index, and what it is applied to, make one name.
 fn operator(product: &Expr) -> Option<Head> {
+    let (mut head, function) = operated(product)?;
+    head.base = format!("{}[{}]", head.base, write::text(function));
+    Some(head)
+}
+
+/// The operator of B_n f, and the function.
+pub(super) fn operated(product: &Expr) -> Option<(Head, &Expr)> {
     let Kind::Mul(factors) = &product.kind else { return None };
     let [operator, function] = factors.as_slice() else { return None };
     let plain = |head: &Head| head.arguments.is_none() && head.upper.is_empty();
-    let mut head = Head::of(operator).filter(|head| plain(head) && head.lower.len() == 1)?;
+    let head = Head::of(operator).filter(|head| plain(head) && head.lower.len() == 1)?;
     Head::of(function).filter(plain)?;
-    head.base = format!("{}[{}]", head.base, write::text(function));
-    Some(head)
+    Some((head, function))
 }
 
 /// The index 01 stands for 0, 1: a number of a row and one of a column; so does ij for i, j.

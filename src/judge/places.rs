@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::context::{Body, is_variable};
 use super::evaluator;
 use super::features::has_splines;
+use super::integers::as_values;
 use super::names::{Head, has_members, is_index_letter, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
@@ -49,8 +50,7 @@ impl Trial<'_> {
     /// The knots that words give, in increasing order.
     pub(super) fn breaks(&self, bound: &[(String, i64)]) -> Vec<Rational> {
         let model = Rc::new(self.model(None, None, &[]));
-        let names: Vec<(Symbol, Value)> =
-            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let names: Vec<(Symbol, Value)> = as_values(bound).collect();
         let mut found: Vec<Rational> = Vec::new();
         for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
         {
@@ -123,7 +123,7 @@ impl Trial<'_> {
         }
         places.retain(|place| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
-            let integers = bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+            let integers = as_values(bound);
             let names: Vec<(Symbol, Value)> =
                 reading.knots(&self.facts.knot_letters).into_iter().chain(integers).collect();
             conditions.iter().all(|condition| {
@@ -137,8 +137,7 @@ impl Trial<'_> {
 
     /// The bounds and the degree of each sum of B-splines in the sides, for some values of the integers.
     fn sums_of_splines(&self, bound: &[(String, i64)]) -> Vec<[i64; 3]> {
-        let names: Vec<(Symbol, Value)> =
-            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let names: Vec<(Symbol, Value)> = as_values(bound).collect();
         let number = |expr: &Expr| {
             let value = evaluator::machine().with_locals(names.clone(), |machine| machine.eval_int(expr));
             value.ok()

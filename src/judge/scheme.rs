@@ -8,16 +8,17 @@
 //! scheme agrees, and if it does not follow from the points of the level before, as the page has them.
 
 use super::check::Checker;
-use super::context::is_variable;
+use super::context::{Body, is_variable};
 use super::finding::{Evidence, Finding, Verdict};
 use super::names::{Head, bases};
 use super::statement::{Chain, Place, Side, Statement};
+use super::tally::Failure;
 use super::topic::Topic;
 use super::witness;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::judge::evaluator;
-use crate::math::number::{Rational, integer};
-use num_traits::{One, Zero};
+use crate::math::basis::bernstein_all;
+use crate::math::number::Rational;
 
 /// A scheme of which a point agreed.
 pub(super) struct Scheme {
@@ -47,7 +48,7 @@ impl Checker {
             return;
         }
         let scheme = |level: i64, from: i64| {
-            let weights = bernstein(level, &t);
+            let weights = bernstein_all(level as usize, &t);
             let points = (0..=level).map(|j| point(&letter, i + j, from, &left.expr));
             let terms = points.zip(weights).map(|(point, weight)| Term {
                 sign: Sign::Plus,
@@ -88,7 +89,7 @@ impl Checker {
         right: &Expr,
         chain: &Chain,
         statement: &Statement,
-    ) -> Option<Option<Box<super::tally::Failure>>> {
+    ) -> Option<Option<Box<Failure>>> {
         let side = |expr: &Expr| Side { expr: expr.clone(), latex: String::new() };
         let own = Chain {
             sides: vec![side(left), side(right)],
@@ -131,7 +132,7 @@ impl Checker {
             name && head.lower.is_empty() && head.upper.is_empty() && place.sees(&definition.place)
         });
         let defined = defined.filter_map(|definition| match &definition.body {
-            super::context::Body::Formula(body) if bases(body).is_empty() => {
+            Body::Formula(body) if bases(body).is_empty() => {
                 let value = evaluator::machine().eval(body).ok()?.as_rational()?;
                 Some((definition.place.formula, value))
             }
@@ -176,18 +177,4 @@ fn point(letter: &str, number: i64, level: i64, like: &Expr) -> Expr {
         true => Kind::Upper(Box::new(name), vec![Expr::int(level)]).into(),
         false => name.power(Expr::int(level)),
     }
-}
-
-/// The values of the Bernstein polynomials of a degree.
-fn bernstein(degree: i64, t: &Rational) -> Vec<Rational> {
-    let mut values = vec![Rational::one()];
-    for _ in 0..degree {
-        let mut next = vec![Rational::zero(); values.len() + 1];
-        for (j, value) in values.iter().enumerate() {
-            next[j] += value * (integer(1) - t);
-            next[j + 1] += value * t;
-        }
-        values = next;
-    }
-    values
 }

@@ -14,7 +14,7 @@ use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs};
-use super::integers::{advance, is_inner, is_outside};
+use super::integers::{advance, as_values, is_inner, is_outside};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{integer_names, is_index_letter, is_range};
 use super::statement::{Chain, Place};
@@ -244,8 +244,7 @@ impl<'a> Trial<'a> {
 
     /// Whether the conditions on integers hold.
     fn allows(&self, bound: &[(String, i64)]) -> bool {
-        let names: Vec<(Symbol, Value)> =
-            bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))).collect();
+        let names: Vec<(Symbol, Value)> = as_values(bound).collect();
         // What is said of an integer with the chain counts instead of what was said before.
         let own: BTreeSet<String> = self.conditions.iter().flat_map(super::names::bases).collect();
         let restricts = |condition: &&Expr| match &condition.kind {
@@ -302,9 +301,7 @@ impl<'a> Trial<'a> {
         for side in &self.sides {
             let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
             let knots = if local { reading.knots(&self.facts.knot_letters) } else { Vec::new() };
-            let names = free
-                .chain(knots)
-                .chain(bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value))));
+            let names = free.chain(knots).chain(as_values(bound));
             values.push(evaluate_reading(side, reading.clone(), names));
             records.push(reading.take_record());
         }
@@ -516,7 +513,7 @@ impl<'a> Trial<'a> {
             return None;
         }
         let reading = Rc::new(self.model(degree, None, &[]));
-        let names = || bound.iter().map(|(name, value)| (Symbol::new(name), Value::int(*value)));
+        let names = || as_values(bound);
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))

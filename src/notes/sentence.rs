@@ -162,17 +162,20 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
 fn sentence(around: &[Around], statements: &mut [Statement]) {
     let mut formulas: Vec<usize> = statements.iter().map(|statement| statement.place.formula).collect();
     formulas.dedup();
-    let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
+    let words = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
     let claims = |role: Option<Role>| matches!(role, Some(Role::Claimed | Role::Always));
-    let claimed: Vec<bool> =
-        formulas.iter().map(|&formula| claims(speech::role(&words_of(formula), false))).collect();
+    // "For f(0) = 1, f(1) = 3: f[0, 1] = 2", "For n = 1, m = 2 we have …"
+    let claimed: Vec<bool> = formulas
+        .iter()
+        .map(|&formula| {
+            let words = words(formula);
+            claims(speech::role(&words, false)) || words.left.trim_start().starts_with([':', '：'])
+        })
+        .collect();
     let mut roles: Vec<(Option<Role>, bool)> = Vec::with_capacity(formulas.len());
     for (at, &formula) in formulas.iter().enumerate() {
-        let words = words_of(formula);
-        // "For f(0) = 1, f(1) = 3: f[0, 1] = 2", "For n = 1, m = 2 we have …"
-        let colon = |formula: &usize| words_of(*formula).left.trim_start().starts_with([':', '：']);
-        let claims_later =
-            claimed[at + 1..].iter().any(|&claimed| claimed) || formulas[at + 1..].iter().any(colon);
+        let words = words(formula);
+        let claims_later = claimed[at + 1..].iter().any(|&claimed| claimed);
         // "and also" goes on, "also" alone claims.
         let joined = words.left.chars().any(char::is_alphanumeric) && speech::goes_on(&words.left).is_some();
         let left = if joined { String::new() } else { words.left.clone() };
@@ -244,7 +247,7 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let in_words = || {
             let claim =
                 |statement: &Statement| matches!(statement.said, Said::Chain(_)) && !statement.is_case();
-            let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words_of(last).right);
+            let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words(last).right);
             zero.then(|| Expr::int(0))
         };
         said.or_else(in_words)

@@ -1,7 +1,7 @@
 //! Calls as Mathematica has them, `D[t^3, t]` and `Sum[k^2, {k, 1, 5}]`, as calls of the functions here.
 
-use crate::formula::{BigOp, Expr, Kind, Rel};
-use crate::language::functions::{function_called, function_in_capitals};
+use crate::formula::{BigOp, Expr, Kind, Rel, applied, named};
+use crate::language::functions::function_meant;
 
 /// The same formula, with calls in square brackets read as calls. A name that is `known` has its own meaning.
 pub(super) fn with_calls(mut expr: Expr, known: &dyn Fn(&str) -> bool) -> Expr {
@@ -32,7 +32,7 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     }
     let function = match name.as_str() {
         "D" => Some("diff"),
-        other => function_in_capitals(other).or_else(|| function_called(other).filter(|_| other.len() > 2)),
+        other => function_meant(other).filter(|_| other.len() > 2),
     };
     let Some(function) = function else { return };
     // {t, 0, 1} after the first argument, {{0, 1}, {1, 3}} as the first one
@@ -47,17 +47,15 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
             _ => own.push(as_list(argument.clone())),
         }
     }
-    let callee = Expr { span: base.span, ..Expr::name(function) };
     // The letter of what is interpolated goes by its name.
     if function == "lagrange"
         && let [_, letter] = own.as_mut_slice()
         && matches!(letter.kind, Kind::Name(_))
     {
-        let span = letter.span;
-        let value = Expr::relation(Expr { span, ..Expr::name("variable") }, Rel::Eq, letter.clone());
-        *letter = Expr { span, ..value };
+        *letter = named("variable", letter.clone());
     }
-    expr.kind = Kind::Apply(Box::new(callee), vec![own]);
+    let callee = Expr { span: base.span, ..Expr::name(function) };
+    expr.kind = applied(callee, own, expr.span).kind;
 }
 
 /// Sum[f, {i, a, b}, {j, c, d}]: the last range is the inner one.

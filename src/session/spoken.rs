@@ -3,15 +3,14 @@
 //! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
 //! are put into the result.
 
-use super::{Failure, Session, guarded, items_in, read_in};
+use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call, named};
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 use crate::language::syntax::{self, Call, Request, Said, What};
-use crate::math::poly::Symbol;
 
 /// A call whose arguments are being gathered.
 struct Draft {
@@ -32,9 +31,10 @@ struct Read {
 impl Session {
     /// The formula that a request in words stands for; `None` if it is none, or says what no function takes.
     pub(super) fn spoken(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
-        let known = |word: &str| self.env.get(&Symbol::new(word)).is_some();
-        let text = file.slice(whole);
-        let Some(request) = syntax::request(text, &known, &function_called) else { return Ok(None) };
+        let known = |word: &str| defines(&self.env, word);
+        let Some(request) = syntax::request(file.slice(whole), &known, &function_called) else {
+            return Ok(None);
+        };
         let reader = Reader { session: self, file, start: whole.start };
         reader.formula(request)
     }
@@ -100,12 +100,12 @@ impl Reader<'_> {
             return Ok(None);
         }
         innermost.takes_coefficient(&mut said);
-        let named = |read: &Read| {
+        let of_variable = |read: &Read| {
             let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
             variable && matches!(read.label, Label::In | Label::To)
         };
         if innermost.builtin.name == "derivative"
-            && said.iter().any(named)
+            && said.iter().any(of_variable)
             && let Some(of_formulas) = builtin("diff")
         {
             innermost.builtin = of_formulas;
@@ -125,10 +125,9 @@ impl Reader<'_> {
                 return Ok(None);
             }
         }
-        let polar = |expr: &Expr| matches!(&expr.kind, Kind::Apply(callee, _) if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
         for read in after {
             let Some(whole) = formula.take() else { return Ok(None) };
-            formula = value_of(whole, read, &polar);
+            formula = value_of(whole, read);
         }
         Ok(formula)
     }
@@ -138,32 +137,33 @@ impl Reader<'_> {
         let session = self.session;
         // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
         let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));
+        let named = self.file.slice(span).contains(char::is_alphabetic);
         guarded(&session.limits, || items_in(&session.env, self.file, span))
-            .or_else(|_| read(span).map(|one| vec![one]))
+            .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }
 
 /// The value of a result: at a parameter, or for values of its names.
-fn value_of(whole: Expr, read: Read, is_polar: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+fn value_of(whole: Expr, read: Read) -> Option<Expr> {
     if !matches!(read.label, Label::At | Label::With | Label::To) {
         return None;
     }
     let span = whole.span;
     let equation = |item: &Expr| eval::named(item).is_some();
-    let call = |callee: Expr, arguments| Expr { span, ..Expr::apply(callee, arguments) };
     if read.items.iter().all(equation) {
-        let arguments = std::iter::once(whole).chain(read.items).collect();
-        return Some(call(Expr { span, ..Expr::name("subs") }, arguments));
+        return Some(call("subs", std::iter::once(whole).chain(read.items).collect(), span));
     }
     if read.label != Label::At || read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..))) {
         return None;
     }
+    let polar = matches!(&whole.kind, Kind::Apply(callee, _)
+        if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
     let arguments = match read.items.as_slice() {
-        [Expr { kind: Kind::Tuple(items) | Kind::List(items), .. }] if is_polar(&whole) => items.clone(),
+        [Expr { kind: Kind::Tuple(items) | Kind::List(items), .. }] if polar => items.clone(),
         _ => read.items,
     };
-    Some(call(whole, arguments))
+    Some(applied(whole, arguments, span))
 }
 
 fn is_points(items: &[Expr]) -> bool {
@@ -189,7 +189,7 @@ fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
 /// The Bézier curve with some points.
 fn bezier(points: Expr) -> Expr {
     let span = points.span;
-    Expr { span, ..Expr::apply(Expr { span, ..Expr::name("bezier") }, vec![points]) }
+    call("bezier", vec![points], span)
 }
 
 fn is_list(kind: Takes) -> bool {
@@ -321,13 +321,9 @@ impl Draft {
     }
 
     fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
-        let own = self.builtin.parameters.iter().filter(|p| p.has_name());
-        let free = |p: &&Parameter| !self.named.iter().any(|(name, _)| *name == p.name);
-        let place = |p: &&Parameter| {
-            let at = self.builtin.parameters.iter().position(|other| other.name == p.name);
-            at.is_some_and(|at| at >= self.placed.len())
-        };
-        own.filter(free).filter(place).find(|p| names.contains(&p.name))
+        let free = |p: &&Parameter| p.has_name() && !self.named.iter().any(|(name, _)| *name == p.name);
+        let left = self.builtin.parameters.iter().skip(self.placed.len());
+        left.filter(free).find(|p| names.contains(&p.name))
     }
 
     /// Takes what a label says, if there is a parameter for it; else gives it back.
@@ -339,9 +335,9 @@ impl Draft {
             && one
             && matches!(read.label, Label::At | Label::With)
         {
-            let shown = |p: &&&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
-            let own = self.builtin.parameters.iter().collect::<Vec<_>>();
-            let found = own.iter().find(shown).filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
+            let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
+            let found = self.builtin.parameters.iter().find(shown);
+            let found = found.filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
             let degree = || {
                 let called = roles::is_degree(&name) || name == "p";
                 let parameter = self.parameter(&["degree", "n"]).filter(|_| called);
@@ -443,13 +439,9 @@ impl Draft {
 
     /// A value for the parameter that comes after what the function is applied to.
     fn take_parameter(&mut self, read: Read) -> Option<Read> {
-        let many = self.builtin.parameters.get(1).is_some_and(|p| matches!(p.need, Need::Many(..)));
-        if !many && self.named.iter().any(|(name, _)| name.is_empty()) {
-            return Some(read);
-        }
-        let second = self.builtin.parameters.get(1);
-        let takes = second.is_some_and(|p| {
-            matches!(p.need, Need::Required | Need::Many(..))
+        let given = self.named.iter().any(|(name, _)| name.is_empty());
+        let takes = self.builtin.parameters.get(1).is_some_and(|p| {
+            (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
                 && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
         });
         if !takes || self.placed.len() > 1 {
@@ -482,17 +474,15 @@ impl Draft {
                     if name == "bezier" =>
                 {
                     let span = inside.span;
-                    let value = Expr { span, ..Expr::apply(inside, vec![Expr { span, ..Expr::name("t") }]) };
-                    inside = value;
+                    inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
                 }
                 _ => {}
             }
             self.placed.insert(0, inside);
         }
-        let call = |name: &str, arguments| {
-            let callee = Expr { span: self.phrase, ..Expr::name(name) };
-            Expr { span, ..Expr::apply(callee, arguments) }
-        };
+        let phrase = self.phrase;
+        let call =
+            |name: &str, arguments| applied(Expr { span: phrase, ..Expr::name(name) }, arguments, span);
         // As many degrees as lie between.
         if let Some(degree) = self.degree.take() {
             let own = call("degree", vec![self.placed.first()?.clone()]);
@@ -520,14 +510,11 @@ impl Draft {
                 self.named.push(("i", Expr { span, ..Expr::int(0) }));
             }
         }
-        let named = std::mem::take(&mut self.named).into_iter().map(|(name, value)| match name {
+        let others = self.named.into_iter().map(|(name, value)| match name {
             "" => value,
-            _ => Expr {
-                span: value.span,
-                ..Expr::relation(Expr { span: value.span, ..Expr::name(name) }, Rel::Eq, value)
-            },
+            _ => named(name, value),
         });
-        let arguments = std::mem::take(&mut self.placed).into_iter().chain(named).collect();
+        let arguments = self.placed.into_iter().chain(others).collect();
         Some(call(self.builtin.name, arguments))
     }
 }

@@ -173,8 +173,13 @@ pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
 }
 
-/// The same, written as other systems do: `Expand`, `GCD`, `ControlPoints`.
-pub(crate) fn function_in_capitals(name: &str) -> Option<&'static str> {
+/// The same, also written as other systems do.
+pub(crate) fn function_meant(name: &str) -> Option<&'static str> {
+    function_called(name).or_else(|| function_in_capitals(name))
+}
+
+/// `Expand`, `GCD`, `ControlPoints`
+fn function_in_capitals(name: &str) -> Option<&'static str> {
     if name.len() < 3 || !name.starts_with(char::is_uppercase) {
         return None;
     }
@@ -191,7 +196,7 @@ pub(crate) fn function_in_capitals(name: &str) -> Option<&'static str> {
 
 /// The function with another name that is called like this one.
 pub(crate) fn alias(name: &str) -> Option<&'static dyn Callable> {
-    function_called(name).or_else(|| function_in_capitals(name)).and_then(callable)
+    function_meant(name).and_then(callable)
 }
 
 /// What to write for an argument that a function does not take: its derivation may.

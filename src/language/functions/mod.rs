@@ -28,7 +28,7 @@ mod symmetric;
 mod table;
 
 pub(crate) use callable::{
-    alias, callable, function_called, function_in_capitals, is_argument_word, names, synonym,
+    alias, callable, function_called, function_meant, is_argument_word, names, synonym,
 };
 
 pub use arrange::Arrangement;

@@ -206,13 +206,19 @@ fn subs(args: &Arguments) -> Evaluated {
     let [(name, value)] = values.as_slice() else {
         return Err(Diagnostic::error(Code::Arity, "a curve has one parameter").at(span));
     };
-    let own = args.value(0)?.to_expr();
-    if matches!(args.value(0)?, Value::Geometry(_)) && own.has(&|part| part.same_as(&symbol_expr(name))) {
+    let curve = args.value(0)?;
+    let letter = symbol_expr(name);
+    if matches!(curve, Value::Geometry(_)) && curve.to_expr().has(&|part| part.same_as(&letter)) {
         let problem = Diagnostic::error(Code::Type, format!("{name} stands in the points of this curve"));
         return Err(problem.at(span).hint("a curve c has its value c(1/2)"));
     }
-    let value = [(Value::Scalar(value.clone()), span)];
-    match args.value(0)? {
+    value_at(curve, value.clone(), span)
+}
+
+/// The value of a curve or piecewise polynomial.
+fn value_at(curve: &Value, t: Fraction, span: Span) -> Result<Value, Diagnostic> {
+    let value = [(Value::Scalar(t), span)];
+    match curve {
         Value::Piecewise(function) => call_piecewise(function, &value, span),
         Value::Geometry(geometry) => call_geometry(geometry, &value, span),
         other => Err(wrong_kind("a curve", other)),
@@ -236,17 +242,9 @@ fn integrate(args: &Arguments) -> Evaluated {
     if let Some(places) = places {
         let [from, to] = [args.scalar(places[0])?, args.scalar(places[1])?];
         let primitive = antiderivative(&args.only(1))?;
-        let at = |end: Fraction, span: Span| {
-            let value = [(Value::Scalar(end), span)];
-            match &primitive {
-                Value::Piecewise(function) => call_piecewise(function, &value, span),
-                Value::Geometry(geometry) => call_geometry(geometry, &value, span),
-                other => Err(wrong_kind("a curve", other)),
-            }
-        };
         return arithmetic::add(
-            at(to, args.span(places[1]))?,
-            arithmetic::negate(at(from, args.span(places[0]))?)?,
+            value_at(&primitive, to, args.span(places[1]))?,
+            arithmetic::negate(value_at(&primitive, from, args.span(places[0]))?)?,
         );
     }
     if let Value::Piecewise(function) = args.value(0)? {

@@ -230,7 +230,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(From), "from | 从"),
     (
         Phrase::Label(To),
-        "to | bis | auf | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
+        "to | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
          as | as a | regarded as | regarded as a | seen as | seen as a | considered as a | als | comme | \
          写成 | 表示为",
     ),
@@ -260,7 +260,8 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "évalue | évaluer | 值 | 用 | 算法 | the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
+        "évalue | évaluer | 值 | 用 | 算法 | \
+         the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
          value of | point | point on | exactly | exact | polynomial | function | curve | \
@@ -269,7 +270,7 @@ const PHRASES: &[(Phrase, &str)] = &[
          das | den | dem | calcule | calculer | calculez | donne | donner | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
          écrire | quelle est | quel est | la courbe | le polynôme | svp | bitte | matrix | \
-         interval | 求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
+         求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
     ),
 ];
@@ -359,4 +360,17 @@ fn word(text: &str) -> &str {
         end = at + c.len_utf8();
     }
     text.get(..end).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_phrase_stands_twice() {
+        let mut seen = std::collections::BTreeSet::new();
+        for name in PHRASES.iter().flat_map(|(_, names)| names.split('|')) {
+            assert!(seen.insert(name.trim()), "{name}");
+        }
+    }
 }

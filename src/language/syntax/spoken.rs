@@ -191,31 +191,34 @@ impl Reader<'_> {
         match self.next()? {
             Part::Piece(span) if labels.is_empty() => {
                 self.at += 1;
-                let mut spans = vec![span];
-                while self.phrase() == Some(Phrase::And)
-                    && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
-                {
-                    spans.push(*span);
-                    self.at += 2;
-                }
-                Some(Request::Formula(spans))
+                Some(Request::Formula(std::iter::once(span).chain(self.others()).collect()))
             }
-            Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
-                self.at += 1;
-                let subject = self.argument(&mut labels)?;
-                Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
-            }
-            // the degree of t^3, the knots of a spline
-            Part::Phrase(Phrase::Label(label), phrase)
-                if matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _))) =>
-            {
-                let function = label.function()?;
+            Part::Phrase(word, phrase) => {
+                let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
+                let function = match word {
+                    Phrase::Function(function) | Phrase::Command(function) => function,
+                    // the degree of t^3, the knots of a spline
+                    Phrase::Label(label) if of => label.function()?,
+                    _ => return None,
+                };
                 self.at += 1;
                 let subject = self.argument(&mut labels)?;
                 Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
             }
             _ => None,
         }
+    }
+
+    /// The formulas that go on with "and".
+    fn others(&mut self) -> Vec<Span> {
+        let mut found = Vec::new();
+        while self.phrase() == Some(Phrase::And)
+            && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
+        {
+            found.push(*span);
+            self.at += 2;
+        }
+        found
     }
 
     /// What a function is applied to: nothing if labels follow at once, which may also stand before it.
@@ -286,15 +289,9 @@ impl Reader<'_> {
                     }
                     _ => label,
                 };
-                let mut said = vec![Said { label, what: What::Formula(span) }];
                 // at 1/2 and 3/4
-                while self.phrase() == Some(Phrase::And)
-                    && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
-                {
-                    said.push(Said { label, what: What::Formula(*span) });
-                    self.at += 2;
-                }
-                Some(said)
+                let all = std::iter::once(span).chain(self.others());
+                Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
             Part::Phrase(..) => None,
