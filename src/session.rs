@@ -311,11 +311,7 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
             expr.shift(span.start);
             Ok(foreign::with_calls(expr, &|name| defines(env, name)))
         }
-        Err(mut problem) => {
-            problem.span = problem.span.map(|place| place.shifted(span.start));
-            problem.labels.iter_mut().for_each(|label| label.span = label.span.shifted(span.start));
-            Err(problem)
-        }
+        Err(problem) => Err(problem.shifted(span.start)),
     }
 }
 
@@ -354,7 +350,10 @@ pub fn read_items(file: &SourceFile) -> Result<Vec<Expr>, Diagnostic> {
 /// The same of a part of a file, where some names are defined.
 fn items_in(env: &Env, file: &SourceFile, part: Span) -> Result<Vec<Expr>, Diagnostic> {
     let text = file.slice(part);
-    let spaced = if syntax::looks_like_latex(text) { None } else { syntax::spaced_items(text)? };
+    let spaced = match syntax::looks_like_latex(text) {
+        true => None,
+        false => syntax::spaced_items(text).map_err(|problem| problem.shifted(part.start))?,
+    };
     let read = |span: Span| read_in(env, file, Some(span.shifted(part.start)));
     let items = match spaced {
         Some(spans) => spans.into_iter().map(read).collect::<Result<_, _>>()?,

@@ -92,6 +92,13 @@ impl Diagnostic {
         self
     }
 
+    /// The same problem of a text that starts at `start`.
+    pub(crate) fn shifted(mut self, start: usize) -> Self {
+        self.span = self.span.map(|place| place.shifted(start));
+        self.labels.iter_mut().for_each(|label| label.span = label.span.shifted(start));
+        self
+    }
+
     /// Adds the text shown under the caret.
     pub fn reason(mut self, reason: impl Into<String>) -> Self {
         self.reason = Some(reason.into());
