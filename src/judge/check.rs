@@ -112,6 +112,8 @@ impl Checker {
             }
             Said::Chain(chain) => {
                 let chain = &whole_sums(chain);
+                let derived = self.without_operator(chain, &statement.place);
+                let chain = derived.as_ref().unwrap_or(chain);
                 if self.ignored > 0 {
                     self.ignored -= 1;
                     for at in 0..chain.relations.len() {

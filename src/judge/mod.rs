@@ -21,6 +21,7 @@ mod compare;
 mod conditions;
 mod context;
 mod declare;
+mod derivation;
 mod described;
 pub(crate) mod doubtful;
 mod doubts;

@@ -44,6 +44,8 @@ pub struct Tally {
     pub mismatches: Vec<(Vec<(String, i64)>, String)>,
     /// Errors in evaluating.
     pub errors: Vec<Diagnostic>,
+    /// Why instances, none of them extreme, could not be computed though nothing is wrong with their numbers.
+    pub gap: Option<String>,
     /// Failures in which the hypotheses say what the left side is.
     pub determined: usize,
     /// Failures in which they say what other members of its family are, but leave it open.

@@ -383,12 +383,12 @@ impl<'a> Trial<'a> {
                     if inner && error.code == Code::Arity && records[at + 1].mixed {
                         tally.mismatches.push((bound.to_vec(), error.message.clone()));
                     }
-                    note_error(tally, error);
+                    note_error(tally, error, inner);
                     continue;
                 }
                 _ => {
                     if let Err(error) = &values[at] {
-                        note_error(tally, error);
+                        note_error(tally, error, inner);
                     }
                     continue;
                 }
@@ -530,7 +530,19 @@ fn may_skip(value: &Result<Value, Diagnostic>) -> bool {
     matches!(value, Err(error) if matches!(error.code, Code::Domain | Code::Arity | Code::DivisionByZero))
 }
 
-fn note_error(tally: &mut Tally, error: &Diagnostic) {
+fn note_error(tally: &mut Tally, error: &Diagnostic, inner: bool) {
+    let misunderstood = matches!(
+        error.code,
+        Code::UnknownName
+            | Code::UnknownFunction
+            | Code::AmbiguousProduct
+            | Code::AmbiguousVariable
+            | Code::Unsupported
+            | Code::NotPolynomial
+    );
+    if inner && misunderstood {
+        tally.gap.get_or_insert_with(|| error.message.clone());
+    }
     if !tally.errors.iter().any(|known| known.message == error.message) {
         tally.errors.push(error.clone());
     }

@@ -82,6 +82,9 @@ impl Checker {
                     finding.verdict = Verdict::Undecided;
                     finding.reason =
                         Some("both sides are 0 in every instance, so nothing was tested".to_owned());
+                } else if let Some(gap) = &tally.gap {
+                    finding.verdict = Verdict::Undecided;
+                    finding.reason = Some(format!("not all instances could be computed: {gap}"));
                 }
             }
             if let Some(number) = tally.condition {
@@ -95,7 +98,7 @@ impl Checker {
             }
             return Judged::Verdict(Box::new(finding));
         }
-        if let Some(reason) = restricted(tally, outcomes, chain) {
+        if let (Some(reason), None) = (restricted(tally, outcomes, chain), &tally.gap) {
             finding.verdict = Verdict::Sampled;
             finding.reason = Some(reason.to_owned());
             finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
