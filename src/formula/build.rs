@@ -171,3 +171,27 @@ pub(crate) fn named(name: &str, value: Expr) -> Expr {
     let left = Expr::new(Kind::Name(name.to_owned()), span);
     Expr::new(Kind::Chain(Box::new(left), vec![Link { rel: Rel::Eq, span, expr: value }]), span)
 }
+
+/// What is added to the letter of a function that is called with brackets.
+const BRACKETS: &str = "[]";
+
+/// The name of a function that is called with brackets: b[0, 1], where b(t) is another one.
+pub(crate) fn bracketed(letter: &str) -> String {
+    format!("{letter}{BRACKETS}")
+}
+
+/// The letter of a function that is called with brackets, if a name is one.
+pub(crate) fn before_brackets(name: &str) -> Option<&str> {
+    name.strip_suffix(BRACKETS)
+}
+
+impl Expr {
+    /// Whether it is the name of a function that is called with brackets.
+    pub(crate) fn is_called_with_brackets(&self) -> bool {
+        match &self.kind {
+            Kind::Name(name) => before_brackets(name).is_some(),
+            Kind::Accent(_, inner) => inner.is_called_with_brackets(),
+            _ => false,
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::names::{Head, bases, bracket_beside_name, walk};
+use super::names::{Head, bases, bracket_beside_name, capital_of, is_capital, walk};
 use crate::formula::{Expr, Kind};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
@@ -25,8 +25,8 @@ pub fn pairs(sides: &[&Expr], may_be_known: &dyn Fn(&str) -> bool) -> BTreeSet<S
     }
     let mut found = BTreeSet::new();
     for (base, count) in &called {
-        if base.chars().next().is_some_and(char::is_lowercase) {
-            let capital = super::model::capital_of(base);
+        if !is_capital(base) {
+            let capital = capital_of(base);
             if *count > 1 && may_be_known(&capital) || called.contains_key(&capital) {
                 found.insert(capital);
             }

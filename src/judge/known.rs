@@ -3,8 +3,11 @@
 
 use super::check::Checker;
 use super::context::{Body, Condition, Definition, Source, is_variable};
-use super::model::{Curve, capital_of};
-use super::names::{Head, base_of, bases, has_members, integer_names, is_index_letter, is_range, walk};
+use super::model::Curve;
+use super::names::{
+    Head, base_of, bases, capital_of, has_members, integer_names, is_index_letter, is_range, polar_names,
+    walk,
+};
 use super::refute::calls;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel, Term};
@@ -226,7 +229,8 @@ impl Checker {
                 _ => false,
             };
             if order
-                && (head.parenthesized && (calls(body, &head.base.to_lowercase()) || calls(body, &head.base))
+                && (head.parenthesized
+                    && (polar_names(&head.base).any(|name| calls(body, &name)) || calls(body, &head.base))
                     || base_known())
             {
                 return true;
@@ -254,7 +258,6 @@ impl Checker {
         }
         // The polar form of a function that is known, or that the right-hand side speaks of.
         let capital = capital_of(&head.base);
-        let small = head.base.to_lowercase();
         let count = head.flat().len();
         let of_known = || {
             self.context.visible(&capital, place).any(|(_, definition, _)| {
@@ -277,9 +280,9 @@ impl Checker {
         }
         // F(t) = f(t, …, t), F(t) = Σ F^{(i)}(τ) …
         head.arguments.is_some()
-            && small != head.base
-            && (calls_plain(body, &small) && self.context.letters.is_function(&small)
-                || calls(body, &head.base))
+            && polar_names(&head.base).any(|name| {
+                calls_plain(body, &name) && self.context.letters.is_function(&name) || calls(body, &head.base)
+            })
     }
 
     /// Whether an equation is the only one for members of a family of which the page gives some by number, as a_0 = 1 and
@@ -312,7 +315,7 @@ impl Checker {
                 matches!(&expr.kind, Kind::Apply(_, groups)
                     if groups.iter().flatten().all(|argument| matches!(argument.kind, Kind::Number(_))))
             };
-            !inside.contains(&head.base) && !inside.contains(&head.base.to_lowercase())
+            !inside.contains(&head.base) && !polar_names(&head.base).any(|name| inside.contains(&name))
                 || another(left) && another(right)
         })
     }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use crate::formula::{Accent, BigOp, Expr, Kind, Rel};
+use crate::formula::{Accent, BigOp, Expr, Kind, Rel, before_brackets, bracketed};
 use crate::language::lexicon::families::{self, Family, Notation};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_index_letter;
@@ -108,6 +108,26 @@ impl Head {
     pub fn flat(&self) -> Vec<&Expr> {
         self.arguments.iter().flatten().flatten().collect()
     }
+}
+
+/// The letter of the function whose polar form has a name: F of f, b of b[…].
+pub fn capital_of(base: &str) -> String {
+    if let Some(function) = before_brackets(base) {
+        return function.to_owned();
+    }
+    let mut letters = base.chars();
+    let first = letters.next();
+    first.into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+}
+
+/// Whether a name is a capital letter, and not that of a polar form.
+pub(super) fn is_capital(base: &str) -> bool {
+    base.starts_with(char::is_uppercase) && before_brackets(base).is_none()
+}
+
+/// The names that the polar form of a function may have, if they are not its own: f of F, b[…] of b.
+pub(super) fn polar_names(base: &str) -> impl Iterator<Item = String> {
+    [base.to_lowercase(), bracketed(base)].into_iter().filter(move |name| name != base)
 }
 
 /// The mark of names such as b^*.

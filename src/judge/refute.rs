@@ -243,7 +243,7 @@ pub fn decide(
         if value && !standard {
             return Decision::Redefinition(None);
         }
-        let of_capital = own.contains(&super::model::capital_of(&head.base)) || statement.curve().is_some();
+        let of_capital = own.contains(&super::names::capital_of(&head.base)) || statement.curve().is_some();
         if statement.role == Some(Role::Introduced)
             && again
             && !of_capital
@@ -268,7 +268,7 @@ pub fn decide(
                     && definition.head.arguments.is_some() == head.arguments.is_some()
             });
         let of_capital =
-            bases(right).contains(&super::model::capital_of(&head.base)) || statement.curve().is_some();
+            bases(right).contains(&super::names::capital_of(&head.base)) || statement.curve().is_some();
         // A recursion that differs from an earlier one defines the family anew.
         let closed = checker.context.visible(&head.base, &statement.place).any(|(_, definition, near)| {
             near && definition.head.lower.len() == head.lower.len()

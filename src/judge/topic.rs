@@ -30,6 +30,8 @@ pub enum Topic {
     Neville,
     /// De Casteljau's algorithm.
     Casteljau,
+    /// Divided differences.
+    DividedDifference,
 }
 
 /// The topics of a section, and the degrees that it names by words: "cubic".

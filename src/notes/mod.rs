@@ -7,6 +7,7 @@
 // Pieces of a text are taken by `Pieces`, which no text can bring down.
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
+mod brackets;
 mod cases;
 mod conditions;
 mod objects;

@@ -25,7 +25,8 @@ pub(super) fn as_marks(statements: &mut [Statement]) {
     }
 }
 
-fn each(statement: &mut Statement, work: &mut dyn FnMut(&mut Expr)) {
+/// Works on every formula of a statement.
+pub(super) fn each(statement: &mut Statement, work: &mut dyn FnMut(&mut Expr)) {
     match &mut statement.said {
         Said::Chain(chain) => {
             chain.sides.iter_mut().map(|side| &mut side.expr).chain(&mut chain.conditions).for_each(work);

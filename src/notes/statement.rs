@@ -4,6 +4,7 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
+use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word};
 use super::objects;
@@ -45,6 +46,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     }
     let mut statements = reader.statements;
     primes::as_marks(&mut statements);
+    brackets::as_arguments(&mut statements);
     let sentences = sentence::sentences(document);
     sentence::assign(&sentences, &mut statements);
     attach(&mut statements);

@@ -18,8 +18,6 @@ mod polynomials;
 mod steps;
 mod symmetric;
 
-pub use polynomials::capital_of;
-
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;

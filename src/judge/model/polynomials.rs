@@ -4,7 +4,7 @@ use super::calls::{each, unclear, variable};
 use super::objects::polar_arguments;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::Head;
+use crate::judge::names::{Head, capital_of, is_capital, polar_names};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
@@ -29,7 +29,7 @@ impl Model {
         values: &[Vec<Value>],
         expr: &Expr,
     ) -> Evaluated {
-        let letter = head.base.rsplit(' ').next().unwrap_or(&head.base);
+        let letter = head.base.rsplit(' ').next().unwrap_or(&head.base).trim_end_matches("[]");
         if letter.chars().count() > 1 && crate::language::lexicon::letters::sign(letter).is_none() {
             // min, exp, a function called Q2: nobody says that it is a polynomial.
             let unknown = Diagnostic::error(Code::UnknownName, format!("'{letter}' has no meaning here"));
@@ -54,7 +54,7 @@ impl Model {
         {
             return self.bezier(machine, head, points, &parameter[0], expr);
         }
-        let upper = head.base.chars().next().is_some_and(char::is_uppercase);
+        let upper = is_capital(&head.base);
         match values {
             [one] if one.len() == 1 && (upper || !self.is_paired(machine, head)) => {
                 self.of_one_variable(machine, head, &one[0], expr)
@@ -139,10 +139,8 @@ impl Model {
     ) -> Evaluated {
         // F(t) where only f(t_1, …, t_n) is known
         if head.lower.is_empty() && head.upper.is_empty() {
-            let small = head.base.to_lowercase();
-            if small != head.base
-                && let Some(result) = self.diagonal(machine, &small, argument)
-            {
+            let diagonal = |small: String| self.diagonal(machine, &small, argument);
+            if let Some(result) = polar_names(&head.base).find_map(diagonal) {
                 return result;
             }
         }
@@ -403,13 +401,6 @@ impl Model {
         }
         Ok(Value::Scalar(sum))
     }
-}
-
-/// The letter of the function whose polar form is called by a small letter.
-pub fn capital_of(base: &str) -> String {
-    let mut letters = base.chars();
-    let first = letters.next();
-    first.into_iter().flat_map(char::to_uppercase).chain(letters).collect()
 }
 
 fn zero() -> Fraction {

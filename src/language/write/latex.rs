@@ -10,6 +10,7 @@ use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, walk};
 use crate::formula::{
     Accent, BigOp, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Precedence, Quotient, Rel,
+    before_brackets,
 };
 
 /// The formula in LaTeX, without dollar signs.
@@ -316,6 +317,7 @@ impl Notation for Latex {
 impl Latex {
     /// A letter, a command, or letters set upright; `called` if arguments follow.
     fn name<'a>(&self, name: &'a str, called: bool, out: &mut Pieces<'a>) {
+        let name = before_brackets(name).unwrap_or(name);
         let is_index = name.bytes().all(|b| b.is_ascii_digit());
         if name == "omicron" {
             out.str("o");
@@ -362,7 +364,8 @@ impl Latex {
                 out.wrapped(open, callee, close);
             }
         }
-        let (open, close) = PAREN.around(groups.iter().flatten().any(|item| self.tall.has(item)));
+        let fence = if callee.is_called_with_brackets() { &SQUARE } else { &PAREN };
+        let (open, close) = fence.around(groups.iter().flatten().any(|item| self.tall.has(item)));
         out.str(open);
         for (i, group) in groups.iter().enumerate() {
             out.str(if i > 0 { "; " } else { "" });

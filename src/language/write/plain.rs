@@ -10,7 +10,7 @@ use num_traits::Signed;
 use super::decimal;
 use super::shape;
 use super::walk::{Notation, Pieces};
-use crate::formula::{BigOp, Delimiter, Enclosure, Expr, Kind, Precedence, Rel, Sign, Term};
+use crate::formula::{BigOp, Delimiter, Enclosure, Expr, Kind, Precedence, Rel, Sign, Term, before_brackets};
 
 /// The signs in which the two differ.
 pub(super) trait Plain: Notation {
@@ -56,7 +56,7 @@ pub(super) fn expand<'a, P: Plain>(expr: &'a Expr, out: &mut Pieces<'a>) {
     use Precedence::{Postfix, Relation, Sequence, Sum};
     match &expr.kind {
         Kind::Number(value) => out.string(decimal::numeral(value)),
-        Kind::Name(name) => out.str(name),
+        Kind::Name(name) => out.str(before_brackets(name).unwrap_or(name)),
         Kind::Subscript(base, indices) => subscript(base, indices, out),
         Kind::Upper(base, indices) => {
             // after a number, it would be an exponent
@@ -84,17 +84,18 @@ pub(super) fn expand<'a, P: Plain>(expr: &'a Expr, out: &mut Pieces<'a>) {
         Kind::Div(above, below, _) => shape::slash(above, below, out, |_| false),
         Kind::Pow(base, exponent) => power(base, exponent, out),
         Kind::Apply(callee, groups) => {
+            let (open, close) = if callee.is_called_with_brackets() { ("[", "]") } else { ("(", ")") };
             if is_callee(callee) {
                 out.node(callee, Precedence::Power)
             } else {
                 out.wrapped("(", callee, ")")
             }
-            out.str("(");
+            out.str(open);
             for (i, group) in groups.iter().enumerate() {
                 out.str(if i > 0 { "; " } else { "" });
                 out.list(group, ", ", Relation);
             }
-            out.str(")");
+            out.str(close);
         }
         Kind::Group(body) => out.wrapped("(", body, ")"),
         Kind::Tuple(items) => call("", items, out),

@@ -292,6 +292,8 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("casteljau", Topic::Casteljau),
     ("德卡斯特里奥", Topic::Casteljau),
     ("德卡斯特罗", Topic::Casteljau),
+    ("差商", Topic::DividedDifference),
+    ("均差", Topic::DividedDifference),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("内维尔", Topic::Neville),

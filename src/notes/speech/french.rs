@@ -342,6 +342,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("casteljau", Topic::Casteljau),
+    ("différence divisée", Topic::DividedDifference),
+    ("différences divisées", Topic::DividedDifference),
+    ("difference divisee", Topic::DividedDifference),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("gauche", Topic::First),

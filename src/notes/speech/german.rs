@@ -421,6 +421,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("casteljau", Topic::Casteljau),
+    ("dividierte differenz", Topic::DividedDifference),
+    ("dividierten differenz", Topic::DividedDifference),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("link", Topic::First),

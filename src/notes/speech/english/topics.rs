@@ -5,6 +5,7 @@ use crate::judge::topic::Topic;
 /// How words begin that tell what a section is on.
 pub const TOPICS: &[(&str, Topic)] = &[
     ("casteljau", Topic::Casteljau),
+    ("divided difference", Topic::DividedDifference),
     ("neville", Topic::Neville),
     ("aitken", Topic::Neville),
     ("left", Topic::First),
