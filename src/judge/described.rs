@@ -243,6 +243,11 @@ impl Checker {
             return Some((held, tells.then_some(meaning)));
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
+        // C(t) = a_0 + a_1 t + … says what the a_i are.
+        let known = compare::symbols(&failure.left);
+        if !compare::symbols(&failure.right).iter().all(|symbol| known.contains(symbol)) {
+            return None;
+        }
         // P(t) is on the curve with the points P_i.
         let own = matches!(meaning.made, Made::Itself) && meaning.curve.points.as_ref() == Some(&new.letter);
         let evidence = match (certain, own) {

@@ -162,20 +162,29 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
 fn sentence(around: &[Around], statements: &mut [Statement]) {
     let mut formulas: Vec<usize> = statements.iter().map(|statement| statement.place.formula).collect();
     formulas.dedup();
-    let words = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
+    let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
     let claims = |role: Option<Role>| matches!(role, Some(Role::Claimed | Role::Always));
     // "For f(0) = 1, f(1) = 3: f[0, 1] = 2", "For n = 1, m = 2 we have …"
     let claimed: Vec<bool> = formulas
         .iter()
         .map(|&formula| {
-            let words = words(formula);
+            let words = words_of(formula);
             claims(speech::role(&words, false)) || words.left.trim_start().starts_with([':', '：'])
         })
         .collect();
     let mut roles: Vec<(Option<Role>, bool)> = Vec::with_capacity(formulas.len());
     for (at, &formula) in formulas.iter().enumerate() {
-        let words = words(formula);
+        let words = words_of(formula);
         let claims_later = claimed[at + 1..].iter().any(|&claimed| claimed);
+        // "For knots with the distance h and g(x) = x^2, …"
+        let opened = at == 1 && speech::goes_on(&words.left) == Some(false) && !words.left.trim().is_empty() && {
+            let start = words_of(formulas[0]);
+            start.first && roles[0].0.is_none() && speech::opens_case(&start.left)
+        };
+        if opened {
+            roles.push((Some(Role::Case), false));
+            continue;
+        }
         // "and also" goes on, "also" alone claims.
         let joined = words.left.chars().any(char::is_alphanumeric) && speech::goes_on(&words.left).is_some();
         let left = if joined { String::new() } else { words.left.clone() };
@@ -247,7 +256,7 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let in_words = || {
             let claim =
                 |statement: &Statement| matches!(statement.said, Said::Chain(_)) && !statement.is_case();
-            let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words(last).right);
+            let zero = !rest.iter().any(claim) && speech::zero_elsewhere(&words_of(last).right);
             zero.then(|| Expr::int(0))
         };
         said.or_else(in_words)

@@ -217,7 +217,11 @@ impl<'a> Reader<'a> {
         if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
             return;
         }
-        let owned = from.checked_sub(1).is_some_and(|before| self.is(before, &Word::With));
+        // "The left half has the control points …": a half of what is said before has others.
+        let owned = from.checked_sub(1).is_some_and(|before| {
+            let other = before.checked_sub(1).map(|owner| &self.tokens[owner]);
+            self.is(before, &Word::With) && !matches!(other, Some(Token::Unknown(_)))
+        });
         let takes = object.sort == Sort::PolarForm || object.sort == Sort::ControlPoints && owned;
         if takes && of.is_empty() && !anonymous {
             if object.sort == Sort::PolarForm && names.len() != self.topic.len() && !self.topic.is_empty() {

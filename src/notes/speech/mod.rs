@@ -327,6 +327,16 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     best.map(|(_, role)| role)
 }
 
+/// Whether the first words of a sentence are those of a case, with nothing set apart: "For uniform knots of distance".
+pub fn opens_case(words: &str) -> bool {
+    let text = normal(words);
+    let case = |cue: &Cue, language: &Language| {
+        matches!(cue, Cue::Before(phrase, Role::Case) if starts_with(&text, phrase, language))
+    };
+    let open = !words.contains([',', '，', ':', '：']);
+    open && LANGUAGES.iter().any(|language| language.cues.iter().any(|cue| case(cue, language)))
+}
+
 /// Whether words say nothing but "on": the interval after them belongs to what stands before them.
 ///
 /// True for "and on": then it belongs to what comes after.
