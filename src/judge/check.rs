@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use super::context::{Body, Condition, Context, Definition, Letters, Source, is_variable};
+use super::context::{Body, Condition, Context, Definition, Letters, Mark, Source, is_variable};
 use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
@@ -14,7 +14,7 @@ use super::reliance::Use;
 use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
-use crate::budget::{self, Limits};
+use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::Diagnostic;
@@ -126,7 +126,6 @@ impl Checker {
                 }
                 self.diagonal(chain, statement);
                 self.operators(chain, &statement.place);
-                let limits = self.limits.clone();
                 let before = self.context.mark();
                 if let Some(mut findings) = self.unasserted(chain, statement) {
                     Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
@@ -141,12 +140,9 @@ impl Checker {
                     self.findings.extend(findings);
                     return;
                 }
-                match budget::run(&limits, || self.chain(chain, statement)) {
+                match self.judged(chain, statement, before) {
                     Ok(mut findings) => {
-                        self.by_what_was_said(chain, statement, &mut findings, before);
-                        self.by_the_field(chain, statement, &mut findings, before);
-                        self.by_description(chain, statement, &mut findings, before);
-                        self.by_scheme(chain, statement, &mut findings);
+                        self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
                         self.findings.extend(findings);
                     }
@@ -162,6 +158,22 @@ impl Checker {
                 }
             }
         }
+    }
+
+    /// Judges a chain in all ways.
+    pub(super) fn judged(
+        &mut self,
+        chain: &Chain,
+        statement: &Statement,
+        before: Mark,
+    ) -> Result<Vec<Finding>, Stop> {
+        let limits = self.limits.clone();
+        let mut findings = budget::run(&limits, || self.chain(chain, statement))?;
+        self.by_what_was_said(chain, statement, &mut findings, before);
+        self.by_the_field(chain, statement, &mut findings, before);
+        self.by_description(chain, statement, &mut findings, before);
+        self.by_scheme(chain, statement, &mut findings);
+        Ok(findings)
     }
 
     /// Takes in what words say that names stand for.

@@ -207,7 +207,8 @@ impl Checker {
             .taken
             .iter()
             .rev()
-            .find(|taken| taken.letter == new.letter && place.knows(&taken.place, false));
+            .find(|taken| taken.letter == new.letter && place.knows(&taken.place, false))
+            .filter(|taken| taken.meaning.has_points());
         let certain = told.is_some();
         let meanings = match told {
             Some(told) => vec![told.meaning.clone()],
@@ -495,6 +496,11 @@ impl Checker {
 }
 
 impl Meaning {
+    /// Whether it tells the control points of the curve, or another formula for it.
+    fn has_points(&self) -> bool {
+        self.curve.object.as_ref().is_none_or(|object| !object.points.is_empty())
+    }
+
     fn object(&self, new: &New) -> Object {
         let Curve { name, degree, interval, object, .. } = &self.curve;
         let names = new.names.clone();

@@ -13,6 +13,7 @@
 pub(crate) mod asked;
 mod attempt;
 mod bare;
+mod blame;
 mod certainty;
 mod chain;
 pub mod check;

@@ -27,6 +27,7 @@ enum Ground {
 const MANY: usize = 4;
 
 /// A relation that was judged.
+#[derive(Clone)]
 pub(super) struct Use {
     finding: usize,
     grounds: BTreeSet<Ground>,

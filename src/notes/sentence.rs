@@ -177,10 +177,11 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         let words = words_of(formula);
         let claims_later = claimed[at + 1..].iter().any(|&claimed| claimed);
         // "For knots with the distance h and g(x) = x^2, …"
-        let opened = at == 1 && speech::goes_on(&words.left) == Some(false) && !words.left.trim().is_empty() && {
-            let start = words_of(formulas[0]);
-            start.first && roles[0].0.is_none() && speech::opens_case(&start.left)
-        };
+        let opened =
+            at == 1 && speech::goes_on(&words.left) == Some(false) && !words.left.trim().is_empty() && {
+                let start = words_of(formulas[0]);
+                start.first && roles[0].0.is_none() && speech::opens_case(&start.left)
+            };
         if opened {
             roles.push((Some(Role::Case), false));
             continue;

@@ -3,7 +3,7 @@
 
 use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
-use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel};
+use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel, Sign, Term};
 use crate::judge::context::Body;
 use crate::judge::names::{Head, implied_index, is_index_letter, is_star, own_names, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -143,8 +143,45 @@ impl Model {
                 Kind::Big { op, lower: vec![piece], upper: Some(Box::new(to)), body: Box::new(body.clone()) };
             Expr::new(big, expr.span)
         };
+        // All B-splines that are not 0 on one of the intervals that are tried.
+        let local = |machine: &mut Machine, name: &str| {
+            let part = |machine: &mut Machine, first: i64, last: i64| {
+                machine.eval(&range(name, Expr::int(first), Expr::int(last)))
+            };
+            let mut sum = part(machine, -LOCAL_TERMS, LOCAL_TERMS)?;
+            let mut end = LOCAL_TERMS;
+            while op == BigOp::Sum {
+                let next = end + LOCAL_TERMS;
+                // Beyond the knots there are no more.
+                let (Ok(after), Ok(before)) = (part(machine, end + 1, next), part(machine, -next, -end - 1))
+                else {
+                    break;
+                };
+                let more = [after, before].into_iter().try_fold(sum.clone(), arithmetic::add);
+                let more = more.map_err(|error| error.at(expr.span))?;
+                if more == sum {
+                    break;
+                }
+                if next > MOST_LOCAL_TERMS {
+                    let message = "limits of infinite sums are not computed";
+                    return Err(Diagnostic::error(Code::Undecided, message).at(expr.span));
+                }
+                (sum, end) = (more, next);
+            }
+            Ok(sum)
+        };
+        if let ([Expr { kind: Kind::Chain(index, links), .. }], Some(upper)) = (lower, upper)
+            && let (Kind::Name(name), [Link { rel: Rel::Eq, expr: from, .. }]) =
+                (&index.kind, links.as_slice())
+            && is_infinity(upper)
+            && matches!(&from.kind, Kind::Add(terms) if matches!(terms.as_slice(),
+                [Term { sign: Sign::Minus, expr }] if is_infinity(expr)))
+            && self.is_local()
+        {
+            return Some(local(machine, name));
+        }
         if let Some(upper) = upper
-            && matches!(&upper.kind, Kind::Name(name) if name == "infty")
+            && is_infinity(upper)
         {
             let Some(degree) = self.degree else {
                 self.record.borrow_mut().wants_degree = true;
@@ -178,8 +215,7 @@ impl Model {
         let all = |machine: &mut Machine, name: &str| {
             let (first, last) = match self.last_nonzero(body, name) {
                 Some(last) => (0, last),
-                // All B-splines that are not 0 on one of the intervals that are tried.
-                None if self.is_local() => (-LOCAL_TERMS, Expr::int(LOCAL_TERMS)),
+                None if self.is_local() => return Some(local(machine, name)),
                 None => {
                     self.record.borrow_mut().unbounded = true;
                     (1, Expr::int(FREE_TERMS))
@@ -372,8 +408,16 @@ impl Model {
     }
 }
 
-/// The B-splines with numbers from −4 to 4 are all up to degree 3 that are not 0 where they are tried.
+/// The B-splines with numbers from −4 to 4 are all up to degree 3 that are not 0 where they are mostly tried; as many
+/// more on both sides show whether the others vanish.
 const LOCAL_TERMS: i64 = 4;
+
+/// Further away nothing is looked for.
+const MOST_LOCAL_TERMS: i64 = 24;
+
+fn is_infinity(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Name(name) if name == "infty")
+}
 
 /// The last index for which the terms of a sum over all integers do not vanish, by the binomial or Bernstein
 /// polynomial in them: n for C(n, k) and B_k^n.

@@ -91,6 +91,15 @@ fn exchange(expr: &mut Expr, first: &Expr, second: &Expr) -> usize {
     count
 }
 
+/// Whether a term begins with a number.
+fn has_coefficient(term: &Expr) -> bool {
+    let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Div(..));
+    match &term.kind {
+        Kind::Mul(factors) => factors.first().is_some_and(number),
+        _ => number(term),
+    }
+}
+
 fn grouped(expr: &Expr) -> Expr {
     match expr.kind {
         Kind::Add(_) => expr.clone().grouped(),
@@ -298,6 +307,14 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                     let plus = Term { sign: Sign::Plus, ..second.clone() };
                     let minus = Term { sign: Sign::Minus, ..first.clone() };
                     list.push((1, new(Kind::Add(vec![plus, minus]))));
+                }
+                // a − 2b + c for a − b + c
+                if !in_index && !has_coefficient(&term.expr) {
+                    for lost in [2, 3] {
+                        let mut changed = terms.clone();
+                        changed[i].expr = Expr::product(vec![Expr::int(lost), grouped(&term.expr)]);
+                        list.push((4, new(Kind::Add(changed))));
+                    }
                 }
                 if terms.len() == 2 {
                     // n − 1 for n, n + 1 for n − 1

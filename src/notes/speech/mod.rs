@@ -330,9 +330,7 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
 /// Whether the first words of a sentence are those of a case, with nothing set apart: "For uniform knots of distance".
 pub fn opens_case(words: &str) -> bool {
     let text = normal(words);
-    let case = |cue: &Cue, language: &Language| {
-        matches!(cue, Cue::Before(phrase, Role::Case) if starts_with(&text, phrase, language))
-    };
+    let case = |cue: &Cue, language: &Language| matches!(cue, Cue::Before(phrase, Role::Case) if starts_with(&text, phrase, language));
     let open = !words.contains([',', '，', ':', '：']);
     open && LANGUAGES.iter().any(|language| language.cues.iter().any(|cue| case(cue, language)))
 }
