@@ -278,7 +278,8 @@ impl Suspect<'_> {
         whole && (ranged || operator && self.failure.inner && self.symbols().iter().all(Symbol::is_plain))
     }
 
-    /// Whether it gives the value, at numbers, of a function that its section defines.
+    /// Whether it gives the value, at numbers, of a function that its section defines: by a number, or by several
+    /// parameters of the function, all of which are in its value.
     fn is_value(&self) -> bool {
         let number = |expr: &Expr| bases(expr).is_empty();
         let [left, right] = self.sides();
@@ -286,17 +287,21 @@ impl Suspect<'_> {
             Kind::Apply(callee, groups) if groups.iter().flatten().all(number) => Head::of(callee),
             _ => None,
         };
-        let Some(head) = called(left).filter(|_| number(right)) else { return false };
+        let Some(head) = called(left) else { return false };
         let place = &self.statement.place;
         let own = |definition: &Definition| {
             definition.head.base == head.base
                 && definition.head.arguments.is_some()
                 && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
         };
-        self.is_equation()
-            && self.symbols().is_empty()
-            && self.tally.record.unknown.is_empty()
-            && self.used().any(own)
+        let known = match self.symbols().is_empty() {
+            true => number(right),
+            false => {
+                let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+                left.len() > 1 && left == right && !self.may_be_a_condition()
+            }
+        };
+        self.is_equation() && known && self.tally.record.unknown.is_empty() && self.used().any(own)
     }
 
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.
