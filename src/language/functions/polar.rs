@@ -2,7 +2,7 @@
 
 use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
-use crate::language::ops::errors::{division_by_zero, polar_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, division_by_zero, polar_error, wrong_kind};
 use crate::language::ops::formula::Univariate;
 use crate::language::ops::polar::point_argument;
 use crate::language::ops::{formula, function};
@@ -12,6 +12,7 @@ use super::parameter::{METHOD, Parameter, START, Takes, VARIABLE, many, named, o
 use super::{Builtin, on_geometry, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Polar, PolarKind, Value};
+use crate::math::curve::Interval;
 use crate::math::blossom::{Method, PolarForm, TensorPolarForm, TotalDegreePolarForm};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
 use crate::math::ring::{Field, Ring};
@@ -292,11 +293,14 @@ pub(super) const TABLE: &[Builtin] =
             call: |_, args| {
                 let (a, b) = ends(args)?;
                 if let Value::List(coordinates) = args.value(0)? {
-                    let mut columns = Vec::with_capacity(coordinates.len());
-                    for item in coordinates {
-                        let (form, _) = univariate_form(&args.with_first(item.clone()), 0)?;
-                        columns.push(form.bezier_points(&a, &b));
-                    }
+                    let read = |item: &Value| univariate_form(&args.with_first(item.clone()), 0);
+                    let forms = coordinates.iter().map(|item| Ok(read(item)?.0));
+                    let forms = forms.collect::<Result<Vec<_>>>()?;
+                    // Points have all their coordinates at one degree.
+                    let degree = forms.iter().map(PolarForm::degree).max().unwrap_or(0);
+                    let points =
+                        |form: &PolarForm<_>| form.elevate(degree - form.degree()).bezier_points(&a, &b);
+                    let columns: Vec<_> = forms.iter().map(points).collect();
                     return Ok(Value::List(points_of(&columns)));
                 }
                 let form = univariate_form(args, 0)?;
@@ -383,7 +387,11 @@ fn wrap(kind: PolarKind, variables: Vec<Symbol>) -> Value {
 /// The ends of an interval at the second and third place, 0 and 1 if not given.
 fn ends(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let a = args.optional_scalar(1)?.unwrap_or_else(Fraction::zero);
-    Ok((a, args.optional_scalar(2)?.unwrap_or_else(Fraction::one)))
+    let b = args.optional_scalar(2)?.unwrap_or_else(Fraction::one);
+    let place = if args.given(1).is_some() { 1 } else { 2 };
+    let interval = Interval::new(a, b).map_err(curve_error).at(args.span(place))?;
+    let (a, b) = interval.ends();
+    Ok((a.clone(), b.clone()))
 }
 
 fn univariate(form: PolarForm<Fraction>, variable: Symbol) -> Value {
@@ -454,14 +462,9 @@ fn coordinates_of(value: &Value) -> Option<Vec<Vec<Fraction>>> {
 
 /// The points whose coordinates stand in the given lists.
 fn points_of(columns: &[Vec<Fraction>]) -> Vec<Value> {
-    let count = columns.iter().map(Vec::len).max().unwrap_or(0);
-    (0..count)
-        .map(|i| {
-            let coordinate =
-                |column: &Vec<Fraction>| Value::Scalar(column.get(i).cloned().unwrap_or_else(Fraction::zero));
-            Value::List(columns.iter().map(coordinate).collect())
-        })
-        .collect()
+    let count = columns.first().map_or(0, Vec::len);
+    let point = |i: usize| columns.iter().map(|column| Value::Scalar(column[i].clone())).collect();
+    (0..count).map(|i| Value::List(point(i))).collect()
 }
 
 pub(super) fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {
