@@ -81,7 +81,8 @@ fn over_ranges(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
     (!ranges.is_empty()).then_some(whole.kind)
 }
 
-fn as_list(mut expr: Expr) -> Expr {
+/// Sets as lists: {{0, 1}, {1, 3}}.
+pub(super) fn as_list(mut expr: Expr) -> Expr {
     if let Kind::Set(items, None) = &expr.kind {
         expr.kind = Kind::List(items.iter().cloned().map(as_list).collect());
     }

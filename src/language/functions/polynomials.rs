@@ -88,6 +88,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "puts a value in place of a variable; subs(F, t=value) is the same",
         example: "subs(t^2 + c_0, t, 3)",
         on_curve: on_geometry::SUBS,
+        each: true,
         call: |_, args| {
             let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;

@@ -35,7 +35,7 @@ pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};
 pub(crate) use sentence::{Sentence, sentence};
-pub(crate) use spoken::{Call, Request, Said, What, request};
+pub(crate) use spoken::{Asked, Call, Request, Said, What, request};
 pub use token::MAX_TOKENS;
 
 use crate::formula::Expr;

@@ -7,12 +7,23 @@
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::letters::{self, is_ideograph};
 use crate::language::lexicon::phrases::{Label, Phrase, phrase};
+use crate::language::lexicon::words;
+use std::borrow::Cow;
+
+/// What is asked for, and what it is claimed or wanted to be.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Asked {
+    /// What is asked for.
+    pub request: Request,
+    /// Its value, if one is said.
+    pub equals: Option<Span>,
+}
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Request {
-    /// A formula, or several between which "and" stands.
-    Formula(Vec<Span>),
+    /// A formula, or several between which "and" stands, and what is said of them.
+    Formula(Vec<Span>, Vec<Said>),
     /// A function of something.
     Call(Call),
 }
@@ -62,10 +73,18 @@ pub(crate) fn request(
     text: &str,
     known: &dyn Fn(&str) -> bool,
     function: &dyn Fn(&str) -> Option<&'static str>,
-) -> Option<Request> {
+) -> Option<Asked> {
+    let masked = without_text_commands(text);
+    let text = masked.as_ref();
     let parts = parts(text, known, function);
     let named = |part: &Part| {
-        matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_), _))
+        let names = |phrase: &Phrase| match phrase {
+            Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_) | Phrase::Which => true,
+            // N_{0,2}(1/2) for the knots 0, 1, 2, 3
+            Phrase::Label(label) => label.names_values(),
+            _ => false,
+        };
+        matches!(part, Part::Phrase(phrase, _) if names(phrase))
     };
     let label =
         |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
@@ -86,8 +105,30 @@ pub(crate) fn request(
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
     let mut reader = Reader { text, parts, at: 0 };
-    let request = reader.request()?;
-    (reader.at == reader.parts.len()).then_some(request)
+    let asked = reader.asked()?;
+    (reader.at == reader.parts.len()).then_some(asked)
+}
+
+/// The text with blanks for \text{ }, so that all places stay the same.
+fn without_text_commands(text: &str) -> Cow<'_, str> {
+    let mut masked: Option<Vec<u8>> = None;
+    let mut at = 0;
+    while let Some(found) = text.piece(at..).find("\\") {
+        at += found;
+        let name = text.piece(at + 1..).chars().take_while(char::is_ascii_alphabetic).count();
+        let open = at + 1 + name;
+        let inside = text.piece(open..);
+        if words::is_text_command(text.piece(at..open)) && inside.starts_with('{') {
+            let length = inside.len() - after_brackets(inside).len();
+            let bytes = masked.get_or_insert_with(|| text.as_bytes().to_vec());
+            bytes[at..=open].fill(b' ');
+            if inside.piece(..length).ends_with('}') {
+                bytes[open + length - 1] = b' ';
+            }
+        }
+        at = open;
+    }
+    masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
 }
 
 struct Reader<'a> {
@@ -114,19 +155,53 @@ impl Reader<'_> {
         found
     }
 
+    /// A request, or what it is claimed to be: is u v the polar form of t^2? The degree of t^2 equals 2.
+    fn asked(&mut self) -> Option<Asked> {
+        // for which x is x^2 = 1
+        if self.take(Phrase::Which) {
+            let (Part::Piece(name), true) = (self.next()?, { self.at += 1; self.take(Phrase::Is) }) else {
+                return None;
+            };
+            let Part::Piece(equation) = self.next()? else { return None };
+            self.at += 1;
+            let labels = vec![Said { label: Label::With, what: What::Formula(name) }];
+            let subject = Some(Box::new(Request::Formula(vec![equation], Vec::new())));
+            let call = Call { function: "solve", phrase: name, subject, labels };
+            return Some(Asked { request: Request::Call(call), equals: None });
+        }
+        let asks = self.take(Phrase::Is);
+        if asks
+            && let Some(Part::Piece(claimed)) = self.next()
+            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
+        {
+            self.at += 1;
+            self.take(Phrase::Is);
+            let request = self.request()?;
+            return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(claimed) });
+        }
+        let request = self.request()?;
+        let mut equals = None;
+        if (self.take(Phrase::Equals) || self.take(Phrase::Is))
+            && let Some(Part::Piece(value)) = self.next()
+            && matches!(request, Request::Call(_))
+        {
+            self.at += 1;
+            equals = Some(value);
+        }
+        (!asks || equals.is_some()).then_some(Asked { request, equals })
+    }
+
     /// A formula or a function of something, and what is done with that.
     fn request(&mut self) -> Option<Request> {
         while self.take(Phrase::Of) {}
         let mut request = self.subject()?;
         while let Some(next) = self.next() {
             match next {
+                Part::Phrase(Phrase::Equals | Phrase::Is, _) => break,
                 // a spline with control points 0, 1, 3
-                Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _)
-                    if let (Some(Part::Piece(span)), Request::Call(call)) =
-                        (self.parts.get(self.at + 1).copied(), &mut request) =>
-                {
-                    self.at += 2;
-                    call.labels.push(Said { label: Label::Points, what: What::Formula(span) });
+                Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
+                    let said = self.said()?;
+                    request.labels().extend(said);
                 }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
@@ -140,7 +215,7 @@ impl Reader<'_> {
                 }
                 // 7 choose 3
                 Part::Phrase(Phrase::Between(function), phrase) => {
-                    let (Request::Formula(mut spans), Some(Part::Piece(span))) =
+                    let (Request::Formula(mut spans, _), Some(Part::Piece(span))) =
                         (request, self.parts.get(self.at + 1).copied())
                     else {
                         return None;
@@ -150,7 +225,7 @@ impl Reader<'_> {
                     if spans.iter().any(|span| is_sum(self.text.piece(span.range()))) {
                         return None;
                     }
-                    let subject = Some(Box::new(Request::Formula(spans)));
+                    let subject = Some(Box::new(Request::Formula(spans, Vec::new())));
                     request = Request::Call(Call { function, phrase, subject, labels: Vec::new() });
                 }
                 // t^3 的导数
@@ -162,12 +237,25 @@ impl Reader<'_> {
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
                 _ => {
                     let said = self.said()?;
-                    let Request::Call(call) = &mut request else { return None };
-                    call.labels.extend(said);
+                    request.labels().extend(said);
                 }
             }
         }
         Some(request)
+    }
+
+    /// Whether a label stands here.
+    fn at_label(&self) -> bool {
+        matches!(self.phrase(), Some(Phrase::Label(_))) || self.at_points()
+    }
+
+    /// Whether points follow their name here: control points 0, 1, 3.
+    fn at_points(&self) -> bool {
+        matches!(
+            self.parts.get(self.at..self.at + 2),
+            Some([Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _), Part::Piece(span)])
+                if is_several(self.text.piece(span.range()))
+        )
     }
 
     /// Whether a function follows a label, or what goes before it: into the Bernstein basis.
@@ -183,6 +271,7 @@ impl Reader<'_> {
             let (label, number) = match self.phrase() {
                 Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
                 Some(Phrase::Ordinal(number)) => (Label::Times, number),
+                Some(Phrase::Rational) => (Label::Rational, 1),
                 _ => break,
             };
             labels.push(Said { label, what: What::Degree(number) });
@@ -191,7 +280,12 @@ impl Reader<'_> {
         match self.next()? {
             Part::Piece(span) if labels.is_empty() => {
                 self.at += 1;
-                Some(Request::Formula(std::iter::once(span).chain(self.others()).collect()))
+                Some(Request::Formula(std::iter::once(span).chain(self.others()).collect(), Vec::new()))
+            }
+            // the cubic 0, 0, 8, 8
+            Part::Piece(span) => {
+                self.at += 1;
+                Some(Request::Formula(vec![span], labels))
             }
             Part::Phrase(word, phrase) => {
                 let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
@@ -205,7 +299,6 @@ impl Reader<'_> {
                 let subject = self.argument(&mut labels)?;
                 Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
             }
-            _ => None,
         }
     }
 
@@ -226,19 +319,23 @@ impl Reader<'_> {
         loop {
             while self.take(Phrase::Of) {}
             match self.next() {
-                None => return Some(None),
-                Some(Part::Phrase(Phrase::Label(_), _)) => {
+                None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                // degree elevation twice: 1, 0, 1
+                Some(Part::Phrase(Phrase::Ordinal(_), _)) => labels.extend(self.said()?),
+                _ if self.at_label() => {
                     let count = labels.len();
                     // Degree 2 on 0, 1, 2; but: at 1/2 of t^3
                     labels.extend(self.said()?);
-                    if count == labels.len() && matches!(self.next(), Some(Part::Phrase(Phrase::Label(_), _)))
-                    {
+                    if count == labels.len() && self.at_label() {
                         continue;
                     }
-                    if !matches!(self.phrase(), Some(Phrase::Of | Phrase::Label(_))) {
+                    while self.phrase() == Some(Phrase::And) {
+                        self.at += 1;
+                    }
+                    if !(self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None => Some(None),
+                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => Some(None),
                             Some(_) => self.subject().map(Some),
                         };
                     }
@@ -252,6 +349,7 @@ impl Reader<'_> {
     fn said(&mut self) -> Option<Vec<Said>> {
         let label = match self.next()? {
             Part::Phrase(Phrase::Label(label), _) => label,
+            Part::Phrase(Phrase::Function(_), _) if self.at_points() => Label::Points,
             // von 0 bis 1
             Part::Phrase(Phrase::Of, _)
                 if matches!(
@@ -268,6 +366,10 @@ impl Reader<'_> {
             Part::Phrase(Phrase::Degree(degree), _) => {
                 self.at += 1;
                 return Some(vec![Said { label: Label::OfDegree, what: What::Degree(degree) }]);
+            }
+            Part::Phrase(Phrase::Ordinal(number), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::Times, what: What::Degree(number) }]);
             }
             // bezier 0, 1, 4, t = 1/2
             Part::Piece(span) if self.text.piece(span.range()).contains('=') => {
@@ -294,9 +396,27 @@ impl Reader<'_> {
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
+            // for the control points 0, 1
+            Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,
         }
     }
+}
+
+impl Request {
+    /// What is said besides.
+    fn labels(&mut self) -> &mut Vec<Said> {
+        match self {
+            Request::Formula(_, labels) => labels,
+            Request::Call(call) => &mut call.labels,
+        }
+    }
+}
+
+/// Whether several items stand side by side in a text, or a list of them.
+fn is_several(text: &str) -> bool {
+    let first = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, ' ' | '=' | '_'));
+    text.contains([',', ';', '=']) || first.starts_with(['[', '{']) || text.contains(' ') && !text.contains(char::is_alphabetic)
 }
 
 /// The phrases outside of brackets and the formulas between them.
