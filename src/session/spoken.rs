@@ -97,6 +97,12 @@ impl Reader<'_> {
             basis.builtin = spline;
         }
         let mut formula: Option<Expr> = None;
+        if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
+            && builtin.name == "esym"
+            && let Some(called) = notations::symmetric(one)
+        {
+            return Ok(said.is_empty().then_some(called));
+        }
         if let [one] = items.as_slice()
             && let Some(read) = notations::with_values(one, &mut said)
         {
@@ -267,7 +273,9 @@ fn value_of(whole: Expr, read: Read) -> Option<Expr> {
     let polar = matches!(&whole.kind, Kind::Apply(callee, _)
         if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
     let arguments = match read.items.as_slice() {
-        [Expr { kind: Kind::Tuple(items) | Kind::List(items), .. }] if polar => items.clone(),
+        // In u and v, or in barycentric coordinates.
+        [Expr { kind: Kind::Tuple(items), .. }] => items.clone(),
+        [Expr { kind: Kind::List(items), .. }] if polar => items.clone(),
         _ => read.items,
     };
     Some(applied(whole, arguments, span))

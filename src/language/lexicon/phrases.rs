@@ -116,6 +116,10 @@ const PHRASES: &[(Phrase, &str)] = &[
         "integral~ | antiderivada | antiderivative | indefinite integral | definite integral | stammfunktion | \
          intégrale | primitive | 积分 | 不定积分 | 定积分",
     ),
+    (
+        Function("integrate"),
+        "area under | area below | fläche unter | flächeninhalt unter | aire sous | área bajo | area sotto",
+    ),
     (Command("integrate"), "integrate | integriere~ | intègre | intégrer | 求积分 | integrar | integra"),
     (Command("expand"), "expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
          desarrollar | espandi"),
@@ -200,6 +204,23 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Function("bspline"), "spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
          b样条曲线"),
+    (
+        Function("patch"),
+        "tensor product patch | tensor product surface | tensor product bézier patch | bézier patch | \
+         bezier patch | bézier surface | bezier surface | bézierfläche | bezierfläche | surface de bézier | \
+         tensorproduktfläche | tensor product bezier patch | tensor product bezier surface | bilinear patch",
+    ),
+    (
+        Function("triangle_patch"),
+        "triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
+         triangular patch | bézierdreieck | bezierdreieck | triangle de bézier",
+    ),
+    (
+        Function("esym"),
+        "elementary symmetric polynomial~ | elementary symmetric function~ | elementarsymmetrisch~ funktion~ | \
+         elementarsymmetrisch~ polynom~ | polynôme~ symétrique~ élémentaire~ | \
+         fonction~ symétrique~ élémentaire~",
+    ),
     (Function("deboor"), "de boor | deboor"),
     (Function("greville"), "greville abscissae | greville points | greville | greville abszissen | \
          abscisses de greville | abscisas de greville"),
@@ -297,7 +318,8 @@ const PHRASES: &[(Phrase, &str)] = &[
     (
         Phrase::Label(Points),
         "points | coefficients | coeffs | koeffizienten | coeficientes | coefficienti | \
-         de boor point~ | punkt~ | puntos | punti",
+         de boor point~ | punkt~ | puntos | punti | control net | kontrollnetz | net | \
+         corners | corner points",
     ),
     (Phrase::Label(Times), "times | mal | fois | veces | volte | 次"),
     (Phrase::Label(Number), "index"),
@@ -315,7 +337,7 @@ const PHRASES: &[(Phrase, &str)] = &[
          écrire | quelle est | quel est | la courbe | le polynôme | svp | bitte | matrix | \
          求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
-         symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
+         symbolic~ | barycentric~ | barycentric coordinates | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
     ),

@@ -194,6 +194,8 @@ impl Reader<'_> {
     /// A formula or a function of something, and what is done with that.
     fn request(&mut self) -> Option<Request> {
         while self.take(Phrase::Of) {}
+        // with Bernstein coefficients 1, 0, 1
+        self.at += usize::from(self.leads_to_function());
         let mut request = self.subject()?;
         while let Some(next) = self.next() {
             match next {
@@ -234,6 +236,17 @@ impl Reader<'_> {
                 {
                     self.at += 1;
                 }
+                // insert the knot 1/2 into a spline
+                Part::Phrase(Phrase::Label(Label::To | Label::In), _)
+                    if let Request::Call(Call { function: "insert_knots", subject, labels, .. }) = &mut request
+                        && let Some(Request::Formula(knots, _)) = subject.as_deref()
+                        && self.leads_to_qualified_function() =>
+                {
+                    let knots: Vec<Span> = knots.clone();
+                    self.at += 1;
+                    labels.extend(knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }));
+                    *subject = Some(Box::new(self.subject()?));
+                }
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
                 _ => {
                     let said = self.said()?;
@@ -246,7 +259,12 @@ impl Reader<'_> {
 
     /// Whether a label stands here.
     fn at_label(&self) -> bool {
-        matches!(self.phrase(), Some(Phrase::Label(_))) || self.at_points()
+        let says_degree = matches!(self.phrase(), Some(Phrase::Degree(_)))
+            && !matches!(
+                self.parts.get(self.at + 1),
+                Some(Part::Piece(_) | Part::Phrase(Phrase::Function(_) | Phrase::Degree(_) | Phrase::Rational, _))
+            );
+        matches!(self.phrase(), Some(Phrase::Label(_))) || says_degree || self.at_points()
     }
 
     /// Whether points follow their name here: control points 0, 1, 3.
@@ -264,6 +282,16 @@ impl Reader<'_> {
         label && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _)))
     }
 
+    /// The same, with what it is like between them: into the quadratic spline, into a degree 2 spline.
+    fn leads_to_qualified_function(&self) -> bool {
+        let rest = self.parts.get(self.at + 1..).unwrap_or_default();
+        let quality = |part: &&Part| {
+            !matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Label(Label::Knots | Label::Points), _))
+        };
+        let qualities = rest.iter().take_while(quality).count();
+        qualities < 3 && matches!(rest.get(qualities), Some(Part::Phrase(Phrase::Function(_), _)))
+    }
+
     /// A formula, or a function of something.
     fn subject(&mut self) -> Option<Request> {
         let mut labels = Vec::new();
@@ -272,6 +300,15 @@ impl Reader<'_> {
                 Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
                 Some(Phrase::Ordinal(number)) => (Label::Times, number),
                 Some(Phrase::Rational) => (Label::Rational, 1),
+                // degree 2 spline
+                Some(Phrase::Label(Label::OfDegree))
+                    if let Some([Part::Piece(span), Part::Phrase(Phrase::Function(_), _)]) =
+                        self.parts.get(self.at + 1..self.at + 3) =>
+                {
+                    labels.push(Said { label: Label::OfDegree, what: What::Formula(*span) });
+                    self.at += 2;
+                    continue;
+                }
                 _ => break,
             };
             labels.push(Said { label, what: What::Degree(number) });
@@ -322,6 +359,12 @@ impl Reader<'_> {
                 None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
                 // degree elevation twice: 1, 0, 1
                 Some(Part::Phrase(Phrase::Ordinal(_), _)) => labels.extend(self.said()?),
+                // with b0 = 1, b1 = 3
+                Some(Part::Piece(span))
+                    if !labels.is_empty() && begins_equation(self.text.piece(span.range())) =>
+                {
+                    labels.extend(self.said()?);
+                }
                 _ if self.at_label() => {
                     let count = labels.len();
                     // Degree 2 on 0, 1, 2; but: at 1/2 of t^3
@@ -332,7 +375,9 @@ impl Reader<'_> {
                     while self.phrase() == Some(Phrase::And) {
                         self.at += 1;
                     }
-                    if !(self.phrase() == Some(Phrase::Of) || self.at_label()) {
+                    let goes_on = |piece: Span| begins_equation(self.text.piece(piece.range()));
+                    let more = matches!(self.next(), Some(Part::Piece(span)) if goes_on(span));
+                    if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
                             None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => Some(None),

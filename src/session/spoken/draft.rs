@@ -63,7 +63,7 @@ impl Draft {
         let Some(first) = self.builtin.parameters.first() else { return Vec::new() };
         let subject = |read: &Read| match read.label {
             Label::Points | Label::Values => {
-                matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar | Takes::Geometry)
+                matches!(first.kind, Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry)
                     || first.kind == Takes::Coordinates && read.items.len() > 1
             }
             Label::Nodes => first.name == "nodes",
@@ -135,6 +135,8 @@ impl Draft {
                 self.placed = match items.as_slice() {
                     [Expr { kind: Kind::List(_), .. }] => items,
                     [_] if kind == Takes::Coordinates => items,
+                    // degree elevate (0, 2, 0)
+                    [Expr { kind: Kind::Tuple(values), .. }] => vec![list(values.clone())],
                     _ => vec![list(items)],
                 };
             }
@@ -198,6 +200,15 @@ impl Draft {
                 None => self.take_parameter(read),
             };
         }
+        // solve for a
+        if self.builtin.on_equations.is_some() {
+            let names = read.items.iter().all(|item| matches!(item.kind, Kind::Name(_) | Kind::Subscript(..)));
+            if !(names && matches!(read.label, Label::With | Label::In)) {
+                return Some(read);
+            }
+            self.named.extend(read.items.into_iter().map(|name| ("", name)));
+            return None;
+        }
         let number = one && matches!(first.kind, Kind::Number(_));
         let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
         let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
@@ -226,10 +237,17 @@ impl Draft {
                     Label::Weights => "weights",
                     _ => "points",
                 };
-                let names: &[&str] = if name == "knots" { &["knots", "nodes"] } else { &[name] };
+                let names: &[&str] = match name {
+                    "knots" => &["knots", "nodes"],
+                    "points" => &["points", "net"],
+                    _ => &[name],
+                };
                 let Some(parameter) = self.parameter(names) else { return Some(read) };
                 let value = match &first.kind {
-                    Kind::List(_) if one && !is_points(first.items().unwrap_or_default()) => first,
+                    Kind::List(_) if one && (!is_points(first.items().unwrap_or_default()) || parameter.kind == Takes::Net) => first,
+                    // knots (0, 0, 1, 1)
+                    Kind::Tuple(values) if one && !is_points(values) => list(values.clone()),
+                    Kind::List(_) if one => first,
                     _ => list(read.items),
                 };
                 self.named.push((parameter.name, value));

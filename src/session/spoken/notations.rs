@@ -48,6 +48,15 @@ pub(super) fn with_values(formula: &Expr, said: &mut Vec<Read>) -> Option<Meant>
     None
 }
 
+/// An elementary symmetric polynomial: e_2(1, 2, 3).
+pub(super) fn symmetric(formula: &Expr) -> Option<Expr> {
+    let Kind::Apply(callee, groups) = &formula.kind else { return None };
+    let Kind::Subscript(letter, index) = &callee.kind else { return None };
+    let ([index], [arguments]) = (index.as_slice(), groups.as_slice()) else { return None };
+    let known = matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "e" | "E" | "s" | "sigma"));
+    known.then(|| call("esym", std::iter::once(index).chain(arguments).cloned().collect(), formula.span))
+}
+
 /// over 0, 1, 2, 3
 fn is_knots(read: &Read) -> bool {
     read.label == Label::Over && read.items.len() > 2
