@@ -13,6 +13,7 @@ use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
 use crate::judge::names::bases;
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval;
 use crate::language::functions::{Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
@@ -152,8 +153,12 @@ impl Reader<'_> {
         said.sort_by_key(|read| read.label == Label::Rational);
         let mut after = Vec::new();
         for read in said {
+            self.is_of_one(&read, &drafts)?;
             let mut left = Some(read);
-            for draft in &mut drafts {
+            // What is solved for, before variables of what is solved.
+            let (solvers, others): (Vec<_>, Vec<_>) =
+                drafts.iter_mut().partition(|draft| draft.builtin.on_equations.is_some());
+            for draft in solvers.into_iter().chain(others) {
                 left = left.and_then(|read| draft.take(read));
             }
             after.extend(left);
@@ -177,6 +182,27 @@ impl Reader<'_> {
             (Some(left), Some(right)) => Some(equation(left, right)),
             (formula, _) => formula,
         })
+    }
+
+    /// Refuses an interval that may be that of a curve or that of what is asked about it.
+    fn is_of_one(&self, read: &Read, drafts: &[Draft]) -> Result<(), Box<Failure>> {
+        let [curve, rest @ ..] = drafts else { return Ok(()) };
+        let asked = rest.iter().find(|draft| draft.has_ends());
+        let ends = match read.items.as_slice() {
+            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends,
+            items => items,
+        };
+        let unit = matches!(ends, [a, b] if a.as_int() == Some(0) && b.as_int() == Some(1));
+        let (Label::Over, "bezier", Some(asked), false) = (read.label, curve.builtin.name, asked, unit) else {
+            return Ok(());
+        };
+        let function = asked.builtin.name;
+        let problem = Diagnostic::error(Code::Usage, format!("the interval of the curve, or of {function}?"))
+            .at(read.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default())
+            .reason("two functions take an interval")
+            .hint(format!("of the curve: {function}(bezier([0, 1, 1], 0, 2))"))
+            .hint(format!("of {function}: {function}(bezier([0, 1, 1]), a=0, b=1/2)"));
+        Err(Box::new(Failure { problem, file: self.file.clone() }))
     }
 
     fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {

@@ -96,6 +96,9 @@ use self::Phrase::{And, Between, Command, Degree, Filler, Function, Of, Ordinal}
 const ENDINGS: &[&str] =
     &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", "as", "os", "i", "he", "x"];
 
+/// Words that may stand inside of a phrase: insert the knot.
+const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "les", "el", "los"];
+
 /// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank, `~` for any of the endings.
 const PHRASES: &[(Phrase, &str)] = &[
     (
@@ -393,7 +396,7 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
     }
     let mut found = None;
     let mut listed: Option<&[(Phrase, &str)]> = None;
-    let mut written = String::new();
+    let (mut written, mut short) = (String::new(), String::new());
     let mut at = 0;
     for number in 0..LONGEST {
         let rest = text.get(at..)?;
@@ -406,17 +409,26 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         if word.is_empty() {
             break;
         }
+        let small: String =
+            word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }).collect();
         if number > 0 {
             written.push(' ');
+            if !ARTICLES.contains(&small.as_str()) {
+                short.extend([" ", &small]);
+            }
+        } else {
+            short.clone_from(&small);
         }
-        written.extend(word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }));
+        written.push_str(&small);
         at += separator + word.len();
         let own = listed.get_or_insert_with(|| BY_START.get(written.as_str()).map_or(&[][..], Vec::as_slice));
         // Most letters of formulas begin no phrase.
         if own.is_empty() && written.len() < SHORTEST_NAME {
             break;
         }
-        let known = own.iter().find(|(_, name)| says(&written, name)).map(|(phrase, _)| *phrase);
+        let article = number > 0 && ARTICLES.contains(&small.as_str());
+        let is = |name: &str| says(&written, name) || !article && says(&short, name);
+        let known = own.iter().find(|(_, name)| is(name)).map(|(phrase, _)| *phrase);
         let name = || function(&written.replace(' ', "_")).filter(|_| written.len() >= SHORTEST_NAME);
         if let Some(phrase) = known.or_else(|| name().map(Function)) {
             found = Some((phrase, at));

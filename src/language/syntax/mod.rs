@@ -19,6 +19,7 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod chars;
+mod clauses;
 mod items;
 mod lexer;
 mod parser;
@@ -31,6 +32,7 @@ pub(crate) mod truncated;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use clauses::{clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};

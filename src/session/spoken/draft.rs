@@ -186,7 +186,13 @@ impl Draft {
             }
             let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
             let found = self.builtin.parameters.iter().find(shown);
-            let found = found.filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
+            // u = 1/2 is no interval of u.
+            let fits = |p: &&Parameter| match p.kind {
+                Takes::Variable => false,
+                Takes::Interval => value.items().is_some(),
+                _ => true,
+            };
+            let found = found.filter(fits).map(|p| p.name);
             let degree = || {
                 let called = roles::is_degree(&name) || name == "p";
                 let parameter = self.parameter(&["degree", "n"]).filter(|_| called);
@@ -312,6 +318,11 @@ impl Draft {
         }
     }
 
+    /// Whether it takes an interval by its ends.
+    pub(super) fn has_ends(&self) -> bool {
+        self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
+    }
+
     /// A value for the parameter that comes after what the function is applied to.
     fn take_parameter(&mut self, read: Read) -> Option<Read> {
         let given = self.named.iter().any(|(name, _)| name.is_empty());
@@ -336,22 +347,25 @@ impl Draft {
         let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
         if let Some(mut inside) = inside {
             let subject = self.builtin.parameters.first().map(|first| first.kind);
-            let Kind::Apply(callee, groups) = &inside.kind else { return None };
-            match (subject, &callee.kind, groups.first().map(Vec::as_slice)) {
-                // The points of a curve stand for it.
-                (Some(Takes::Curve | Takes::Polar | Takes::Geometry), Kind::Name(name), Some([curve]))
-                    if matches!(name.as_str(), "control_points" | "bezier_points") =>
-                {
-                    inside = curve.clone();
+            if let Kind::Apply(callee, groups) = &inside.kind
+                && let Kind::Name(name) = &callee.kind
+            {
+                match (subject, name.as_str(), groups.first().map(Vec::as_slice)) {
+                    // The points of a curve stand for it.
+                    (
+                        Some(Takes::Curve | Takes::Polar | Takes::Geometry),
+                        "control_points" | "bezier_points",
+                        Some([curve]),
+                    ) => inside = curve.clone(),
+                    // The zeros of a Bézier polynomial.
+                    (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
+                        if self.builtin.on_curve.is_none() =>
+                    {
+                        let span = inside.span;
+                        inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
+                    }
+                    _ => {}
                 }
-                // The zeros of a Bézier polynomial.
-                (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), Kind::Name(name), _)
-                    if name == "bezier" =>
-                {
-                    let span = inside.span;
-                    inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
-                }
-                _ => {}
             }
             self.placed.insert(0, inside);
         }
