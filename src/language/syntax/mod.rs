@@ -149,7 +149,11 @@ pub fn is_incomplete(text: &str) -> bool {
 /// ```
 pub fn looks_like_latex(text: &str) -> bool {
     let bytes = text.as_bytes();
-    bytes.iter().enumerate().any(|(at, &byte)| match byte {
+    // ∫₀²
+    let below = |(before, after): (char, char)| "∑∏∫".contains(before) && ('₀'..='₎').contains(&after);
+    let unicode = text.chars().zip(text.chars().skip(1)).any(below);
+    unicode
+        || bytes.iter().enumerate().any(|(at, &byte)| match byte {
         b'$' => true,
         b'{' => text.piece(at..).starts_with("{,}"),
         b'_' => {
