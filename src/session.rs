@@ -7,6 +7,7 @@ mod clauses;
 mod foreign;
 mod given;
 mod spoken;
+mod unknown;
 
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -128,6 +129,9 @@ impl Session {
         let limits = self.limits.clone();
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
         if let Some(answers) = self.run_clause(file, whole, equals)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_unknown(file, whole, equals)? {
             return Ok(answers);
         }
         if let Some(formula) = self.spoken(file, whole)? {

@@ -105,7 +105,9 @@ fn over_ranges(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
     for range in ranges.iter().rev() {
         let (Kind::Set(items, None) | Kind::Tuple(items)) = &range.kind else { return None };
         // (k, 1, 5); a pair is a point
-        if matches!(range.kind, Kind::Tuple(_)) && items.len() != 3 || !matches!(items.first(), Some(Expr { kind: Kind::Name(_), .. })) {
+        if matches!(range.kind, Kind::Tuple(_)) && items.len() != 3
+            || !matches!(items.first(), Some(Expr { kind: Kind::Name(_), .. }))
+        {
             return None;
         }
         let one = Expr { span: range.span, ..Expr::int(1) };

@@ -170,7 +170,8 @@ impl Reader<'_> {
                 && let Some(left) = formula.take()
             {
                 let Some(left) = values.put_into(left) else { return Ok(None) };
-                formula = Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
+                formula =
+                    Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
             }
             formula = draft.applied_to(formula);
             if formula.is_none() {
@@ -193,7 +194,8 @@ impl Reader<'_> {
             items => items,
         };
         let unit = matches!(ends, [a, b] if a.as_int() == Some(0) && b.as_int() == Some(1));
-        let (Label::Over, "bezier", Some(asked), false) = (read.label, curve.builtin.name, asked, unit) else {
+        let (Label::Over, "bezier", Some(asked), false) = (read.label, curve.builtin.name, asked, unit)
+        else {
             return Ok(());
         };
         let function = asked.builtin.name;
@@ -223,7 +225,9 @@ fn of_definition(item: Expr) -> Expr {
     let Kind::Chain(left, links) = &item.kind else { return item };
     let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
     let head = match &left.kind {
-        Kind::Apply(callee, groups) => letter(callee) && matches!(groups.as_slice(), [one] if one.iter().all(letter)),
+        Kind::Apply(callee, groups) => {
+            letter(callee) && matches!(groups.as_slice(), [one] if one.iter().all(letter))
+        }
         _ => false,
     };
     match links.as_slice() {

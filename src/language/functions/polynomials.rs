@@ -92,10 +92,10 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;
-            if values.is_empty() {
-                values.push((args.symbol(1)?, args.scalar(2)?));
+            match values.is_empty() {
+                true => values.push((args.symbol(1)?, args.scalar(2)?)),
+                false => occur(&formula, &values, args)?,
             }
-            occur(&formula, &values, args)?;
             formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
         },
         ..NEW

@@ -93,8 +93,7 @@ use self::Label::*;
 use self::Phrase::{And, Between, Command, Degree, Filler, Function, Of, Ordinal};
 
 /// What a word may end with that is declined or in the plural, in any of the languages.
-const ENDINGS: &[&str] =
-    &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", "as", "os", "i", "he", "x"];
+const ENDINGS: &[&str] = &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", "as", "os", "i", "he", "x"];
 
 /// Words that may stand inside of a phrase: insert the knot.
 const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "les", "el", "los"];
@@ -113,7 +112,10 @@ const PHRASES: &[(Phrase, &str)] = &[
         "derivative~ | first derivative | ableitung~ | erste~ ableitung | dérivée~ | derivee | 导数 | \
          derivada~ | derivata | tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity",
     ),
-    (Command("derivative"), "differentiate | derive | dérive | dériver | differenziere~ | 求导 | derivar | deriva"),
+    (
+        Command("derivative"),
+        "differentiate | derive | dérive | dériver | differenziere~ | 求导 | derivar | deriva",
+    ),
     (
         Function("integrate"),
         "integral~ | antiderivada | antiderivative | indefinite integral | definite integral | stammfunktion | \
@@ -124,12 +126,21 @@ const PHRASES: &[(Phrase, &str)] = &[
         "area under | area below | fläche unter | flächeninhalt unter | aire sous | área bajo | area sotto",
     ),
     (Command("integrate"), "integrate | integriere~ | intègre | intégrer | 求积分 | integrar | integra"),
-    (Command("expand"), "expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
-         desarrollar | espandi"),
-    (Command("factor"), "factor | factorise | factorize | faktorisiere~ | factoriser | 因式分解 | factoriza | \
-         factorizar | fattorizza"),
+    (
+        Command("expand"),
+        "expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
+         desarrollar | espandi",
+    ),
+    (
+        Command("factor"),
+        "factor | factorise | factorize | faktorisiere~ | factoriser | 因式分解 | factoriza | \
+         factorizar | fattorizza",
+    ),
     (Function("factor"), "factorization | factorisation | prime factorization | faktorisierung"),
-    (Command("simplify"), "simplify | vereinfache~ | simplifie~ | simplifier | 化简 | simplifica~ | simplificar"),
+    (
+        Command("simplify"),
+        "simplify | vereinfache~ | simplifie~ | simplifier | 化简 | simplifica~ | simplificar",
+    ),
     (
         Command("solve"),
         "solve | löse~ | résous | résoudre | resuelve | resolver | risolvi | 解 | 求解 | solution | solutions | lösungen | lösung",
@@ -184,17 +195,26 @@ const PHRASES: &[(Phrase, &str)] = &[
          courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
          bezier polynomial | bézier polynomial | bezier polygon",
     ),
+    (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
     (
-        Function("casteljau"),
-        "de casteljau | casteljau | 德卡斯特里奥",
+        Command("elevate"),
+        "elevate | raise degree | elevate degree | raise the degree | elevate the degree | degree elevate | \
+         degree raise | erhöhe den grad | elevar el grado | 升阶",
     ),
-    (Command("elevate"), "elevate | raise degree | elevate degree | raise the degree | elevate the degree | degree elevate | \
-         degree raise | erhöhe den grad | elevar el grado | 升阶"),
-    (Function("elevate"), "degree elevation | graderhöhung | élévation du degré | élévation de degré | \
-         elevación de grado | elevación del grado"),
-    (Command("reduce"), "degree reduce | reduce degree | reduce the degree | lower degree | lower the degree | 降阶"),
+    (
+        Function("elevate"),
+        "degree elevation | graderhöhung | élévation du degré | élévation de degré | \
+         elevación de grado | elevación del grado",
+    ),
+    (
+        Command("reduce"),
+        "degree reduce | reduce degree | reduce the degree | lower degree | lower the degree | 降阶",
+    ),
     (Function("reduce"), "degree reduction | gradreduktion | réduction du degré | reducción de grado"),
-    (Command("subdivide"), "split | subdivide | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割"),
+    (
+        Command("subdivide"),
+        "split | subdivide | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
+    ),
     (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
     (Function("part"), "restriction | einschränkung | restricción"),
     (Command("reverse"), "reverse"),
@@ -205,8 +225,11 @@ const PHRASES: &[(Phrase, &str)] = &[
         "b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
          basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条",
     ),
-    (Function("bspline"), "spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
-         b样条曲线"),
+    (
+        Function("bspline"),
+        "spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
+         b样条曲线",
+    ),
     (
         Function("patch"),
         "tensor product patch | tensor product surface | tensor product bézier patch | bézier patch | \
@@ -225,8 +248,11 @@ const PHRASES: &[(Phrase, &str)] = &[
          fonction~ symétrique~ élémentaire~",
     ),
     (Function("deboor"), "de boor | deboor"),
-    (Function("greville"), "greville abscissae | greville points | greville | greville abszissen | \
-         abscisses de greville | abscisas de greville"),
+    (
+        Function("greville"),
+        "greville abscissae | greville points | greville | greville abszissen | \
+         abscisses de greville | abscisas de greville",
+    ),
     (Command("insert_knots"), "insert knot | insert knots | knot insertion"),
     (
         Function("lagrange"),
@@ -236,6 +262,11 @@ const PHRASES: &[(Phrase, &str)] = &[
          polinomio de interpolación | lagrange | \
          interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
          lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
+    ),
+    (
+        Function("hermite"),
+        "hermite interpolation | hermite interpolant | hermite polynomial | hermite interpolationspolynom | \
+         interpolation d'hermite | polynôme d'hermite | interpolación de hermite",
     ),
     (Command("lagrange"), "interpolate | interpoliere~ | interpole~ | interpoler | interpolar | 插值"),
     (
@@ -266,14 +297,26 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Degree(2), "quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次"),
     (Degree(3), "cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
-    (Ordinal(2), "second~ | zweite~ | deuxième~ | segund~ | twice | zweimal | deux fois | dos veces | due volte | 二阶"),
-    (Ordinal(3), "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | dreimal | trois fois | tres veces | 三阶"),
+    (
+        Ordinal(2),
+        "second~ | zweite~ | deuxième~ | segund~ | twice | zweimal | deux fois | dos veces | due volte | 二阶",
+    ),
+    (
+        Ordinal(3),
+        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | dreimal | trois fois | tres veces | 三阶",
+    ),
     (Degree(5), "quintic~ | quintique~ | 五次"),
-    (Of, "of | von | vom | des | der | de | du | d' | de la | de l' | del | de los | de las | di | della | \
-         dei | 的"),
+    (
+        Of,
+        "of | von | vom | des | der | de | du | d' | de la | de l' | del | de los | de las | di | della | \
+         dei | 的",
+    ),
     (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
     (Phrase::Is, "is | ist | est | gilt | does | do | stimmt"),
-    (Phrase::Equals, "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a"),
+    (
+        Phrase::Equals,
+        "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+    ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (And, "and | und | et | 和"),
     (
@@ -471,7 +514,10 @@ mod tests {
         for name in PHRASES.iter().flat_map(|(_, names)| names.split(" | ")) {
             let words = name.split(' ').map(forms);
             let all = words.fold(vec![String::new()], |starts, forms| {
-                starts.iter().flat_map(|start| forms.iter().map(move |form| format!("{start} {form}"))).collect()
+                starts
+                    .iter()
+                    .flat_map(|start| forms.iter().map(move |form| format!("{start} {form}")))
+                    .collect()
             });
             for form in all {
                 assert!(seen.insert(form.clone()), "{form}");

@@ -307,19 +307,80 @@ pub(crate) enum Copula {
 
 /// Words before a definition.
 const INTRODUCTIONS: &[&str] = &[
-    "let", "if", "given", "given that", "suppose", "suppose that", "assume", "sei", "es sei", "wenn", "falls", "soit",
-    "si", "sea", "sia", "se", "supongamos que", "supposons que", "angenommen", "设", "令", "若",
+    "let",
+    "if",
+    "given",
+    "given that",
+    "suppose",
+    "suppose that",
+    "assume",
+    "sei",
+    "es sei",
+    "wenn",
+    "falls",
+    "soit",
+    "si",
+    "sea",
+    "sia",
+    "se",
+    "supongamos que",
+    "supposons que",
+    "angenommen",
+    "设",
+    "令",
+    "若",
 ];
 
 /// Words between a name and what it is.
-const COPULAS: &[&str] =
-    &["be", "is", "denote", "denotes", "sei", "ist", "bezeichne", "soit", "est", "es", "sea", "è", "sia", "为", "是"];
+const COPULAS: &[&str] = &[
+    "be",
+    "is",
+    "denote",
+    "denotes",
+    "sei",
+    "ist",
+    "bezeichne",
+    "soit",
+    "est",
+    "es",
+    "sea",
+    "è",
+    "sia",
+    "为",
+    "是",
+];
 
 /// Words before what is asked after a definition.
 const CONTINUATIONS: &[&str] = &[
-    "then", "so", "what is", "what's", "what are", "find", "compute", "calculate", "determine", "evaluate", "dann", "was ist",
-    "berechne", "bestimme", "alors", "que vaut", "combien vaut", "calculer", "calcule", "entonces", "calcula",
-    "cuánto vale", "cuál es", "allora", "calcola", "quanto vale", "和", "求", "and",
+    "then",
+    "so",
+    "what is",
+    "what's",
+    "what are",
+    "find",
+    "compute",
+    "calculate",
+    "determine",
+    "evaluate",
+    "dann",
+    "was ist",
+    "berechne",
+    "bestimme",
+    "alors",
+    "que vaut",
+    "combien vaut",
+    "calculer",
+    "calcule",
+    "entonces",
+    "calcula",
+    "cuánto vale",
+    "cuál es",
+    "allora",
+    "calcola",
+    "quanto vale",
+    "和",
+    "求",
+    "and",
 ];
 
 /// The length of the word with which a text begins, if it introduces a definition.
@@ -352,8 +413,9 @@ fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
         !rest.starts_with(char::is_alphanumeric) || word.chars().all(super::letters::is_ideograph)
     };
     let begins = |word: &&&str| {
-        text.get(..word.len())
-            .is_some_and(|start| start.to_lowercase() == **word && text.get(word.len()..).is_some_and(|rest| ends(rest, word)))
+        text.get(..word.len()).is_some_and(|start| {
+            start.to_lowercase() == **word && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
+        })
     };
     words.iter().filter(begins).map(|word| word.len()).max()
 }

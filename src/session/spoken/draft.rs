@@ -63,8 +63,10 @@ impl Draft {
         let Some(first) = self.builtin.parameters.first() else { return Vec::new() };
         let subject = |read: &Read| match read.label {
             Label::Points | Label::Values => {
-                matches!(first.kind, Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry)
-                    || first.kind == Takes::Coordinates && read.items.len() > 1
+                matches!(
+                    first.kind,
+                    Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry
+                ) || first.kind == Takes::Coordinates && read.items.len() > 1
             }
             Label::Nodes => first.name == "nodes",
             Label::With => {
@@ -208,7 +210,8 @@ impl Draft {
         }
         // solve for a
         if self.builtin.on_equations.is_some() {
-            let names = read.items.iter().all(|item| matches!(item.kind, Kind::Name(_) | Kind::Subscript(..)));
+            let names =
+                read.items.iter().all(|item| matches!(item.kind, Kind::Name(_) | Kind::Subscript(..)));
             if !(names && matches!(read.label, Label::With | Label::In)) {
                 return Some(read);
             }
@@ -221,7 +224,9 @@ impl Draft {
         let found = match read.label {
             Label::OfDegree => return self.take_degree(read, first),
             // Without weights it is not known which curve is meant.
-            Label::Rational => return (!self.named.iter().any(|(name, _)| *name == "weights")).then_some(read),
+            Label::Rational => {
+                return (!self.named.iter().any(|(name, _)| *name == "weights")).then_some(read);
+            }
             Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => {
                 Some("b")
             }
@@ -250,7 +255,13 @@ impl Draft {
                 };
                 let Some(parameter) = self.parameter(names) else { return Some(read) };
                 let value = match &first.kind {
-                    Kind::List(_) if one && (!is_points(first.items().unwrap_or_default()) || parameter.kind == Takes::Net) => first,
+                    Kind::List(_)
+                        if one
+                            && (!is_points(first.items().unwrap_or_default())
+                                || parameter.kind == Takes::Net) =>
+                    {
+                        first
+                    }
                     // knots (0, 0, 1, 1)
                     Kind::Tuple(values) if one && !is_points(values) => list(values.clone()),
                     Kind::List(_) if one => first,
@@ -279,7 +290,8 @@ impl Draft {
         if let ("bezier" | "lagrange" | "newton", Some(points)) =
             (self.builtin.name, self.placed.first().and_then(Expr::items))
         {
-            let agrees = degree.as_int().is_some_and(|n| usize::try_from(n).is_ok_and(|n| n + 1 == points.len()));
+            let agrees =
+                degree.as_int().is_some_and(|n| usize::try_from(n).is_ok_and(|n| n + 1 == points.len()));
             return (!agrees).then_some(read);
         }
         let parameter =

@@ -35,7 +35,9 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
             let Some(own) = one.run() else { return true };
             let label = if label == Label::With { own } else { label };
             match runs.last_mut() {
-                Some((before, run)) if *before == label && run.last().is_some_and(|last| last.precedes(&one)) => {
+                Some((before, run))
+                    if *before == label && run.last().is_some_and(|last| last.precedes(&one)) =>
+                {
                     run.push(one);
                 }
                 _ => runs.push((label, vec![one])),
@@ -85,7 +87,8 @@ impl Equation {
     /// Whether it gives a value rather than a function.
     fn is_argument(&self) -> bool {
         matches!(self.value.kind, Kind::Number(_) | Kind::List(_) | Kind::Tuple(_))
-            || matches!(self.value.kind, Kind::Div(..) | Kind::Add(_)) && letters(&self.value, &Expr::int(0)).is_empty()
+            || matches!(self.value.kind, Kind::Div(..) | Kind::Add(_))
+                && letters(&self.value, &Expr::int(0)).is_empty()
     }
 
     /// What its list is, if it may be a part of one.
@@ -94,7 +97,9 @@ impl Equation {
             Some(_) => role(&self.letter),
             None if matches!(self.value.kind, Kind::List(_)) => role(&self.letter),
             // A = (0, 0), B = (1, 2)
-            None if self.capital().is_some() && is_points(std::slice::from_ref(&self.value)) => Some(Label::Points),
+            None if self.capital().is_some() && is_points(std::slice::from_ref(&self.value)) => {
+                Some(Label::Points)
+            }
             None => None,
         }
     }

@@ -53,7 +53,8 @@ pub(super) fn symmetric(formula: &Expr) -> Option<Expr> {
     let Kind::Apply(callee, groups) = &formula.kind else { return None };
     let Kind::Subscript(letter, index) = &callee.kind else { return None };
     let ([index], [arguments]) = (index.as_slice(), groups.as_slice()) else { return None };
-    let known = matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "e" | "E" | "s" | "sigma"));
+    let known =
+        matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "e" | "E" | "s" | "sigma"));
     known.then(|| call("esym", std::iter::once(index).chain(arguments).cloned().collect(), formula.span))
 }
 
@@ -94,11 +95,9 @@ impl Found<'_> {
             return Some(called);
         }
         let mut whole = true;
-        expr.for_each_child_mut(&mut |child| {
-            match self.rewritten(child.clone()) {
-                Some(new) => *child = new,
-                None => whole = false,
-            }
+        expr.for_each_child_mut(&mut |child| match self.rewritten(child.clone()) {
+            Some(new) => *child = new,
+            None => whole = false,
         });
         whole.then_some(expr)
     }
@@ -121,7 +120,12 @@ impl Found<'_> {
         (known && lagrange == degree.is_none()).then_some(Member { letter, number, degree })
     }
 
-    fn called(&self, member: &Member, argument: Option<&Expr>, span: crate::formula::source::Span) -> Option<Expr> {
+    fn called(
+        &self,
+        member: &Member,
+        argument: Option<&Expr>,
+        span: crate::formula::source::Span,
+    ) -> Option<Expr> {
         let number = member.number.clone();
         match (self.function, member.degree) {
             ("bspline_basis", Some(degree)) => {
@@ -140,7 +144,10 @@ impl Found<'_> {
                     Some(argument) => {
                         let name = Expr { span, ..Expr::name("t") };
                         let value = Expr::new(
-                            Kind::Chain(Box::new(name), vec![Link { rel: Rel::Eq, span, expr: argument.clone() }]),
+                            Kind::Chain(
+                                Box::new(name),
+                                vec![Link { rel: Rel::Eq, span, expr: argument.clone() }],
+                            ),
                             span,
                         );
                         call("subs", vec![one, value], span)
@@ -151,7 +158,8 @@ impl Found<'_> {
             // b_i^k(t), a point of de Casteljau's scheme: f(0, ..., t, ..., 1)
             ("bezier", Some(level)) if member.letter == "b" => {
                 let degree = self.values.items()?.len().checked_sub(1)?;
-                let (index, level) = (usize::try_from(number.as_int()?).ok()?, usize::try_from(level.as_int()?).ok()?);
+                let (index, level) =
+                    (usize::try_from(number.as_int()?).ok()?, usize::try_from(level.as_int()?).ok()?);
                 let zeros = degree.checked_sub(index.checked_add(level)?)?;
                 let number = |value: i64| Expr { span, ..Expr::int(value) };
                 let arguments = std::iter::repeat_n(number(0), zeros)

@@ -16,9 +16,7 @@ impl Parser<'_> {
     pub(super) fn at_method(&self) -> bool {
         let token = |at: usize| self.tokens.get(self.at + at);
         let tight = |at: usize, kind| token(at).is_some_and(|token| token.kind == kind && !token.spaced);
-        self.is_point(token(0))
-            && tight(1, TokenKind::Name)
-            && tight(2, TokenKind::Open(Bracket::Paren))
+        self.is_point(token(0)) && tight(1, TokenKind::Name) && tight(2, TokenKind::Open(Bracket::Paren))
     }
 
     /// A function called as a method of its first argument.
@@ -79,7 +77,8 @@ impl Parser<'_> {
             return Ok(None);
         }
         let rest = &self.tokens[self.at + 1..];
-        let Some(end) = rest.iter().position(|token| matches!(token.kind, TokenKind::Open(_) | TokenKind::Close(_)))
+        let Some(end) =
+            rest.iter().position(|token| matches!(token.kind, TokenKind::Open(_) | TokenKind::Close(_)))
         else {
             return Ok(None);
         };

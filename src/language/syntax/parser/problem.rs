@@ -257,9 +257,9 @@ impl Parser<'_> {
     pub(super) fn signed_item(&self, sign: Token) -> Problem {
         let problem = error(Code::UnexpectedToken, "a list without commas, or a difference?", sign.span());
         Box::new(
-            problem
-                .reason("the sign of an item, or an operator?")
-                .hint("write commas between the items, or blanks on both sides of an operator: 1, -1 or 1 - 1"),
+            problem.reason("the sign of an item, or an operator?").hint(
+                "write commas between the items, or blanks on both sides of an operator: 1, -1 or 1 - 1",
+            ),
         )
     }
 
