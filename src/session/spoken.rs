@@ -74,6 +74,9 @@ impl Reader<'_> {
                     What::Formula(span) => self.items(span)?,
                     What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
                 };
+                // in t = 1
+                let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+                let label = if label == Label::In && values { Label::At } else { label };
                 said.push(Read { label, items });
             }
         }
@@ -155,21 +158,23 @@ impl Reader<'_> {
         for read in said {
             self.is_of_one(&read, &drafts)?;
             let mut left = Some(read);
-            // What is solved for, before variables of what is solved.
-            let (solvers, others): (Vec<_>, Vec<_>) =
-                drafts.iter_mut().partition(|draft| draft.builtin.on_equations.is_some());
-            for draft in solvers.into_iter().chain(others) {
+            // What is solved for, before variables of what is solved; the part that is wanted, before the interval.
+            let (first, others): (Vec<_>, Vec<_>) = drafts
+                .iter_mut()
+                .partition(|draft| draft.builtin.on_equations.is_some() || draft.needs_ends());
+            for draft in first.into_iter().chain(others) {
                 left = left.and_then(|read| draft.take(read));
             }
             after.extend(left);
         }
         let mut values = Values(after);
+        let forms: Vec<String> = drafts.iter().map(|draft| draft.builtin.signature()).collect();
         for draft in drafts {
             // What is solved has its values before: solve for a: f(1, 2) equals 3
             if draft.builtin.on_equations.is_some()
                 && let Some(left) = formula.take()
             {
-                let Some(left) = values.put_into(left) else { return Ok(None) };
+                let left = values.put_into(left).map_err(|left| self.unused(&left, &forms))?;
                 formula =
                     Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
             }
@@ -178,11 +183,27 @@ impl Reader<'_> {
                 return Ok(None);
             }
         }
-        let formula = formula.and_then(|formula| values.put_into(formula));
+        let formula = match formula {
+            Some(formula) => Some(values.put_into(formula).map_err(|left| self.unused(&left, &forms))?),
+            None => None,
+        };
         Ok(match (formula, claimed) {
             (Some(left), Some(right)) => Some(equation(left, right)),
             (formula, _) => formula,
         })
+    }
+
+    /// The error for something that is said and that nothing takes.
+    fn unused(&self, left: &Read, forms: &[String]) -> Box<Failure> {
+        let place = left.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+        let (message, reason) = match left.label {
+            Label::OfDegree => ("this degree does not fit", "another degree, or another number of points"),
+            Label::Rational => ("weights are missing", "a rational curve has a weight for each point"),
+            _ => ("nothing here takes this", "what is asked for does not depend on it"),
+        };
+        let problem = Diagnostic::error(Code::Usage, message).at(place).reason(reason);
+        let problem = forms.iter().fold(problem, |problem, form| problem.hint(format!("the form is {form}")));
+        Box::new(Failure { problem, file: self.file.clone() })
     }
 
     /// Refuses an interval that may be that of a curve or that of what is asked about it.
@@ -252,7 +273,11 @@ fn equation(left: Expr, right: Expr) -> Expr {
 struct Values(Vec<Read>);
 
 impl Values {
-    fn put_into(&mut self, formula: Expr) -> Option<Expr> {
+    /// The formula at these values.
+    ///
+    /// # Errors
+    /// What cannot be put into it.
+    fn put_into(&mut self, formula: Expr) -> Result<Expr, Read> {
         // A curve at t = 1/2, a patch at u = 1/2 and v = 1/3: letters that do not occur are those of its parameters.
         let occur = bases(&formula);
         let parameter = |read: &Read| {
@@ -267,35 +292,44 @@ impl Values {
             })
         };
         let mut parameters: Vec<(String, Expr)> = Vec::new();
-        self.0.retain(|read| match parameter(read) {
-            Some(values) => {
-                parameters.extend(values);
-                false
+        let mut others = Vec::new();
+        for read in self.0.drain(..) {
+            match parameter(&read) {
+                // t = 1 and t = 2
+                Some(values)
+                    if values.iter().any(|(name, _)| parameters.iter().any(|(known, _)| known == name)) =>
+                {
+                    return Err(read);
+                }
+                Some(values) => parameters.extend(values),
+                None => others.push(read),
             }
-            None => true,
-        });
-        parameters.sort_by(|(one, _), (other, _)| one.cmp(other));
-        if parameters.windows(2).any(|pair| pair[0].0 == pair[1].0) {
-            return None;
         }
+        parameters.sort_by(|(one, _), (other, _)| one.cmp(other));
         let mut formula = formula;
         if !parameters.is_empty() {
             let span = formula.span;
             formula = applied(formula, parameters.into_iter().map(|(_, value)| value).collect(), span);
         }
-        self.0.drain(..).try_fold(formula, value_of)
+        for read in others {
+            match value_of(&formula, &read) {
+                Some(at) => formula = at,
+                None => return Err(read),
+            }
+        }
+        Ok(formula)
     }
 }
 
 /// The value of a result: at a parameter, or for values of its names.
-fn value_of(whole: Expr, read: Read) -> Option<Expr> {
+fn value_of(whole: &Expr, read: &Read) -> Option<Expr> {
     if !matches!(read.label, Label::At | Label::With | Label::To) {
         return None;
     }
     let span = whole.span;
     let equation = |item: &Expr| eval::named(item).is_some();
     if read.items.iter().all(equation) {
-        return Some(call("subs", std::iter::once(whole).chain(read.items).collect(), span));
+        return Some(call("subs", std::iter::once(whole).chain(&read.items).cloned().collect(), span));
     }
     if read.label != Label::At || read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..))) {
         return None;
@@ -306,7 +340,7 @@ fn value_of(whole: Expr, read: Read) -> Option<Expr> {
         // In u and v, or in barycentric coordinates.
         [Expr { kind: Kind::Tuple(items), .. }] => items.clone(),
         [Expr { kind: Kind::List(items), .. }] if polar => items.clone(),
-        _ => read.items,
+        items => items.to_vec(),
     };
-    Some(applied(whole, arguments, span))
+    Some(applied(whole.clone(), arguments, span))
 }

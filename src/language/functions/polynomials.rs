@@ -328,6 +328,19 @@ fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     Ok((quotient.value(&t), rest.value(&t)))
 }
 
+/// Refuses a value for a name that does not occur in a formula with other names: it would change nothing.
+fn occur(formula: &Fraction, values: &[(Symbol, Fraction)], args: &Arguments) -> Result<()> {
+    let names = formula.variables();
+    let unknown = values.iter().find(|(name, _)| !names.is_empty() && !names.contains(name));
+    let Some((name, _)) = unknown else { return Ok(()) };
+    let place = args.named(&name.to_string()).map_or_else(|| args.span(1), |(_, span)| span);
+    let listed: Vec<String> = names.iter().map(ToString::to_string).collect();
+    Err(Diagnostic::error(Code::Usage, format!("{name} does not occur in the formula"))
+        .at(place)
+        .reason("this value changes nothing")
+        .hint(format!("give a value to one of its names: {}", listed.join(", "))))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -369,17 +382,4 @@ mod tests {
             }
         }
     }
-}
-
-/// Refuses a value for a name that does not occur in a formula with other names: it would change nothing.
-fn occur(formula: &Fraction, values: &[(Symbol, Fraction)], args: &Arguments) -> Result<()> {
-    let names = formula.variables();
-    let unknown = values.iter().find(|(name, _)| !names.is_empty() && !names.contains(name));
-    let Some((name, _)) = unknown else { return Ok(()) };
-    let place = args.named(&name.to_string()).map_or_else(|| args.span(1), |(_, span)| span);
-    let listed: Vec<String> = names.iter().map(ToString::to_string).collect();
-    Err(Diagnostic::error(Code::Usage, format!("{name} does not occur in the formula"))
-        .at(place)
-        .reason("this value changes nothing")
-        .hint(format!("give a value to one of its names: {}", listed.join(", "))))
 }

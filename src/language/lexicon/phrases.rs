@@ -261,7 +261,8 @@ const PHRASES: &[(Phrase, &str)] = &[
          polinomio di lagrange | polynôme de lagrange | lagrange polynom~ | lagrangepolynom~ | \
          polinomio de interpolación | lagrange | \
          interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
-         lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
+         polynomial through | polynom durch | polynôme passant par | polinomio por | \
+         polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
     ),
     (
         Function("hermite"),
@@ -375,15 +376,14 @@ const PHRASES: &[(Phrase, &str)] = &[
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
-         value of | point | point on | exactly | exact | polynomial | function | curve | \
-         the curve | the function | the polynomial | curve with | funktion | kurve | \
+         value of | point | point on | exactly | exact | polynomial | function | curve | curve with | funktion | kurve | \
          polynom | was ist | berechne | bestimme | finde | gib | wandle | schreibe | um | die | \
          das | den | dem | calcule | calculer | calculez | donne | donner | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
-         écrire | quelle est | quel est | la courbe | le polynôme | svp | bitte | matrix | \
+         écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
          求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
-         symbolic~ | barycentric~ | barycentric coordinates | calcula | calcular | halla | hallar | encuentra | el | los | las | \
+         wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | barycentric~ | barycentric coordinates | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
     ),
@@ -473,7 +473,9 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         let is = |name: &str| says(&written, name) || !article && says(&short, name);
         let known = own.iter().find(|(_, name)| is(name)).map(|(phrase, _)| *phrase);
         let name = || function(&written.replace(' ', "_")).filter(|_| written.len() >= SHORTEST_NAME);
-        if let Some(phrase) = known.or_else(|| name().map(Function)) {
+        // A spline of degree 2 is no spline_of.
+        let goes_on = found.is_some() && written.ends_with(" of");
+        if let Some(phrase) = known.or_else(|| name().filter(|_| !goes_on).map(Function)) {
             found = Some((phrase, at));
         }
     }

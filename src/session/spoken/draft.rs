@@ -236,6 +236,8 @@ impl Draft {
                 let variable = self.builtin.parameters.iter().find(|p| p.kind == Takes::Variable);
                 variable.map(|p| p.name)
             }
+            // the restriction to [0, 1/2]
+            Label::To if matches!(first.kind, Kind::List(_)) => return self.take_interval(read),
             Label::Over | Label::With | Label::In => return self.take_interval(read),
             Label::Times => single(&["k", "times"]),
             Label::Number => single(&["i"]),
@@ -287,11 +289,17 @@ impl Draft {
             return None;
         }
         // As many points as the degree says: a cubic 0, 1, 1, 0.
-        if let ("bezier" | "lagrange" | "newton", Some(points)) =
+        if let ("bezier" | "lagrange" | "newton" | "triangle_patch", Some(points)) =
             (self.builtin.name, self.placed.first().and_then(Expr::items))
         {
-            let agrees =
-                degree.as_int().is_some_and(|n| usize::try_from(n).is_ok_and(|n| n + 1 == points.len()));
+            let agrees = degree.as_int().is_some_and(|n| {
+                usize::try_from(n).is_ok_and(|n| match self.builtin.name {
+                    "triangle_patch" => {
+                        n.checked_add(2).and_then(|m| (n + 1).checked_mul(m)) == Some(2 * points.len())
+                    }
+                    _ => n.checked_add(1) == Some(points.len()),
+                })
+            });
             return (!agrees).then_some(read);
         }
         let parameter =
@@ -316,7 +324,7 @@ impl Draft {
             _ => read.items.clone(),
         };
         if let (Some(a), Some(b), [from, to]) =
-            (self.parameter(&["a"]), self.parameter(&["b"]), ends.as_slice())
+            (self.parameter(&["a", "r"]), self.parameter(&["b", "s"]), ends.as_slice())
         {
             self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
             return None;
@@ -328,6 +336,11 @@ impl Draft {
             }
             _ => Some(read),
         }
+    }
+
+    /// Whether it cannot be without an interval: the part of a curve.
+    pub(super) fn needs_ends(&self) -> bool {
+        self.parameter(&["r"]).is_some_and(|end| end.need == Need::Required)
     }
 
     /// Whether it takes an interval by its ends.
@@ -371,7 +384,7 @@ impl Draft {
                     ) => inside = curve.clone(),
                     // The zeros of a Bézier polynomial.
                     (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() =>
+                        if self.builtin.on_curve.is_none() && self.builtin.name != "reverse" =>
                     {
                         let span = inside.span;
                         inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);

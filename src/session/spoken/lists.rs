@@ -1,5 +1,6 @@
 //! Lists by other names: `b0 = 1, b1 = 4, b2 = 2`, `A = (0, 0), B = (3, 6)`, `w = {1, 3, 1}`.
 
+use super::super::foreign::as_list;
 use super::Read;
 use super::draft::is_points;
 use crate::formula::{Expr, Kind};
@@ -80,7 +81,7 @@ impl Equation {
             },
             _ => return None,
         };
-        let value = link.expr.clone();
+        let value = as_list(link.expr.clone());
         (link.rel == crate::formula::Rel::Eq).then(|| Equation { letter, index, value, whole: item.clone() })
     }
 
