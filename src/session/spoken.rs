@@ -46,11 +46,8 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
-        let mut claimed = match equals.map(|span| self.items(span)).transpose()?.as_deref() {
-            None => None,
-            Some([one]) => Some(one.clone()),
-            Some(_) => return Ok(None),
-        };
+        // u v is a product here, no list.
+        let mut claimed = equals.map(|span| self.one(span)).transpose()?;
         let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
@@ -226,6 +223,12 @@ impl Reader<'_> {
             .hint(format!("of the curve: {function}(bezier([0, 1, 1], 0, 2))"))
             .hint(format!("of {function}: {function}(bezier([0, 1, 1]), a=0, b=1/2)"));
         Err(Box::new(Failure { problem, file: self.file.clone() }))
+    }
+
+    fn one(&self, span: Span) -> Result<Expr, Box<Failure>> {
+        let session = self.session;
+        guarded(&session.limits, || read_in(&session.env, self.file, Some(span.shifted(self.start))))
+            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 
     fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {

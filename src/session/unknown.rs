@@ -112,7 +112,11 @@ fn degree(unknown: &Unknown, conditions: &[Condition]) -> Result<Option<u32>, Di
     let alike = |one: &Condition| {
         one.name == first.name && one.arguments.len() == count && (count == 1 || one.order == 0)
     };
-    if count == 0 || !conditions.iter().all(alike) {
+    // f(a, b) = f(b, a) is a law.
+    let own = |one: &Condition| {
+        one.arguments.iter().chain([&one.value]).any(|part| bases(part).contains(&first.name))
+    };
+    if count == 0 || conditions.len() < 2 || !conditions.iter().all(alike) || conditions.iter().any(own) {
         return Ok(None);
     }
     let own = i64::try_from(count).ok().filter(|_| count > 1);

@@ -25,6 +25,11 @@ pub(crate) fn unknown(
     function: &dyn Fn(&str) -> Option<&'static str>,
 ) -> Option<Unknown> {
     let parts = parts(text, known, function);
+    // Without a word it is a claim: f(0, 1) = 2.
+    let says = |part: &Part| matches!(part, Part::Phrase(phrase, _) if *phrase != Phrase::And);
+    if !parts.iter().any(says) {
+        return None;
+    }
     let mut found = Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None };
     let mut name: Option<&str> = None;
     let mut parts = parts.into_iter().peekable();
@@ -73,7 +78,7 @@ pub(crate) fn unknown(
             _ => return None,
         }
     }
-    let name = name.filter(|name| !known(name))?;
+    let name = name.filter(|name| !known(name) && function(name).is_none())?;
     let asks = found.asked.is_none_or(|span| text.piece(span.range()).contains(name));
     (!found.conditions.is_empty() && asks).then_some(found)
 }
