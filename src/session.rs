@@ -3,9 +3,11 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+mod clauses;
 mod foreign;
 mod given;
 mod spoken;
+mod unknown;
 
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -126,13 +128,19 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
-        let known = |word: &str| defines(&self.env, word);
+        if let Some(answers) = self.run_clause(file, whole, equals)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_unknown(file, whole, equals)? {
+            return Ok(answers);
+        }
         if let Some(formula) = self.spoken(file, whole)? {
-            let read = Diagnostic::note(Code::StandardMeaning, format!("read as {}", write::text(&formula)));
+            let read = read_as(&formula, whole);
             let mut answer = self.evaluated(file, formula, equals, false)?;
-            answer.outcome.notes.insert(0, read.at(whole));
+            answer.outcome.notes.insert(0, read);
             return Ok(vec![answer]);
         }
+        let known = |word: &str| defines(&self.env, word);
         if let Some(sentence) = syntax::sentence(file.slice(whole), &known)
             && let Some(answers) = self.run_sentence(file, &sentence.shifted(whole.start), equals)?
         {
@@ -283,6 +291,11 @@ impl Session {
             Err(failure) => each(self, Err(failure)),
         }
     }
+}
+
+/// The remark how words were read.
+fn read_as(formula: &Expr, place: Span) -> Diagnostic {
+    Diagnostic::note(Code::StandardMeaning, format!("read as {}", write::text(formula))).at(place)
 }
 
 /// Reads plain notation or LaTeX, whichever it looks like; spans count from the start of the file.

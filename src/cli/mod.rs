@@ -126,7 +126,15 @@ fn read(arguments: Vec<OsString>) -> Result<Arguments, clap::Error> {
         let at = arguments.iter().position(|argument| argument.to_str() == Some(given));
         match at.filter(|_| !is_word(given) && !is_page(given)) {
             Some(at) => {
-                let (before, formulas) = arguments.split_at(at);
+                let (before, mut formulas) = arguments.split_at(at);
+                // polarform -- "-t^2": the command goes before the dashes.
+                let before = match before.split_last() {
+                    Some((dashes, rest)) if dashes == "--" => {
+                        formulas = &arguments[at - 1..];
+                        rest
+                    }
+                    _ => before,
+                };
                 Arguments::try_parse_from([before, &[OsString::from("eval")], formulas].concat())
             }
             None => Err(error),

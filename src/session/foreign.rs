@@ -11,6 +11,16 @@ pub(super) fn with_calls(mut expr: Expr, known: &dyn Fn(&str) -> bool) -> Expr {
 
 fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     expr.for_each_child_mut(&mut |child| rewrite(child, known));
+    // sum(k^2, (k, 1, 5))
+    if let Kind::Apply(callee, groups) = &expr.kind
+        && let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice())
+        && let Some(op) = big_operator(name)
+        && !known(name)
+        && let Some(kind) = over_ranges(op, arguments)
+    {
+        expr.kind = kind;
+        return;
+    }
     let Kind::Subscript(base, inside) = &expr.kind else { return };
     let (Kind::Name(name), [Expr { kind: Kind::List(arguments), .. }]) = (&base.kind, inside.as_slice())
     else {
@@ -19,12 +29,7 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     if known(name) {
         return;
     }
-    let big = match name.as_str() {
-        "Sum" => Some(BigOp::Sum),
-        "Product" => Some(BigOp::Product),
-        _ => None,
-    };
-    if let Some(op) = big {
+    if let Some(op) = big_operator(name) {
         if let Some(kind) = over_ranges(op, arguments) {
             expr.kind = kind;
         }
@@ -47,6 +52,34 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
             _ => own.push(as_list(argument.clone())),
         }
     }
+    let callee = |function: &str| Expr { span: base.span, ..Expr::name(function) };
+    match (function, own.as_slice()) {
+        // Blossom[t^2, {0, 1}]
+        ("polar", [formula, Expr { kind: Kind::List(at), .. }]) => {
+            let form = applied(callee("polar"), vec![formula.clone()], base.span);
+            expr.kind = applied(form, at.clone(), expr.span).kind;
+            return;
+        }
+        // SymmetricPolynomial[2, {x, y, z}]
+        ("esym", [number, Expr { kind: Kind::List(of), .. }]) => {
+            let arguments = std::iter::once(number).chain(of).cloned().collect();
+            expr.kind = applied(callee("esym"), arguments, expr.span).kind;
+            return;
+        }
+        // BSplineBasis[{2, {0, 1, 2, 3}}, 0, x]
+        ("bspline_basis", [Expr { kind: Kind::List(degree_and_knots), .. }, number, rest @ ..]) => {
+            let mut arguments = degree_and_knots.clone();
+            arguments.push(number.clone());
+            let function = applied(callee("bspline_basis"), arguments, expr.span);
+            expr.kind = match rest {
+                // The whole function, in t.
+                [] | [Expr { kind: Kind::Name(_), .. }] => function.kind,
+                values => applied(function, values.to_vec(), expr.span).kind,
+            };
+            return;
+        }
+        _ => {}
+    }
     // The letter of what is interpolated goes by its name.
     if function == "lagrange"
         && let [_, letter] = own.as_mut_slice()
@@ -54,8 +87,15 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     {
         *letter = named("variable", letter.clone());
     }
-    let callee = Expr { span: base.span, ..Expr::name(function) };
-    expr.kind = applied(callee, own, expr.span).kind;
+    expr.kind = applied(callee(function), own, expr.span).kind;
+}
+
+fn big_operator(name: &str) -> Option<BigOp> {
+    match name {
+        "Sum" | "sum" | "summation" => Some(BigOp::Sum),
+        "Product" | "product" | "prod" => Some(BigOp::Product),
+        _ => None,
+    }
 }
 
 /// Sum[f, {i, a, b}, {j, c, d}]: the last range is the inner one.
@@ -63,7 +103,13 @@ fn over_ranges(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
     let (body, ranges) = arguments.split_first()?;
     let mut whole = body.clone();
     for range in ranges.iter().rev() {
-        let Kind::Set(items, None) = &range.kind else { return None };
+        let (Kind::Set(items, None) | Kind::Tuple(items)) = &range.kind else { return None };
+        // (k, 1, 5); a pair is a point
+        if matches!(range.kind, Kind::Tuple(_)) && items.len() != 3
+            || !matches!(items.first(), Some(Expr { kind: Kind::Name(_), .. }))
+        {
+            return None;
+        }
         let one = Expr { span: range.span, ..Expr::int(1) };
         let (name, from, to) = match items.as_slice() {
             [name, to] => (name, &one, to),
@@ -81,7 +127,8 @@ fn over_ranges(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
     (!ranges.is_empty()).then_some(whole.kind)
 }
 
-fn as_list(mut expr: Expr) -> Expr {
+/// Sets as lists: {{0, 1}, {1, 3}}.
+pub(super) fn as_list(mut expr: Expr) -> Expr {
     if let Kind::Set(items, None) = &expr.kind {
         expr.kind = Kind::List(items.iter().cloned().map(as_list).collect());
     }

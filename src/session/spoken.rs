@@ -3,24 +3,22 @@
 //! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
 //! are put into the result.
 
+mod draft;
+mod lists;
+mod notations;
+
+use self::draft::Draft;
+use super::foreign::as_list;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::judge::names::bases;
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval;
-use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin, function_called};
+use crate::language::functions::{Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
-use crate::language::syntax::{self, Call, Request, Said, What};
-
-/// A call whose arguments are being gathered.
-struct Draft {
-    builtin: &'static Builtin,
-    phrase: Span,
-    placed: Vec<Expr>,
-    named: Vec<(&'static str, Expr)>,
-    /// The degree that an elevation or reduction leads to.
-    degree: Option<Expr>,
-}
+use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 
 /// Something that a label says, read.
 struct Read {
@@ -32,11 +30,11 @@ impl Session {
     /// The formula that a request in words stands for; `None` if it is none, or says what no function takes.
     pub(super) fn spoken(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
         let known = |word: &str| defines(&self.env, word);
-        let Some(request) = syntax::request(file.slice(whole), &known, &function_called) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_called) else {
             return Ok(None);
         };
         let reader = Reader { session: self, file, start: whole.start };
-        reader.formula(request)
+        reader.formula(asked)
     }
 }
 
@@ -47,30 +45,40 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn formula(&self, request: Request) -> Result<Option<Expr>, Box<Failure>> {
+    fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
+        // u v is a product here, no list.
+        let mut claimed = equals.map(|span| self.one(span)).transpose()?;
         let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
-            match *request {
+            let (labels, phrase) = match *request {
                 Request::Call(Call { function, phrase, subject, labels }) => {
                     let Some(builtin) = builtin(function) else { return Ok(None) };
                     let phrase = phrase.shifted(self.start);
-                    drafts.push(Draft { phrase, ..Draft::new(builtin) });
-                    for Said { label, what } in labels {
-                        let items = match what {
-                            What::Formula(span) => self.items(span)?,
-                            What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
-                        };
-                        said.push(Read { label, items });
-                    }
+                    drafts.push(Draft::new(builtin, phrase));
                     rest = subject;
+                    (labels, phrase)
                 }
-                Request::Formula(spans) => {
+                Request::Formula(spans, labels) => {
                     for span in spans {
                         items.extend(self.items(span)?);
                     }
+                    (labels, Span::default())
                 }
+            };
+            for Said { label, what } in labels {
+                let items = match what {
+                    What::Formula(span) => self.items(span)?,
+                    What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
+                };
+                // in t = 1
+                let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+                let label = if label == Label::In && values { Label::At } else { label };
+                said.push(Read { label, items });
             }
+        }
+        if drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
+            lists::gather(&mut items, &mut said);
         }
         // From the inside out.
         drafts.reverse();
@@ -80,7 +88,7 @@ impl Reader<'_> {
             && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
             && let (true, Some(spline)) = (knots, builtin("bspline"))
         {
-            drafts.insert(0, Draft { phrase: *phrase, ..Draft::new(spline) });
+            drafts.insert(0, Draft::new(spline, *phrase));
             drafts[1].placed = std::mem::take(&mut items);
         }
         if said.iter().any(|read| read.label == Label::Points)
@@ -89,47 +97,138 @@ impl Reader<'_> {
         {
             basis.builtin = spline;
         }
-        let Some(innermost) = drafts.first_mut() else {
+        let mut formula: Option<Expr> = None;
+        if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
+            && builtin.name == "esym"
+            && let Some(called) = notations::symmetric(one)
+        {
+            return Ok(said.is_empty().then_some(called));
+        }
+        if let [one] = items.as_slice()
+            && let Some(read) = notations::with_values(one, &mut said)
+        {
+            // the B-spline N_{0,2}
+            if drafts.first().is_some_and(|draft| draft.builtin.name == read.function) {
+                drafts.remove(0);
+            }
+            formula = Some(read.formula);
+            items.clear();
+        } else if drafts.is_empty() {
             // compute 3 + 4
             return Ok(match items.as_slice() {
-                [one] => Some(one.clone()),
+                [one] if said.is_empty() => Some(one.clone()),
                 _ => None,
             });
-        };
-        if !innermost.is_about(items, &mut said) {
+        }
+        if let (None, Some(innermost)) = (&formula, drafts.first_mut()) {
+            if items.is_empty() {
+                items = innermost.subject_among(&mut said);
+            }
+            if innermost.wants_curve(&items)
+                && let Some(bezier) = builtin("bezier")
+            {
+                let phrase = innermost.phrase;
+                drafts.insert(0, Draft::new(bezier, phrase));
+            }
+        }
+        if let (None, Some(innermost)) = (&formula, drafts.first_mut())
+            && !innermost.is_about(items, &mut said)
+        {
             return Ok(None);
         }
-        innermost.takes_coefficient(&mut said);
-        let of_variable = |read: &Read| {
-            let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
-            variable && matches!(read.label, Label::In | Label::To)
-        };
-        if innermost.builtin.name == "derivative"
-            && said.iter().any(of_variable)
-            && let Some(of_formulas) = builtin("diff")
-        {
-            innermost.builtin = of_formulas;
+        if let Some(innermost) = drafts.first_mut() {
+            innermost.takes_coefficient(&mut said);
+            let of_variable = |read: &Read| {
+                let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
+                variable && matches!(read.label, Label::In | Label::To)
+            };
+            if innermost.builtin.name == "derivative"
+                && said.iter().any(of_variable)
+                && let Some(of_formulas) = builtin("diff")
+            {
+                innermost.builtin = of_formulas;
+            }
         }
+        // Whether there are weights is known after all the others.
+        said.sort_by_key(|read| read.label == Label::Rational);
         let mut after = Vec::new();
         for read in said {
+            self.is_of_one(&read, &drafts)?;
             let mut left = Some(read);
-            for draft in &mut drafts {
+            // What is solved for, before variables of what is solved; the part that is wanted, before the interval.
+            let (first, others): (Vec<_>, Vec<_>) = drafts
+                .iter_mut()
+                .partition(|draft| draft.builtin.on_equations.is_some() || draft.needs_ends());
+            for draft in first.into_iter().chain(others) {
                 left = left.and_then(|read| draft.take(read));
             }
             after.extend(left);
         }
-        let mut formula: Option<Expr> = None;
+        let mut values = Values(after);
+        let forms: Vec<String> = drafts.iter().map(|draft| draft.builtin.signature()).collect();
         for draft in drafts {
+            // What is solved has its values before: solve for a: f(1, 2) equals 3
+            if draft.builtin.on_equations.is_some()
+                && let Some(left) = formula.take()
+            {
+                let left = values.put_into(left).map_err(|left| self.unused(&left, &forms))?;
+                formula =
+                    Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
+            }
             formula = draft.applied_to(formula);
             if formula.is_none() {
                 return Ok(None);
             }
         }
-        for read in after {
-            let Some(whole) = formula.take() else { return Ok(None) };
-            formula = value_of(whole, read);
-        }
-        Ok(formula)
+        let formula = match formula {
+            Some(formula) => Some(values.put_into(formula).map_err(|left| self.unused(&left, &forms))?),
+            None => None,
+        };
+        Ok(match (formula, claimed) {
+            (Some(left), Some(right)) => Some(equation(left, right)),
+            (formula, _) => formula,
+        })
+    }
+
+    /// The error for something that is said and that nothing takes.
+    fn unused(&self, left: &Read, forms: &[String]) -> Box<Failure> {
+        let place = left.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+        let (message, reason) = match left.label {
+            Label::OfDegree => ("this degree does not fit", "another degree, or another number of points"),
+            Label::Rational => ("weights are missing", "a rational curve has a weight for each point"),
+            _ => ("nothing here takes this", "what is asked for does not depend on it"),
+        };
+        let problem = Diagnostic::error(Code::Usage, message).at(place).reason(reason);
+        let problem = forms.iter().fold(problem, |problem, form| problem.hint(format!("the form is {form}")));
+        Box::new(Failure { problem, file: self.file.clone() })
+    }
+
+    /// Refuses an interval that may be that of a curve or that of what is asked about it.
+    fn is_of_one(&self, read: &Read, drafts: &[Draft]) -> Result<(), Box<Failure>> {
+        let [curve, rest @ ..] = drafts else { return Ok(()) };
+        let asked = rest.iter().find(|draft| draft.has_ends());
+        let ends = match read.items.as_slice() {
+            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends,
+            items => items,
+        };
+        let unit = matches!(ends, [a, b] if a.as_int() == Some(0) && b.as_int() == Some(1));
+        let (Label::Over, "bezier", Some(asked), false) = (read.label, curve.builtin.name, asked, unit)
+        else {
+            return Ok(());
+        };
+        let function = asked.builtin.name;
+        let problem = Diagnostic::error(Code::Usage, format!("the interval of the curve, or of {function}?"))
+            .at(read.items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default())
+            .reason("two functions take an interval")
+            .hint(format!("of the curve: {function}(bezier([0, 1, 1], 0, 2))"))
+            .hint(format!("of {function}: {function}(bezier([0, 1, 1]), a=0, b=1/2)"));
+        Err(Box::new(Failure { problem, file: self.file.clone() }))
+    }
+
+    fn one(&self, span: Span) -> Result<Expr, Box<Failure>> {
+        let session = self.session;
+        guarded(&session.limits, || read_in(&session.env, self.file, Some(span.shifted(self.start))))
+            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 
     fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {
@@ -140,19 +239,100 @@ impl Reader<'_> {
         let named = self.file.slice(span).contains(char::is_alphabetic);
         guarded(&session.limits, || items_in(&session.env, self.file, span))
             .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
+            .map(|items| items.into_iter().map(|item| as_list(of_definition(item))).collect())
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }
 
+/// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
+fn of_definition(item: Expr) -> Expr {
+    let Kind::Chain(left, links) = &item.kind else { return item };
+    let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
+    let head = match &left.kind {
+        Kind::Apply(callee, groups) => {
+            letter(callee) && matches!(groups.as_slice(), [one] if one.iter().all(letter))
+        }
+        _ => false,
+    };
+    match links.as_slice() {
+        [Link { rel: Rel::Eq | Rel::Define, expr, .. }] if head => expr.clone(),
+        _ => item,
+    }
+}
+
+/// That a result is what is claimed; a polar form without arguments is meant at the letters of the claim.
+fn equation(left: Expr, right: Expr) -> Expr {
+    let polar = matches!(&left.kind, Kind::Apply(callee, _)
+        if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
+    let span = left.span.to(right.span);
+    let left = match lists::letters(&right, &left) {
+        letters if polar && !letters.is_empty() => applied(left, letters, span),
+        _ => left,
+    };
+    Expr { span, ..Expr::relation(left, Rel::Eq, right) }
+}
+
+/// What no function takes: values of a result.
+struct Values(Vec<Read>);
+
+impl Values {
+    /// The formula at these values.
+    ///
+    /// # Errors
+    /// What cannot be put into it.
+    fn put_into(&mut self, formula: Expr) -> Result<Expr, Read> {
+        // A curve at t = 1/2, a patch at u = 1/2 and v = 1/3: letters that do not occur are those of its parameters.
+        let occur = bases(&formula);
+        let parameter = |read: &Read| {
+            let named = |item| eval::named(item).map(|(name, value)| (name, value.clone()));
+            let values: Option<Vec<(String, Expr)>> = match read.label {
+                Label::At | Label::With | Label::To => read.items.iter().map(named).collect(),
+                _ => None,
+            };
+            values.filter(|values: &Vec<_>| {
+                let free = |name: &String| roles::is_variable(name) && !occur.contains(name);
+                !values.is_empty() && values.iter().all(|(name, _)| free(name))
+            })
+        };
+        let mut parameters: Vec<(String, Expr)> = Vec::new();
+        let mut others = Vec::new();
+        for read in self.0.drain(..) {
+            match parameter(&read) {
+                // t = 1 and t = 2
+                Some(values)
+                    if values.iter().any(|(name, _)| parameters.iter().any(|(known, _)| known == name)) =>
+                {
+                    return Err(read);
+                }
+                Some(values) => parameters.extend(values),
+                None => others.push(read),
+            }
+        }
+        parameters.sort_by(|(one, _), (other, _)| one.cmp(other));
+        let mut formula = formula;
+        if !parameters.is_empty() {
+            let span = formula.span;
+            formula = applied(formula, parameters.into_iter().map(|(_, value)| value).collect(), span);
+        }
+        for read in others {
+            match value_of(&formula, &read) {
+                Some(at) => formula = at,
+                None => return Err(read),
+            }
+        }
+        Ok(formula)
+    }
+}
+
 /// The value of a result: at a parameter, or for values of its names.
-fn value_of(whole: Expr, read: Read) -> Option<Expr> {
+fn value_of(whole: &Expr, read: &Read) -> Option<Expr> {
     if !matches!(read.label, Label::At | Label::With | Label::To) {
         return None;
     }
     let span = whole.span;
     let equation = |item: &Expr| eval::named(item).is_some();
     if read.items.iter().all(equation) {
-        return Some(call("subs", std::iter::once(whole).chain(read.items).collect(), span));
+        return Some(call("subs", std::iter::once(whole).chain(&read.items).cloned().collect(), span));
     }
     if read.label != Label::At || read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..))) {
         return None;
@@ -160,361 +340,10 @@ fn value_of(whole: Expr, read: Read) -> Option<Expr> {
     let polar = matches!(&whole.kind, Kind::Apply(callee, _)
         if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
     let arguments = match read.items.as_slice() {
-        [Expr { kind: Kind::Tuple(items) | Kind::List(items), .. }] if polar => items.clone(),
-        _ => read.items,
+        // In u and v, or in barycentric coordinates.
+        [Expr { kind: Kind::Tuple(items), .. }] => items.clone(),
+        [Expr { kind: Kind::List(items), .. }] if polar => items.clone(),
+        items => items.to_vec(),
     };
-    Some(applied(whole, arguments, span))
-}
-
-fn is_points(items: &[Expr]) -> bool {
-    !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
-}
-
-fn list(items: Vec<Expr>) -> Expr {
-    let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
-    Expr::new(Kind::List(items), span)
-}
-
-/// The first coordinates of points, and what follows them.
-fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
-    let parts = points.iter().map(|point| match point.items()?.split_first()? {
-        (_, []) => None,
-        (node, [value]) => Some((node.clone(), value.clone())),
-        (node, values) => Some((node.clone(), list(values.to_vec()))),
-    });
-    let (nodes, values): (Vec<Expr>, Vec<Expr>) = parts.collect::<Option<Vec<_>>>()?.into_iter().unzip();
-    Some([list(nodes), list(values)])
-}
-
-/// The Bézier curve with some points.
-fn bezier(points: Expr) -> Expr {
-    let span = points.span;
-    call("bezier", vec![points], span)
-}
-
-fn is_list(kind: Takes) -> bool {
-    matches!(
-        kind,
-        Takes::Scalars
-            | Takes::ScalarOrList
-            | Takes::Points
-            | Takes::Net
-            | Takes::Rows
-            | Takes::Variables
-            | Takes::List
-            | Takes::Coordinates
-    )
-}
-
-impl Draft {
-    fn new(builtin: &'static Builtin) -> Self {
-        Draft { builtin, phrase: Span::default(), placed: Vec::new(), named: Vec::new(), degree: None }
-    }
-
-    /// Takes what the innermost function is applied to, which may be said by a label; false if it cannot.
-    fn is_about(&mut self, mut items: Vec<Expr>, said: &mut Vec<Read>) -> bool {
-        let Some(first) = self.builtin.parameters.first() else { return items.is_empty() };
-        if items.is_empty() {
-            // bezier with control points 0, 1, 3; interpolate for (0,1), (1,2)
-            let subject = |read: &Read| match read.label {
-                Label::Points | Label::Values => {
-                    matches!(first.kind, Takes::Points | Takes::Curve | Takes::Polar)
-                }
-                Label::Nodes => first.name == "nodes",
-                Label::With => {
-                    !matches!(first.kind, Takes::Size)
-                        && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
-                }
-                _ => false,
-            };
-            match said.iter().position(subject) {
-                Some(at) => items = said.remove(at).items,
-                None => return first.kind == Takes::Size,
-            }
-        }
-        // Values of names: t = 1/2 after a function without anything else.
-        if items.iter().all(|item| eval::named(item).is_some()) && first.kind == Takes::Size {
-            said.push(Read { label: Label::With, items });
-            return true;
-        }
-        // Coefficients: bernstein coefficients 1, 0, 1.
-        if matches!(self.builtin.name, "in_bernstein" | "bezier_points" | "control_points")
-            && items.len() > 1
-            && let Some(bezier) = builtin("bezier")
-        {
-            self.builtin = bezier;
-            return self.is_about(items, said);
-        }
-        // solve x = 3 y, y = 2
-        if self.builtin.on_equations.is_some() {
-            said.retain_mut(|read| {
-                let equations = read.items.iter().all(|item| eval::named(item).is_some());
-                let given = read.label == Label::With && equations;
-                if given {
-                    items.append(&mut read.items);
-                }
-                !given
-            });
-        }
-        // The control points of a polynomial.
-        let polynomial = !is_points(&items)
-            && items.len() == 1
-            && !matches!(items[0].kind, Kind::Name(_) | Kind::Apply(..));
-        if self.builtin.name == "control_points"
-            && polynomial
-            && let Some(points) = builtin("bezier_points")
-        {
-            self.builtin = points;
-            return self.is_about(items, said);
-        }
-        let of_points = first.kind == Takes::Function && items.len() > 1 && is_points(&items);
-        match first.kind {
-            _ if of_points => self.placed = vec![bezier(list(items))],
-            Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => {
-                let gathered = match items.as_slice() {
-                    [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] if !points.is_empty() => {
-                        points.clone()
-                    }
-                    [_] => {
-                        self.placed = items;
-                        return true;
-                    }
-                    _ => items,
-                };
-                self.placed = vec![bezier(list(gathered))];
-            }
-            // (0, 1), (1, 3) for nodes and values
-            Takes::Scalars if is_points(&items) => match nodes_and_values(&items) {
-                Some(both) => self.placed = both.into(),
-                None => return false,
-            },
-            kind if is_list(kind) => {
-                self.placed = match items.as_slice() {
-                    [Expr { kind: Kind::List(_), .. }] => items,
-                    [_] if kind == Takes::Coordinates => items,
-                    _ => vec![list(items)],
-                };
-            }
-            // A degree before knots: b-spline 0, 1, 2, 3
-            Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
-                self.named.push((self.builtin.parameters[1].name, list(items)));
-            }
-            _ => self.placed = items,
-        }
-        true
-    }
-
-    /// The coefficient of x^3 in (1 + x)^7.
-    fn takes_coefficient(&mut self, said: &mut Vec<Read>) {
-        let whole = |read: &Read| read.label == Label::In && read.items.len() == 1;
-        if self.builtin.name != "coefficient" {
-            return;
-        }
-        if let ([monomial], Some(at)) = (self.placed.as_slice(), said.iter().position(whole)) {
-            let (variable, power) = match &monomial.kind {
-                Kind::Pow(base, exponent) => ((**base).clone(), (**exponent).clone()),
-                _ => (monomial.clone(), Expr { span: monomial.span, ..Expr::int(1) }),
-            };
-            self.placed = said.remove(at).items;
-            self.placed.extend([variable, power]);
-        }
-    }
-
-    fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
-        let free = |p: &&Parameter| p.has_name() && !self.named.iter().any(|(name, _)| *name == p.name);
-        let left = self.builtin.parameters.iter().skip(self.placed.len());
-        left.filter(free).find(|p| names.contains(&p.name))
-    }
-
-    /// Takes what a label says, if there is a parameter for it; else gives it back.
-    fn take(&mut self, read: Read) -> Option<Read> {
-        let one = read.items.len() == 1;
-        let Some(first) = read.items.first().cloned() else { return Some(read) };
-        // n = 3, a = 0
-        if let Some((name, value)) = eval::named(&first)
-            && one
-            && matches!(read.label, Label::At | Label::With)
-        {
-            let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
-            let found = self.builtin.parameters.iter().find(shown);
-            let found = found.filter(|p| !matches!(p.kind, Takes::Variable)).map(|p| p.name);
-            let degree = || {
-                let called = roles::is_degree(&name) || name == "p";
-                let parameter = self.parameter(&["degree", "n"]).filter(|_| called);
-                parameter.filter(|p| p.kind == Takes::Size).map(|p| p.name)
-            };
-            return match found.filter(|name| self.parameter(&[name]).is_some()).or_else(degree) {
-                Some(name) => {
-                    self.named.push((name, value.clone()));
-                    None
-                }
-                None => self.take_parameter(read),
-            };
-        }
-        let number = one && matches!(first.kind, Kind::Number(_));
-        let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
-        let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
-        let found = match read.label {
-            Label::OfDegree => return self.take_degree(read, first),
-            Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => {
-                Some("b")
-            }
-            Label::To | Label::With | Label::Over if number => return self.take_degree(read, first),
-            Label::From => single(&["a"]),
-            Label::In | Label::To | Label::With | Label::Over if name => {
-                let variable = self.builtin.parameters.iter().find(|p| p.kind == Takes::Variable);
-                variable.map(|p| p.name)
-            }
-            Label::Over | Label::With | Label::In => return self.take_interval(read),
-            Label::Times => single(&["k", "times"]),
-            Label::Number => single(&["i"]),
-            Label::At => return self.take_parameter(read),
-            Label::Knots | Label::Nodes | Label::Values | Label::Weights | Label::Points => {
-                let name = match read.label {
-                    Label::Knots => "knots",
-                    Label::Nodes => "nodes",
-                    Label::Values => "values",
-                    Label::Weights => "weights",
-                    _ => "points",
-                };
-                let Some(parameter) = self.parameter(&[name]) else { return Some(read) };
-                let value = match &first.kind {
-                    Kind::List(_) if one && !is_points(first.items().unwrap_or_default()) => first,
-                    _ => list(read.items),
-                };
-                self.named.push((parameter.name, value));
-                return None;
-            }
-            _ => None,
-        };
-        match found {
-            Some(name) => {
-                self.named.push((name, first));
-                None
-            }
-            None => Some(read),
-        }
-    }
-
-    fn take_degree(&mut self, read: Read, degree: Expr) -> Option<Read> {
-        if matches!(self.builtin.name, "elevate" | "reduce") && self.degree.is_none() {
-            self.degree = Some(degree);
-            return None;
-        }
-        let parameter =
-            self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
-        match parameter {
-            Some(parameter) => {
-                self.named.push((parameter.name, degree));
-                None
-            }
-            None => Some(read),
-        }
-    }
-
-    /// [0, 2] over which a curve is given, or the knots of a spline.
-    fn take_interval(&mut self, read: Read) -> Option<Read> {
-        let ends = match read.items.as_slice() {
-            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends.clone(),
-            [Expr { kind: Kind::Chain(_, links), .. }] => match links.as_slice() {
-                [link] if link.rel == Rel::In => link.expr.items().unwrap_or_default().to_vec(),
-                _ => return Some(read),
-            },
-            _ => read.items.clone(),
-        };
-        if let (Some(a), Some(b), [from, to]) =
-            (self.parameter(&["a"]), self.parameter(&["b"]), ends.as_slice())
-        {
-            self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
-            return None;
-        }
-        match self.parameter(&["knots"]) {
-            Some(knots) if ends.len() > 1 => {
-                self.named.push((knots.name, list(ends)));
-                None
-            }
-            _ => Some(read),
-        }
-    }
-
-    /// A value for the parameter that comes after what the function is applied to.
-    fn take_parameter(&mut self, read: Read) -> Option<Read> {
-        let given = self.named.iter().any(|(name, _)| name.is_empty());
-        let takes = self.builtin.parameters.get(1).is_some_and(|p| {
-            (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
-                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
-        });
-        if !takes || self.placed.len() > 1 {
-            return Some(read);
-        }
-        let values = read.items.iter().map(|item| match eval::named(item) {
-            Some((_, value)) => value.clone(),
-            None => item.clone(),
-        });
-        self.named.extend(values.map(|value| ("", value)));
-        None
-    }
-
-    /// The call, of what is inside of it.
-    fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
-        let span = self.phrase;
-        let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
-        if let Some(mut inside) = inside {
-            let subject = self.builtin.parameters.first().map(|first| first.kind);
-            let Kind::Apply(callee, groups) = &inside.kind else { return None };
-            match (subject, &callee.kind, groups.first().map(Vec::as_slice)) {
-                // The points of a curve stand for it.
-                (Some(Takes::Curve | Takes::Polar | Takes::Geometry), Kind::Name(name), Some([curve]))
-                    if matches!(name.as_str(), "control_points" | "bezier_points") =>
-                {
-                    inside = curve.clone();
-                }
-                // The zeros of a Bézier polynomial.
-                (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), Kind::Name(name), _)
-                    if name == "bezier" =>
-                {
-                    let span = inside.span;
-                    inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
-                }
-                _ => {}
-            }
-            self.placed.insert(0, inside);
-        }
-        let phrase = self.phrase;
-        let call =
-            |name: &str, arguments| applied(Expr { span: phrase, ..Expr::name(name) }, arguments, span);
-        // As many degrees as lie between.
-        if let Some(degree) = self.degree.take() {
-            let own = call("degree", vec![self.placed.first()?.clone()]);
-            let (more, less) = match self.builtin.name {
-                "elevate" => (degree, own),
-                _ => (own, degree),
-            };
-            let by = Expr {
-                span,
-                ..Expr::sum(vec![
-                    Term { sign: Sign::Plus, expr: more },
-                    Term { sign: Sign::Minus, expr: less },
-                ])
-            };
-            self.placed.push(by);
-        }
-        if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
-            let knots =
-                self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
-            let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
-            // The only one.
-            if let (Some(knots), Some(degree)) = (knots, degree)
-                && i64::try_from(knots.len()).is_ok_and(|count| count == degree + 2)
-            {
-                self.named.push(("i", Expr { span, ..Expr::int(0) }));
-            }
-        }
-        let others = self.named.into_iter().map(|(name, value)| match name {
-            "" => value,
-            _ => named(name, value),
-        });
-        let arguments = self.placed.into_iter().chain(others).collect();
-        Some(call(self.builtin.name, arguments))
-    }
+    Some(applied(whole.clone(), arguments, span))
 }

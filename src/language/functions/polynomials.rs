@@ -2,7 +2,7 @@
 
 use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
 use super::{Builtin, on_form, on_geometry, on_surface};
-use crate::language::diagnostic::{At, Diagnostic};
+use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
@@ -88,11 +88,13 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "puts a value in place of a variable; subs(F, t=value) is the same",
         example: "subs(t^2 + c_0, t, 3)",
         on_curve: on_geometry::SUBS,
+        each: true,
         call: |_, args| {
             let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;
-            if values.is_empty() {
-                values.push((args.symbol(1)?, args.scalar(2)?));
+            match values.is_empty() {
+                true => values.push((args.symbol(1)?, args.scalar(2)?)),
+                false => occur(&formula, &values, args)?,
             }
             formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
         },
@@ -324,6 +326,19 @@ fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let (quotient, rest) = dividend.div_rem(&divisor).ok_or_else(|| division_by_zero().at(args.span(1)))?;
     let t = Fraction::from(MultiPoly::symbol(variable));
     Ok((quotient.value(&t), rest.value(&t)))
+}
+
+/// Refuses a value for a name that does not occur in a formula with other names: it would change nothing.
+fn occur(formula: &Fraction, values: &[(Symbol, Fraction)], args: &Arguments) -> Result<()> {
+    let names = formula.variables();
+    let unknown = values.iter().find(|(name, _)| !names.is_empty() && !names.contains(name));
+    let Some((name, _)) = unknown else { return Ok(()) };
+    let place = args.named(&name.to_string()).map_or_else(|| args.span(1), |(_, span)| span);
+    let listed: Vec<String> = names.iter().map(ToString::to_string).collect();
+    Err(Diagnostic::error(Code::Usage, format!("{name} does not occur in the formula"))
+        .at(place)
+        .reason("this value changes nothing")
+        .hint(format!("give a value to one of its names: {}", listed.join(", "))))
 }
 
 #[cfg(test)]

@@ -24,6 +24,14 @@ pub(crate) enum Phrase {
     Of,
     /// Two of a kind.
     And,
+    /// With weights: rational.
+    Rational,
+    /// A question, or what is claimed: is.
+    Is,
+    /// Something has a value: equals.
+    Equals,
+    /// Values are asked for: for which.
+    Which,
     /// It says nothing: the, please.
     Filler,
 }
@@ -59,9 +67,16 @@ pub(crate) enum Label {
     Times,
     /// The number of a member: index.
     Number,
+    /// Weights are expected: rational.
+    Rational,
 }
 
 impl Label {
+    /// Whether it gives the names in a formula their values: knots.
+    pub(crate) fn names_values(self) -> bool {
+        matches!(self, Knots | Nodes | Points)
+    }
+
     /// The function that the same word names: the degree of t^3.
     pub(crate) fn function(self) -> Option<&'static str> {
         Some(match self {
@@ -77,39 +92,63 @@ impl Label {
 use self::Label::*;
 use self::Phrase::{And, Between, Command, Degree, Filler, Function, Of, Ordinal};
 
-/// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank.
+/// What a word may end with that is declined or in the plural, in any of the languages.
+const ENDINGS: &[&str] = &["", "s", "e", "en", "er", "es", "em", "n", "a", "o", "as", "os", "i", "he", "x"];
+
+/// Words that may stand inside of a phrase: insert the knot.
+const ARTICLES: &[&str] = &["the", "a", "an", "den", "die", "das", "le", "la", "les", "el", "los"];
+
+/// Phrases, in small letters and between bars; a hyphen or more blanks stand for one blank, `~` for any of the endings.
 const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("polar"),
-        "polar form | polarform | blossom | blossoms | polar value | forme polaire | blüte | 极形式 | \
-         开花 | polarization",
+        "polar form~ | polarform~ | blossom~ | polar value~ | forme~ polaire~ | blüte | 极形式 | 开花 | \
+         polarization | forma~ polar~",
     ),
-    (Command("polar"), "polarize | polarise | polarisiere | polariser"),
+    (Command("polar"), "polarize | polarise | polarisiere~ | polariser | polarizar"),
     (Function("diagonal"), "diagonal | diagonale | diagonal value"),
     (
         Function("derivative"),
-        "derivative | first derivative | ableitung | erste ableitung | dérivée | derivee | 导数 | \
-         tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity",
+        "derivative~ | first derivative | ableitung~ | erste~ ableitung | dérivée~ | derivee | 导数 | \
+         derivada~ | derivata | tangent | tangent vector | tangentenvektor | vecteur tangent | 切向量 | velocity",
     ),
-    (Command("derivative"), "differentiate | derive | dérive | dériver | differenziere | 求导"),
+    (
+        Command("derivative"),
+        "differentiate | derive | dérive | dériver | differenziere~ | 求导 | derivar | deriva",
+    ),
     (
         Function("integrate"),
-        "integral | antiderivative | indefinite integral | definite integral | stammfunktion | \
+        "integral~ | antiderivada | antiderivative | indefinite integral | definite integral | stammfunktion | \
          intégrale | primitive | 积分 | 不定积分 | 定积分",
     ),
-    (Command("integrate"), "integrate | integriere | intègre | intégrer | 求积分"),
-    (Command("expand"), "expand | multiply out | multipliziere | développe | développer | 展开"),
-    (Command("factor"), "factor | factorise | factorize | faktorisiere | factoriser | 因式分解"),
+    (
+        Function("integrate"),
+        "area under | area below | fläche unter | flächeninhalt unter | aire sous | área bajo | area sotto",
+    ),
+    (Command("integrate"), "integrate | integriere~ | intègre | intégrer | 求积分 | integrar | integra"),
+    (
+        Command("expand"),
+        "expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
+         desarrollar | espandi",
+    ),
+    (
+        Command("factor"),
+        "factor | factorise | factorize | faktorisiere~ | factoriser | 因式分解 | factoriza | \
+         factorizar | fattorizza",
+    ),
     (Function("factor"), "factorization | factorisation | prime factorization | faktorisierung"),
-    (Command("simplify"), "simplify | vereinfache | simplifie | simplifier | 化简"),
+    (
+        Command("simplify"),
+        "simplify | vereinfache~ | simplifie~ | simplifier | 化简 | simplifica~ | simplificar",
+    ),
     (
         Command("solve"),
-        "solve | löse | résous | résoudre | 解 | 求解 | solution | solutions | lösungen | lösung",
+        "solve | löse~ | résous | résoudre | resuelve | resolver | risolvi | 解 | 求解 | solution | solutions | lösungen | lösung",
     ),
     (
         Function("roots"),
-        "roots | root | real roots | zeros | zeroes | nullstellen | nullstelle | racines | zéros | \
-         零点 | 根",
+        "root~ | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
+         radici | ceros",
     ),
     (Function("discriminant"), "diskriminante | 判别式"),
     (Function("degree"), "polynomial degree"),
@@ -118,6 +157,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("in_bernstein"),
         "bernstein | bernstein form | bernstein basis | bernstein coefficients | bernstein coeffs | \
+         coeficientes de bernstein | coefficienti di bernstein | \
          b form | bézier form | bezier form | bernsteinbasis | bernsteinform | \
          bernstein darstellung | bernstein koeffizienten | bernsteinkoeffizienten | \
          base de bernstein | forme de bernstein | coefficients de bernstein | 伯恩斯坦基 | 伯恩斯坦形式 | \
@@ -125,76 +165,124 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("expand"),
-        "monomial | monomial form | monomial basis | monomials | power form | power basis | \
+        "monomial~ | monomial form | monomial basis | power form | power basis | \
          powers | standard form | monombasis | potenzbasis | potenzform | base canonique | \
          base monomiale | 幂基 | 幂形式 | polynomial form | normal form",
     ),
     (
         Function("bernstein"),
-        "bernstein polynomial | bernstein polynomials | bernsteinpolynom | bernsteinpolynome | \
-         bernstein polynome | bernstein basis polynomials | bernstein basis functions | \
+        "bernstein polynomial~ | bernsteinpolynom~ | bernstein polynom~ | polinomio~ de bernstein | \
+         polinomio~ di bernstein | bernstein basis polynomials | bernstein basis functions | \
          polynômes de bernstein | polynôme de bernstein | 伯恩斯坦多项式",
     ),
     (
         Function("bezier_points"),
-        "bézier points | bezier points | bézierpunkte | bezierpunkte | points de bézier | \
+        "bézier point~ | bezier point~ | bézierpunkt~ | bezierpunkt~ | point~ de bézier | puntos de bézier | \
+         puntos de bezier | punti di bézier | points de bezier | bezier ordinates | bézierordinaten | \
+         bezierordinaten | bézier koeffizient~ | \
          bézier control points | bezier control points | bézier coefficients | \
          bezier coefficients | bézier ordinates | 贝塞尔点",
     ),
     (
         Function("control_points"),
-        "control points | control polygon | kontrollpunkte | points de contrôle | 控制点",
+        "control point~ | control polygon | kontrollpunkt~ | point~ de contrôle | 控制点 | steuerpunkt~ | \
+         puntos de control | punti di controllo",
     ),
     (
         Function("bezier"),
-        "bezier | bézier | bezier curve | bézier curve | bezierkurve | bézierkurve | \
+        "bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
+         curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
          courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
-         bezier polynomial | bézier polynomial | bezier polygon | rational bezier | \
-         rational bezier curve | rational bezier points | rational bézier curve",
+         bezier polynomial | bézier polynomial | bezier polygon",
+    ),
+    (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
+    (
+        Command("elevate"),
+        "elevate | raise degree | elevate degree | raise the degree | elevate the degree | degree elevate | \
+         degree raise | erhöhe den grad | elevar el grado | 升阶",
     ),
     (
-        Function("casteljau"),
-        "de casteljau | casteljau | de casteljau algorithm | casteljau algorithm | \
-         de casteljau schema | algorithme de casteljau | algorithme de de casteljau | 德卡斯特里奥",
+        Function("elevate"),
+        "degree elevation | graderhöhung | élévation du degré | élévation de degré | \
+         elevación de grado | elevación del grado",
     ),
-    (Command("elevate"), "elevate | raise degree | degree elevate | degree raise | erhöhe den grad | 升阶"),
-    (Function("elevate"), "degree elevation | graderhöhung | élévation du degré"),
-    (Command("reduce"), "degree reduce | reduce degree | lower degree | 降阶"),
-    (Function("reduce"), "degree reduction | gradreduktion"),
-    (Command("subdivide"), "split | subdivide | unterteile | teile | subdivise | subdiviser | 细分 | 分割"),
-    (Function("subdivide"), "subdivision | unterteilung"),
+    (
+        Command("reduce"),
+        "degree reduce | reduce degree | reduce the degree | lower degree | lower the degree | 降阶",
+    ),
+    (Function("reduce"), "degree reduction | gradreduktion | réduction du degré | reducción de grado"),
+    (
+        Command("subdivide"),
+        "split | subdivide | unterteile~ | teile | subdivise~ | subdiviser | subdividir | suddividi | 细分 | 分割",
+    ),
+    (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
+    (Function("part"), "restriction | einschränkung | restricción"),
     (Command("reverse"), "reverse"),
     (Function("hodograph"), "hodograph | hodographe"),
     (Function("curvature"), "krümmung | courbure | 曲率"),
     (
         Function("bspline_basis"),
-        "b spline | bspline | b spline basis function | b spline basis functions | b spline basis | \
-         bspline basis function | b spline funktion | b样条",
+        "b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
+         basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条",
     ),
-    (Function("bspline"), "b spline curve | spline curve | b spline kurve | courbe b spline | b样条曲线"),
-    (Function("deboor"), "de boor | deboor | de boor algorithm"),
-    (Function("greville"), "greville abscissae | greville points | greville | greville abszissen"),
+    (
+        Function("bspline"),
+        "spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
+         b样条曲线",
+    ),
+    (
+        Function("patch"),
+        "tensor product patch | tensor product surface | tensor product bézier patch | bézier patch | \
+         bezier patch | bézier surface | bezier surface | bézierfläche | bezierfläche | surface de bézier | \
+         tensorproduktfläche | tensor product bezier patch | tensor product bezier surface | bilinear patch",
+    ),
+    (
+        Function("triangle_patch"),
+        "triangular bezier patch | triangular bézier patch | bezier triangle | bézier triangle | \
+         triangular patch | bézierdreieck | bezierdreieck | triangle de bézier",
+    ),
+    (
+        Function("esym"),
+        "elementary symmetric polynomial~ | elementary symmetric function~ | elementarsymmetrisch~ funktion~ | \
+         elementarsymmetrisch~ polynom~ | polynôme~ symétrique~ élémentaire~ | \
+         fonction~ symétrique~ élémentaire~",
+    ),
+    (Function("deboor"), "de boor | deboor"),
+    (
+        Function("greville"),
+        "greville abscissae | greville points | greville | greville abszissen | \
+         abscisses de greville | abscisas de greville",
+    ),
     (Command("insert_knots"), "insert knot | insert knots | knot insertion"),
     (
         Function("lagrange"),
-        "interpolation polynomial | interpolating polynomial | lagrange polynomial | interpolant | \
+        "interpolation polynomial | interpolating polynomial | lagrange polynomial~ | interpolant~ | \
+         polinomio interpolador | polinomio de lagrange | polinomio interpolante | \
+         polinomio di lagrange | polynôme de lagrange | lagrange polynom~ | lagrangepolynom~ | \
+         polinomio de interpolación | lagrange | \
          interpolationspolynom | polynôme d'interpolation | polynôme interpolateur | 插值多项式 | \
-         lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial | \
-         polynomial through",
+         polynomial through | polynom durch | polynôme passant par | polinomio por | \
+         polinomio que pasa por | lagrange interpolation | polynomial interpolation | lagrange interpolation polynomial",
     ),
-    (Command("lagrange"), "interpolate | interpoliere | interpole | interpoler | 插值"),
+    (
+        Function("hermite"),
+        "hermite interpolation | hermite interpolant | hermite polynomial | hermite interpolationspolynom | \
+         interpolation d'hermite | polynôme d'hermite | interpolación de hermite",
+    ),
+    (Command("lagrange"), "interpolate | interpoliere~ | interpole~ | interpoler | interpolar | 插值"),
     (
         Function("newton"),
-        "newton polynomial | newton form | newton interpolation | newton interpolation polynomial | \
-         newtonform | 牛顿插值",
+        "newton polynomial~ | newton form | newton interpolation | newton interpolation polynomial | \
+         newton interpolation form | newtonform | polynôme de newton | polinomio de newton | 牛顿插值",
     ),
     (
         Function("divided_differences"),
         "divided differences | newton divided differences | divided difference table | \
-         dividierte differenzen | différences divisées | 差商",
+         dividierte~ differenz~ | différence~ divisée~ | 差商 | \
+         divided difference | diferencia~ dividida~ | differenze divise",
     ),
-    (Function("lagrange_basis"), "lagrange basis | lagrange basis polynomials | lagrangebasis"),
-    (Function("det"), "determinant | determinante | déterminant | 行列式"),
+    (Function("lagrange_basis"), "lagrange basis | lagrange basis polynomial~ | lagrangebasis"),
+    (Function("det"), "determinant~ | déterminant | 行列式"),
     (Function("inverse"), "inverse matrix | inverse of matrix | inverse"),
     (Command("inverse"), "invert | invertiere | inverser"),
     (Function("gcd"), "greatest common divisor | ggt | pgcd | 最大公约数 | 最大公因式"),
@@ -206,18 +294,35 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Function("resultant"), "resultante"),
     (Function("symmetrize"), "symmetrization"),
     (Command("symmetrize"), "symmetrise | symmetrize | symmetrisiere | symétriser | 对称化"),
-    (Degree(1), "linear | lineare | linéaire | 线性"),
-    (Degree(2), "quadratic | quadratische | quadratischen | quadratique | 二次"),
-    (Degree(3), "cubic | kubische | kubischen | cubique | 三次"),
-    (Degree(4), "quartic | 四次"),
-    (Ordinal(2), "second | zweite | zweiten | deuxième | seconde | 二阶"),
-    (Ordinal(3), "third | dritte | dritten | troisième | 三阶"),
-    (Degree(5), "quintic | 五次"),
-    (Of, "of | von | vom | des | der | de | du | d' | de la | de l' | 的"),
+    (Degree(1), "linear~ | linéaire~ | 线性"),
+    (Degree(2), "quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次"),
+    (Degree(3), "cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
+    (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
+    (
+        Ordinal(2),
+        "second~ | zweite~ | deuxième~ | segund~ | twice | zweimal | deux fois | dos veces | due volte | 二阶",
+    ),
+    (
+        Ordinal(3),
+        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | dreimal | trois fois | tres veces | 三阶",
+    ),
+    (Degree(5), "quintic~ | quintique~ | 五次"),
+    (
+        Of,
+        "of | von | vom | des | der | de | du | d' | de la | de l' | del | de los | de las | di | della | \
+         dei | 的",
+    ),
+    (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
+    (Phrase::Is, "is | ist | est | gilt | does | do | stimmt"),
+    (
+        Phrase::Equals,
+        "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+    ),
+    (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (And, "and | und | et | 和"),
     (
         Phrase::Label(At),
-        "at | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "at | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
@@ -225,12 +330,12 @@ const PHRASES: &[(Phrase, &str)] = &[
         Phrase::Label(Over),
         "over | on | on the interval | over the interval | über | auf | im intervall | sur | \
          sur l'intervalle | in the interval | interval | intervall | \
-         intervalle | 区间",
+         intervalle | 区间 | sobre | en el intervalo | intervalo | nell'intervallo | intervallo",
     ),
-    (Phrase::Label(From), "from | 从"),
+    (Phrase::Label(From), "from | desde | 从"),
     (
         Phrase::Label(To),
-        "to | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
+        "to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \
          as | as a | regarded as | regarded as a | seen as | seen as a | considered as a | als | comme | \
          写成 | 表示为",
     ),
@@ -239,24 +344,31 @@ const PHRASES: &[(Phrase, &str)] = &[
         "in | with respect to | wrt | w r t | nach der variablen | bezüglich | par rapport à | by | \
          关于",
     ),
-    (Phrase::Label(With), "for | with | where | when | given | für | mit | avec | pour | wobei"),
+    (
+        Phrase::Label(With),
+        "for | with | where | when | given | für | mit | avec | pour | wobei | con | para | through | durch | \
+         passing through | passant par | par | por | zu | zum | donde",
+    ),
     (
         Phrase::Label(OfDegree),
-        "degree | deg | grad | grades | degré | vom grad | of degree | de degré | 次数",
+        "degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
+         du degré | 次数",
     ),
     (
         Phrase::Label(Knots),
-        "knots | knot vector | knot sequence | knoten | knotenvektor | nœuds | noeuds | \
+        "knots | nudos | nodos | nodi | vector de nudos | knot vector | knot sequence | knoten | knotenvektor~ | knotenfolge | nœuds | noeuds | \
          vecteur nodal | 节点",
     ),
     (Phrase::Label(Nodes), "nodes | node | stützstellen | abscissae | abscissas | abscisses"),
-    (Phrase::Label(Values), "values | ordinates | werte | werten | valeurs"),
-    (Phrase::Label(Weights), "weights | gewichte | gewichten | poids | 权"),
+    (Phrase::Label(Values), "values | ordinates | werte | werten | valeurs | valores | valori"),
+    (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),
     (
         Phrase::Label(Points),
-        "points | coefficients | coeffs | kontrollpunkten | koeffizienten | de boor points",
+        "points | coefficients | coeffs | koeffizienten | coeficientes | coefficienti | \
+         de boor point~ | punkt~ | puntos | punti | control net | kontrollnetz | net | \
+         corners | corner points",
     ),
-    (Phrase::Label(Times), "times | mal | fois | 次"),
+    (Phrase::Label(Times), "times | mal | fois | veces | volte | 次"),
     (Phrase::Label(Number), "index"),
     (
         Filler,
@@ -264,31 +376,52 @@ const PHRASES: &[(Phrase, &str)] = &[
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
-         value of | point | point on | exactly | exact | polynomial | function | curve | \
-         the curve | the function | the polynomial | curve with | wert | funktion | kurve | \
+         value of | point | point on | exactly | exact | polynomial | function | curve | curve with | funktion | kurve | \
          polynom | was ist | berechne | bestimme | finde | gib | wandle | schreibe | um | die | \
          das | den | dem | calcule | calculer | calculez | donne | donner | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
-         écrire | quelle est | quel est | la courbe | le polynôme | svp | bitte | matrix | \
+         écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
          求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
+         scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
+         wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | barycentric~ | barycentric coordinates | calcula | calcular | halla | hallar | encuentra | el | los | las | \
+         curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
     ),
 ];
 
 /// The phrases that begin with a word, or with an ideograph.
-static BY_START: LazyLock<HashMap<&str, Vec<(Phrase, &str)>>> = LazyLock::new(|| {
-    let mut found: HashMap<&str, Vec<(Phrase, &str)>> = HashMap::new();
+static BY_START: LazyLock<HashMap<String, Vec<(Phrase, &str)>>> = LazyLock::new(|| {
+    let mut found: HashMap<String, Vec<(Phrase, &str)>> = HashMap::new();
     for (phrase, names) in PHRASES {
         for name in names.split(" | ") {
             let start = match name.char_indices().nth(1) {
                 Some((second, _)) if name.starts_with(is_ideograph) => name.get(..second),
                 _ => name.split(' ').next(),
             };
-            found.entry(start.unwrap_or(name)).or_default().push((*phrase, name));
+            for form in forms(start.unwrap_or(name)) {
+                found.entry(form).or_default().push((*phrase, name));
+            }
         }
     }
     found
 });
+
+/// The forms of a word of the table.
+fn forms(word: &str) -> Vec<String> {
+    match word.strip_suffix('~') {
+        Some(stem) => ENDINGS.iter().map(|ending| format!("{stem}{ending}")).collect(),
+        None => vec![word.to_owned()],
+    }
+}
+
+/// Whether words are those of a phrase of the table.
+fn says(written: &str, name: &str) -> bool {
+    let same = |(written, name): (&str, &str)| match name.strip_suffix('~') {
+        Some(stem) => written.strip_prefix(stem).is_some_and(|ending| ENDINGS.contains(&ending)),
+        None => written == name,
+    };
+    written.split(' ').count() == name.split(' ').count() && written.split(' ').zip(name.split(' ')).all(same)
+}
 
 /// The phrase at the start of a text, and its length in bytes. Other names of functions are looked up by
 /// `function`, with blanks as they stand.
@@ -306,7 +439,7 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
     }
     let mut found = None;
     let mut listed: Option<&[(Phrase, &str)]> = None;
-    let mut written = String::new();
+    let (mut written, mut short) = (String::new(), String::new());
     let mut at = 0;
     for number in 0..LONGEST {
         let rest = text.get(at..)?;
@@ -319,19 +452,30 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         if word.is_empty() {
             break;
         }
+        let small: String =
+            word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }).collect();
         if number > 0 {
             written.push(' ');
+            if !ARTICLES.contains(&small.as_str()) {
+                short.extend([" ", &small]);
+            }
+        } else {
+            short.clone_from(&small);
         }
-        written.extend(word.chars().flat_map(char::to_lowercase).map(|c| if c == '’' { '\'' } else { c }));
+        written.push_str(&small);
         at += separator + word.len();
         let own = listed.get_or_insert_with(|| BY_START.get(written.as_str()).map_or(&[][..], Vec::as_slice));
         // Most letters of formulas begin no phrase.
         if own.is_empty() && written.len() < SHORTEST_NAME {
             break;
         }
-        let known = own.iter().find(|(_, name)| *name == written).map(|(phrase, _)| *phrase);
+        let article = number > 0 && ARTICLES.contains(&small.as_str());
+        let is = |name: &str| says(&written, name) || !article && says(&short, name);
+        let known = own.iter().find(|(_, name)| is(name)).map(|(phrase, _)| *phrase);
         let name = || function(&written.replace(' ', "_")).filter(|_| written.len() >= SHORTEST_NAME);
-        if let Some(phrase) = known.or_else(|| name().map(Function)) {
+        // A spline of degree 2 is no spline_of.
+        let goes_on = found.is_some() && written.ends_with(" of");
+        if let Some(phrase) = known.or_else(|| name().filter(|_| !goes_on).map(Function)) {
             found = Some((phrase, at));
         }
     }
@@ -369,8 +513,17 @@ mod tests {
     #[test]
     fn no_phrase_stands_twice() {
         let mut seen = std::collections::BTreeSet::new();
-        for name in PHRASES.iter().flat_map(|(_, names)| names.split('|')) {
-            assert!(seen.insert(name.trim()), "{name}");
+        for name in PHRASES.iter().flat_map(|(_, names)| names.split(" | ")) {
+            let words = name.split(' ').map(forms);
+            let all = words.fold(vec![String::new()], |starts, forms| {
+                starts
+                    .iter()
+                    .flat_map(|start| forms.iter().map(move |form| format!("{start} {form}")))
+                    .collect()
+            });
+            for form in all {
+                assert!(seen.insert(form.clone()), "{form}");
+            }
         }
     }
 }

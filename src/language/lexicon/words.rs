@@ -295,3 +295,127 @@ fn without_capital(word: &str) -> String {
 pub fn is_foreign_function(word: &str) -> bool {
     TRANSCENDENTAL.contains(&word)
 }
+
+/// How a name is said to be something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Copula {
+    /// A sign: =.
+    Sign,
+    /// A word: is, be.
+    Word,
+}
+
+/// Words before a definition.
+const INTRODUCTIONS: &[&str] = &[
+    "let",
+    "if",
+    "given",
+    "given that",
+    "suppose",
+    "suppose that",
+    "assume",
+    "sei",
+    "es sei",
+    "wenn",
+    "falls",
+    "soit",
+    "si",
+    "sea",
+    "sia",
+    "se",
+    "supongamos que",
+    "supposons que",
+    "angenommen",
+    "设",
+    "令",
+    "若",
+];
+
+/// Words between a name and what it is.
+const COPULAS: &[&str] = &[
+    "be",
+    "is",
+    "denote",
+    "denotes",
+    "sei",
+    "ist",
+    "bezeichne",
+    "soit",
+    "est",
+    "es",
+    "sea",
+    "è",
+    "sia",
+    "为",
+    "是",
+];
+
+/// Words before what is asked after a definition.
+const CONTINUATIONS: &[&str] = &[
+    "then",
+    "so",
+    "what is",
+    "what's",
+    "what are",
+    "find",
+    "compute",
+    "calculate",
+    "determine",
+    "evaluate",
+    "dann",
+    "was ist",
+    "berechne",
+    "bestimme",
+    "alors",
+    "que vaut",
+    "combien vaut",
+    "calculer",
+    "calcule",
+    "entonces",
+    "calcula",
+    "cuánto vale",
+    "cuál es",
+    "allora",
+    "calcola",
+    "quanto vale",
+    "和",
+    "求",
+    "and",
+];
+
+/// The length of the word with which a text begins, if it introduces a definition.
+pub(crate) fn introduces(text: &str) -> Option<usize> {
+    starts_with_one_of(text, INTRODUCTIONS)
+}
+
+/// The sign or word by which a name is said to be something.
+pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
+    let sign = [":=", "="].into_iter().find(|sign| text.starts_with(sign) && !text.starts_with("=="));
+    match sign {
+        Some(sign) => Some((Copula::Sign, sign.len())),
+        None => starts_with_one_of(text, COPULAS).map(|length| (Copula::Word, length)),
+    }
+}
+
+/// The length of the words with which a text begins, if they say that something is asked now.
+pub(crate) fn goes_on(text: &str) -> Option<usize> {
+    starts_with_one_of(text, CONTINUATIONS)
+}
+
+/// Whether a word belongs to sentences: no name is called so.
+pub(crate) fn is_prose(word: &str) -> bool {
+    prose(word).is_some() || aside(word).is_some() || word.chars().count() > 3
+}
+
+/// The length of the longest of some words with which a text begins, whatever its capitals.
+fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
+    let ends = |rest: &str, word: &str| {
+        !rest.starts_with(char::is_alphanumeric) || word.chars().all(super::letters::is_ideograph)
+    };
+    let begins = |word: &&&str| {
+        text.get(..word.len()).is_some_and(|start| {
+            start.to_lowercase() == **word && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
+        })
+    };
+    words.iter().filter(begins).map(|word| word.len()).max()
+}

@@ -19,24 +19,29 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod chars;
+mod clauses;
 mod items;
 mod lexer;
 mod parser;
+mod pieces;
 mod sentence;
 mod spoken;
 mod statement;
 mod token;
 pub(crate) mod truncated;
+mod unknown;
 
 #[cfg(test)]
 mod tests;
 
+pub(crate) use clauses::{clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};
 pub(crate) use sentence::{Sentence, sentence};
-pub(crate) use spoken::{Call, Request, Said, What, request};
+pub(crate) use spoken::{Asked, Call, Request, Said, What, request};
 pub use token::MAX_TOKENS;
+pub(crate) use unknown::{Unknown, unknown};
 
 use crate::formula::Expr;
 use crate::formula::source::{Pieces, Span};
@@ -147,19 +152,23 @@ pub fn is_incomplete(text: &str) -> bool {
 /// ```
 pub fn looks_like_latex(text: &str) -> bool {
     let bytes = text.as_bytes();
-    bytes.iter().enumerate().any(|(at, &byte)| match byte {
-        b'$' => true,
-        b'{' => text.piece(at..).starts_with("{,}"),
-        b'_' => {
-            let before = text.piece(..at).trim_end();
-            let word = before.rsplit(|c: char| !c.is_ascii_alphabetic()).next();
-            ["∑", "∏", "∫"].iter().any(|sign| before.ends_with(sign))
-                || word.is_some_and(|word| words::is_sign_with_bounds(word, text.piece(before.len()..)))
-        }
-        b'\\' => {
-            let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
-            letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()
-        }
-        _ => false,
-    })
+    // ∫₀²
+    let below = |(before, after): (char, char)| "∑∏∫".contains(before) && ('₀'..='₎').contains(&after);
+    let unicode = text.chars().zip(text.chars().skip(1)).any(below);
+    unicode
+        || bytes.iter().enumerate().any(|(at, &byte)| match byte {
+            b'$' => true,
+            b'{' => text.piece(at..).starts_with("{,}"),
+            b'_' => {
+                let before = text.piece(..at).trim_end();
+                let word = before.rsplit(|c: char| !c.is_ascii_alphabetic()).next();
+                ["∑", "∏", "∫"].iter().any(|sign| before.ends_with(sign))
+                    || word.is_some_and(|word| words::is_sign_with_bounds(word, text.piece(before.len()..)))
+            }
+            b'\\' => {
+                let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
+                letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()
+            }
+            _ => false,
+        })
 }

@@ -1,7 +1,7 @@
 //! Tokens to a formula tree.
 //!
 //! ```text
-//! statement  = item { "," item }                      several: Sequence
+//! statement  = item [ "/." item ] { "," item }        several: Sequence; F /. t -> 2
 //! item       = definition                             also what stands in brackets
 //! definition = relation [ ":=" relation ]
 //! relation   = function { rel function }              = == != < <= > >= ≈ ≡ in ⊆ => <=>
@@ -13,12 +13,12 @@
 //! factor     = "-" factor | power { "∘" power }       "-" only after a sign
 //! power      = postfix [ ( "^" | "**" ) exponent ]    2^3^2 = 2^(3^2)
 //! exponent   = "-" exponent | "{" items "}" | power
-//! postfix    = atom { "_" index | "'" | "!" | accent | "^{(" items ")}" | call }
+//! postfix    = atom { "_" index | "'" | "!" | accent | "^{(" items ")}" | call | "." name call }
 //! call       = "(" items { ";" items } ")"            see below
 //! index      = digits | word | "{" items "}" | "(" items ")"
 //! atom       = number | name | "..." | '"' words '"'
-//!            | "(" items ")"                          one: parentheses, several: a tuple
-//!            | "[" items { ";" items } "]"            a list; with ";" a matrix by rows
+//!            | "(" items ")"                          one: parentheses, several: a tuple, also with ";"
+//!            | "[" items { ";" items } "]"            a list, also of numbers with blanks; with ";" a matrix by rows
 //!            | "{" items [ "|" item ] "}"             a set
 //!            | "⌊" item "⌋" | "⌈" item "⌉" | "|" item "|" | special
 //! special    = ("sum" | "prod" | "max" | "min" | "union" | "intersection")
@@ -51,6 +51,7 @@
 //! - after a blank or a number makes a product: `c_2 (t1+t2)`, `2(t+1)`
 
 mod call;
+mod elsewhere;
 mod index;
 mod operand;
 mod problem;
@@ -207,7 +208,10 @@ impl<'a> Parser<'a> {
     }
 
     fn statement(&mut self) -> Parsed<Node> {
-        let first = self.expr()?;
+        let mut first = self.expr()?;
+        while self.at_rules() {
+            first = self.with_rules(first)?;
+        }
         let mut rest = Vec::new();
         let mut height = first.height;
         let mut span = first.extent;
@@ -347,6 +351,7 @@ impl<'a> Parser<'a> {
             TokenKind::Plus => Op::Add(Sign::Plus),
             TokenKind::Minus => Op::Add(Sign::Minus),
             TokenKind::Star => Op::Mul,
+            TokenKind::Slash if self.at_rules() => return Ok(None),
             TokenKind::Slash => Op::Div,
             TokenKind::Caret => Op::Power,
             TokenKind::Compose => Op::Compose,

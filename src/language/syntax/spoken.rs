@@ -4,15 +4,24 @@
 //! whose words are known is one; what its words mean together is settled here, what a function makes of
 //! it, where functions are known.
 
+use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_text_commands};
 use crate::formula::source::{Pieces, Span};
-use crate::language::lexicon::letters::{self, is_ideograph};
-use crate::language::lexicon::phrases::{Label, Phrase, phrase};
+use crate::language::lexicon::phrases::{Label, Phrase};
+
+/// What is asked for, and what it is claimed or wanted to be.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Asked {
+    /// What is asked for.
+    pub request: Request,
+    /// Its value, if one is said.
+    pub equals: Option<Span>,
+}
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Request {
-    /// A formula, or several between which "and" stands.
-    Formula(Vec<Span>),
+    /// A formula, or several between which "and" stands, and what is said of them.
+    Formula(Vec<Span>, Vec<Said>),
     /// A function of something.
     Call(Call),
 }
@@ -48,12 +57,6 @@ pub(crate) enum What {
     Degree(i64),
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Part {
-    Phrase(Phrase, Span),
-    Piece(Span),
-}
-
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
 ///
 /// A name that is `known` is no word, and `function` finds a function by its name. Cost: linear in the length
@@ -62,10 +65,18 @@ pub(crate) fn request(
     text: &str,
     known: &dyn Fn(&str) -> bool,
     function: &dyn Fn(&str) -> Option<&'static str>,
-) -> Option<Request> {
+) -> Option<Asked> {
+    let masked = without_text_commands(text);
+    let text = masked.as_ref();
     let parts = parts(text, known, function);
     let named = |part: &Part| {
-        matches!(part, Part::Phrase(Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_), _))
+        let names = |phrase: &Phrase| match phrase {
+            Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_) | Phrase::Which => true,
+            // N_{0,2}(1/2) for the knots 0, 1, 2, 3
+            Phrase::Label(label) => label.names_values(),
+            _ => false,
+        };
+        matches!(part, Part::Phrase(phrase, _) if names(phrase))
     };
     let label =
         |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
@@ -86,8 +97,8 @@ pub(crate) fn request(
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
     let mut reader = Reader { text, parts, at: 0 };
-    let request = reader.request()?;
-    (reader.at == reader.parts.len()).then_some(request)
+    let asked = reader.asked()?;
+    (reader.at == reader.parts.len()).then_some(asked)
 }
 
 struct Reader<'a> {
@@ -114,19 +125,58 @@ impl Reader<'_> {
         found
     }
 
+    /// A request, or what it is claimed to be: is u v the polar form of t^2? The degree of t^2 equals 2.
+    fn asked(&mut self) -> Option<Asked> {
+        // for which x is x^2 = 1
+        if self.take(Phrase::Which) {
+            let (Part::Piece(name), true) = (self.next()?, {
+                self.at += 1;
+                self.take(Phrase::Is)
+            }) else {
+                return None;
+            };
+            let Part::Piece(equation) = self.next()? else { return None };
+            self.at += 1;
+            let labels = vec![Said { label: Label::With, what: What::Formula(name) }];
+            let subject = Some(Box::new(Request::Formula(vec![equation], Vec::new())));
+            let call = Call { function: "solve", phrase: name, subject, labels };
+            return Some(Asked { request: Request::Call(call), equals: None });
+        }
+        let asks = self.take(Phrase::Is);
+        if asks
+            && let Some(Part::Piece(claimed)) = self.next()
+            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
+        {
+            self.at += 1;
+            self.take(Phrase::Is);
+            let request = self.request()?;
+            return matches!(request, Request::Call(_)).then_some(Asked { request, equals: Some(claimed) });
+        }
+        let request = self.request()?;
+        let mut equals = None;
+        if (self.take(Phrase::Equals) || self.take(Phrase::Is))
+            && let Some(Part::Piece(value)) = self.next()
+            && matches!(request, Request::Call(_))
+        {
+            self.at += 1;
+            equals = Some(value);
+        }
+        (!asks || equals.is_some()).then_some(Asked { request, equals })
+    }
+
     /// A formula or a function of something, and what is done with that.
     fn request(&mut self) -> Option<Request> {
         while self.take(Phrase::Of) {}
+        // with Bernstein coefficients 1, 0, 1
+        self.at += usize::from(self.leads_to_function());
         let mut request = self.subject()?;
         while let Some(next) = self.next() {
             match next {
+                Part::Phrase(Phrase::Equals | Phrase::Is, _) => break,
                 // a spline with control points 0, 1, 3
-                Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _)
-                    if let (Some(Part::Piece(span)), Request::Call(call)) =
-                        (self.parts.get(self.at + 1).copied(), &mut request) =>
-                {
-                    self.at += 2;
-                    call.labels.push(Said { label: Label::Points, what: What::Formula(span) });
+                Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
+                    let said = self.said()?;
+                    request.labels().extend(said);
                 }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
@@ -140,7 +190,7 @@ impl Reader<'_> {
                 }
                 // 7 choose 3
                 Part::Phrase(Phrase::Between(function), phrase) => {
-                    let (Request::Formula(mut spans), Some(Part::Piece(span))) =
+                    let (Request::Formula(mut spans, _), Some(Part::Piece(span))) =
                         (request, self.parts.get(self.at + 1).copied())
                     else {
                         return None;
@@ -150,7 +200,7 @@ impl Reader<'_> {
                     if spans.iter().any(|span| is_sum(self.text.piece(span.range()))) {
                         return None;
                     }
-                    let subject = Some(Box::new(Request::Formula(spans)));
+                    let subject = Some(Box::new(Request::Formula(spans, Vec::new())));
                     request = Request::Call(Call { function, phrase, subject, labels: Vec::new() });
                 }
                 // t^3 的导数
@@ -159,21 +209,69 @@ impl Reader<'_> {
                 {
                     self.at += 1;
                 }
+                // insert the knot 1/2 into a spline
+                Part::Phrase(Phrase::Label(Label::To | Label::In), _)
+                    if let Request::Call(Call { function: "insert_knots", subject, labels, .. }) =
+                        &mut request
+                        && let Some(Request::Formula(knots, _)) = subject.as_deref()
+                        && self.leads_to_qualified_function() =>
+                {
+                    let knots: Vec<Span> = knots.clone();
+                    self.at += 1;
+                    labels.extend(
+                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
+                    );
+                    *subject = Some(Box::new(self.subject()?));
+                }
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
                 _ => {
                     let said = self.said()?;
-                    let Request::Call(call) = &mut request else { return None };
-                    call.labels.extend(said);
+                    request.labels().extend(said);
                 }
             }
         }
         Some(request)
     }
 
+    /// Whether a label stands here.
+    fn at_label(&self) -> bool {
+        let says_degree = matches!(self.phrase(), Some(Phrase::Degree(_)))
+            && !matches!(
+                self.parts.get(self.at + 1),
+                Some(
+                    Part::Piece(_)
+                        | Part::Phrase(Phrase::Function(_) | Phrase::Degree(_) | Phrase::Rational, _)
+                )
+            );
+        matches!(self.phrase(), Some(Phrase::Label(_))) || says_degree || self.at_points()
+    }
+
+    /// Whether points follow their name here: control points 0, 1, 3.
+    fn at_points(&self) -> bool {
+        matches!(
+            self.parts.get(self.at..self.at + 2),
+            Some([Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _), Part::Piece(span)])
+                if is_several(self.text.piece(span.range()))
+        )
+    }
+
     /// Whether a function follows a label, or what goes before it: into the Bernstein basis.
     fn leads_to_function(&self) -> bool {
         let label = matches!(self.phrase(), Some(Phrase::Label(Label::In | Label::To | Label::With)));
         label && matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _)))
+    }
+
+    /// The same, with what it is like between them: into the quadratic spline, into a degree 2 spline.
+    fn leads_to_qualified_function(&self) -> bool {
+        let rest = self.parts.get(self.at + 1..).unwrap_or_default();
+        let quality = |part: &&Part| {
+            !matches!(
+                part,
+                Part::Phrase(Phrase::Function(_) | Phrase::Label(Label::Knots | Label::Points), _)
+            )
+        };
+        let qualities = rest.iter().take_while(quality).count();
+        qualities < 3 && matches!(rest.get(qualities), Some(Part::Phrase(Phrase::Function(_), _)))
     }
 
     /// A formula, or a function of something.
@@ -183,6 +281,16 @@ impl Reader<'_> {
             let (label, number) = match self.phrase() {
                 Some(Phrase::Degree(degree)) => (Label::OfDegree, degree),
                 Some(Phrase::Ordinal(number)) => (Label::Times, number),
+                Some(Phrase::Rational) => (Label::Rational, 1),
+                // degree 2 spline
+                Some(Phrase::Label(Label::OfDegree))
+                    if let Some([Part::Piece(span), Part::Phrase(Phrase::Function(_), _)]) =
+                        self.parts.get(self.at + 1..self.at + 3) =>
+                {
+                    labels.push(Said { label: Label::OfDegree, what: What::Formula(*span) });
+                    self.at += 2;
+                    continue;
+                }
                 _ => break,
             };
             labels.push(Said { label, what: What::Degree(number) });
@@ -191,7 +299,12 @@ impl Reader<'_> {
         match self.next()? {
             Part::Piece(span) if labels.is_empty() => {
                 self.at += 1;
-                Some(Request::Formula(std::iter::once(span).chain(self.others()).collect()))
+                Some(Request::Formula(std::iter::once(span).chain(self.others()).collect(), Vec::new()))
+            }
+            // the cubic 0, 0, 8, 8
+            Part::Piece(span) => {
+                self.at += 1;
+                Some(Request::Formula(vec![span], labels))
             }
             Part::Phrase(word, phrase) => {
                 let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
@@ -205,7 +318,6 @@ impl Reader<'_> {
                 let subject = self.argument(&mut labels)?;
                 Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
             }
-            _ => None,
         }
     }
 
@@ -226,19 +338,31 @@ impl Reader<'_> {
         loop {
             while self.take(Phrase::Of) {}
             match self.next() {
-                None => return Some(None),
-                Some(Part::Phrase(Phrase::Label(_), _)) => {
+                None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                // degree elevation twice: 1, 0, 1
+                Some(Part::Phrase(Phrase::Ordinal(_), _)) => labels.extend(self.said()?),
+                // with b0 = 1, b1 = 3
+                Some(Part::Piece(span))
+                    if !labels.is_empty() && begins_equation(self.text.piece(span.range())) =>
+                {
+                    labels.extend(self.said()?);
+                }
+                _ if self.at_label() => {
                     let count = labels.len();
                     // Degree 2 on 0, 1, 2; but: at 1/2 of t^3
                     labels.extend(self.said()?);
-                    if count == labels.len() && matches!(self.next(), Some(Part::Phrase(Phrase::Label(_), _)))
-                    {
+                    if count == labels.len() && self.at_label() {
                         continue;
                     }
-                    if !matches!(self.phrase(), Some(Phrase::Of | Phrase::Label(_))) {
+                    while self.phrase() == Some(Phrase::And) {
+                        self.at += 1;
+                    }
+                    let goes_on = |piece: Span| begins_equation(self.text.piece(piece.range()));
+                    let more = matches!(self.next(), Some(Part::Piece(span)) if goes_on(span));
+                    if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None => Some(None),
+                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => Some(None),
                             Some(_) => self.subject().map(Some),
                         };
                     }
@@ -252,6 +376,7 @@ impl Reader<'_> {
     fn said(&mut self) -> Option<Vec<Said>> {
         let label = match self.next()? {
             Part::Phrase(Phrase::Label(label), _) => label,
+            Part::Phrase(Phrase::Function(_), _) if self.at_points() => Label::Points,
             // von 0 bis 1
             Part::Phrase(Phrase::Of, _)
                 if matches!(
@@ -268,6 +393,10 @@ impl Reader<'_> {
             Part::Phrase(Phrase::Degree(degree), _) => {
                 self.at += 1;
                 return Some(vec![Said { label: Label::OfDegree, what: What::Degree(degree) }]);
+            }
+            Part::Phrase(Phrase::Ordinal(number), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::Times, what: What::Degree(number) }]);
             }
             // bezier 0, 1, 4, t = 1/2
             Part::Piece(span) if self.text.piece(span.range()).contains('=') => {
@@ -294,175 +423,19 @@ impl Reader<'_> {
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
+            // for the control points 0, 1
+            Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,
         }
     }
 }
 
-/// The phrases outside of brackets and the formulas between them.
-fn parts(
-    text: &str,
-    known: &dyn Fn(&str) -> bool,
-    function: &dyn Fn(&str) -> Option<&'static str>,
-) -> Vec<Part> {
-    let mut parts = Vec::new();
-    let mut depth = 0_usize;
-    let mut dollar = false;
-    let mut start = 0;
-    let mut at = 0;
-    let mut before = ' ';
-    let push = |parts: &mut Vec<Part>, from: usize, to: usize| {
-        let piece = text.piece(from..to);
-        let separates = |c: char| {
-            c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!')
-        };
-        // 5! is a factorial
-        let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
-        if !trimmed.is_empty() {
-            let from = from + (piece.len() - piece.trim_start_matches(separates).len());
-            parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
-        }
-    };
-    let mut listed = false;
-    while let Some(c) = text.piece(at..).chars().next() {
-        let apart = !(before.is_alphanumeric() && !is_ideograph(before)
-            || matches!(before, '_' | '^' | '\\' | '{'))
-            || is_ideograph(c);
-        if depth == 0
-            && !dollar
-            && apart
-            && c.is_alphabetic()
-            && let Some((phrase, length)) = phrase(text.piece(at..), function)
-            && is_word(text, at, length, known, phrase)
-        {
-            push(&mut parts, start, at);
-            parts.push(Part::Phrase(phrase, Span::new(at, at + length)));
-            at += length;
-            // knots = 0, 1, 2
-            let sign = text.piece(at..).trim_start();
-            if matches!(phrase, Phrase::Label(_)) && sign.starts_with(['=', ':']) {
-                at = text.len() - sign.len() + 1;
-            }
-            start = at;
-            listed = false;
-            before = ' ';
-            continue;
-        }
-        // 0, 4, 2, t = 1/2
-        let after_list = before == ',' || listed && before.is_whitespace();
-        if depth == 0 && after_list && start < at && begins_equation(text.piece(at..)) {
-            push(&mut parts, start, at);
-            start = at;
-            listed = false;
-        }
-        listed |= depth == 0 && matches!(c, ',' | '=') || depth == 1 && c == ']';
-        // -> Bernstein
-        if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
-            let after = text.piece(at + arrow.len()..).trim_start();
-            if matches!(phrase(after, function), Some((Phrase::Function(_), _))) {
-                push(&mut parts, start, at);
-                parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + arrow.len())));
-                at += arrow.len();
-                start = at;
-                before = ' ';
-                continue;
-            }
-        }
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            '$' => dollar = !dollar,
-            _ => {}
-        }
-        before = c;
-        at += c.len_utf8();
-    }
-    push(&mut parts, start, text.len());
-    parts
-}
-
-/// Whether a name with its value stands at the start of a text: t = 1/2.
-fn begins_equation(text: &str) -> bool {
-    let rest = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''));
-    let sign = rest.trim_start();
-    text.starts_with(char::is_alphabetic) && sign.starts_with('=') && !sign.starts_with("==")
-}
-
-/// Whether what reads like a phrase is none of a formula: `degree(t)`, `a_1`, `roots := 3`, a name with a value.
-fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, phrase: Phrase) -> bool {
-    let written = text.piece(at..at + length);
-    if known(written) {
-        return false;
-    }
-    if written.ends_with(['\'', '’']) || written.starts_with(is_ideograph) {
-        return true;
-    }
-    let rest = text.piece(at + length..);
-    let label = matches!(phrase, Phrase::Label(_));
-    let next = rest.trim_start();
-    // sqrt (4) + 1 is a call.
-    if matches!(phrase, Phrase::Function(_)) && next.starts_with('(') {
-        let after = after_brackets(next).trim_start();
-        if after.starts_with(['+', '-', '*', '/', '=', '<', '>', '!']) {
-            return false;
+impl Request {
+    /// What is said besides.
+    fn labels(&mut self) -> &mut Vec<Said> {
+        match self {
+            Request::Formula(_, labels) => labels,
+            Request::Call(call) => &mut call.labels,
         }
     }
-    if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
-        || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-']) && !(label && next.starts_with('='))
-        || next.starts_with(":=")
-        || rest.starts_with(|c: char| c.is_alphanumeric())
-    {
-        return false;
-    }
-    // One letter is a name, unless words follow: a cubic.
-    if written.chars().count() == 1 && written.is_ascii() {
-        return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
-    }
-    true
-}
-
-/// What follows the brackets at the start of a text.
-fn after_brackets(text: &str) -> &str {
-    let mut depth = 0_i32;
-    for (at, c) in text.char_indices() {
-        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
-        if depth == 0 {
-            return text.piece(at + c.len_utf8()..);
-        }
-    }
-    ""
-}
-
-/// Whether a sum stands in a formula outside of brackets: what belongs to it is not clear beside words.
-fn is_sum(text: &str) -> bool {
-    let mut depth = 0_i32;
-    text.trim_start_matches(['-', ' ']).chars().any(|c| {
-        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
-        depth == 0 && matches!(c, '+' | '-')
-    })
-}
-
-/// Whether a formula has a word in it that nobody knows: "t^2 nonsense".
-fn has_words(piece: &str, known: &dyn Fn(&str) -> bool) -> bool {
-    let mut before = ' ';
-    let mut rest = piece;
-    while let Some(c) = rest.chars().next() {
-        let length = rest.chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
-        if length == 0 {
-            before = c;
-            rest = rest.piece(c.len_utf8()..);
-            continue;
-        }
-        let word = rest.piece(..length);
-        let after = rest.piece(length..);
-        let spaced = matches!(before, ' ' | ',' | ':' | ';') && !after.starts_with(['(', '[', '_']);
-        let long = word.chars().count() > 2 || word.chars().any(is_ideograph);
-        let name = known(word) || letters::sign(word).is_some();
-        if spaced && long && !name && before != '\\' {
-            return true;
-        }
-        before = 'a';
-        rest = after;
-    }
-    false
 }

@@ -3,6 +3,7 @@
 use super::super::chars;
 use super::super::token::{Bracket, Token, TokenKind};
 use super::call::{accent_of, is_special};
+use super::elsewhere::in_one_row;
 use super::{MAX_DEPTH, Node, Parsed, Parser};
 use crate::formula::source::Span;
 use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind};
@@ -237,6 +238,7 @@ impl Parser<'_> {
                     self.bracket_index(node)
                 }
                 _ if !exponent && self.at_call() && self.calls(&node.expr) => self.call(node),
+                TokenKind::Unknown if !is_number(&node.expr) && self.at_method() => self.method(node),
                 _ => return Ok(node),
             };
             node = attached?;
@@ -495,7 +497,7 @@ impl Parser<'_> {
 
     fn group_or_tuple(&self, inside: Inside) -> Parsed<Node> {
         let span = inside.span();
-        let Items { mut list, height } = self.items(inside, "a formula")?;
+        let Items { mut list, height } = self.items(in_one_row(inside), "a formula")?;
         let kind = match list.pop() {
             Some(only) if list.is_empty() => Kind::Group(Box::new(only)),
             last => {
@@ -507,7 +509,10 @@ impl Parser<'_> {
     }
 
     fn square(&mut self) -> Parsed<Node> {
-        let inside = self.inside(false)?;
+        let inside = match self.spaced_numbers()? {
+            Some(numbers) => numbers,
+            None => self.inside(false)?,
+        };
         self.list_or_matrix(inside)
     }
 

@@ -247,6 +247,22 @@ impl Parser<'_> {
         )
     }
 
+    /// `t^2 /. 3`
+    pub(super) fn no_rule(&self, span: Span) -> Problem {
+        let problem = error(Code::UnexpectedToken, "after '/.' values of names stand", span);
+        Box::new(problem.reason("no value of a name").hint("write /. t -> 2, or /. {a -> 1, t -> 2}"))
+    }
+
+    /// `[1 -1]`
+    pub(super) fn signed_item(&self, sign: Token) -> Problem {
+        let problem = error(Code::UnexpectedToken, "a list without commas, or a difference?", sign.span());
+        Box::new(
+            problem.reason("the sign of an item, or an operator?").hint(
+                "write commas between the items, or blanks on both sides of an operator: 1, -1 or 1 - 1",
+            ),
+        )
+    }
+
     pub(super) fn two_numbers(&self) -> Problem {
         let token = self.peek();
         let span = self.last.map_or(token.span(), |last| last.span().to(token.span()));

@@ -1,0 +1,162 @@
+//! What other systems write: `F.subs(t, 2)`, `F /. t -> 2`, `[1 2 3]`, `(0; 1)`.
+
+use super::super::token::{Bracket, Token, TokenKind};
+use super::operand::{Cell, Inside};
+use super::{Node, Parsed, Parser};
+use crate::formula::{Expr, Kind, Quotient, Rel};
+
+impl Parser<'_> {
+    fn is_point(&self, token: Option<&Token>) -> bool {
+        token.is_some_and(|token| {
+            token.kind == TokenKind::Unknown && !token.spaced && self.text_of(*token) == "."
+        })
+    }
+
+    /// Whether a method is called here: `.subs(t, 2)`.
+    pub(super) fn at_method(&self) -> bool {
+        let token = |at: usize| self.tokens.get(self.at + at);
+        let tight = |at: usize, kind| token(at).is_some_and(|token| token.kind == kind && !token.spaced);
+        self.is_point(token(0)) && tight(1, TokenKind::Name) && tight(2, TokenKind::Open(Bracket::Paren))
+    }
+
+    /// A function called as a method of its first argument.
+    pub(super) fn method(&mut self, object: Node) -> Parsed<Node> {
+        self.bump();
+        let name = self.bump();
+        let callee = self.name(name)?;
+        let extent = object.extent;
+        let mut call = self.call(callee)?;
+        if let Kind::Apply(_, groups) = &mut call.expr.kind
+            && let Some(first) = groups.first_mut()
+        {
+            first.insert(0, object.expr);
+        }
+        call.height = call.height.max(object.height + 1);
+        call.extent = extent.to(call.extent);
+        call.expr.span = call.extent;
+        Ok(call)
+    }
+
+    /// Whether values are put in here: `/. t -> 2`.
+    pub(super) fn at_rules(&self) -> bool {
+        self.peek().kind == TokenKind::Slash && self.is_point(self.tokens.get(self.at + 1))
+    }
+
+    /// A formula with values for names, as `subs` has them.
+    pub(super) fn with_rules(&mut self, formula: Node) -> Parsed<Node> {
+        self.bump();
+        self.bump();
+        let rules = self.expr()?;
+        let span = formula.extent.to(rules.extent);
+        let height = formula.height.max(rules.height) + 1;
+        let items = match rules.expr.kind {
+            Kind::Set(items, None) | Kind::List(items) => items,
+            _ => vec![rules.expr],
+        };
+        let mut arguments = vec![formula.expr];
+        for rule in items {
+            match rule.kind {
+                Kind::Lambda(mut names, value) if names.len() == 1 => {
+                    let relation = Expr::relation(names.remove(0), Rel::Eq, *value);
+                    arguments.push(Expr { span: rule.span, ..relation });
+                }
+                _ => return Err(self.no_rule(rule.span)),
+            }
+        }
+        let callee = Expr { span: formula.extent, ..Expr::name("subs") };
+        self.node(Kind::Apply(Box::new(callee), vec![arguments]), span, height)
+    }
+
+    /// The numbers between the square brackets that open here, if only blanks stand between them.
+    ///
+    /// # Errors
+    /// A sign that might be that of an item or a difference: `[1 -1]`.
+    pub(super) fn spaced_numbers(&mut self) -> Parsed<Option<Inside>> {
+        let open = self.peek();
+        if open.kind != TokenKind::Open(Bracket::Square) {
+            return Ok(None);
+        }
+        let rest = &self.tokens[self.at + 1..];
+        let Some(end) =
+            rest.iter().position(|token| matches!(token.kind, TokenKind::Open(_) | TokenKind::Close(_)))
+        else {
+            return Ok(None);
+        };
+        if rest[end].kind != TokenKind::Close(Bracket::Square) {
+            return Ok(None);
+        }
+        let (mut numbers, mut signed, mut before) = (false, None, TokenKind::Semicolon);
+        for token in &rest[..end] {
+            match (before, token.kind) {
+                (TokenKind::Number, TokenKind::Number) if token.spaced => numbers = true,
+                (TokenKind::Semicolon | TokenKind::Slash, TokenKind::Number)
+                | (TokenKind::Number, TokenKind::Semicolon) => {}
+                (TokenKind::Number, TokenKind::Slash) if !token.spaced => {}
+                (TokenKind::Number, TokenKind::Minus) if token.spaced => signed = signed.or(Some(*token)),
+                (TokenKind::Semicolon, TokenKind::Minus) => {}
+                // A sign belongs to what follows it at once.
+                (TokenKind::Minus, TokenKind::Number) if !token.spaced => {}
+                _ => return Ok(None),
+            }
+            before = token.kind;
+        }
+        if let Some(sign) = signed {
+            return Err(self.signed_item(sign));
+        }
+        if !numbers {
+            return Ok(None);
+        }
+        self.bump();
+        let mut rows: Vec<Vec<Cell>> = vec![Vec::new()];
+        loop {
+            let token = self.peek();
+            match token.kind {
+                TokenKind::Semicolon => {
+                    self.bump();
+                    rows.push(Vec::new());
+                }
+                TokenKind::Close(_) => break,
+                _ => {
+                    let item = Some(self.number_of_list()?);
+                    if let Some(row) = rows.last_mut() {
+                        row.push(Cell { item, end: token, condition: None });
+                    }
+                }
+            }
+        }
+        let close = self.bump();
+        Ok(Some(Inside { rows, bar: None, open, close }))
+    }
+
+    /// -1/2
+    fn number_of_list(&mut self) -> Parsed<Node> {
+        let sign = (self.peek().kind == TokenKind::Minus).then(|| self.bump());
+        let mut number = self.numeral()?;
+        if self.peek().kind == TokenKind::Slash {
+            self.bump();
+            let below = self.numeral()?;
+            let span = number.extent.to(below.extent);
+            let kind = Kind::Div(Box::new(number.expr), Box::new(below.expr), Quotient::Slash);
+            number = self.node(kind, span, number.height.max(below.height))?;
+        }
+        let Some(sign) = sign else { return Ok(number) };
+        let span = sign.span().to(number.extent);
+        let height = number.height;
+        self.node(number.expr.negated().kind, span, height)
+    }
+}
+
+/// A point with semicolons between its coordinates, `(0; 1)`, in one row.
+pub(super) fn in_one_row(mut inside: Inside) -> Inside {
+    let single = |row: &Vec<Cell>| matches!(row.as_slice(), [Cell { item: Some(_), .. }]);
+    if inside.rows.len() > 1 && inside.rows.iter().all(single) {
+        let mut row: Vec<Cell> = inside.rows.into_iter().flatten().collect();
+        for cell in &mut row {
+            if cell.end.kind == TokenKind::Semicolon {
+                cell.end.kind = TokenKind::Comma;
+            }
+        }
+        inside.rows = vec![row];
+    }
+    inside
+}

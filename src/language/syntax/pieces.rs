@@ -1,0 +1,214 @@
+//! A text taken apart into phrases and the formulas between them.
+
+use crate::formula::source::{Pieces, Span};
+use crate::language::lexicon::letters::{self, is_ideograph};
+use crate::language::lexicon::phrases::{Label, Phrase, phrase};
+use crate::language::lexicon::words;
+use std::borrow::Cow;
+
+/// A part of a text with words.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    /// Words that are known.
+    Phrase(Phrase, Span),
+    /// What stands between them.
+    Piece(Span),
+}
+
+/// The phrases outside of brackets and the formulas between them.
+pub(super) fn parts(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Vec<Part> {
+    let mut parts = Vec::new();
+    let mut depth = 0_usize;
+    let mut dollar = false;
+    let mut start = 0;
+    let mut at = 0;
+    let mut before = ' ';
+    let push = |parts: &mut Vec<Part>, from: usize, to: usize| {
+        let piece = text.piece(from..to);
+        let separates = |c: char| {
+            c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!')
+        };
+        // 5! is a factorial
+        let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));
+        if !trimmed.is_empty() {
+            let from = from + (piece.len() - piece.trim_start_matches(separates).len());
+            parts.push(Part::Piece(Span::new(from, from + trimmed.len())));
+        }
+    };
+    let mut listed = false;
+    while let Some(c) = text.piece(at..).chars().next() {
+        let apart = !(before.is_alphanumeric() && !is_ideograph(before)
+            || matches!(before, '_' | '^' | '\\' | '{'))
+            || is_ideograph(c);
+        if depth == 0
+            && !dollar
+            && apart
+            && c.is_alphabetic()
+            && let Some((phrase, length)) = phrase(text.piece(at..), function)
+            && is_word(text, at, length, known, phrase)
+        {
+            push(&mut parts, start, at);
+            parts.push(Part::Phrase(phrase, Span::new(at, at + length)));
+            at += length;
+            // knots = 0, 1, 2
+            let sign = text.piece(at..).trim_start();
+            if matches!(phrase, Phrase::Label(_)) && sign.starts_with(['=', ':']) {
+                at = text.len() - sign.len() + 1;
+            }
+            start = at;
+            listed = false;
+            before = ' ';
+            continue;
+        }
+        // 0, 4, 2, t = 1/2
+        let after_list = before == ',' || listed && before.is_whitespace();
+        if depth == 0 && after_list && start < at && begins_equation(text.piece(at..)) {
+            push(&mut parts, start, at);
+            start = at;
+            listed = false;
+        }
+        listed |= depth == 0 && matches!(c, ',' | '=') || depth == 1 && c == ']';
+        // -> Bernstein
+        if let Some(arrow) = ["->", "→"].into_iter().find(|arrow| text.piece(at..).starts_with(arrow)) {
+            let after = text.piece(at + arrow.len()..).trim_start();
+            if matches!(phrase(after, function), Some((Phrase::Function(_), _))) {
+                push(&mut parts, start, at);
+                parts.push(Part::Phrase(Phrase::Label(Label::To), Span::new(at, at + arrow.len())));
+                at += arrow.len();
+                start = at;
+                before = ' ';
+                continue;
+            }
+        }
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            '$' => dollar = !dollar,
+            _ => {}
+        }
+        before = c;
+        at += c.len_utf8();
+    }
+    push(&mut parts, start, text.len());
+    parts
+}
+
+/// Whether a name with its value stands at the start of a text: t = 1/2.
+pub(super) fn begins_equation(text: &str) -> bool {
+    let rest = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''));
+    let sign = rest.trim_start();
+    text.starts_with(char::is_alphabetic) && sign.starts_with('=') && !sign.starts_with("==")
+}
+
+/// Whether what reads like a phrase is none of a formula: `degree(t)`, `a_1`, `roots := 3`, a name with a value.
+fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, phrase: Phrase) -> bool {
+    let written = text.piece(at..at + length);
+    if known(written) {
+        return false;
+    }
+    if written.ends_with(['\'', '’']) || written.starts_with(is_ideograph) {
+        return true;
+    }
+    let rest = text.piece(at + length..);
+    let label = matches!(phrase, Phrase::Label(_));
+    let next = rest.trim_start();
+    // sqrt (4) + 1 is a call.
+    if matches!(phrase, Phrase::Function(_)) && next.starts_with('(') {
+        let after = after_brackets(next).trim_start();
+        if after.starts_with(['+', '-', '*', '/', '=', '<', '>', '!']) {
+            return false;
+        }
+    }
+    if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
+        || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-']) && !(label && next.starts_with('='))
+        || next.starts_with(":=")
+        || rest.starts_with(|c: char| c.is_alphanumeric())
+    {
+        return false;
+    }
+    // One letter is a name, unless words follow: a cubic.
+    if written.chars().count() == 1 && written.is_ascii() {
+        return rest.starts_with(' ') && next.chars().take_while(|c| c.is_alphabetic()).count() > 1;
+    }
+    true
+}
+
+/// What follows the brackets at the start of a text.
+fn after_brackets(text: &str) -> &str {
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        if depth == 0 {
+            return text.piece(at + c.len_utf8()..);
+        }
+    }
+    ""
+}
+
+/// Whether a sum stands in a formula outside of brackets: what belongs to it is not clear beside words.
+pub(super) fn is_sum(text: &str) -> bool {
+    let mut depth = 0_i32;
+    text.trim_start_matches(['-', ' ']).chars().any(|c| {
+        depth += i32::from(matches!(c, '(' | '[' | '{')) - i32::from(matches!(c, ')' | ']' | '}'));
+        depth == 0 && matches!(c, '+' | '-')
+    })
+}
+
+/// Whether a formula has a word in it that nobody knows: "t^2 nonsense".
+pub(super) fn has_words(piece: &str, known: &dyn Fn(&str) -> bool) -> bool {
+    let mut before = ' ';
+    let mut rest = piece;
+    while let Some(c) = rest.chars().next() {
+        let length = rest.chars().take_while(|c| c.is_alphabetic()).map(char::len_utf8).sum::<usize>();
+        if length == 0 {
+            before = c;
+            rest = rest.piece(c.len_utf8()..);
+            continue;
+        }
+        let word = rest.piece(..length);
+        let after = rest.piece(length..);
+        let spaced = matches!(before, ' ' | ',' | ':' | ';') && !after.starts_with(['(', '[', '_']);
+        let long = word.chars().count() > 2 || word.chars().any(is_ideograph);
+        let name = known(word) || letters::sign(word).is_some();
+        if spaced && long && !name && before != '\\' {
+            return true;
+        }
+        before = 'a';
+        rest = after;
+    }
+    false
+}
+
+/// Whether several items stand side by side in a text, or a list of them.
+pub(super) fn is_several(text: &str) -> bool {
+    let first = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, ' ' | '=' | '_'));
+    text.contains([',', ';', '='])
+        || first.starts_with(['[', '{'])
+        || text.contains(' ') && !text.contains(char::is_alphabetic)
+}
+
+/// The text with blanks for \text{ }, so that all places stay the same.
+pub(super) fn without_text_commands(text: &str) -> Cow<'_, str> {
+    let mut masked: Option<Vec<u8>> = None;
+    let mut at = 0;
+    while let Some(found) = text.piece(at..).find("\\") {
+        at += found;
+        let name = text.piece(at + 1..).chars().take_while(char::is_ascii_alphabetic).count();
+        let open = at + 1 + name;
+        let inside = text.piece(open..);
+        if words::is_text_command(text.piece(at..open)) && inside.starts_with('{') {
+            let length = inside.len() - after_brackets(inside).len();
+            let bytes = masked.get_or_insert_with(|| text.as_bytes().to_vec());
+            bytes[at..=open].fill(b' ');
+            if inside.piece(..length).ends_with('}') {
+                bytes[open + length - 1] = b' ';
+            }
+        }
+        at = open;
+    }
+    masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
+}

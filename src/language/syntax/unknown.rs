@@ -1,0 +1,91 @@
+//! A function that conditions determine: `cubic p with p(0) = 0, p'(0) = 1, p(1) = 2, p'(1) = 0`,
+//! `given f(0,0) = 1, f(0,1) = 3, f(1,1) = 2, find f(2,2)`.
+
+use super::pieces::{Part, has_words, parts};
+use crate::formula::source::{Pieces, Span};
+use crate::language::lexicon::phrases::{Label, Phrase};
+
+/// A function that is asked for by conditions.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Unknown {
+    /// Its degree, if a word says it.
+    pub degree: Option<i64>,
+    /// Whether a word says that it interpolates: its degree is as small as it can be.
+    pub interpolates: bool,
+    /// Where the conditions stand, each perhaps several.
+    pub conditions: Vec<Span>,
+    /// What is asked about it; else the function itself.
+    pub asked: Option<Span>,
+}
+
+/// The function that a text asks for by conditions; `None` if it is no such text, or not all of its words are known.
+pub(crate) fn unknown(
+    text: &str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Option<Unknown> {
+    let parts = parts(text, known, function);
+    // Without a word it is a claim: f(0, 1) = 2.
+    let says = |part: &Part| matches!(part, Part::Phrase(phrase, _) if *phrase != Phrase::And);
+    if !parts.iter().any(says) {
+        return None;
+    }
+    let mut found = Unknown { degree: None, interpolates: false, conditions: Vec::new(), asked: None };
+    let mut name: Option<&str> = None;
+    let mut parts = parts.into_iter().peekable();
+    while let Some(part) = parts.next() {
+        let span = match part {
+            Part::Phrase(Phrase::Degree(degree), _) if found.degree.is_none() => {
+                found.degree = Some(degree);
+                continue;
+            }
+            Part::Phrase(Phrase::Label(Label::OfDegree), _) if found.degree.is_none() => {
+                let Some(Part::Piece(number)) = parts.next() else { return None };
+                found.degree = Some(text.piece(number.range()).parse().ok()?);
+                continue;
+            }
+            Part::Phrase(Phrase::Function("hermite" | "lagrange") | Phrase::Command("lagrange"), _) => {
+                found.interpolates = true;
+                continue;
+            }
+            Part::Phrase(
+                Phrase::Filler
+                | Phrase::Of
+                | Phrase::And
+                | Phrase::Function("polar")
+                | Phrase::Label(Label::With | Label::Values),
+                _,
+            ) => continue,
+            Part::Phrase(..) => return None,
+            Part::Piece(span) => span,
+        };
+        let piece = text.piece(span.range());
+        if has_words(piece, known) || found.asked.is_some() {
+            return None;
+        }
+        match condition(piece) {
+            Some(own) if name.is_none_or(|name| name == own) => {
+                name = Some(own);
+                found.conditions.push(span);
+            }
+            // the cubic p
+            None if found.conditions.is_empty() && piece.chars().all(char::is_alphabetic) => {
+                if name.replace(piece).is_some() {
+                    return None;
+                }
+            }
+            None if !found.conditions.is_empty() && !piece.contains('=') => found.asked = Some(span),
+            _ => return None,
+        }
+    }
+    let name = name.filter(|name| !known(name) && function(name).is_none())?;
+    let asks = found.asked.is_none_or(|span| text.piece(span.range()).contains(name));
+    (!found.conditions.is_empty() && asks).then_some(found)
+}
+
+/// The function of which a text gives a value: p'(0) = 1.
+fn condition(piece: &str) -> Option<&str> {
+    let end = piece.find(|c: char| !c.is_alphabetic())?;
+    let rest = piece.piece(end..).trim_start_matches(['\'', '′', '’']);
+    (end > 0 && rest.starts_with('(') && rest.contains('=')).then(|| piece.piece(..end))
+}

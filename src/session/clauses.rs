@@ -1,0 +1,53 @@
+//! Definitions in words: `let f be the polar form of t^2`, `f = derivative of t^3; f(2)`.
+
+use super::{Answer, Failure, Session};
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Rel};
+use crate::language::eval::Equals;
+use crate::language::syntax;
+
+impl Session {
+    /// Runs a definition in words, and what is asked after it in the same statement; `None` if there is none.
+    pub(super) fn run_clause(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let text = file.slice(whole);
+        let Some(clause) = syntax::clause(text) else { return Ok(None) };
+        let body = clause.rest.shifted(whole.start);
+        let define = |formula: Expr| {
+            let name = Expr { span: clause.place.shifted(whole.start), ..Expr::name(clause.name) };
+            let span = name.span.to(body);
+            Expr { span, ..Expr::relation(name, Rel::Define, formula) }
+        };
+        for (end, rest) in syntax::continuations(file.slice(body)) {
+            let head = Span::new(body.start, body.start + end);
+            let rest = rest.shifted(body.start);
+            if !mentions(file.slice(rest), clause.name) {
+                continue;
+            }
+            let Some(formula) = self.spoken(file, head)? else { continue };
+            let mut there = self.clone();
+            let defined = there.evaluated(file, define(formula), Equals::DefinesUnbound, false)?;
+            let mut answers = there.run_part(file, Some(rest), equals)?;
+            if let Some(first) = answers.first_mut() {
+                first.outcome.notes.insert(0, super::read_as(&defined.statement, head));
+            }
+            self.env = there.env;
+            return Ok(Some(answers));
+        }
+        let Some(formula) = self.spoken(file, body)? else { return Ok(None) };
+        let definition = define(formula);
+        let note = super::read_as(&definition, whole);
+        let mut answer = self.evaluated(file, definition, Equals::DefinesUnbound, false)?;
+        answer.outcome.notes.insert(0, note);
+        Ok(Some(vec![answer]))
+    }
+}
+
+/// Whether a name stands in a text, by itself.
+fn mentions(text: &str, name: &str) -> bool {
+    text.split(|c: char| !c.is_alphabetic()).any(|word| word == name)
+}

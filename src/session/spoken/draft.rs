@@ -1,0 +1,434 @@
+//! A call whose arguments are being gathered from what is said of them.
+
+use super::Read;
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, named};
+use crate::judge::names::bases;
+use crate::language::eval;
+use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
+use crate::language::lexicon::phrases::Label;
+use crate::language::lexicon::roles;
+
+/// A call whose arguments are being gathered.
+pub(super) struct Draft {
+    pub(super) builtin: &'static Builtin,
+    pub(super) phrase: Span,
+    pub(super) placed: Vec<Expr>,
+    pub(super) named: Vec<(&'static str, Expr)>,
+    /// The degree that an elevation or reduction leads to.
+    degree: Option<Expr>,
+}
+
+pub(super) fn is_points(items: &[Expr]) -> bool {
+    !items.is_empty() && items.iter().all(|item| matches!(item.kind, Kind::Tuple(_) | Kind::List(_)))
+}
+
+pub(super) fn list(items: Vec<Expr>) -> Expr {
+    let span = items.iter().map(|item| item.span).reduce(Span::to).unwrap_or_default();
+    Expr::new(Kind::List(items), span)
+}
+
+/// The first coordinates of points, and what follows them.
+fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
+    let parts = points.iter().map(|point| match point.items()?.split_first()? {
+        (_, []) => None,
+        (node, [value]) => Some((node.clone(), value.clone())),
+        (node, values) => Some((node.clone(), list(values.to_vec()))),
+    });
+    let (nodes, values): (Vec<Expr>, Vec<Expr>) = parts.collect::<Option<Vec<_>>>()?.into_iter().unzip();
+    Some([list(nodes), list(values)])
+}
+
+fn is_list(kind: Takes) -> bool {
+    matches!(
+        kind,
+        Takes::Scalars
+            | Takes::ScalarOrList
+            | Takes::Points
+            | Takes::Net
+            | Takes::Rows
+            | Takes::Variables
+            | Takes::List
+            | Takes::Coordinates
+    )
+}
+
+impl Draft {
+    pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
+        Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), degree: None }
+    }
+
+    /// What the function is applied to, where a label says it: bezier with control points 0, 1, 3.
+    pub(super) fn subject_among(&self, said: &mut Vec<Read>) -> Vec<Expr> {
+        let Some(first) = self.builtin.parameters.first() else { return Vec::new() };
+        let subject = |read: &Read| match read.label {
+            Label::Points | Label::Values => {
+                matches!(
+                    first.kind,
+                    Takes::Points | Takes::Net | Takes::Curve | Takes::Polar | Takes::Geometry
+                ) || first.kind == Takes::Coordinates && read.items.len() > 1
+            }
+            Label::Nodes => first.name == "nodes",
+            Label::With => {
+                !matches!(first.kind, Takes::Size)
+                    && !read.items.iter().any(|item| matches!(item.kind, Kind::Chain(..)))
+            }
+            _ => false,
+        };
+        said.iter().position(subject).map_or_else(Vec::new, |at| said.remove(at).items)
+    }
+
+    /// Whether a curve is wanted, for which there are points.
+    pub(super) fn wants_curve(&self, items: &[Expr]) -> bool {
+        let Some(first) = self.builtin.parameters.first() else { return false };
+        match first.kind {
+            Takes::Function => items.len() > 1 && is_points(items),
+            Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
+                [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
+                _ => items.len() > 1,
+            },
+            _ => false,
+        }
+    }
+
+    /// Takes what the innermost function is applied to; false if it cannot.
+    pub(super) fn is_about(&mut self, mut items: Vec<Expr>, said: &mut Vec<Read>) -> bool {
+        let Some(first) = self.builtin.parameters.first() else { return items.is_empty() };
+        if items.is_empty() {
+            return first.kind == Takes::Size;
+        }
+        // Coefficients: bernstein coefficients 1, 0, 1.
+        if matches!(self.builtin.name, "in_bernstein" | "bezier_points" | "control_points")
+            && (items.len() > 1 || matches!(&items[0].kind, Kind::List(_)))
+            && let Some(bezier) = builtin("bezier")
+        {
+            self.builtin = bezier;
+            return self.is_about(items, said);
+        }
+        // solve x = 3 y, y = 2
+        if self.builtin.on_equations.is_some() {
+            said.retain_mut(|read| {
+                let equations = read.items.iter().all(|item| eval::named(item).is_some());
+                let given = read.label == Label::With && equations;
+                if given {
+                    items.append(&mut read.items);
+                }
+                !given
+            });
+        }
+        // The control points of a polynomial.
+        let polynomial = !is_points(&items)
+            && items.len() == 1
+            && !matches!(items[0].kind, Kind::Name(_) | Kind::Apply(..));
+        if self.builtin.name == "control_points"
+            && polynomial
+            && let Some(points) = builtin("bezier_points")
+        {
+            self.builtin = points;
+            return self.is_about(items, said);
+        }
+        match first.kind {
+            // (0, 1), (1, 3) for nodes and values
+            Takes::Scalars if is_points(&items) => match nodes_and_values(&items) {
+                Some(both) => self.placed = both.into(),
+                None => return false,
+            },
+            kind if is_list(kind) => {
+                self.placed = match items.as_slice() {
+                    [Expr { kind: Kind::List(_), .. }] => items,
+                    [_] if kind == Takes::Coordinates => items,
+                    // degree elevate (0, 2, 0)
+                    [Expr { kind: Kind::Tuple(values), .. }] => vec![list(values.clone())],
+                    _ => vec![list(items)],
+                };
+            }
+            // A degree before knots: b-spline 0, 1, 2, 3
+            Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
+                self.named.push((self.builtin.parameters[1].name, list(items)));
+            }
+            _ => self.placed = items,
+        }
+        true
+    }
+
+    /// The coefficient of x^3 in (1 + x)^7.
+    pub(super) fn takes_coefficient(&mut self, said: &mut Vec<Read>) {
+        let whole = |read: &Read| read.label == Label::In && read.items.len() == 1;
+        if self.builtin.name != "coefficient" {
+            return;
+        }
+        if let ([monomial], Some(at)) = (self.placed.as_slice(), said.iter().position(whole)) {
+            let (variable, power) = match &monomial.kind {
+                Kind::Pow(base, exponent) => ((**base).clone(), (**exponent).clone()),
+                _ => (monomial.clone(), Expr { span: monomial.span, ..Expr::int(1) }),
+            };
+            self.placed = said.remove(at).items;
+            self.placed.extend([variable, power]);
+        }
+    }
+
+    fn parameter(&self, names: &[&str]) -> Option<&'static Parameter> {
+        let free = |p: &&Parameter| p.has_name() && !self.named.iter().any(|(name, _)| *name == p.name);
+        let left = self.builtin.parameters.iter().skip(self.placed.len());
+        left.filter(free).find(|p| names.contains(&p.name))
+    }
+
+    /// Takes what a label says, if there is a parameter for it; else gives it back.
+    pub(super) fn take(&mut self, read: Read) -> Option<Read> {
+        let one = read.items.len() == 1;
+        let Some(first) = read.items.first().cloned() else { return Some(read) };
+        // n = 3, a = 0
+        if let Some((name, value)) = eval::named(&first)
+            && one
+            && matches!(read.label, Label::At | Label::With)
+        {
+            // Of a formula in that name it is the value of the name.
+            if self.placed.iter().any(|formula| bases(formula).contains(&name)) {
+                return Some(read);
+            }
+            let shown = |p: &&Parameter| p.name == name || p.form == format!("{}={name}", p.name);
+            let found = self.builtin.parameters.iter().find(shown);
+            // u = 1/2 is no interval of u.
+            let fits = |p: &&Parameter| match p.kind {
+                Takes::Variable => false,
+                Takes::Interval => value.items().is_some(),
+                _ => true,
+            };
+            let found = found.filter(fits).map(|p| p.name);
+            let degree = || {
+                let called = roles::is_degree(&name) || name == "p";
+                let parameter = self.parameter(&["degree", "n"]).filter(|_| called);
+                parameter.filter(|p| p.kind == Takes::Size).map(|p| p.name)
+            };
+            return match found.filter(|name| self.parameter(&[name]).is_some()).or_else(degree) {
+                Some(name) => {
+                    self.named.push((name, value.clone()));
+                    None
+                }
+                None => self.take_parameter(read),
+            };
+        }
+        // solve for a
+        if self.builtin.on_equations.is_some() {
+            let names =
+                read.items.iter().all(|item| matches!(item.kind, Kind::Name(_) | Kind::Subscript(..)));
+            if !(names && matches!(read.label, Label::With | Label::In)) {
+                return Some(read);
+            }
+            self.named.extend(read.items.into_iter().map(|name| ("", name)));
+            return None;
+        }
+        let number = one && matches!(first.kind, Kind::Number(_));
+        let name = one && matches!(first.kind, Kind::Name(_) | Kind::Subscript(..));
+        let single = |names: &[&str]| self.parameter(names).map(|p| p.name).filter(|_| one);
+        let found = match read.label {
+            Label::OfDegree => return self.take_degree(read, first),
+            // Without weights it is not known which curve is meant.
+            Label::Rational => {
+                return (!self.named.iter().any(|(name, _)| *name == "weights")).then_some(read);
+            }
+            Label::To if number && single(&["b"]).is_some() && self.named.iter().any(|(n, _)| *n == "a") => {
+                Some("b")
+            }
+            Label::To | Label::With | Label::Over if number => return self.take_degree(read, first),
+            Label::From => single(&["a"]),
+            Label::In | Label::To | Label::With | Label::Over if name => {
+                let variable = self.builtin.parameters.iter().find(|p| p.kind == Takes::Variable);
+                variable.map(|p| p.name)
+            }
+            // the restriction to [0, 1/2]
+            Label::To if matches!(first.kind, Kind::List(_)) => return self.take_interval(read),
+            Label::Over | Label::With | Label::In => return self.take_interval(read),
+            Label::Times => single(&["k", "times"]),
+            Label::Number => single(&["i"]),
+            Label::At => return self.take_parameter(read),
+            Label::Knots | Label::Nodes | Label::Values | Label::Weights | Label::Points => {
+                let name = match read.label {
+                    Label::Knots => "knots",
+                    Label::Nodes => "nodes",
+                    Label::Values => "values",
+                    Label::Weights => "weights",
+                    _ => "points",
+                };
+                let names: &[&str] = match name {
+                    "knots" => &["knots", "nodes"],
+                    "points" => &["points", "net"],
+                    _ => &[name],
+                };
+                let Some(parameter) = self.parameter(names) else { return Some(read) };
+                let value = match &first.kind {
+                    Kind::List(_)
+                        if one
+                            && (!is_points(first.items().unwrap_or_default())
+                                || parameter.kind == Takes::Net) =>
+                    {
+                        first
+                    }
+                    // knots (0, 0, 1, 1)
+                    Kind::Tuple(values) if one && !is_points(values) => list(values.clone()),
+                    Kind::List(_) if one => first,
+                    _ => list(read.items),
+                };
+                self.named.push((parameter.name, value));
+                return None;
+            }
+            _ => None,
+        };
+        match found {
+            Some(name) => {
+                self.named.push((name, first));
+                None
+            }
+            None => Some(read),
+        }
+    }
+
+    fn take_degree(&mut self, read: Read, degree: Expr) -> Option<Read> {
+        if matches!(self.builtin.name, "elevate" | "reduce") && self.degree.is_none() {
+            self.degree = Some(degree);
+            return None;
+        }
+        // As many points as the degree says: a cubic 0, 1, 1, 0.
+        if let ("bezier" | "lagrange" | "newton" | "triangle_patch", Some(points)) =
+            (self.builtin.name, self.placed.first().and_then(Expr::items))
+        {
+            let agrees = degree.as_int().is_some_and(|n| {
+                usize::try_from(n).is_ok_and(|n| match self.builtin.name {
+                    "triangle_patch" => {
+                        n.checked_add(2).and_then(|m| (n + 1).checked_mul(m)) == Some(2 * points.len())
+                    }
+                    _ => n.checked_add(1) == Some(points.len()),
+                })
+            });
+            return (!agrees).then_some(read);
+        }
+        let parameter =
+            self.parameter(&["degree", "n"]).filter(|p| p.kind == Takes::Size || p.name == "degree");
+        match parameter {
+            Some(parameter) => {
+                self.named.push((parameter.name, degree));
+                None
+            }
+            None => Some(read),
+        }
+    }
+
+    /// [0, 2] over which a curve is given, or the knots of a spline.
+    fn take_interval(&mut self, read: Read) -> Option<Read> {
+        let ends = match read.items.as_slice() {
+            [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends.clone(),
+            [Expr { kind: Kind::Chain(_, links), .. }] => match links.as_slice() {
+                [link] if link.rel == Rel::In => link.expr.items().unwrap_or_default().to_vec(),
+                _ => return Some(read),
+            },
+            _ => read.items.clone(),
+        };
+        if let (Some(a), Some(b), [from, to]) =
+            (self.parameter(&["a", "r"]), self.parameter(&["b", "s"]), ends.as_slice())
+        {
+            self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
+            return None;
+        }
+        match self.parameter(&["knots"]) {
+            Some(knots) if ends.len() > 1 => {
+                self.named.push((knots.name, list(ends)));
+                None
+            }
+            _ => Some(read),
+        }
+    }
+
+    /// Whether it cannot be without an interval: the part of a curve.
+    pub(super) fn needs_ends(&self) -> bool {
+        self.parameter(&["r"]).is_some_and(|end| end.need == Need::Required)
+    }
+
+    /// Whether it takes an interval by its ends.
+    pub(super) fn has_ends(&self) -> bool {
+        self.parameter(&["a"]).is_some() && self.parameter(&["b"]).is_some()
+    }
+
+    /// A value for the parameter that comes after what the function is applied to.
+    fn take_parameter(&mut self, read: Read) -> Option<Read> {
+        let given = self.named.iter().any(|(name, _)| name.is_empty());
+        let takes = self.builtin.parameters.get(1).is_some_and(|p| {
+            (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
+                && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
+        });
+        if !takes || self.placed.len() > 1 {
+            return Some(read);
+        }
+        let values = read.items.iter().map(|item| match eval::named(item) {
+            Some((_, value)) => value.clone(),
+            None => item.clone(),
+        });
+        self.named.extend(values.map(|value| ("", value)));
+        None
+    }
+
+    /// The call, of what is inside of it.
+    pub(super) fn applied_to(mut self, inside: Option<Expr>) -> Option<Expr> {
+        let span = self.phrase;
+        let span = self.placed.iter().chain(&inside).map(|item| item.span).fold(span, Span::to);
+        if let Some(mut inside) = inside {
+            let subject = self.builtin.parameters.first().map(|first| first.kind);
+            if let Kind::Apply(callee, groups) = &inside.kind
+                && let Kind::Name(name) = &callee.kind
+            {
+                match (subject, name.as_str(), groups.first().map(Vec::as_slice)) {
+                    // The points of a curve stand for it.
+                    (
+                        Some(Takes::Curve | Takes::Polar | Takes::Geometry),
+                        "control_points" | "bezier_points",
+                        Some([curve]),
+                    ) => inside = curve.clone(),
+                    // The zeros of a Bézier polynomial.
+                    (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
+                        if self.builtin.on_curve.is_none() && self.builtin.name != "reverse" =>
+                    {
+                        let span = inside.span;
+                        inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);
+                    }
+                    _ => {}
+                }
+            }
+            self.placed.insert(0, inside);
+        }
+        let phrase = self.phrase;
+        let call =
+            |name: &str, arguments| applied(Expr { span: phrase, ..Expr::name(name) }, arguments, span);
+        // As many degrees as lie between.
+        if let Some(degree) = self.degree.take() {
+            let own = call("degree", vec![self.placed.first()?.clone()]);
+            let (more, less) = match self.builtin.name {
+                "elevate" => (degree, own),
+                _ => (own, degree),
+            };
+            let by = Expr {
+                span,
+                ..Expr::sum(vec![
+                    Term { sign: Sign::Plus, expr: more },
+                    Term { sign: Sign::Minus, expr: less },
+                ])
+            };
+            self.placed.push(by);
+        }
+        if self.builtin.name == "bspline_basis" && !self.named.iter().any(|(name, _)| *name == "i") {
+            let knots =
+                self.named.iter().find(|(name, _)| *name == "knots").and_then(|(_, knots)| knots.items());
+            let degree = self.named.iter().find(|(name, _)| *name == "n").and_then(|(_, n)| n.as_int());
+            // The only one.
+            if let (Some(knots), Some(degree)) = (knots, degree)
+                && i64::try_from(knots.len()).is_ok_and(|count| count == degree + 2)
+            {
+                self.named.push(("i", Expr { span, ..Expr::int(0) }));
+            }
+        }
+        let others = self.named.into_iter().map(|(name, value)| match name {
+            "" => value,
+            _ => named(name, value),
+        });
+        let arguments = self.placed.into_iter().chain(others).collect();
+        Some(call(self.builtin.name, arguments))
+    }
+}

@@ -1,0 +1,145 @@
+//! Lists by other names: `b0 = 1, b1 = 4, b2 = 2`, `A = (0, 0), B = (3, 6)`, `w = {1, 3, 1}`.
+
+use super::super::foreign::as_list;
+use super::Read;
+use super::draft::is_points;
+use crate::formula::{Expr, Kind};
+use crate::language::lexicon::phrases::Label;
+use crate::language::write;
+
+/// What a list with this letter is.
+fn role(letter: &str) -> Option<Label> {
+    Some(match letter {
+        "b" | "c" | "d" | "p" | "B" | "C" | "D" | "P" => Label::Points,
+        "w" => Label::Weights,
+        "t" | "u" | "T" | "U" | "tau" | "knots" => Label::Knots,
+        "x" => Label::Nodes,
+        "y" => Label::Values,
+        _ => return None,
+    })
+}
+
+/// Makes lists of runs of names with their values, and labels of the letters of lists.
+pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
+    // Equations are not what a function is of, but say what its arguments are.
+    if !items.is_empty() && items.iter().all(|item| Equation::of(item).is_some_and(|one| one.is_argument())) {
+        said.insert(0, Read { label: Label::With, items: std::mem::take(items) });
+    }
+    let mut runs: Vec<(Label, Vec<Equation>)> = Vec::new();
+    for read in &mut *said {
+        if !matches!(read.label, Label::With | Label::Points | Label::Weights | Label::Knots) {
+            continue;
+        }
+        let label = read.label;
+        read.items.retain(|item| {
+            let Some(one) = Equation::of(item) else { return true };
+            let Some(own) = one.run() else { return true };
+            let label = if label == Label::With { own } else { label };
+            match runs.last_mut() {
+                Some((before, run))
+                    if *before == label && run.last().is_some_and(|last| last.precedes(&one)) =>
+                {
+                    run.push(one);
+                }
+                _ => runs.push((label, vec![one])),
+            }
+            false
+        });
+    }
+    said.retain(|read| !read.items.is_empty());
+    for (label, run) in runs {
+        let items = match run.as_slice() {
+            // w = [1, 2, 1]; a single b_0 = 1 is a value
+            [one] if one.value.items().is_some() && one.index.is_none() => vec![one.value.clone()],
+            [one] => {
+                said.push(Read { label: Label::With, items: vec![one.whole.clone()] });
+                continue;
+            }
+            _ => run.into_iter().map(|one| one.value).collect(),
+        };
+        said.push(Read { label, items });
+    }
+}
+
+/// A name with its value.
+struct Equation {
+    letter: String,
+    index: Option<i64>,
+    value: Expr,
+    whole: Expr,
+}
+
+impl Equation {
+    fn of(item: &Expr) -> Option<Equation> {
+        let Kind::Chain(left, links) = &item.kind else { return None };
+        let [link] = links.as_slice() else { return None };
+        let (letter, index) = match &left.kind {
+            Kind::Name(letter) => (letter.clone(), None),
+            Kind::Subscript(base, indices) => match (&base.kind, indices.as_slice()) {
+                (Kind::Name(letter), [index]) => (letter.clone(), Some(index.as_int()?)),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let value = as_list(link.expr.clone());
+        (link.rel == crate::formula::Rel::Eq).then(|| Equation { letter, index, value, whole: item.clone() })
+    }
+
+    /// Whether it gives a value rather than a function.
+    fn is_argument(&self) -> bool {
+        matches!(self.value.kind, Kind::Number(_) | Kind::List(_) | Kind::Tuple(_))
+            || matches!(self.value.kind, Kind::Div(..) | Kind::Add(_))
+                && letters(&self.value, &Expr::int(0)).is_empty()
+    }
+
+    /// What its list is, if it may be a part of one.
+    fn run(&self) -> Option<Label> {
+        match self.index {
+            Some(_) => role(&self.letter),
+            None if matches!(self.value.kind, Kind::List(_)) => role(&self.letter),
+            // A = (0, 0), B = (1, 2)
+            None if self.capital().is_some() && is_points(std::slice::from_ref(&self.value)) => {
+                Some(Label::Points)
+            }
+            None => None,
+        }
+    }
+
+    fn capital(&self) -> Option<u8> {
+        match self.letter.as_bytes() {
+            [letter] if letter.is_ascii_uppercase() => Some(*letter),
+            _ => None,
+        }
+    }
+
+    /// Whether the other one is the next of a run.
+    fn precedes(&self, next: &Equation) -> bool {
+        match (self.index, next.index) {
+            (Some(own), Some(other)) => self.letter == next.letter && own + 1 == other,
+            (None, None) => self.capital().is_some_and(|own| next.capital() == Some(own + 1)),
+            _ => false,
+        }
+    }
+}
+
+/// The names in a formula, with their indices, that do not occur in another one.
+pub(super) fn letters(formula: &Expr, other: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    gather_letters(formula, &mut found);
+    let mut there = Vec::new();
+    gather_letters(other, &mut there);
+    found.retain(|letter| !there.iter().any(|known| write::text(known) == write::text(letter)));
+    found
+}
+
+fn gather_letters(formula: &Expr, found: &mut Vec<Expr>) {
+    match &formula.kind {
+        Kind::Name(_) | Kind::Subscript(..) => {
+            if !found.iter().any(|known| write::text(known) == write::text(formula)) {
+                found.push(formula.clone());
+            }
+        }
+        Kind::Apply(_, groups) => groups.iter().flatten().for_each(|item| gather_letters(item, found)),
+        _ => formula.for_each_child(&mut |child| gather_letters(child, found)),
+    }
+}
