@@ -297,7 +297,8 @@ impl Suspect<'_> {
         let known = match self.symbols().is_empty() {
             true => number(right),
             false => {
-                let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+                let (left, right) =
+                    (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
                 left.len() > 1 && left == right && !self.may_be_a_condition()
             }
         };

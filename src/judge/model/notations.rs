@@ -150,7 +150,10 @@ impl Model {
             };
             let mut sum = part(machine, -LOCAL_TERMS, LOCAL_TERMS)?;
             let mut end = LOCAL_TERMS;
-            while op == BigOp::Sum {
+            loop {
+                if op != BigOp::Sum {
+                    break;
+                }
                 let next = end + LOCAL_TERMS;
                 // Beyond the knots there are no more.
                 let (Ok(after), Ok(before)) = (part(machine, end + 1, next), part(machine, -next, -end - 1))
