@@ -1,7 +1,8 @@
 //! Which of several formulas is wrong: "f(t) = a t^2 + b t + c with a = …, b = … and c = …" fails if one of them has a slip.
 //!
 //! **Rule.** A formula that fails with what its own sentence adds to it ("with", "where") is not wrong itself if it
-//! holds after a small change of one of these additions: then that is the one that is wrong.
+//! holds after a small change of one of these additions, and not after one of its own: then that is the one that is
+//! wrong.
 
 use std::rc::Rc;
 
@@ -37,8 +38,9 @@ impl Checker {
         findings: &mut Vec<Finding>,
         before: Mark,
     ) {
-        let refuted = |finding: &Finding| finding.verdict == Verdict::Refuted;
-        if !findings.iter().any(refuted) {
+        // With a small change of its own it is as likely to be wrong itself.
+        let far = |finding: &Finding| finding.verdict == Verdict::Refuted && finding.suggestion.is_none();
+        if !findings.iter().any(far) {
             return;
         }
         let used = self
@@ -56,7 +58,8 @@ impl Checker {
             return;
         }
         let limits = self.limits.clone();
-        let (kept, uses, taken) = (self.context.clone(), self.uses.clone(), self.taken.len());
+        let (kept, uses) = (self.context.clone(), self.uses.clone());
+        let (taken, schemes) = (self.taken.len(), self.schemes.len());
         let steps = Some(trial::share(&limits, TRIES as u64));
         self.limits = Limits { steps, ..limits.clone() };
         let found = self.blamed(chain, statement, &additions, before);
@@ -64,6 +67,7 @@ impl Checker {
         self.context = kept;
         self.uses = uses;
         self.taken.truncate(taken);
+        self.schemes.truncate(schemes);
         let Some(Blamed { place, repaired, findings: others }) = found else { return };
         let line = self.line(chain.whole().span);
         let Some(slip) = self.findings.iter_mut().find(|finding| {
