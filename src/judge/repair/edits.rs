@@ -59,7 +59,25 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
         within_sums(expr, &point, 0, &mut found);
     }
     found.sort_by_key(|(cost, _)| *cost);
-    found.into_iter().map(|(_, edit)| edit).collect()
+    let mut edits: Vec<Expr> = found.into_iter().map(|(_, edit)| edit).collect();
+    edits.iter_mut().for_each(drop_zeros);
+    edits
+}
+
+/// N(2x) for N(2x + 0)
+fn drop_zeros(edit: &mut Expr) {
+    edit.for_each_child_mut(&mut drop_zeros);
+    if let Kind::Add(terms) = &mut edit.kind
+        && terms.len() > 1
+        && terms.iter().any(|term| is_zero(&term.expr))
+    {
+        terms.retain(|term| !is_zero(&term.expr));
+        *edit = Expr::sum(std::mem::take(terms));
+    }
+}
+
+fn is_zero(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Number(q) if *q == Rational::zero())
 }
 
 /// Replaces a node wherever it occurs; says how often.
