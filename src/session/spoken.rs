@@ -14,7 +14,7 @@ use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
 use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval;
+use crate::language::eval::{self, Equals};
 use crate::language::functions::{Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
@@ -171,7 +171,9 @@ impl Reader<'_> {
             if draft.builtin.on_equations.is_some()
                 && let Some(left) = formula.take()
             {
-                let left = values.put_into(left).map_err(|left| self.unused(&left, &forms))?;
+                let left = values
+                    .put_into(left, &|formula| self.is_number(formula))
+                    .map_err(|left| self.unused(&left, &forms))?;
                 formula =
                     Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
             }
@@ -181,7 +183,11 @@ impl Reader<'_> {
             }
         }
         let formula = match formula {
-            Some(formula) => Some(values.put_into(formula).map_err(|left| self.unused(&left, &forms))?),
+            Some(formula) => Some(
+                values
+                    .put_into(formula, &|formula| self.is_number(formula))
+                    .map_err(|left| self.unused(&left, &forms))?,
+            ),
             None => None,
         };
         Ok(match (formula, claimed) {
@@ -223,6 +229,22 @@ impl Reader<'_> {
             .hint(format!("of the curve: {function}(bezier([0, 1, 1], 0, 2))"))
             .hint(format!("of {function}: {function}(bezier([0, 1, 1]), a=0, b=1/2)"));
         Err(Box::new(Failure { problem, file: self.file.clone() }))
+    }
+
+    /// Whether a result is a number, which has no value at a parameter: the degree of t^3 at 2.
+    fn is_number(&self, formula: &Expr) -> bool {
+        let function = match &formula.kind {
+            Kind::Apply(callee, _) => match &callee.kind {
+                Kind::Name(name) => builtin(name),
+                _ => None,
+            },
+            _ => None,
+        };
+        if function.is_some_and(|function| function.gives_function) {
+            return false;
+        }
+        let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims);
+        outcome.is_ok_and(|outcome| outcome.value.as_rational().is_some())
     }
 
     fn one(&self, span: Span) -> Result<Expr, Box<Failure>> {
@@ -280,7 +302,7 @@ impl Values {
     ///
     /// # Errors
     /// What cannot be put into it.
-    fn put_into(&mut self, formula: Expr) -> Result<Expr, Read> {
+    fn put_into(&mut self, formula: Expr, is_number: &dyn Fn(&Expr) -> bool) -> Result<Expr, Read> {
         // A curve at t = 1/2, a patch at u = 1/2 and v = 1/3: letters that do not occur are those of its parameters.
         let occur = bases(&formula);
         let parameter = |read: &Read| {
@@ -298,6 +320,7 @@ impl Values {
         let mut others = Vec::new();
         for read in self.0.drain(..) {
             match parameter(&read) {
+                Some(_) if is_number(&formula) => return Err(read),
                 // t = 1 and t = 2
                 Some(values)
                     if values.iter().any(|(name, _)| parameters.iter().any(|(known, _)| known == name)) =>
@@ -315,7 +338,7 @@ impl Values {
             formula = applied(formula, parameters.into_iter().map(|(_, value)| value).collect(), span);
         }
         for read in others {
-            match value_of(&formula, &read) {
+            match value_of(&formula, &read, is_number) {
                 Some(at) => formula = at,
                 None => return Err(read),
             }
@@ -325,8 +348,8 @@ impl Values {
 }
 
 /// The value of a result: at a parameter, or for values of its names.
-fn value_of(whole: &Expr, read: &Read) -> Option<Expr> {
-    if !matches!(read.label, Label::At | Label::With | Label::To) {
+fn value_of(whole: &Expr, read: &Read, is_number: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
+    if !matches!(read.label, Label::At | Label::With | Label::To) || is_number(whole) {
         return None;
     }
     let span = whole.span;
