@@ -33,14 +33,33 @@ impl Machine {
                 return Err(unsupported("unions and intersections have no value here").at(span));
             }
         };
-        let assignments = self.index_values(lower, upper, span)?;
-        let mut total: Option<Value> = None;
+        // One index with two ends, the usual case, needs no list of all its values.
+        let assignments: Box<dyn Iterator<Item = Vec<(Symbol, Value)>>> = match self
+            .one_range(lower, upper)?
+        {
+            Some((name, from, to)) => Box::new((from..=to).map(move |i| vec![(name.clone(), Value::int(i))])),
+            None => Box::new(self.index_values(lower, upper, span)?.into_iter()),
+        };
+        // The values so far, joined to parts of 2^k neighbours if they are scalars: a long sum of polynomials is not
+        // copied once for each of its terms.
+        let mut parts: Vec<(u32, Value)> = Vec::new();
         for names in assignments {
             crate::budget::steps(8);
-            let value = self.with_locals(names, |machine| machine.eval(body))?;
+            let (mut level, mut value) = (0, self.with_locals(names, |machine| machine.eval(body))?);
+            let scalar = |value: &Value| op == BigOp::Sum && matches!(value, Value::Scalar(_));
+            while let Some((_, last)) =
+                parts.pop_if(|(k, last)| *k == level || !scalar(last) || !scalar(&value))
+            {
+                value = combine(last, value).at(body.span)?;
+                level += 1;
+            }
+            parts.push((level, value));
+        }
+        let mut total: Option<Value> = None;
+        while let Some((_, part)) = parts.pop() {
             total = Some(match total {
-                None => value,
-                Some(total) => combine(total, value).at(body.span)?,
+                None => part,
+                Some(total) => combine(part, total).at(body.span)?,
             });
         }
         match (total, op) {
@@ -49,6 +68,40 @@ impl Machine {
             (None, BigOp::Product) => Ok(Value::int(1)),
             (None, _) => Err(Diagnostic::error(Code::Domain, "nothing to choose from").at(span)),
         }
+    }
+
+    /// The index of Σ or Π with its first and its last value, if `i = a` with an upper bound or `i = a..b` is all there is.
+    fn one_range(
+        &mut self,
+        lower: &[Expr],
+        upper: Option<&Expr>,
+    ) -> Result<Option<(Symbol, i64, i64)>, Diagnostic> {
+        let [piece] = lower else { return Ok(None) };
+        let Kind::Chain(left, links) = &piece.kind else { return Ok(None) };
+        match links.as_slice() {
+            [link] if link.rel == Rel::Eq => self.range_of(left, link, upper),
+            _ => Ok(None),
+        }
+    }
+
+    /// The index of `left = …` with its first and its last value; `None` if `left` is no name, or an end is missing.
+    fn range_of(
+        &mut self,
+        left: &Expr,
+        link: &Link,
+        upper: Option<&Expr>,
+    ) -> Result<Option<(Symbol, i64, i64)>, Diagnostic> {
+        if name_of(left, self).is_none() || mentions_enclosed(left) {
+            return Ok(None);
+        }
+        let name = self.binder(left)?;
+        let (from, to) = match (&link.expr.kind, upper) {
+            (Kind::Range(from, to), _) => (self.eval_int(from)?, self.eval_int(to)?),
+            (_, Some(upper)) => (self.eval_int(&link.expr)?, self.eval_int(upper)?),
+            (_, None) => return Ok(None),
+        };
+        crate::budget::charge_terms(to.saturating_sub(from).saturating_add(1).max(0) as u64);
+        Ok(Some((name, from, to)))
     }
 
     /// All values the index names of Σ or Π run through.
@@ -91,17 +144,13 @@ impl Machine {
             match (link.rel, links.len()) {
                 // i = a, with the upper bound above the sign, or i = a..b
                 (Rel::Eq, 1) if name_of(left, self).is_some() && !mentions_enclosed(left) => {
-                    let name = self.binder(left)?;
-                    let (from, to) = match (&link.expr.kind, upper) {
-                        (Kind::Range(from, to), _) => (self.eval_int(from)?, self.eval_int(to)?),
-                        (_, Some(upper)) => (self.eval_int(&link.expr)?, self.eval_int(upper)?),
-                        (_, None) => return Err(no_bounds().at(piece.span)),
-                    };
-                    let count = to.saturating_sub(from).saturating_add(1).max(0);
-                    crate::budget::charge_terms(count as u64);
+                    let (name, from, to) =
+                        self.range_of(left, link, upper)?.ok_or_else(|| no_bounds().at(piece.span))?;
                     let values: Vec<Value> = (from..=to).map(Value::int).collect();
                     for name in together.drain(..).chain([name]) {
-                        crate::budget::charge_terms((count as u64).saturating_mul(assignments.len() as u64));
+                        crate::budget::charge_terms(
+                            (values.len() as u64).saturating_mul(assignments.len() as u64),
+                        );
                         assignments = extended(assignments, &name, &values);
                     }
                     bound_any = true;

@@ -12,15 +12,15 @@
 //! needs only one-word gcds.
 //!
 //! Cost: O(n²/b · w) word products for b arguments to a block and results of w words: cubic in n with a tiny
-//! constant. Beyond some thousand arguments the product is made of halves, by fast multiplication.
+//! constant. Beyond some hundred arguments the product is made of halves, by fast multiplication.
 
 use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
-use super::limbs;
 use super::polar_form::{Argument, PolarError, PolarForm};
 use crate::budget;
+use crate::math::number::limbs;
 use crate::math::number::{Int, Rational, binomial_row};
 use crate::math::poly::Poly;
 
@@ -28,7 +28,7 @@ use crate::math::poly::Poly;
 const SMALL_PRIMES_BELOW: u64 = 1100;
 
 /// Up to so many arguments the generating product is made row by row, faster than from its halves.
-const MOST_ROWS: usize = 1200;
+const MOST_ROWS: usize = 450;
 
 /// A polar form over Q prepared for many values.
 ///
@@ -385,7 +385,7 @@ mod tests {
     /// The two ways to the generating product, on factors of all signs and sizes, also without q or p.
     #[test]
     fn halves_and_rows_agree() {
-        let n = MOST_ROWS / 2 + 7;
+        let n = MOST_ROWS + 7;
         let mut state = 1u64;
         let mut draw = |below: i64| {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

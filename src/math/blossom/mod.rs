@@ -3,7 +3,6 @@ mod display;
 mod evaluator;
 mod expand;
 pub mod laws;
-mod limbs;
 mod methods;
 mod operations;
 mod polar_form;

@@ -123,7 +123,10 @@ impl Int {
     /// If `m` is 0.
     pub fn mod_word(&self, m: u64) -> u64 {
         match &self.0 {
-            Small(x) => (i128::from(*x)).rem_euclid(i128::from(m)) as u64,
+            Small(x) => {
+                let r = x.unsigned_abs() % m;
+                if *x < 0 && r != 0 { m - r } else { r }
+            }
             Big(b) => {
                 let r = (b.magnitude() % m).to_u64().unwrap_or(0);
                 if b.sign() == Sign::Minus && r != 0 { m - r } else { r }

@@ -8,6 +8,7 @@ mod combinatorics;
 mod factors;
 mod int;
 mod lehmer;
+pub(crate) mod limbs;
 mod literal;
 mod modular;
 mod root;

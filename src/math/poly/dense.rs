@@ -186,7 +186,7 @@ fn product_schoolbook(a: &[Int], b: &[Int]) -> Vec<Int> {
         .collect()
 }
 
-fn add_product(total: &mut BigInt, x: &Int, y: &Int) {
+pub(super) fn add_product(total: &mut BigInt, x: &Int, y: &Int) {
     match (x.as_big(), y.as_big()) {
         (Some(x), Some(y)) => *total += x * y,
         (Some(big), None) => add_small_product(total, big, y),
@@ -274,74 +274,6 @@ fn power_by_recurrence(a: &[Int], exponent: u32) -> Option<Vec<Int>> {
     Some(out)
 }
 
-/// The result of [`pseudo_division`]: scale · a = quotient · b + remainder.
-pub(super) struct Division {
-    pub quotient: Vec<Int>,
-    pub remainder: Vec<Int>,
-    /// Not 0.
-    pub scale: Int,
-}
-
-/// Division of a by b ≠ 0 over the integers, with the least scaling at each step.
-///
-/// The scale divides lead(b)^{deg a − deg b + 1}; it is 1 when b is monic.
-/// Cost: O((deg a − deg b + 1) · deg b) products.
-pub(super) fn pseudo_division(a: &[Int], b: &[Int]) -> Division {
-    let mut remainder = a.to_vec();
-    let mut scale = Int::ONE;
-    let mut quotient = vec![Int::ZERO; (a.len() + 1).saturating_sub(b.len())];
-    let lead = &b[b.len() - 1];
-    while remainder.len() >= b.len() {
-        let offset = remainder.len() - b.len();
-        let top = &remainder[remainder.len() - 1];
-        let shared = common_divisor(top, std::slice::from_ref(lead));
-        let (factor, growth) = (top.div_exact(&shared), lead.div_exact(&shared));
-        if !growth.is_one() {
-            budget::charge_bits(remainder[0].bits());
-            for x in remainder.iter_mut().chain(&mut quotient[offset..]) {
-                *x *= &growth;
-            }
-            scale *= &growth;
-        }
-        subtract_multiple(&mut remainder[offset..], &factor, b);
-        quotient[offset] = factor;
-        trim(&mut remainder);
-    }
-    trim(&mut quotient);
-    Division { quotient, remainder, scale }
-}
-
-/// a ← a − factor · b, entry by entry.
-fn subtract_multiple(a: &mut [Int], factor: &Int, b: &[Int]) {
-    budget::steps(1 + (b.len() / 64) as u32);
-    for (x, y) in a.iter_mut().zip(b) {
-        if !y.is_zero() {
-            *x -= factor * y;
-        }
-    }
-}
-
-/// a / b over the integers if it has integer entries, for b ≠ 0.
-pub(super) fn exact_quotient(a: &[Int], b: &[Int]) -> Option<Vec<Int>> {
-    if a.is_empty() {
-        return Some(Vec::new());
-    }
-    let mut remainder = a.to_vec();
-    let mut quotient = vec![Int::ZERO; (a.len() + 1).checked_sub(b.len())?];
-    let lead = &b[b.len() - 1];
-    while remainder.len() >= b.len() {
-        let offset = remainder.len() - b.len();
-        let (factor, rest) = remainder[remainder.len() - 1].div_rem(lead);
-        if !rest.is_zero() {
-            return None;
-        }
-        subtract_multiple(&mut remainder[offset..], &factor, b);
-        quotient[offset] = factor;
-        trim(&mut remainder);
-    }
-    remainder.is_empty().then_some(quotient)
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
@@ -360,7 +292,7 @@ pub(super) mod tests {
         ]
     }
 
-    fn vector(len: usize) -> impl Strategy<Value = Vec<Int>> {
+    pub(in crate::math::poly) fn vector(len: usize) -> impl Strategy<Value = Vec<Int>> {
         prop::collection::vec(entry(), 0..len).prop_map(|mut a| {
             trim(&mut a);
             a
@@ -405,20 +337,6 @@ pub(super) mod tests {
             prop_assert_eq!(power(&a, e), by_products(&a));
             let small: Vec<Int> = a.iter().map(|x| x % Int::from(100)).chain([Int::from(word), Int::ONE]).collect();
             prop_assert_eq!(power(&small, e), by_products(&small));
-        }
-
-        #[test]
-        fn divisions_satisfy_their_identities(a in vector(12), b in vector(6)) {
-            prop_assume!(!b.is_empty());
-            let d = pseudo_division(&a, &b);
-            prop_assert!(d.remainder.len() < b.len());
-            prop_assert!(!d.scale.is_zero());
-            prop_assert_eq!(scaled(&a, &d.scale), sum(&product(&d.quotient, &b), &d.remainder));
-            prop_assert_eq!(exact_quotient(&product(&a, &b), &b), Some(a.clone()));
-            let off = sum(&scaled(&product(&a, &b), &Int::from(2)), &[Int::ONE]);
-            let (two_b, zero) = (scaled(&b, &Int::from(2)), Vec::new());
-            prop_assert_eq!(exact_quotient(&off, &two_b), None);
-            prop_assert_eq!(exact_quotient(&zero, &b), Some(Vec::new()));
         }
     }
 

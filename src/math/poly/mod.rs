@@ -3,6 +3,7 @@
 mod coefficients;
 mod dense;
 mod dense_compose;
+mod dense_divide;
 mod dense_modular;
 mod dense_ntt;
 mod divide;

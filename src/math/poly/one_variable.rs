@@ -8,7 +8,7 @@ use num_integer::Integer;
 use num_traits::{Signed, Zero};
 
 use super::multivariate::{Exponents, MultiPoly, Terms};
-use super::{dense, dense_compose};
+use super::{dense, dense_compose, dense_divide};
 use crate::budget;
 use crate::math::number::{Int, Rational};
 use crate::math::ring::Ring;
@@ -140,7 +140,7 @@ pub(super) fn quotient(a: &[Term], b: &[Term]) -> Option<Option<Terms>> {
     budget::charge_terms(length);
     let (a, b) = (Row::of(a, step), Row::of(b, step));
     let Some(low) = a.low.checked_sub(b.low) else { return Some(None) };
-    let quotient = dense::exact_quotient(&a.coefficients, &b.coefficients);
+    let quotient = dense_divide::exact_quotient(&a.coefficients, &b.coefficients);
     Some(quotient.map(|coefficients| Row { low, coefficients }.into_terms(step)))
 }
 

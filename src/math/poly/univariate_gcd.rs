@@ -3,7 +3,7 @@
 use num_integer::Integer;
 
 use super::dense_modular::{self, Modulus};
-use super::{Poly, dense};
+use super::{Poly, dense, dense_divide};
 use crate::budget;
 use crate::math::number::{Int, Rational};
 
@@ -26,7 +26,7 @@ impl Poly {
             return None;
         }
         // self = A/d and divisor = B/e with s A = Q B + R: self = (Q e / s d) B/e + R / s d.
-        let division = dense::pseudo_division(self.numerators(), divisor.numerators());
+        let division = dense_divide::pseudo_division(self.numerators(), divisor.numerators());
         let den = division.scale * self.denominator();
         let quotient = dense::scaled(&division.quotient, divisor.denominator());
         Some((Poly::from_integers(quotient, den.clone()), Poly::from_integers(division.remainder, den)))
@@ -50,7 +50,7 @@ impl Poly {
         }
         // A quotient of primitive polynomials has integer coefficients (Gauss).
         let (a, b) = (dense::content(self.numerators()), dense::content(divisor.numerators()));
-        let quotient = dense::exact_quotient(
+        let quotient = dense_divide::exact_quotient(
             &dense::divided(self.numerators().to_vec(), &a),
             &dense::divided(divisor.numerators().to_vec(), &b),
         )?;
@@ -61,7 +61,7 @@ impl Poly {
     /// The monic greatest common divisor; gcd(0, 0) = 0.
     ///
     /// Modular: Euclid's algorithm modulo word-sized primes, the Chinese remainder
-    /// theorem, and two exact divisions that prove the result. Cost: O(deg²) word
+    /// theorem, and two divisions that prove the result. Cost: O(deg²) word
     /// operations for each prime, about one prime for 60 bits of the result.
     /// Reference: von zur Gathen and Gerhard, "Modern Computer Algebra", algorithm 6.38.
     ///
@@ -170,9 +170,9 @@ pub(super) fn primitive_gcd(a: &[Int], b: &[Int]) -> Vec<Int> {
         modulus *= Int::from(field.p);
         if stable || modulus.bits() < 128 {
             let candidate = dense::primitive(found.clone());
-            if dense::exact_quotient(a, &candidate).is_some()
-                && dense::exact_quotient(b, &candidate).is_some()
-            {
+            // The candidate is a multiple of the image by a unit for each prime in the modulus.
+            let divides = |x: &[Int]| dense_divide::divides_given_modulo(x, &candidate, &modulus);
+            if divides(a) && divides(b) {
                 return candidate;
             }
         }

@@ -6,8 +6,8 @@ use num_traits::{Signed, Zero};
 use super::modular;
 use crate::budget;
 use crate::math::number::{Combinations, Int, Modulus, primes};
-use crate::math::poly::dense;
 use crate::math::poly::dense_modular::gcd;
+use crate::math::poly::{dense, dense_divide};
 
 /// So many primes are tried for one with few factors.
 const PRIMES: usize = 4;
@@ -130,7 +130,7 @@ fn put_together(mut f: Vec<Int>, mut parts: Vec<Vec<Int>>, modulus: &Int, most: 
             let mut candidate: Vec<Int> = candidate.into_iter().map(|x| least(x, modulus)).collect();
             dense::trim(&mut candidate);
             let candidate = positive(dense::primitive(candidate));
-            let rest = dense::exact_quotient(&f, &candidate)?;
+            let rest = dense_divide::exact_quotient(&f, &candidate)?;
             Some((chosen, candidate, rest))
         });
         match found {

@@ -11,7 +11,7 @@ use num_traits::Signed;
 
 use super::bernstein;
 use crate::math::number::{Int, Rational};
-use crate::math::poly::{Poly, dense, dense_compose};
+use crate::math::poly::{Poly, dense, dense_compose, dense_divide};
 
 /// Integer multiples of the polynomials of a Sturm sequence.
 struct Sturm(Vec<Vec<Int>>);
@@ -21,11 +21,8 @@ fn chain(first: Vec<Int>) -> Vec<Vec<Int>> {
     let mut last = dense::primitive(dense::derivative(&first));
     let mut chain = vec![dense::primitive(first)];
     while !last.is_empty() {
-        let division = dense::pseudo_division(&chain[chain.len() - 1], &last);
-        let mut next = dense::primitive(division.remainder);
-        if division.scale.is_positive() {
-            next = dense::negated(&next);
-        }
+        let division = dense_divide::pseudo_division(&chain[chain.len() - 1], &last);
+        let next = dense::negated(&dense::primitive(division.remainder));
         chain.push(std::mem::replace(&mut last, next));
     }
     chain
