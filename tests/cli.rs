@@ -406,9 +406,9 @@ fn lists_need_no_commas_where_nothing_is_in_doubt() {
     assert_eq!(knots("0..5", "1,2,3"), knots("0,1,2,3,4,5", "1,2,3"));
     assert_eq!(knots("0 0 0..2 2 2", "1,2,3,4"), knots("0,0,0,1,2,2,2", "1,2,3,4"));
     assert_eq!(knots("0,0,0,1,1,1", "[0,0] [1,2] [2,0]"), knots("0,0,0,1,1,1", "[0,0], [1,2], [2,0]"));
-    assert_eq!(run(&["bezier", "(0,0) (1,2) (2,0)", "--at", "1/2"]).out, "[1, 1]\n");
+    assert_eq!(run(&["bezier", "(0,0) (1,2) (2,0)", "--at", "1/2"]).out, "(1, 1)\n");
     // One pair of brackets is a point, not a list of control points.
-    assert_eq!(run(&["bezier", "[1, 2]"]).out, "bezier([[1, 2]])\n");
+    assert_eq!(run(&["bezier", "[1, 2]"]).out, "bezier([(1, 2)])\n");
 
     // A sign might belong to an item.
     for at in ["1 -1", "0 1 -1"] {

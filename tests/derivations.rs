@@ -199,7 +199,7 @@ fn schemes_of_bezier_curves() {
     let derivation = derived(&[], &query);
     // The first line says F as a quotient of points.
     let rest = Derivation { lines: derivation.lines[1..].to_vec(), ..derivation };
-    assert_eq!(text(&rest.lines.last().unwrap().formula), "F(1/2) = [3/5, 4/5]");
+    assert_eq!(text(&rest.lines.last().unwrap().formula), "F(1/2) = (3/5, 4/5)");
     assert!(assert_true(&query, &context, &rest) >= 10);
 }
 

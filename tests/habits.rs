@@ -75,7 +75,7 @@ fn a_formula_from_standard_input() {
         (&["eval", "a := 2", "-"], "a + 1", "a = 2\n3\n"),
         (&["check", "-"], "1 + 1 = 2", "proved\n"),
         (&["product", "t", "-"], "t", "h(t1, t2) = t1 t2\n"),
-        (&["bezier", "-", "--at", "1/2"], "[0, 0], [2, 4]", "[1, 2]\n"),
+        (&["bezier", "-", "--at", "1/2"], "[0, 0], [2, 4]", "(1, 2)\n"),
     ] {
         let ran = run_with(arguments, input.as_bytes());
         assert_eq!((ran.out.as_str(), ran.status), (out, Some(0)), "{arguments:?}: {}", ran.err);

@@ -194,9 +194,9 @@ fn points_are_their_coordinates() {
         let (both, first, second) = (on(points), on(xs), on(ys));
         let expected = match (first, second) {
             (Value::List(a), Value::List(b)) => {
-                Value::List(a.into_iter().zip(b).map(|(a, b)| Value::List(vec![a, b])).collect())
+                Value::List(a.into_iter().zip(b).map(|(a, b)| Value::list(vec![a, b])).collect())
             }
-            (a, b) => Value::List(vec![a, b]),
+            (a, b) => Value::list(vec![a, b]),
         };
         assert_eq!(both, expected, "{call}");
     }
@@ -306,7 +306,7 @@ fn the_command_asks_the_same_queries() {
     let spline = [&data[..], &["--method", "spline", "--ends", "not_a_knot", "--at", "2"]].concat();
     assert_eq!(out(&spline), "S(2) = 10/3\n");
     let points = ["--nodes", "0,1", "--values", "[0, 1], [2, 3]", "--variable", "s"];
-    assert_eq!(out(&points), "p(s) = [2 s, 2 s + 1]\n");
+    assert_eq!(out(&points), "p(s) = (2 s, 2 s + 1)\n");
     assert_eq!(out(&["--nodes", "[0, 1]", "--values", "[a, b]"]), "p(t) = (b - a) t + a\n");
     assert_eq!(out(&["--nodes", "0..2", "--values", "0,1,4", "--at", "-1"]), "p(-1) = 1\n");
 }

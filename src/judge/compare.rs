@@ -176,7 +176,7 @@ pub(super) fn agree_in_most(left: &Value, right: &Value) -> bool {
     let enough = |common: usize, all: usize| common > 1 && 2 * common >= all;
     // Rows and columns as points; a product of matrices with one entry as that.
     let plain = |value: &Value| match value.clone().coordinates() {
-        Some(items) => items.first().filter(|_| items.len() == 1).cloned().unwrap_or(Value::List(items)),
+        Some(items) => items.first().filter(|_| items.len() == 1).cloned().unwrap_or(Value::list(items)),
         None => value.clone(),
     };
     match (&plain(left), &plain(right)) {

@@ -150,7 +150,7 @@ fn equality(judgement: &mut Judgement) -> Result<(), Diagnostic> {
         (Value::List(_), Value::Matrix(column)) | (Value::Matrix(column), Value::List(_))
             if column.ncols() == 1 =>
         {
-            let list = |side: Value| side.clone().coordinates().map_or(side, Value::List);
+            let list = |side: Value| side.clone().coordinates().map_or(side, Value::list);
             (judgement.left, judgement.right) = (list(left), list(right));
             equality(judgement)?;
         }

@@ -172,7 +172,7 @@ pub fn value() -> impl Strategy<Value = Value> {
         1 => scalar().prop_map(Value::Vector),
         2 => matrix,
     ];
-    flat.prop_recursive(2, 8, 3, |inner| prop::collection::vec(inner, 0..4).prop_map(Value::List))
+    flat.prop_recursive(2, 8, 3, |inner| prop::collection::vec(inner, 0..4).prop_map(Value::list))
 }
 
 /// A polar form as a value.

@@ -74,7 +74,11 @@ impl Machine {
                         Value::Polar(polar) => self.call_polar(polar, groups, callee, whole.span),
                         other => Err(wrong_kind("a polar form", other).at(callee.span)),
                     };
-                    items.iter().map(value).collect::<Result<_, _>>().map(Value::List)
+                    items
+                        .iter()
+                        .map(value)
+                        .collect::<Result<_, _>>()
+                        .map(|values| Value::List(items.with(values)))
                 }
                 Value::List(items) if is_curve(&items) => {
                     let values = self.arguments(groups)?;
@@ -82,7 +86,7 @@ impl Machine {
                         .iter()
                         .map(|item| self.coordinate(item, &values, whole.span))
                         .collect::<Result<_, _>>()
-                        .map(Value::List)
+                        .map(|values| Value::List(items.with(values)))
                 }
                 scalar => self.bracket_product(scalar, callee, groups, whole.span),
             },
@@ -181,7 +185,7 @@ impl Machine {
                 && (parameter || matches!(callee.kind, Kind::Group(_) | Kind::Pow(..) | Kind::Apply(..)));
             if formula && self.reading.is_none() {
                 let point = self.expand_items(group)?;
-                return arithmetic::multiply(scalar, Value::List(point)).at(span);
+                return arithmetic::multiply(scalar, Value::point(point)).at(span);
             }
             return Err(not_a_function(&scalar).at(callee.span));
         };

@@ -32,7 +32,7 @@ impl Machine {
     pub(super) fn derivative_of(&mut self, value: &Value, order: usize, span: Span) -> Evaluated {
         if let Value::List(coordinates) = self.in_coordinates(value.clone()) {
             let each = coordinates.iter().map(|coordinate| self.derivative_of(coordinate, order, span));
-            return each.collect::<Result<_, _>>().map(Value::List);
+            return each.collect::<Result<_, _>>().map(|values| Value::List(coordinates.with(values)));
         }
         if !matches!(value, Value::Geometry(_) | Value::Piecewise(_)) {
             return calculus::derivative(value, order).at(span);

@@ -134,7 +134,11 @@ impl Machine {
                 Value::Function(function) => self.call(function, values.to_vec(), span),
                 other => Ok(other.clone()),
             };
-            return coordinates.iter().map(value).collect::<Result<_, _>>().map(|all| Some(Value::List(all)));
+            return coordinates
+                .iter()
+                .map(value)
+                .collect::<Result<_, _>>()
+                .map(|all| Some(Value::point(all)));
         };
         let (mut slope, mut lengths, mut points) = (formula.clone(), Fraction::one(), Vec::new());
         for (name, argument) in bindings {

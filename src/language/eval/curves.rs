@@ -45,8 +45,8 @@ impl Machine {
         };
         match &form {
             Value::List(items) => {
-                let items = items.iter().map(|item| diagonal(self, item)).collect::<Result<_>>();
-                items.map(|items| Some(Value::List(items)))
+                let values = items.iter().map(|item| diagonal(self, item)).collect::<Result<_>>();
+                values.map(|values| Some(Value::List(items.with(values))))
             }
             form => diagonal(self, form).map(Some),
         }

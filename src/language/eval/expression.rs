@@ -71,7 +71,14 @@ impl Machine {
             Kind::List(items) if matches!(items.as_slice(), [Expr { kind: Kind::Range(..), .. }]) => {
                 self.eval(&items[0])
             }
-            Kind::Tuple(items) | Kind::List(items) | Kind::Sequence(items) => {
+            Kind::Tuple(items) => {
+                let values = self.expand_items(items)?;
+                Ok(match lists::together(values).at(span)? {
+                    Value::List(coordinates) => Value::point(coordinates.into_iter().collect()),
+                    other => other,
+                })
+            }
+            Kind::List(items) | Kind::Sequence(items) => {
                 self.expand_items(items).and_then(|values| lists::together(values).at(span))
             }
             Kind::Matrix(rows, delimiter) => self.eval_matrix(rows, *delimiter, span),
@@ -169,7 +176,7 @@ impl Machine {
                 .hint("write the items out, or an argument list such as f(t1, ..., t4)")),
             Kind::Brace(items, label) => {
                 let items = self.repeated(items, label.as_deref(), span)?;
-                Ok(Value::List(items))
+                Ok(Value::list(items))
             }
             Kind::ForAll(..) => Err(unsupported("quantifiers are not evaluated").at(span)),
             Kind::Unread(text) => Err(Diagnostic::error(

@@ -44,7 +44,7 @@ impl Machine {
         let Value::Function(function) = &value else { return value };
         let [Clause { parameters, formula: None, .. }] = function.clauses.as_slice() else { return value };
         let [Parameter::Name(parameter)] = parameters.as_slice() else {
-            return self.coordinates_of(&function.clone()).map_or(value, Value::List);
+            return self.coordinates_of(&function.clone()).map_or(value, Value::point);
         };
         let (parameter, before) = (parameter.clone(), self.notes.len());
         let point =
@@ -55,7 +55,7 @@ impl Machine {
             Value::Scalar(formula) => Some(formula_function(parameter.clone(), formula)),
             _ => None,
         };
-        items.into_iter().map(coordinate).collect::<Option<_>>().map_or(value, Value::List)
+        items.into_iter().map(coordinate).collect::<Option<_>>().map_or(value, Value::point)
     }
 
     /// The coordinates, as functions of the same variables, of a function of several variables whose values are

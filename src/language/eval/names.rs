@@ -262,7 +262,7 @@ impl Machine {
             Value::Function(coordinate) => function::partial(coordinate, orders),
             _ => None,
         });
-        partials.collect::<Option<Vec<_>>>().map(Value::List)
+        partials.collect::<Option<Vec<_>>>().map(Value::point)
     }
 
     /// The error for a word without meaning, with the nearest known one.

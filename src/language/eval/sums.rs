@@ -319,7 +319,7 @@ impl Machine {
         match &set.kind {
             Kind::Set(items, None) => self.expand_items(items),
             _ => match self.eval(set)? {
-                Value::List(items) => Ok(items),
+                Value::List(items) => Ok(items.into_iter().collect()),
                 other => Err(wrong_kind("a set such as {1, ..., n}", &other).at(set.span)),
             },
         }

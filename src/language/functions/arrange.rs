@@ -5,7 +5,7 @@ use super::builtin;
 use super::parameter::{CURVE, Parameter, SURFACE, Takes, VARIABLE, alternatives, named, optional, required};
 use super::record::Variant;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Term};
+use crate::formula::{Expr, Term};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine, call_geometry};
 use crate::language::ops::errors::{curve_error, polar_error, wrong_kind};
@@ -243,7 +243,7 @@ fn arranged(
         Value::List(items) => {
             let parts = items.iter().map(one).collect::<Result<Vec<_>>>()?;
             let (values, exprs) = parts.into_iter().unzip();
-            Ok(Value::written(Value::List(values), Kind::List(exprs).into()))
+            Ok(Value::written(Value::List(items.with(values)), items.formula(exprs)))
         }
         item => one(item).map(|(value, expr)| Value::written(value, expr)),
     }
@@ -270,7 +270,7 @@ fn in_its_basis(geometry: &Value) -> Value {
 
 fn in_bernstein(args: &Arguments) -> Result<Value> {
     let (items, scalar) = match args.value(0)? {
-        Value::List(items) => (items.clone(), false),
+        Value::List(items) => (items.to_vec(), false),
         one => (vec![one.clone()], true),
     };
     let read = |item: &Value| args.with_first(item.clone()).univariate(0);
@@ -293,6 +293,6 @@ fn in_bernstein(args: &Arguments) -> Result<Value> {
     let parameter = parts.first().map_or_else(|| Symbol::new("t"), |part| part.variable.clone());
     let expr = Geometry::Bezier(curve, Form { scalar, rational: false }).display_expr_in(&parameter);
     let mut formulas: Vec<Value> = parts.iter().map(formula_of).collect();
-    let value = if scalar { formulas.swap_remove(0) } else { Value::List(formulas) };
+    let value = if scalar { formulas.swap_remove(0) } else { Value::point(formulas) };
     Ok(Value::written(value, expr))
 }

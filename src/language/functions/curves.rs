@@ -57,7 +57,7 @@ pub(super) const TABLE: &[Builtin] = &[
         example: "curve_of([t, t^2], 0, 1)",
         call: |_, args| {
             let (items, scalar) = match args.value(0)? {
-                Value::List(items) => (items.clone(), false),
+                Value::List(items) => (items.to_vec(), false),
                 one => (vec![one.clone()], true),
             };
             let given = args.variable()?;
@@ -122,7 +122,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let form = geometry.form();
             let points = geometry.control_points();
             match form.split(&points) {
-                Some((values, _)) => Ok(Value::List(values)),
+                Some((values, _)) => Ok(Value::list(values)),
                 None => Err(curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))),
             }
         },
@@ -257,7 +257,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 },
                 other => return Err(wrong_kind("a curve", other).at(args.span(0))),
             };
-            Ok(Value::List(vec![Value::Scalar(a.clone()), Value::Scalar(b.clone())]))
+            Ok(Value::list(vec![Value::Scalar(a.clone()), Value::Scalar(b.clone())]))
         },
         ..NEW
     },
@@ -394,7 +394,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     .at(args.span(1))
                     .hint("B_i^n has 0 <= i <= n")
             })?;
-            Ok(Value::List(vec![Value::number(place), Value::number(value)]))
+            Ok(Value::list(vec![Value::number(place), Value::number(value)]))
         },
         ..NEW
     },
@@ -489,7 +489,7 @@ fn spline_parts(
         rest = after;
     }
     parts.push(spline(rest, form));
-    Ok(Value::List(parts))
+    Ok(Value::list(parts))
 }
 
 /// The interval with its ends at the second and third place; 0 and the number after the start if not

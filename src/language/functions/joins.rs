@@ -352,7 +352,7 @@ fn convert(args: &Arguments) -> Result<Value> {
             let target = match (word, target) {
                 ("hermite", Value::Text(_) | Value::Builtin(_)) => {
                     let (a, b) = curve.interval().ends();
-                    Value::List(vec![target.clone(), Value::Scalar(a.clone()), Value::Scalar(b.clone())])
+                    Value::list(vec![target.clone(), Value::Scalar(a.clone()), Value::Scalar(b.clone())])
                 }
                 _ => target.clone(),
             };
@@ -365,7 +365,7 @@ fn convert(args: &Arguments) -> Result<Value> {
                 let product = crate::math::linalg::multiply(&matrix, &column).map_err(linalg_error)?;
                 rows.push(Value::List(product.iter().cloned().map(Value::Scalar).collect()));
             }
-            Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })
+            Ok(if form.scalar { rows.swap_remove(0) } else { Value::list(rows) })
         }
         _ => Err(wrong_kind("a representation", target).at(args.span(1)).hint(
             "bezier, bspline, power, polar, pieces, hermite, [lagrange, t_0, ...] or [newton, t_0, ...]",

@@ -104,7 +104,7 @@ fn forms_value(forms: Vec<crate::math::blossom::PolarForm<Fraction>>, form: Form
         }))
     };
     let mut list: Vec<Value> = forms.iter().cloned().map(wrap).collect();
-    if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
+    if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::point(list) }
 }
 
 pub(crate) fn polar(args: &Arguments) -> Evaluated {
@@ -298,7 +298,7 @@ fn bezier_points(args: &Arguments) -> Evaluated {
         }
     };
     match form.split(curve.points()) {
-        Some((values, _)) => Ok(Value::List(values)),
+        Some((values, _)) => Ok(Value::list(values)),
         None => Err(curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0))),
     }
 }
@@ -337,7 +337,7 @@ pub(crate) fn coefficients(args: &Arguments) -> Evaluated {
     let (curve, form) = args.bezier(0)?;
     polynomial(form, args)?;
     let mut rows: Vec<Value> = curve.power().into_iter().map(scalar_list).collect();
-    Ok(if form.scalar { rows.swap_remove(0) } else { Value::List(rows) })
+    Ok(if form.scalar { rows.swap_remove(0) } else { Value::list(rows) })
 }
 
 /// The product of two curves or splines over one interval.

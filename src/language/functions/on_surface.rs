@@ -139,7 +139,7 @@ fn total_polar(form: TotalDegreePolarForm<Fraction>) -> Value {
 
 /// One value for each coordinate; a single one for scalar surfaces.
 fn coordinates(mut list: Vec<Value>, form: Form) -> Value {
-    if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::List(list) }
+    if form.scalar && list.len() == 1 { list.swap_remove(0) } else { Value::point(list) }
 }
 
 pub(super) fn polar(args: &Arguments) -> Evaluated {
@@ -251,7 +251,7 @@ fn integrate(args: &Arguments) -> Evaluated {
 }
 
 fn degree(args: &Arguments) -> Evaluated {
-    let pair = |m: usize, n: usize| Value::List([m, n].map(|k| Value::int(k as i64)).to_vec());
+    let pair = |m: usize, n: usize| Value::list([m, n].map(|k| Value::int(k as i64)).to_vec());
     Ok(match &*args.geometry(0)? {
         Geometry::Patch(patch, _) => pair(patch.degrees().0, patch.degrees().1),
         Geometry::Surface(s, _) => pair(s.knots().0.degree(), s.knots().1.degree()),
@@ -349,14 +349,14 @@ fn cut<S>(
         let (before, after) = rule(s, direction, t).at(args.span(i))?;
         Ok([before, after])
     };
-    let list = |parts: [S; 2]| Value::List(parts.map(&value).to_vec());
+    let list = |parts: [S; 2]| Value::list(parts.map(&value).to_vec());
     match (args.optional_scalar(1)?, args.optional_scalar(2)?) {
         (Some(u), None) => pair(s, Direction::U, &u, 1).map(list),
         (None, Some(v)) => pair(s, Direction::V, &v, 2).map(list),
         (Some(u), Some(v)) => {
             let [before, after] = pair(s, Direction::U, &u, 1)?;
             let halves = |half: &S| pair(half, Direction::V, &v, 2).map(list);
-            Ok(Value::List(vec![halves(&before)?, halves(&after)?]))
+            Ok(Value::list(vec![halves(&before)?, halves(&after)?]))
         }
         (None, None) => Err(Diagnostic::error(Code::Arity, "where is the surface cut?")
             .at(args.span(0))
@@ -464,7 +464,7 @@ fn control_points(args: &Arguments) -> Evaluated {
     let form = geometry.form();
     let split = |points: &[Point<Fraction>]| {
         form.split(points)
-            .map(|(values, _)| Value::List(values))
+            .map(|(values, _)| Value::list(values))
             .ok_or_else(|| curve_error(crate::math::curve::CurveError::ZeroDenominator).at(args.span(0)))
     };
     match &*geometry {

@@ -301,7 +301,7 @@ pub(super) const TABLE: &[Builtin] = &[
                 let degree = forms.iter().map(PolarForm::degree).max().unwrap_or(0);
                 let points = |form: &PolarForm<_>| form.elevate(degree - form.degree()).bezier_points(&a, &b);
                 let columns: Vec<_> = forms.iter().map(points).collect();
-                return Ok(Value::List(points_of(&columns)));
+                return Ok(Value::list(points_of(&columns)));
             }
             let form = univariate_form(args, 0)?;
             Ok(Value::List(form.0.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
@@ -464,7 +464,7 @@ fn coordinates_of(value: &Value) -> Option<Vec<Vec<Fraction>>> {
 fn points_of(columns: &[Vec<Fraction>]) -> Vec<Value> {
     let count = columns.first().map_or(0, Vec::len);
     let point = |i: usize| columns.iter().map(|column| Value::Scalar(column[i].clone())).collect();
-    (0..count).map(|i| Value::List(point(i))).collect()
+    (0..count).map(|i| Value::point(point(i))).collect()
 }
 
 pub(super) fn symbols(args: &Arguments, i: usize) -> Result<Vec<Symbol>> {

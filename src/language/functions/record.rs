@@ -204,7 +204,7 @@ impl Builtin {
         }
         if let Some(Value::List(items)) = first.filter(|_| self.each) {
             let each = items.iter().map(|item| self.run_once(machine, args.with_first(item.clone())));
-            return each.collect::<Result<_>>().map(|list| Value::List(levelled(list)));
+            return each.collect::<Result<_>>().map(|list| Value::List(items.with(levelled(list))));
         }
         self.run_once(machine, args)
     }
@@ -256,8 +256,8 @@ impl Builtin {
             return args;
         };
         if !args.has_name(VALUES.name) {
-            args.put(0, Value::List(nodes), span);
-            args.put(1, Value::List(values), span);
+            args.put(0, Value::list(nodes), span);
+            args.put(1, Value::list(values), span);
         }
         args
     }

@@ -125,7 +125,7 @@ fn in_one_unknown(
     }
     let relation = |value: &Value| Expr::relation(symbol_expr(unknown), Rel::Eq, value.to_expr());
     let shown: Expr = Kind::List(values.iter().map(relation).collect()).into();
-    Ok(Value::written(Value::List(values), shown))
+    Ok(Value::written(Value::list(values), shown))
 }
 
 /// The solutions of a product of factors that are linear in the unknown.

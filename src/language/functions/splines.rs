@@ -414,7 +414,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     .hint("homogeneous(s) is the polynomial spline of its homogeneous coordinates"));
             }
             let mut list: Vec<Value> = s.power_pieces().into_iter().map(piecewise).collect();
-            Ok(if form.scalar { list.swap_remove(0) } else { Value::List(list) })
+            Ok(if form.scalar { list.swap_remove(0) } else { Value::point(list) })
         },
         ..NEW
     },

@@ -110,7 +110,7 @@ pub(super) const TABLE: &[Builtin] = &[
                     .at(args.span(0)));
                 }
             };
-            Ok(Value::List(curves))
+            Ok(Value::list(curves))
         },
         ..NEW
     },

@@ -21,7 +21,9 @@ pub(crate) fn add(left: Value, right: Value) -> Result<Value> {
         (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(a + b)),
         (Value::Vector(a), Value::Vector(b)) => Ok(Value::Vector(a + b)),
         (Value::List(a), Value::List(b)) if a.len() == b.len() => {
-            a.into_iter().zip(b).map(|(x, y)| add(x, y)).collect::<Result<_>>().map(Value::List)
+            let sum = a.iter().cloned().zip(b.iter().cloned()).map(|(x, y)| add(x, y));
+            let kind = if b.is_point() { &b } else { &a };
+            sum.collect::<Result<_>>().map(|sum| Value::List(kind.with(sum)))
         }
         (Value::Matrix(a), Value::Matrix(b)) if a.shape() == b.shape() => Ok(Value::Matrix(a + b)),
         (Value::Polar(a), Value::Polar(b)) => polar::add(&a, &b),
@@ -77,11 +79,14 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
         (Value::Scalar(a), Value::Vector(b)) | (Value::Vector(b), Value::Scalar(a)) => {
             Ok(Value::Vector(a * b))
         }
-        (Value::Scalar(a), Value::List(items)) | (Value::List(items), Value::Scalar(a)) => items
-            .into_iter()
-            .map(|item| multiply(Value::Scalar(a.clone()), item))
-            .collect::<Result<_>>()
-            .map(Value::List),
+        (Value::Scalar(a), Value::List(items)) | (Value::List(items), Value::Scalar(a)) => {
+            let multiple = |item: &Value| multiply(Value::Scalar(a.clone()), item.clone());
+            items
+                .iter()
+                .map(multiple)
+                .collect::<Result<_>>()
+                .map(|multiples| Value::List(items.with(multiples)))
+        }
         (Value::Scalar(a), Value::Matrix(m)) | (Value::Matrix(m), Value::Scalar(a)) => {
             Ok(Value::Matrix(m.map(|x| x.times(&a))))
         }
@@ -121,14 +126,14 @@ pub(crate) fn multiply(left: Value, right: Value) -> Result<Value> {
             let row: Vec<Value> = (0..a.ncols()).map(column).collect::<Result<_>>()?;
             match <[Value; 1]>::try_from(row) {
                 Ok([only]) => Ok(only),
-                Err(row) => Ok(Value::List(row)),
+                Err(row) => Ok(Value::list(row)),
             }
         }
         (Value::Matrix(a), Value::List(items)) => {
             let product = multiply(Value::Matrix(a), column(&items)?)?;
             Ok(match product {
                 Value::Matrix(m) if m.ncols() == 1 => {
-                    Value::List(m.iter().cloned().map(Value::Scalar).collect())
+                    Value::List(items.with(m.iter().cloned().map(Value::Scalar).collect()))
                 }
                 other => other,
             })
@@ -322,7 +327,7 @@ pub(crate) fn cross(left: Value, right: Value) -> Result<Value> {
     match (coordinates(&left), coordinates(&right)) {
         (Some(a), Some(b)) => {
             let entry = |i: usize, j: usize| Value::Scalar(a[i].times(&b[j]).minus(&a[j].times(&b[i])));
-            Ok(Value::List(vec![entry(1, 2), entry(2, 0), entry(0, 1)]))
+            Ok(Value::point(vec![entry(1, 2), entry(2, 0), entry(0, 1)]))
         }
         _ => multiply(left, right),
     }

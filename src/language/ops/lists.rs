@@ -10,7 +10,7 @@ use crate::language::value::{Claim, Value};
 pub(crate) fn together(values: Vec<Value>) -> Result<Value, Diagnostic> {
     let claims = values.iter().filter(|value| matches!(value, Value::Claim(_))).count();
     if claims == 0 {
-        return Ok(Value::List(values));
+        return Ok(Value::list(values));
     }
     let choice = |value: &Value| matches!(value, Value::Text(word) if ["or", "oder", "ou", "或"].contains(&word.trim()));
     if values.iter().any(choice) {
@@ -33,7 +33,10 @@ pub(crate) fn together(values: Vec<Value>) -> Result<Value, Diagnostic> {
 pub(crate) fn vector(value: Value) -> Result<Value, Value> {
     match value {
         Value::Scalar(v) => Ok(Value::Vector(v)),
-        Value::List(items) => items.into_iter().map(vector).collect::<Result<_, _>>().map(Value::List),
+        Value::List(items) => {
+            let vectors = items.iter().cloned().map(vector).collect::<Result<_, _>>()?;
+            Ok(Value::List(items.with(vectors)))
+        }
         other => Err(other),
     }
 }

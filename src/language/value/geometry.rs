@@ -53,7 +53,7 @@ impl Form {
         let mut point = point.into();
         match (self.scalar, point.len()) {
             (true, 1) => Value::Scalar(point.swap_remove(0)),
-            _ => Value::List(point.into_iter().map(Value::Scalar).collect()),
+            _ => Value::point(point.into_iter().map(Value::Scalar).collect()),
         }
     }
 
@@ -85,6 +85,11 @@ fn list(items: impl IntoIterator<Item = Expr>) -> Expr {
 
 fn scalars(items: &[Fraction]) -> Expr {
     list(items.iter().map(polynomial_expr))
+}
+
+/// (x, y); a single coordinate stays in its list.
+fn point(coordinates: &[Fraction]) -> Expr {
+    Value::point(coordinates.iter().cloned().map(Value::Scalar).collect()).to_expr()
 }
 
 impl Geometry {
@@ -194,7 +199,7 @@ impl Geometry {
                 form.rational.then(|| named("weights", scalars(&weights)))
             }
             None => {
-                arguments.push(list(points.iter().map(|point| scalars(point))));
+                arguments.push(list(points.iter().map(|point| self::point(point))));
                 Some(named("homogeneous", Expr::int(1)))
             }
         }
@@ -333,7 +338,7 @@ fn net_argument(net: &[Vec<Point<Fraction>>], form: Form, arguments: &mut Vec<Ex
             form.rational.then(|| named("weights", list(rows.iter().map(|(_, weights)| scalars(weights)))))
         }
         None => {
-            arguments.push(list(net.iter().map(|row| list(row.iter().map(|point| scalars(point))))));
+            arguments.push(list(net.iter().map(|row| list(row.iter().map(|point| self::point(point))))));
             Some(named("homogeneous", Expr::int(1)))
         }
     }

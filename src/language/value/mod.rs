@@ -10,6 +10,7 @@ mod factors;
 mod function;
 mod geometry;
 mod grouped;
+mod list;
 mod newton;
 mod outcome;
 mod piecewise;
@@ -23,6 +24,7 @@ pub use derivation::{Derivation, Language, Line, Words};
 pub use function::{Clause, Function, Parameter, Scope, Shape};
 pub use geometry::{Form, Geometry, homogeneous};
 pub use grouped::in_powers_of;
+pub use list::List;
 pub use newton::{newton_expr, newton_function, nodes_expr};
 pub use outcome::{Claim, Judgement, Verdict, Witness};
 pub use piecewise::PiecewiseFunction;
@@ -55,8 +57,8 @@ pub enum Value {
     Function(Arc<Function>),
     /// A function of the program.
     Builtin(&'static str),
-    /// A list; a list of scalars is also a point.
-    List(Vec<Value>),
+    /// A list, or a point.
+    List(List<Value>),
     /// A matrix of scalars.
     Matrix(DMatrix<Fraction>),
     /// The outcome of a claim.
@@ -81,12 +83,30 @@ impl Value {
     /// The coordinates of a point, which may be written as a column.
     pub(crate) fn coordinates(self) -> Option<Vec<Value>> {
         match self {
-            Value::List(items) => Some(items),
+            Value::List(items) => Some(items.into_iter().collect()),
             Value::Matrix(column) if column.ncols() == 1 => {
                 Some(column.iter().cloned().map(Value::Scalar).collect())
             }
             _ => None,
         }
+    }
+
+    /// A list.
+    pub fn list(items: Vec<Value>) -> Self {
+        Value::List(items.into())
+    }
+
+    /// A point, by its coordinates.
+    ///
+    /// ```
+    /// use polarform::value::Value;
+    /// use polarform::write::text;
+    /// let point = Value::point(vec![Value::int(1), Value::int(2)]);
+    /// assert_eq!(text(&point.to_expr()), "(1, 2)");
+    /// assert_eq!(point, Value::list(vec![Value::int(1), Value::int(2)]));
+    /// ```
+    pub fn point(items: Vec<Value>) -> Self {
+        Value::List(List::point(items))
     }
 
     /// A rational number.

@@ -5,7 +5,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::factors::quotient;
 use super::grouped::grouped;
-use super::{Notation, Polar, PolarKind, Value};
+use super::{List, Notation, Polar, PolarKind, Value};
 use crate::budget;
 use crate::formula::{Accent, Delimiter, Expr, Kind, Rel, Sign, Term};
 use crate::language::lexicon::families::{BINOMIAL_COEFFICIENT, FORWARD_DIFFERENCE};
@@ -489,7 +489,7 @@ impl Value {
             Value::List(items)
                 if items.iter().any(|item| matches!(item, Value::Geometry(_) | Value::Piecewise(_))) =>
             {
-                Kind::List(items.iter().map(|item| item.display_expr(notation)).collect()).into()
+                items.formula(items.iter().map(|item| item.display_expr(notation)).collect())
             }
             _ => self.to_expr_in(notation),
         }
@@ -509,7 +509,7 @@ impl Value {
                 if let Some(curve) = curve_expr(items, Expr::name("f"), notation) {
                     return curve;
                 }
-                Kind::List(items.iter().map(|item| item.to_expr_in(notation)).collect()).into()
+                items.formula(items.iter().map(|item| item.to_expr_in(notation)).collect())
             }
             Value::Matrix(matrix) => matrix_expr(matrix, notation),
             Value::Geometry(geometry) => geometry.to_expr(),
@@ -523,8 +523,8 @@ impl Value {
     }
 }
 
-/// `f(t1, t2) = [x, y]` for the polar forms of the coordinates of a curve or surface.
-pub fn curve_expr(items: &[Value], name: Expr, notation: Notation) -> Option<Expr> {
+/// `f(t1, t2) = (x, y)` for the polar forms of the coordinates of a curve or surface.
+pub fn curve_expr(items: &List<Value>, name: Expr, notation: Notation) -> Option<Expr> {
     let polars: Option<Vec<&Polar>> = items
         .iter()
         .map(|item| match item {
@@ -540,7 +540,7 @@ pub fn curve_expr(items: &[Value], name: Expr, notation: Notation) -> Option<Exp
         return None;
     }
     let bodies = polars.iter().map(|polar| polar.body(notation)).collect();
-    Some(Expr::relation(first.call(name), Rel::Eq, Kind::List(bodies).into()))
+    Some(Expr::relation(first.call(name), Rel::Eq, items.formula(bodies)))
 }
 
 fn function_expr(function: &super::Function, notation: Notation) -> Expr {

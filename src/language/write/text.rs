@@ -37,7 +37,7 @@ pub fn write_text(out: &mut dyn fmt::Write, expr: &Expr) -> fmt::Result {
 ///
 /// ```
 /// use polarform::value::Value;
-/// let list = Value::List(vec![Value::number(polarform::number::rational(5, 3)), Value::int(-1)]);
+/// let list = Value::list(vec![Value::number(polarform::number::rational(5, 3)), Value::int(-1)]);
 /// assert_eq!(list.to_string(), "[5/3, -1]");
 /// ```
 impl fmt::Display for Value {

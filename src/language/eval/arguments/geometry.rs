@@ -149,13 +149,13 @@ impl Arguments {
         };
         let value = self.value(i)?;
         let rows: Vec<Value> = match value {
-            Value::List(rows) => rows.clone(),
+            Value::List(rows) => rows.to_vec(),
             Value::Matrix(matrix) => matrix.row_iter().map(|row| scalar_list(row.iter().cloned())).collect(),
             other => return Err(wrong(other)),
         };
         let weights = match self.named("weights") {
             None => None,
-            Some((Value::List(rows), _)) => Some(rows.clone()),
+            Some((Value::List(rows), _)) => Some(rows.to_vec()),
             Some((Value::Matrix(matrix), _)) => {
                 Some(matrix.row_iter().map(|row| scalar_list(row.iter().cloned())).collect())
             }

@@ -108,7 +108,7 @@ pub(super) fn functions(args: &Arguments) -> Evaluated {
                 .at(span)
                 .hint("for example figure_functions([t^2, t^3], 0, 1)"));
         }
-        Value::List(items) => items.clone(),
+        Value::List(items) => items.to_vec(),
         one => vec![one.clone()],
     };
     let named = named(args, items.len())?;

@@ -94,7 +94,7 @@ fn patches(args: &Arguments, items: &[Value]) -> Evaluated {
                     .hint("subdivide the surface first")
             };
             let (values, own) = form.split(row).ok_or_else(infinite)?;
-            let place = |value: &Value| match points_of(&Value::List(vec![value.clone()])) {
+            let place = |value: &Value| match points_of(&Value::list(vec![value.clone()])) {
                 Some((points, _)) if points[0].len() == 3 => {
                     space(&points[0], [0, 0].map(|k| rational(k, 1)), &rational(1, 1), span)
                 }

@@ -278,7 +278,7 @@ fn newton_form(table: &DividedDifferences<Fraction, Datum>, form: Form, variable
     };
     let functions = (0..coefficients[0].len()).map(coordinate).collect::<std::result::Result<Vec<_>, _>>();
     let mut functions = functions.map_err(interpolation_error)?;
-    Ok(if form.scalar { functions.swap_remove(0) } else { Value::List(functions) })
+    Ok(if form.scalar { functions.swap_remove(0) } else { Value::point(functions) })
 }
 
 /// The nodes, each with how often it stands there.
@@ -315,7 +315,7 @@ fn hermite_data(args: &Arguments) -> Result<(HermiteData, Form)> {
     let rows: Vec<Vec<Value>> = match value {
         Value::List(items) => {
             let row = |item: &Value| match item {
-                Value::List(row) => Ok(row.clone()),
+                Value::List(row) => Ok(row.to_vec()),
                 other => Err(wrong(other)),
             };
             items.iter().map(row).collect::<Result<_>>()?

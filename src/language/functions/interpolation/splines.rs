@@ -51,7 +51,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let piecewise =
                 |function| Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable.clone())));
             let mut list: Vec<Value> = spline.to_piecewise().into_iter().map(piecewise).collect();
-            Ok(if given.samples.form.scalar { list.swap_remove(0) } else { Value::List(list) })
+            Ok(if given.samples.form.scalar { list.swap_remove(0) } else { Value::point(list) })
         },
         ..NEW
     },
