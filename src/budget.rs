@@ -8,6 +8,9 @@
 //!
 //! Unwinding does not print anything: it starts with `resume_unwind`, which skips
 //! the panic hook. (salsa cancels queries in the same way.)
+//!
+//! Where there is no clock, as in WebAssembly without a host that gives one, limits on time never pass; those on
+//! steps are the same everywhere.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -62,7 +65,7 @@ impl std::error::Error for Stop {}
 /// The limits of one computation.
 #[derive(Clone, Debug)]
 pub struct Limits {
-    /// Time allowed; `None` for no limit.
+    /// Time allowed; `None` for no limit. Without meaning where there is no clock.
     pub time: Option<Duration>,
     /// Steps allowed; `None` for no limit. Unlike time they are the same on every machine.
     pub steps: Option<u64>,
@@ -111,6 +114,9 @@ thread_local! {
 /// How many [`step`]s pass between two looks at the clock.
 const STEPS_PER_LOOK: u32 = 256;
 
+/// Whether the target can tell the time: `Instant::now` panics where it cannot.
+const CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
+
 /// Restores the outer limits even when the computation panics.
 struct Restore(Option<Active>);
 
@@ -136,17 +142,16 @@ impl Drop for Restore {
 /// assert_eq!(result, Err(Stop::Terms { needed: 1000, allowed: 10 }));
 /// ```
 pub fn run<T>(limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
-    run_since(Instant::now(), limits, work)
+    run_until(limits.time.filter(|_| CLOCK).and_then(|time| Instant::now().checked_add(time)), limits, work)
 }
 
 /// The same with work that began earlier, some of which is done: the limit on time counts from then on.
 pub fn run_since<T>(began: Instant, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
-    let active = Active {
-        limits: limits.clone(),
-        deadline: limits.time.and_then(|time| began.checked_add(time)),
-        countdown: STEPS_PER_LOOK,
-        spent: 0,
-    };
+    run_until(limits.time.and_then(|time| began.checked_add(time)), limits, work)
+}
+
+fn run_until<T>(deadline: Option<Instant>, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
+    let active = Active { limits: limits.clone(), deadline, countdown: STEPS_PER_LOOK, spent: 0 };
     let outer = ACTIVE.with(|slot| slot.borrow_mut().replace(active));
     let _restore = Restore(outer);
     match catch_unwind(AssertUnwindSafe(work)) {

@@ -4,6 +4,7 @@
 //! is kept only when everything went well: a failed line changes nothing.
 
 mod clauses;
+mod completion;
 mod foreign;
 mod given;
 mod spoken;
@@ -24,6 +25,7 @@ use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
 
+pub use completion::{Candidate, completions};
 pub use given::Conditions;
 
 /// A statement that failed, with the text it was read from.

@@ -22,7 +22,6 @@ use crate::figure::{TikzOptions, tikz};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, call, named};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
-use crate::language::functions::BUILTINS;
 use crate::language::syntax;
 use crate::language::value::{Notation, Value, symbol_expr};
 use crate::language::write::{Format, text};
@@ -124,7 +123,7 @@ pub(super) fn run(session: &mut Session, output: &mut Output) -> Status {
         .line(&format!("polarform {} — :help for help, :quit to leave", env!("CARGO_PKG_VERSION")));
     loop {
         if let Some(helper) = editor.helper_mut() {
-            helper.set_names(repl.session.env.iter().map(|(name, _)| name));
+            helper.set_names(repl.session.names());
         }
         match editor.readline("> ") {
             Ok(line) => {
@@ -459,11 +458,6 @@ fn usage(form: &str) -> Trouble {
 
 fn file_problem(path: &str, error: &io::Error) -> Trouble {
     Trouble::Problem(Box::new(Diagnostic::error(Code::File, format!("{path}: {error}"))))
-}
-
-/// Names offered for completion besides those of the session.
-pub(super) fn known_names() -> impl Iterator<Item = &'static str> {
-    BUILTINS.iter().map(|builtin| builtin.name)
 }
 
 #[cfg(test)]

@@ -8,13 +8,10 @@ use rustyline::hint::Hinter;
 use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{Context, Helper as RustylineHelper};
 
-use super::repl::{COLON_COMMANDS, known_names};
-use crate::language::functions::{Builtin, builtin};
-use crate::language::latex;
-use crate::language::lexicon::letters;
+use super::repl::COLON_COMMANDS;
+use crate::language::functions::builtin;
 use crate::language::syntax;
-use crate::language::write::text;
-use crate::math::poly::Symbol;
+use crate::session::completions;
 
 /// What the line editor needs to know.
 pub(super) struct Helper {
@@ -28,8 +25,8 @@ impl Helper {
     }
 
     /// The names defined in the session.
-    pub fn set_names<'a>(&mut self, names: impl Iterator<Item = &'a Symbol>) {
-        self.names = names.map(|symbol| text(&crate::language::value::symbol_expr(symbol))).collect();
+    pub fn set_names(&mut self, names: Vec<String>) {
+        self.names = names;
     }
 
     /// Where the word at `pos` starts, and what may stand for it.
@@ -42,34 +39,8 @@ impl Helper {
             let list = COLON_COMMANDS.iter().filter(|command| command.name.starts_with(word));
             return (start, list.map(|c| (c.usage.to_owned(), c.name.to_owned())).collect());
         }
-        let letters = |c: char| c.is_alphanumeric() || c == '_';
-        let start = before
-            .rfind(|c| !letters(c))
-            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
-        let word = &before[start..];
-        if before[..start].ends_with('\\') {
-            // \sigma becomes σ when it is complete; other commands are completed.
-            if let Some(letter) = letters::sign(word) {
-                return (start - 1, vec![(format!("{letter}  {word}"), letter.to_string())]);
-            }
-            let known = latex::commands().iter().filter(|c| c.is_supported());
-            let names = known.map(|command| command.name().trim_start_matches('\\'));
-            let list = names.filter(|name| !word.is_empty() && name.starts_with(word));
-            return (start, list.map(|name| (format!("\\{name}"), name.to_owned())).collect());
-        }
-        if word.is_empty() {
-            return (pos, Vec::new());
-        }
-        let own = self.names.iter().map(String::as_str);
-        let mut list: Vec<(String, String)> = own
-            .filter(|name| name.starts_with(word))
-            .map(|name| (name.to_owned(), name.to_owned()))
-            .collect();
-        for name in known_names().filter(|name| name.starts_with(word)) {
-            let signature = builtin(name).map_or_else(|| name.to_owned(), Builtin::signature);
-            list.push((signature, format!("{name}(")));
-        }
-        (start, list)
+        let (start, list) = completions(before, &self.names);
+        (start, list.into_iter().map(|candidate| (candidate.shown, candidate.put)).collect())
     }
 }
 
@@ -165,7 +136,7 @@ mod tests {
 
     fn replacements(line: &str) -> Vec<String> {
         let mut helper = Helper::new(false);
-        helper.set_names([Symbol::new("point"), Symbol::indexed("c", 0)].iter());
+        helper.set_names(["point", "c_0"].map(str::to_owned).to_vec());
         helper.candidates(line, line.len()).1.into_iter().map(|(_, replacement)| replacement).collect()
     }
 

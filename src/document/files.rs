@@ -84,7 +84,7 @@ pub fn read_macros(path: &Path) -> Result<Macros, Diagnostic> {
     Ok(out.macros)
 }
 
-fn one(file: SourceFile, kind: Container, mut out: Collector) -> Document {
+pub(super) fn one(file: SourceFile, kind: Container, mut out: Collector) -> Document {
     scan(file.text(), kind, &mut out);
     for Include { name, place } in std::mem::take(&mut out.includes) {
         let unread = Diagnostic::warning(Code::Include, format!("the included file {name} was not read"));

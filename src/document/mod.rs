@@ -64,7 +64,7 @@ pub enum Container {
     Notebook,
 }
 
-/// Takes a text apart. Files that it includes are not read; [`read_files`] does that.
+/// Takes a text apart. Files that it includes are not read, and it says so; [`read_files`] reads them.
 ///
 /// Cost: linear in the length of the text.
 ///
@@ -78,9 +78,7 @@ pub enum Container {
 /// assert_eq!(notes.file.line_column(formula.span.start), (1, 6));
 /// ```
 pub fn document(file: SourceFile, kind: Container) -> Document {
-    let mut out = Collector::default();
-    scan(file.text(), kind, &mut out);
-    out.into_document(file)
+    files::one(file, kind, Collector::default())
 }
 
 fn scan(text: &str, kind: Container, out: &mut Collector) {
