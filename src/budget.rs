@@ -77,6 +77,9 @@ pub struct Limits {
     pub depth: usize,
     /// Set by somebody else to stop the computation.
     pub interrupt: Arc<AtomicBool>,
+    /// Asked now and then in the thread of the computation, for programs that can be told to stop only there; true
+    /// sets `interrupt`. Inner runs ask it, too.
+    pub watch: Option<fn() -> bool>,
 }
 
 impl Default for Limits {
@@ -89,6 +92,7 @@ impl Default for Limits {
             bits: 1 << 18,
             depth: DEFAULT_DEPTH,
             interrupt: Arc::new(AtomicBool::new(false)),
+            watch: None,
         }
     }
 }
@@ -151,8 +155,13 @@ pub fn run_since<T>(began: Instant, limits: &Limits, work: impl FnOnce() -> T) -
 }
 
 fn run_until<T>(deadline: Option<Instant>, limits: &Limits, work: impl FnOnce() -> T) -> Result<T, Stop> {
-    let active = Active { limits: limits.clone(), deadline, countdown: STEPS_PER_LOOK, spent: 0 };
-    let outer = ACTIVE.with(|slot| slot.borrow_mut().replace(active));
+    let mut active = Active { limits: limits.clone(), deadline, countdown: STEPS_PER_LOOK, spent: 0 };
+    let outer = ACTIVE.with(|slot| {
+        let mut slot = slot.borrow_mut();
+        let watched = slot.as_ref().and_then(|outer| outer.limits.watch);
+        active.limits.watch = active.limits.watch.or(watched);
+        slot.replace(active)
+    });
     let _restore = Restore(outer);
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(value) => Ok(value),
@@ -175,25 +184,46 @@ pub fn step() {
 
 /// `count` units of work at once.
 pub fn steps(count: u32) {
-    let reason = ACTIVE.with(|slot| {
+    let looks = ACTIVE.with(|slot| {
         let mut slot = slot.borrow_mut();
-        let active = slot.as_mut()?;
+        let Some(active) = slot.as_mut() else { return Ok(false) };
         active.spent += u64::from(count);
         if let Some(limit) = active.limits.steps.filter(|limit| active.spent > *limit) {
-            return Some(Stop::Steps(limit));
+            return Err(Stop::Steps(limit));
         }
         if let Some(left) = active.countdown.checked_sub(count) {
             active.countdown = left;
-            return None;
+            return Ok(false);
         }
         active.countdown = STEPS_PER_LOOK;
-        if active.limits.interrupt.load(Ordering::Relaxed) {
-            return Some(Stop::Interrupted);
-        }
-        let deadline = active.deadline?;
-        (Instant::now() >= deadline).then(|| Stop::Time(active.limits.time.unwrap_or_default()))
+        Ok(true)
     });
-    if let Some(reason) = reason {
+    match looks {
+        Ok(false) => {}
+        Ok(true) => look(),
+        Err(reason) => stop(reason),
+    }
+}
+
+/// Looks at the clock, at the flag, and asks whoever watches, who may begin a computation of its own meanwhile.
+#[cold]
+fn look() {
+    let reason = |asked: bool| {
+        ACTIVE.with(|slot| {
+            let slot = slot.borrow();
+            let active = slot.as_ref()?;
+            if asked {
+                active.limits.interrupt.store(true, Ordering::Relaxed);
+            }
+            if active.limits.interrupt.load(Ordering::Relaxed) {
+                return Some(Stop::Interrupted);
+            }
+            let deadline = active.deadline?;
+            (Instant::now() >= deadline).then(|| Stop::Time(active.limits.time.unwrap_or_default()))
+        })
+    };
+    let watch = ACTIVE.with(|slot| slot.borrow().as_ref().and_then(|active| active.limits.watch));
+    if let Some(reason) = reason(watch.is_some_and(|watch| watch())) {
         stop(reason);
     }
 }
@@ -280,6 +310,31 @@ mod tests {
             }
         });
         assert_eq!(stopped, Err::<(), _>(Stop::Interrupted));
+    }
+
+    #[test]
+    fn who_watches_may_calculate_and_stops_inner_runs() {
+        thread_local!(static ASKED: std::cell::Cell<u32> = const { std::cell::Cell::new(0) });
+        let watch: fn() -> bool = || {
+            assert_eq!(run(&Limits::default(), || steps(10)), Ok(()));
+            ASKED.set(ASKED.get() + 1);
+            ASKED.get() > 3
+        };
+        let limits = Limits { watch: Some(watch), ..Limits::default() };
+        let stopped = run(&limits, || {
+            let inner = run(&Limits::default(), || {
+                loop {
+                    step();
+                }
+            });
+            assert_eq!(inner, Err::<(), _>(Stop::Interrupted));
+            assert_eq!(ASKED.get(), 4);
+            loop {
+                step();
+            }
+        });
+        assert_eq!(stopped, Err::<(), _>(Stop::Interrupted));
+        assert!(limits.interrupt.load(Ordering::Relaxed));
     }
 
     #[test]

@@ -127,7 +127,11 @@ impl Session {
         }
     }
 
-    fn read(&self, file: &SourceFile, span: Span) -> Failed<Expr> {
+    /// Reads a part of a file as one formula, with the names of the session and under its limits.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn read(&self, file: &SourceFile, span: Span) -> Failed<Expr> {
         guarded(&self.limits, || read_in(&self.env, file, Some(span)))
             .map_err(|problem| Box::new(Failure { problem, file: file.clone() }))
     }
