@@ -82,7 +82,7 @@ impl Value {
     fn list(&self) -> PyResult<Vec<Native>> {
         let row = |cells: &Vec<Cell>| Native::List(cells.iter().filter_map(cell).collect());
         match self.plain() {
-            Native::List(items) => Ok(items.clone()),
+            Native::List(items) => Ok(items.iter().cloned().collect()),
             Native::Matrix(matrix) => Ok(matrix
                 .row_iter()
                 .map(|row| Native::List(row.iter().cloned().map(Native::Scalar).collect()))
