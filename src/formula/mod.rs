@@ -176,6 +176,8 @@ pub enum Rel {
     Approx,
     /// `∈`
     In,
+    /// `∉`
+    NotIn,
     /// `⊆`, `⊂`
     Subset,
     /// `→`, as in `F: R → R` or a limit

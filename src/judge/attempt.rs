@@ -148,7 +148,8 @@ impl Checker {
         earlier.retain(|_| relevant.next() == Some(true));
         let facts = Facts {
             near: earlier.iter().filter(|condition| place.sees(&condition.place)).count(),
-            earlier: earlier.into_iter().map(|condition| condition.expr.clone()).collect(),
+            earlier: earlier.iter().map(|condition| condition.expr.clone()).collect(),
+            ranges: earlier.iter().map(|condition| condition.ranges.clone()).collect(),
             reached,
             knot_letters: self.context.knot_letters(place, &sides),
         };

@@ -14,6 +14,7 @@ use super::object::Sort;
 use super::refute;
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::Tally;
+use super::topic::Topic;
 use super::trial::Setting;
 use super::verdict::Judged;
 use crate::formula::{Expr, Kind, Rel};
@@ -49,7 +50,10 @@ impl Checker {
             for (i, finding) in findings.iter_mut().enumerate() {
                 let (rel, _) = chain.relations[i];
                 if finding.verdict != Verdict::Unread && !checkable(rel) {
-                    let declares = matches!(rel, Rel::In | Rel::Subset | Rel::Colon | Rel::To | Rel::MapsTo);
+                    let declares = matches!(
+                        rel,
+                        Rel::In | Rel::NotIn | Rel::Subset | Rel::Colon | Rel::To | Rel::MapsTo
+                    );
                     finding.verdict = if declares { Verdict::Definition } else { Verdict::Undecided };
                     finding.reason = Some(
                         if declares {
@@ -108,7 +112,15 @@ impl Checker {
             return findings;
         }
         let curve = statement.curve();
+        let joins = lint::joins(&self.context, chain, place).filter(|_| {
+            // F(τ) = G(τ) of two functions that words introduced: it is no definition of F.
+            chain.sides.iter().take(2).all(|side| {
+                Head::of(&side.expr)
+                    .is_some_and(|head| self.context.object_called(&head.base, place).is_some())
+            })
+        });
         let head = definable(&chain.sides[0].expr)
+            .filter(|_| joins.is_none())
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {
@@ -212,7 +224,22 @@ impl Checker {
         if start == 0
             && let Some(reason) = lint::joins(&self.context, chain, place)
         {
-            findings[0].reason = Some(reason);
+            let follows = (statement.role == Some(Role::Claimed) || chain.universal) && {
+                let [left, right] = [&chain.sides[0].expr, &chain.sides[1].expr];
+                let reached = self.context.reached(&[left, right], place);
+                reached.iter().any(|base| self.is_constrained(base, place))
+            };
+            if follows {
+                self.judge(chain, 0, statement, curve.clone(), None, &mut findings);
+            }
+            if !matches!(findings[0].verdict, Verdict::Proved | Verdict::Sampled) {
+                let relation =
+                    Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, chain.sides[1].expr.clone());
+                if chain.relations[0].0 == Rel::Eq && !follows {
+                    self.condition_for(relation, &chain.conditions, findings[0].span, false, place);
+                }
+                findings[0] = Finding { reason: Some(reason), ..blank(chain, 0) };
+            }
             start = 1;
         }
         if start < chain.relations.len() {
@@ -442,11 +469,17 @@ impl Checker {
                 let value = chain.sides[at + 1].expr.clone();
                 self.define(head, Body::Formula(value), &[], place, findings[at].span);
             }
-            let open = given || findings[at].verdict == Verdict::Definition;
+            // What two curves have to fulfil where they meet
+            let join = statement.topics.has(Topic::Join)
+                && statement.role != Some(Role::Introduced)
+                && findings[at].verdict == Verdict::Undecided
+                && tally.fails.iter().any(|failure| failure.inner)
+                && self.is_of_two_functions(tally);
+            let open = given || join || findings[at].verdict == Verdict::Definition;
             if open && chain.relations[at].0 == Rel::Eq {
                 let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
                 let relation = Expr::relation(left.clone(), Rel::Eq, right.clone());
-                self.condition(relation, findings[at].span, false, place);
+                self.condition_for(relation, &chain.conditions, findings[at].span, false, place);
             }
         }
         // Equations for new coefficients say what these are.
@@ -469,6 +502,11 @@ impl Checker {
                 findings[at].suggestion = None;
             }
         }
+    }
+
+    /// Whether it is about two functions that words introduced and of which no more is known.
+    fn is_of_two_functions(&self, tally: &Tally) -> bool {
+        tally.record.unknown.len() > 1
     }
 
     /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one

@@ -7,6 +7,7 @@ use super::context::{Body, Condition, Context, Definition, Letters, Mark, Source
 use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
+use super::lint;
 use super::names::{Head, bases, is_range};
 use super::object::{Declared, Object};
 use super::reach::whole_sums;
@@ -206,7 +207,9 @@ impl Checker {
             _ => return None,
         };
         let place = &statement.place;
-        let new = definable(&chain.sides[0].expr).filter(|head| !is_root_of(head, chain)).filter(|head| {
+        let joins = lint::joins(&self.context, chain, place).is_some();
+        let new = definable(&chain.sides[0].expr).filter(|head| !joins && !is_root_of(head, chain));
+        let new = new.filter(|head| {
             chain.relations.len() == 1 && !self.is_known(head, &chain.sides[1].expr, place, &None)
         });
         // "The patch has the equation x(u, v) = …"
@@ -234,7 +237,7 @@ impl Checker {
                 let left = &chain.sides[at].expr;
                 let span = left.span.to(link.expr.span);
                 let relation = Expr::new(Kind::Chain(Box::new(left.clone()), vec![link]), span);
-                self.condition(relation, span, true, &statement.place);
+                self.condition_for(relation, &chain.conditions, span, true, &statement.place);
             }
         }
         let finding = |at: usize| {
@@ -247,9 +250,21 @@ impl Checker {
 
     /// Adds a condition that later formulas may need.
     pub(super) fn condition(&mut self, expr: Expr, span: Span, assumed: bool, place: &Place) {
+        self.condition_for(expr, &[], span, assumed, place);
+    }
+
+    /// The same for some values of its indices: F^{(k)}(τ) = G^{(k)}(τ) for k = 0, …, r.
+    pub(super) fn condition_for(
+        &mut self,
+        expr: Expr,
+        ranges: &[Expr],
+        span: Span,
+        assumed: bool,
+        place: &Place,
+    ) {
         let line = self.line(span);
         for expr in links(&expr) {
-            let condition = Condition { expr, assumed, place: place.clone(), line };
+            let condition = Condition { expr, assumed, place: place.clone(), line, ranges: ranges.to_vec() };
             Rc::make_mut(&mut self.context).conditions.push(condition);
         }
     }

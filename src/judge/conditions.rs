@@ -114,7 +114,7 @@ impl Conditions<'_> {
         };
         let wanted = family(left);
         let Some(Solution { values: solution, sampled }) =
-            hypotheses::solve(&equations, &|symbol| wanted.contains(&*base_of(symbol)))
+            hypotheses::solve(&equations, &[left, right], &|symbol| wanted.contains(&*base_of(symbol)))
         else {
             return plain;
         };

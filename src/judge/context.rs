@@ -65,6 +65,8 @@ pub struct Condition {
     pub place: Place,
     /// The line, for reports.
     pub line: usize,
+    /// For which indices it is said.
+    pub ranges: Vec<Expr>,
 }
 
 /// Everything known at a place of the notes.

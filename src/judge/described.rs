@@ -19,9 +19,11 @@ use super::inequality::interval;
 use super::model::Model;
 use super::names::{Head, bases};
 use super::object::{Declared, Object, Sort};
+use super::repair;
 use super::statement::{Chain, Place, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
+use super::trial;
 use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
@@ -244,6 +246,7 @@ impl Checker {
             return Some((held, tells.then_some(meaning)));
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
+        let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are.
         let known = compare::symbols(&failure.left);
         if !compare::symbols(&failure.right).iter().all(|symbol| known.contains(symbol)) {
@@ -256,7 +259,8 @@ impl Checker {
             (_, true) => Evidence::Field,
             _ => Evidence::Terms,
         };
-        (certain || own || compare::agree_in_most(&failure.left, &failure.right)).then(|| {
+        let said = certain || own || compare::agree_in_most(&failure.left, &failure.right) || near();
+        said.then(|| {
             let wrong = Finding {
                 verdict: Verdict::Refuted,
                 reason: Some(format!("it differs from {}", meaning.made.words())),
@@ -266,6 +270,31 @@ impl Checker {
                 ..finding.clone()
             };
             (wrong, None)
+        })
+    }
+
+    /// Whether a small edit of the formula holds with a meaning that is a curve in words.
+    fn is_one_slip_from(
+        &mut self,
+        new: &New,
+        meaning: &Meaning,
+        chain: &Chain,
+        statement: &Statement,
+    ) -> bool {
+        if !matches!(meaning.made, Made::Itself) {
+            return false;
+        }
+        let right = &chain.sides[1].expr;
+        let start = budget::spent();
+        repair::edits(right, &new.side, &None).into_iter().any(|edit| {
+            if budget::spent() - start > trial::share(&self.limits, 4) {
+                return false;
+            }
+            let objects = meaning.curve.object.iter().cloned().chain([meaning.object(new)]);
+            let mut edited = chain.clone();
+            edited.sides[1].expr = edit;
+            let tally = self.with_objects(objects, &edited, statement);
+            tally.errors.is_empty() && tally.unclear.is_empty() && tally.fails.is_empty() && tally.nonzero > 0
         })
     }
 
@@ -395,7 +424,9 @@ impl Checker {
             let points = match object.sort {
                 Sort::ControlPoints if object.of.is_none() => &object.names,
                 Sort::BezierCurve => &object.points,
-                Sort::SplineCurve if segment => &object.points,
+                Sort::SplineCurve if segment || object.names.is_empty() && !object.knots.is_empty() => {
+                    &object.points
+                }
                 _ => return None,
             };
             let degree = object.degree.clone().or_else(|| last_index(points))?;

@@ -11,7 +11,7 @@ use super::compare;
 use super::context::is_variable;
 use super::values::differences;
 use crate::budget;
-use crate::language::lexicon::families;
+use crate::language::lexicon::{families, letters};
 use crate::language::value::Value;
 use crate::math::linalg::{self, Echelon};
 use crate::math::number::integer;
@@ -53,7 +53,7 @@ pub fn is_coefficient(symbol: &Symbol) -> bool {
 }
 
 /// The polynomials that vanish when two values are equal for all values of the parameters.
-fn equations(a: &Value, b: &Value, is_parameter: fn(&Symbol) -> bool) -> Option<Vec<MultiPoly>> {
+fn equations(a: &Value, b: &Value, is_parameter: &dyn Fn(&Symbol) -> bool) -> Option<Vec<MultiPoly>> {
     let mut found = Vec::new();
     for difference in differences(a, b)? {
         let numerator = difference.numerator().clone();
@@ -132,10 +132,20 @@ fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
 /// too many, or if they contradict each other.
 ///
 /// Cost: one elimination over the fractions of the other symbols.
-pub fn solve(hypotheses: &[(Value, Value)], wanted: &dyn Fn(&Symbol) -> bool) -> Option<Solution> {
-    let equations = hypotheses.iter().filter_map(|(a, b)| equations(a, b, is_parameter));
+///
+/// A parameter with a Greek letter of which the claim speaks, too, has one value: F(τ) = G(τ) where two curves meet.
+pub fn solve(
+    hypotheses: &[(Value, Value)],
+    claimed: &[&Value],
+    wanted: &dyn Fn(&Symbol) -> bool,
+) -> Option<Solution> {
+    let spoken: BTreeSet<Symbol> = claimed.iter().flat_map(|value| compare::symbols(value)).collect();
+    let fixed = |symbol: &Symbol| spoken.contains(symbol) && letters::sign(symbol.base()).is_some();
+    let runs = |symbol: &Symbol| is_parameter(symbol) && !fixed(symbol);
+    let equations = hypotheses.iter().filter_map(|(a, b)| equations(a, b, &runs));
     let all: Vec<MultiPoly> = equations.flatten().collect();
-    let symbols = linear_symbols(&all, wanted);
+    let mut symbols = linear_symbols(&all, wanted);
+    symbols.retain(|symbol| !is_parameter(symbol));
     solved(&all, symbols)
 }
 
@@ -200,7 +210,7 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
         a.iter().filter(new).cloned().collect()
     };
     [only(&sr, &sl), only(&sl, &sr)].into_iter().any(|new| {
-        let equations = equations(left, right, is_argument).unwrap_or_default();
+        let equations = equations(left, right, &is_argument).unwrap_or_default();
         let mut symbols = linear_symbols(&equations, &|symbol| new.contains(symbol));
         symbols.retain(|symbol| new.contains(symbol));
         !new.is_empty() && solved(&equations, symbols).is_some()
@@ -220,7 +230,7 @@ mod tests {
 
     fn found(hypotheses: &[(&str, &str)], wanted: &str) -> Vec<String> {
         let pairs: Vec<(Value, Value)> = hypotheses.iter().map(|(a, b)| (value(a), value(b))).collect();
-        let solution = solve(&pairs, &|symbol| symbol.base() == wanted).unwrap_or_default();
+        let solution = solve(&pairs, &[], &|symbol| symbol.base() == wanted).unwrap_or_default();
         let own = solution.values.into_iter().filter(|(symbol, _)| symbol.base() == wanted);
         own.map(|(symbol, value)| {
             let value = crate::language::write::text(&Value::Scalar(value).to_expr());
@@ -237,8 +247,8 @@ mod tests {
 
     #[test]
     fn contradictions_and_parameters_determine_nothing() {
-        assert!(solve(&[(value("a_1"), value("1")), (value("a_1"), value("2"))], &|_| true).is_none());
-        assert!(solve(&[(value("u + v"), value("1"))], &|_| true).is_none());
+        assert!(solve(&[(value("a_1"), value("1")), (value("a_1"), value("2"))], &[], &|_| true).is_none());
+        assert!(solve(&[(value("u + v"), value("1"))], &[], &|_| true).is_none());
     }
 
     #[test]

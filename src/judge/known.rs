@@ -228,9 +228,15 @@ impl Checker {
                 Kind::Number(_) => head.parenthesized,
                 _ => false,
             };
+            let spoken = || {
+                let plain = Head { upper: Vec::new(), ..head.clone() };
+                self.context.object(&plain, place).is_some_and(|known| known.object.is_function())
+            };
             if order
                 && (head.parenthesized
-                    && (polar_names(&head.base).any(|name| calls(body, &name)) || calls(body, &head.base))
+                    && (spoken()
+                        || polar_names(&head.base).any(|name| calls(body, &name))
+                        || calls(body, &head.base))
                     || base_known())
             {
                 return true;
@@ -338,10 +344,11 @@ impl Checker {
             }),
             Body::Value(_) => false,
         };
-        let known = self
-            .context
-            .visible(&head.base, place)
-            .any(|(_, d, near)| d.head.arguments.is_some() || near && of_functions(d))
+        let known = self.context.object(&head, place).is_some_and(|known| known.object.determines())
+            || self
+                .context
+                .visible(&head.base, place)
+                .any(|(_, d, near)| d.head.arguments.is_some() || near && of_functions(d))
             || right.contains(&head.base)
             || right.contains(&head.base.to_lowercase());
         (bare && !known).then_some(head.base)

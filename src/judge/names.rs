@@ -27,7 +27,7 @@ pub struct Head {
 
 impl Head {
     /// Its index below, if that is the only one there.
-    pub(super) fn index(&self) -> Option<&Expr> {
+    pub fn index(&self) -> Option<&Expr> {
         match self.lower.as_slice() {
             [index] => Some(index),
             _ => None,
@@ -266,10 +266,10 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
             for piece in lower {
                 match &piece.kind {
                     Kind::Chain(left, links) => {
-                        if !matches!(links[0].rel, Rel::Subset | Rel::In) {
+                        if !matches!(links[0].rel, Rel::Subset | Rel::In | Rel::NotIn) {
                             collect(left, Position::Integer, &mut inner);
                         }
-                        let bounds = links.iter().filter(|link| link.rel != Rel::In);
+                        let bounds = links.iter().filter(|link| !matches!(link.rel, Rel::In | Rel::NotIn));
                         bounds.for_each(|link| collect(&link.expr, Position::Integer, &mut inner));
                     }
                     _ if upper.is_some() => collect(piece, Position::Integer, &mut inner),
@@ -336,6 +336,12 @@ pub fn own_names(lower: &[Expr]) -> Vec<String> {
             Kind::Name(name) => own.push(name.clone()),
             Kind::Chain(left, links) => match (&left.kind, links.len()) {
                 (Kind::Name(name), 1) => own.push(name.clone()),
+                // |S| = k
+                (Kind::Enclosed(_, set), 1) => {
+                    if let Kind::Name(name) = &set.kind {
+                        own.push(name.clone());
+                    }
+                }
                 (Kind::Add(terms), _) => own.extend(terms.iter().filter_map(|term| match &term.expr.kind {
                     Kind::Name(name) => Some(name.clone()),
                     _ => None,

@@ -7,8 +7,8 @@ use std::rc::Rc;
 use super::context::{Body, Context};
 use super::names::{Head, bases, is_index_letter, walk};
 use super::statement::Place;
-use crate::formula::{Expr, Kind, Rel};
-use crate::math::number::Rational;
+use crate::formula::{Expr, Kind, Rel, Sign};
+use crate::math::number::{Rational, integer};
 
 /// What a name stands for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,6 +72,9 @@ impl Symmetric {
         }
     }
 }
+
+/// So many knots are taken of a formula for all of them.
+const FORMULA_KNOTS: std::ops::Range<i64> = -4..13;
 
 /// Something that a sentence speaks of.
 #[derive(Clone, Debug)]
@@ -305,6 +308,18 @@ impl Context {
                     Body::Value(value) => value.as_rational(),
                     Body::Formula(_) => None,
                 };
+                // u_i = i
+                if let (true, Some(Expr { kind: Kind::Name(index), .. }), Body::Formula(body)) =
+                    (near && definition.head.lower.len() == 1, definition.head.index(), &definition.body)
+                    && bases(body).iter().all(|name| name == index)
+                    && definition.conditions.is_empty()
+                {
+                    for j in FORMULA_KNOTS {
+                        if let Some(value) = value_at(body, index, j) {
+                            found.entry(j).or_insert(value);
+                        }
+                    }
+                }
                 let index = definition.head.index().and_then(Expr::as_int);
                 if let (true, Some(index), Some(value)) = (near, index, value) {
                     found.entry(index).or_insert(value);
@@ -347,7 +362,7 @@ impl Context {
             if declared.object.sort == Sort::Knots {
                 declared.object.names.iter().for_each(&mut add);
             }
-            if declared.object.sort == Sort::BSpline {
+            if matches!(declared.object.sort, Sort::BSpline | Sort::SplineCurve) {
                 declared.object.knots.iter().for_each(&mut add);
             }
         }
@@ -383,6 +398,27 @@ impl Context {
     pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
         self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
     }
+}
+
+/// The value of a formula in an index that adds, multiplies and divides.
+fn value_at(body: &Expr, index: &str, value: i64) -> Option<Rational> {
+    let of = |expr: &Expr| value_at(expr, index, value);
+    Some(match &body.kind {
+        Kind::Name(name) if name == index => integer(value),
+        Kind::Number(q) => q.clone(),
+        Kind::Group(inner) => of(inner)?,
+        Kind::Add(terms) => terms.iter().try_fold(integer(0), |sum, term| {
+            let own = of(&term.expr)?;
+            Some(if term.sign == Sign::Minus { sum - own } else { sum + own })
+        })?,
+        Kind::Mul(factors) => factors.iter().try_fold(integer(1), |all, own| Some(all * of(own)?))?,
+        Kind::Div(above, below, _) => {
+            let below = of(below)?;
+            (below != integer(0)).then_some(())?;
+            of(above)? / below
+        }
+        _ => return None,
+    })
 }
 
 /// The letters in denominators that are differences of members of one family: t in (x - t_i)/(t_{i+n} - t_i).

@@ -47,7 +47,8 @@ impl Checker {
                 let expr = Expr::relation(left.clone(), Rel::Eq, right.clone());
                 let line = self.line(finding.span);
                 let place = statement.place.clone();
-                self.open.push(Condition { expr, assumed: !chain.conditions.is_empty(), place, line });
+                let (assumed, ranges) = (!chain.conditions.is_empty(), chain.conditions.clone());
+                self.open.push(Condition { expr, assumed, place, line, ranges });
             }
         }
     }

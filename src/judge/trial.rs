@@ -48,6 +48,8 @@ pub fn share(limits: &Limits, part: u64) -> u64 {
 pub struct Facts {
     /// Conditions said before, those of the same section first, the latest first.
     pub earlier: Vec<Expr>,
+    /// For which indices each of them is said.
+    pub ranges: Vec<Vec<Expr>>,
     /// So many of them stand in the same section.
     pub near: usize,
     /// The names in the chain, and those that what is known of these leads to.
@@ -74,6 +76,7 @@ impl<'a> Setting<'a> {
         let Facts { earlier, reached, knot_letters, .. } = &*self.facts;
         let facts = Facts {
             earlier: earlier.iter().filter(|expr| is_range(expr)).cloned().collect(),
+            ranges: Vec::new(),
             near: 0,
             reached: reached.clone(),
             knot_letters: knot_letters.clone(),
@@ -466,11 +469,22 @@ impl<'a> Trial<'a> {
         let size = bound.iter().find(|(name, _)| roles::is_degree(name));
         let last =
             size.map(|(_, value)| *value).or(degree.map(|degree| degree as i64)).unwrap_or(3).clamp(0, 4);
+        let at = self.facts.earlier.iter().position(|own| std::ptr::eq(own, condition));
+        let ranges = at.and_then(|at| self.facts.ranges.get(at));
         let mut all = Vec::new();
         let mut values = vec![0i64; own.len()];
         loop {
             let more = own.iter().cloned().zip(values.iter().copied());
-            all.push(bound.iter().cloned().chain(more).collect());
+            let values_here: Vec<(String, i64)> = bound.iter().cloned().chain(more).collect();
+            let names: Vec<(Symbol, Value)> = as_values(&values_here).collect();
+            let within = |range: &Expr| {
+                let held =
+                    evaluator::machine().with_locals(names.clone(), |machine| Ok(holds(machine, range)));
+                held.ok().flatten() != Some(false)
+            };
+            if ranges.is_none_or(|ranges| ranges.iter().all(within)) {
+                all.push(values_here);
+            }
             if !advance(&mut values, last) {
                 return all;
             }

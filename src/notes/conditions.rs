@@ -3,8 +3,9 @@
 use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::inequality::interval;
-use crate::judge::names::{Head, is_range};
+use crate::judge::names::{Head, is_range, walk};
 use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
+use crate::language::lexicon::roles::is_variable;
 
 /// Words after which conditions follow.
 const CONDITION_WORDS: &[&str] = &[
@@ -136,11 +137,7 @@ fn give_intervals(statements: &mut [Statement]) {
             joined || last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
         let (expr, group, formula) = (expr.clone(), own.place.group, own.place.formula);
         let place = |chain: &mut Chain| {
-            let variable = Head::of(&chain.sides[0].expr).and_then(|head| match head.flat().as_slice() {
-                [variable @ Expr { kind: Kind::Name(_), .. }] => Some((*variable).clone()),
-                _ => None,
-            });
-            if let Some(variable) = variable {
+            if let Some(variable) = variable_of(chain) {
                 chain.conditions.push(Expr::relation(variable, Rel::In, expr.clone()));
             }
         };
@@ -162,6 +159,30 @@ fn give_intervals(statements: &mut [Statement]) {
             }
         }
     }
+}
+
+/// The variable of which a chain speaks: the one in the calls of its left side, or else of all its sides.
+fn variable_of(chain: &Chain) -> Option<Expr> {
+    let left = &chain.sides[0].expr;
+    let called = Head::of(left).and_then(|head| match head.flat().as_slice() {
+        [variable @ Expr { kind: Kind::Name(_), .. }] => Some((*variable).clone()),
+        _ => None,
+    });
+    called.or_else(|| {
+        let mut found: Vec<Expr> = Vec::new();
+        for side in &chain.sides {
+            walk(&side.expr, &mut |part| {
+                let Kind::Apply(_, groups) = &part.kind else { return };
+                if let [variable @ Expr { kind: Kind::Name(name), .. }] = groups.concat().as_slice()
+                    && is_variable(name)
+                    && !found.iter().any(|known| known.same_as(variable))
+                {
+                    found.push(variable.clone());
+                }
+            });
+        }
+        <[Expr; 1]>::try_from(found).ok().map(|[only]| only)
+    })
 }
 
 /// Whether what follows explains the formula before: "where", but not "for".
@@ -212,7 +233,7 @@ pub(super) fn is_condition(expr: &Expr, follows: bool) -> bool {
         std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
     let ordered = |link: &Link| matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt);
     match links.as_slice() {
-        [Link { rel: Rel::In | Rel::Subset, .. }] => true,
+        [Link { rel: Rel::In | Rel::NotIn | Rel::Subset, .. }] => true,
         [Link { rel: Rel::Eq, expr, .. }] if matches!(expr.kind, Kind::Range(..)) => bare(left),
         // a ≤ i ≤ b
         [one, two] if ordered(one) && ordered(two) => bare(sides[1]),

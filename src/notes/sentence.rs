@@ -172,6 +172,12 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             claims(speech::role(&words, false)) || words.left.trim_start().starts_with([':', '：'])
         })
         .collect();
+    let says_a_name = |formula: usize| {
+        let own = statements.iter().filter(|statement| statement.place.formula == formula);
+        own.into_iter().all(|statement| {
+            matches!(&statement.said, Said::Bare(side, _) if matches!(side.expr.kind, Kind::Name(_)))
+        })
+    };
     let mut roles: Vec<(Option<Role>, bool)> = Vec::with_capacity(formulas.len());
     for (at, &formula) in formulas.iter().enumerate() {
         let words = words_of(formula);
@@ -198,7 +204,9 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             let comma = words.left.trim().chars().all(|c| !c.is_alphanumeric());
             // "If a = 0, b = 1": after the comma comes what is claimed, unless a "then" comes.
             let consequent = comma && matches!(before, Role::Case | Role::All) && !claims_later;
-            if !claims(Some(before)) && !consequent {
+            // "They vanish at $u$, and $a = b$": a name is no case that an equation goes on with.
+            let of_name = before == Role::Case && says_a_name(formulas[at - 1]) && !says_a_name(formula);
+            if !claims(Some(before)) && !consequent && !of_name {
                 (role, alternative) = (Some(before), or);
             }
         }

@@ -14,10 +14,12 @@ use super::speech::{self, Block};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
+use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
+use crate::language::lexicon::roles::is_variable;
 use crate::language::{latex, syntax};
 
 /// So many letters before a formula say what its sentence speaks of.
@@ -95,7 +97,10 @@ impl Reader<'_> {
             Item::Words(span) => {
                 let words = self.document.file.slice(*span);
                 if self.ended && !words.trim().is_empty() {
-                    self.new_group();
+                    match speech::goes_on_from_before(words) {
+                        true => self.ended = false,
+                        false => self.new_group(),
+                    }
                 }
                 if !self.begun
                     && let Some(block) = speech::block(words)
@@ -255,7 +260,10 @@ impl Reader<'_> {
                         chain.given = words;
                         self.push(Said::Chain(chain));
                     }
-                    _ => self.push(Said::Bare(side, row.problems.clone())),
+                    _ => {
+                        self.lies_in(&side);
+                        self.push(Said::Bare(side, row.problems.clone()));
+                    }
                 }
                 let continues = at == 0 && leading.is_some() && main.is_some();
                 if !text && !reason && !continues {
@@ -278,6 +286,22 @@ impl Reader<'_> {
             all.into_iter().partition(|s| matches!(&s.said, Said::Chain(chain) if chain.given));
         self.statements.extend(given);
         self.statements.extend(rest);
+    }
+
+    /// "If $u$ lies in $[a, b)$": the name before is said to be in an interval.
+    fn lies_in(&mut self, set: &Side) {
+        let formula = self.formula;
+        let words = speech::says_in(&self.gap) && interval(&set.expr).is_some();
+        if let Some(last) = self.statements.last_mut().filter(|_| words)
+            && last.place.formula + 1 == formula
+            && let Said::Bare(Side { expr, latex }, _) = &last.said
+            && matches!(&expr.kind, Kind::Name(name) if is_variable(name))
+        {
+            let (span, latex) = (expr.span, format!("{latex} \\in {}", set.latex));
+            let expr = Expr::relation(expr.clone(), Rel::In, set.expr.clone());
+            let expr = Expr { span, ..expr };
+            last.said = Said::Condition(Side { expr, latex });
+        }
     }
 
     /// Adds a side to the chain before, or that of number `main`, if there is one.

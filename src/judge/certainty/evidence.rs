@@ -18,8 +18,8 @@ use crate::judge::names::{Head, bases, contains, is_index_letter};
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
-use crate::language::lexicon::roles;
 use crate::language::lexicon::words::is_function_word;
+use crate::language::lexicon::{families, roles};
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
@@ -27,7 +27,9 @@ impl Suspect<'_> {
     /// What shows that it is wrong, with the repair found. Without any of it the relation stays open.
     pub(in crate::judge) fn evidence(&self, repair: Option<&Repair>) -> Vec<Evidence> {
         let near = repair.is_some_and(|repair| repair.near)
-            && (self.claimed() || self.is_near_its_meaning() && (self.says_much() || self.means_one_thing()));
+            && (self.claimed()
+                || self.tally.determined > 0
+                || self.is_near_its_meaning() && (self.says_much() || self.means_one_thing()));
         let shown = [
             (Evidence::Near, near),
             (Evidence::ForAll, self.chain.universal && self.claimed()),
@@ -245,13 +247,17 @@ impl Suspect<'_> {
                 && !(head.lower.is_empty() && head.upper.is_empty())
                 && !head.lower.iter().chain(&head.upper).all(|index| matches!(index.kind, Kind::Number(_)))
         };
+        // N by its recursion is what everybody calls so.
+        let known =
+            |definition: &Definition| definition.is_recursive() && families::is_family(&definition.head.base);
         // f[0, 1] = 3, for the f of another exercise
         let elsewhere = |definition: &Definition| definition.place.group != self.statement.place.group;
-        if self.are_numbers() && !self.claimed() && self.used().any(elsewhere) {
+        if self.are_numbers() && !self.claimed() && !self.used().any(known) && self.used().any(elsewhere) {
             return false;
         }
         let told = self.claimed() || self.sides().into_iter().any(has_structure);
         !record.standard.is_empty()
+            || self.used().any(known)
             || !record.paired.is_empty()
             || told
                 && !self.failure.integers.is_empty()

@@ -65,9 +65,9 @@ impl Model {
             let bare =
                 |number: usize| values.is_some() && context.definitions[number].head.arguments.is_none();
             let better = best.as_ref().is_none_or(|(latest, most, ..)| match (bare(*latest), bare(number)) {
-                // H_2 = …, after H_2(t) = …, is not for calls.
-                (false, true) => false,
-                (true, false) => true,
+                // H_2 = …, after H_2(t) = …, is not for calls; b_i^0 = b_i, after b_i^r(t) = …, is.
+                (false, true) => exact > *most,
+                (true, false) => exact >= *most,
                 _ => exact > *most || number > *latest,
             });
             if better {

@@ -9,6 +9,7 @@ use crate::judge::names::{Head, implied_index, is_index_letter, is_star, own_nam
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;
+use crate::language::lexicon::roles;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -229,7 +230,24 @@ impl Model {
         match (bound_names.as_slice(), upper) {
             ([], None) => all(machine, &implied_index(body)?),
             ([one], None) => match &one.kind {
+                // Σ_π over all permutations, where the body applies π
+                Kind::Name(name) if applies(body, name) => self.permuted(machine, op, name, None, body, expr),
                 Kind::Name(name) => all(machine, name),
+                Kind::Chain(left, links) if matches!((&left.kind, links.as_slice()), (Kind::Name(name), [Link { rel: Rel::In, .. }]) if applies(body, name)) =>
+                {
+                    let Kind::Name(name) = &left.kind else { return None };
+                    let group = Head::of(&links[0].expr)?;
+                    let size = group.lower.first().or(group.flat().first().copied()).cloned();
+                    self.permuted(machine, op, name, size, body, expr)
+                }
+                // Σ_{|S| = i}, where the page says of which set S is a part
+                Kind::Chain(left, _) if matches!(left.kind, Kind::Enclosed(..)) => {
+                    let Kind::Enclosed(_, set) = &left.kind else { return None };
+                    let whole = self.whole_set(machine, set)?;
+                    let lower = vec![whole, one.clone()];
+                    let big = Kind::Big { op, lower, upper: None, body: Box::new(body.clone()) };
+                    Some(machine.eval(&Expr::new(big, expr.span)))
+                }
                 // i ∈ ℤ
                 Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
                     (Kind::Name(name), [Link { rel: Rel::In, expr: set, .. }])
@@ -273,6 +291,65 @@ impl Model {
             }
             _ => None,
         }
+    }
+
+    /// "S ⊆ {1, …, n}", as the page says it, or else of the numbers up to the degree.
+    fn whole_set(&self, machine: &mut Machine, set: &Expr) -> Option<Expr> {
+        let told = self.context.conditions.iter().rev().find(|condition| {
+            self.place.knows(&condition.place, condition.assumed)
+                && matches!(&condition.expr.kind, Kind::Chain(left, links)
+                    if left.same_as(set) && matches!(links.as_slice(), [Link { rel: Rel::Subset, .. }]))
+        });
+        if let Some(told) = told {
+            return Some(told.expr.clone());
+        }
+        let size = self.size_here(machine)?;
+        let items = (1..=size).map(Expr::int).collect();
+        Some(Expr::relation(set.clone(), Rel::Subset, Kind::Set(items, None).into()))
+    }
+
+    /// The value of the letter for a degree.
+    fn size_here(&self, machine: &Machine) -> Option<i64> {
+        let value = |name: &&str| machine.lookup(&Symbol::new(*name)).and_then(Value::as_int);
+        roles::DEGREES.iter().find_map(value).or(self.degree.map(|degree| degree as i64))
+    }
+
+    /// A sum or product over all permutations of 1, …, n.
+    ///
+    /// Cost: n! evaluations.
+    fn permuted(
+        &self,
+        machine: &mut Machine,
+        op: BigOp,
+        name: &str,
+        size: Option<Expr>,
+        body: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let size = match size {
+            Some(size) => machine.eval_int(&size).ok()?,
+            None => self.size_here(machine)?,
+        };
+        if !(0..=MOST_PERMUTED).contains(&size) {
+            let message = "there are too many permutations to try";
+            return Some(Err(Diagnostic::error(Code::Undecided, message).at(expr.span)));
+        }
+        let letter = Symbol::new(name);
+        let mut indexed = body.clone();
+        with_indices(&mut indexed, name);
+        let combine = if op == BigOp::Product { arithmetic::multiply } else { arithmetic::add };
+        let mut result = Value::int(i64::from(op == BigOp::Product));
+        for order in orders(size) {
+            crate::budget::steps(16);
+            let names: Vec<(Symbol, Value)> =
+                (1..).zip(&order).map(|(at, &to)| (letter.numbered(at), Value::int(to))).collect();
+            let term = machine.with_locals(names, |machine| machine.eval(&indexed));
+            match term.and_then(|term| combine(result, term)) {
+                Ok(value) => result = value,
+                Err(error) => return Some(Err(error.at(expr.span))),
+            }
+        }
+        Some(Ok(result))
     }
 
     /// The range of an index of a family that the page lists.
@@ -414,6 +491,44 @@ impl Model {
 /// The B-splines with numbers from −4 to 4 are all up to degree 3 that are not 0 where they are mostly tried; as many
 /// more on both sides show whether the others vanish.
 const LOCAL_TERMS: i64 = 4;
+
+/// Permutations of more numbers are too many.
+const MOST_PERMUTED: i64 = 5;
+
+/// Whether a formula applies a name to something: t_{π(i)}.
+fn applies(body: &Expr, name: &str) -> bool {
+    body.has(&|part| matches!(&part.kind, Kind::Apply(callee, groups)
+        if matches!(&callee.kind, Kind::Name(own) if own == name) && groups.iter().map(Vec::len).sum::<usize>() == 1))
+}
+
+/// π(i) as π_i.
+fn with_indices(expr: &mut Expr, name: &str) {
+    expr.for_each_child_mut(&mut |child| with_indices(child, name));
+    if let Kind::Apply(callee, groups) = &expr.kind
+        && matches!(&callee.kind, Kind::Name(own) if own == name)
+    {
+        let index = groups.concat();
+        *expr = Expr::new(Kind::Subscript(callee.clone(), index), expr.span);
+    }
+}
+
+/// All orders of 1, …, n.
+fn orders(size: i64) -> Vec<Vec<i64>> {
+    let mut all = vec![Vec::new()];
+    for next in 1..=size {
+        all = all
+            .iter()
+            .flat_map(|order: &Vec<i64>| {
+                (0..=order.len()).map(move |at| {
+                    let mut longer = order.clone();
+                    longer.insert(at, next);
+                    longer
+                })
+            })
+            .collect();
+    }
+    all
+}
 
 /// Further away nothing is looked for.
 const MOST_LOCAL_TERMS: i64 = 24;

@@ -198,8 +198,13 @@ impl Checker {
 
     /// Two formulas without anything that the page says of their letters.
     fn bare<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
-        let facts =
-            Facts { earlier: Vec::new(), near: 0, reached: BTreeSet::new(), knot_letters: Vec::new() };
+        let facts = Facts {
+            earlier: Vec::new(),
+            ranges: Vec::new(),
+            near: 0,
+            reached: BTreeSet::new(),
+            knot_letters: Vec::new(),
+        };
         let setting = Setting { facts: Rc::new(facts), curve: None, ..*setting };
         let nothing = Rc::new(Context::new(self.context.letters.clone()));
         let sides = vec![right, wanted];

@@ -186,14 +186,38 @@ impl Machine {
                         }
                         None => 0..=items.len(),
                     };
-                    let mut subsets = Vec::new();
+                    let mut pairs = Vec::new();
                     for k in sizes {
                         for chosen in Combinations::new(items.len(), k) {
-                            crate::budget::charge_terms(subsets.len() as u64 + 1);
-                            subsets.push(Value::List(chosen.iter().map(|&i| items[i].clone()).collect()));
+                            crate::budget::charge_terms(pairs.len() as u64 + 1);
+                            let others = (0..items.len()).filter(|i| !chosen.contains(i));
+                            let pick = |at: &usize| items[*at].clone();
+                            let others = others.map(|i| items[i].clone()).collect();
+                            pairs.push([Value::List(chosen.iter().map(pick).collect()), Value::List(others)]);
                         }
                     }
-                    assignments = extended(assignments, &name, &subsets);
+                    let rest = outside(&name);
+                    assignments = assignments
+                        .iter()
+                        .flat_map(|base| {
+                            pairs.iter().map(|[own, others]| {
+                                let own = [(name.clone(), own.clone()), (rest.clone(), others.clone())];
+                                base.iter().cloned().chain(own).collect()
+                            })
+                        })
+                        .collect();
+                    bound_any = true;
+                }
+                // j ∉ S, within the set of which S is a part
+                (Rel::NotIn, 1) => {
+                    let name = self.binder(left)?;
+                    let rest = name_of(&link.expr, self).and_then(|set| self.lookup(&outside(&set)).cloned());
+                    let Some(Value::List(items)) = rest else {
+                        return Err(no_bounds()
+                            .at(piece.span)
+                            .hint("what this set is a part of is not said"));
+                    };
+                    assignments = extended(assignments, &name, &items);
                     bound_any = true;
                 }
                 (Rel::In, 1) => {
@@ -324,6 +348,11 @@ impl Machine {
             },
         }
     }
+}
+
+/// The name of what is not in a set that runs through the parts of another one.
+fn outside(set: &Symbol) -> Symbol {
+    set.clone().with_accent("outside")
 }
 
 fn pick(a: Value, b: Value, larger: bool) -> Evaluated {

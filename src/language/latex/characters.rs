@@ -59,6 +59,7 @@ pub(super) fn character(c: char) -> Option<Character> {
         '≡' => Tok::Rel(Rel::Equiv),
         '≈' => Tok::Rel(Rel::Approx),
         '∈' => Tok::Rel(Rel::In),
+        '∉' => Tok::Rel(Rel::NotIn),
         '⊂' | '⊆' => Tok::Rel(Rel::Subset),
         '≔' | '≜' => Tok::Rel(Rel::Define),
         '→' | '⟶' => Tok::Rel(Rel::To),

@@ -317,6 +317,7 @@ const OTHERS: &[Command] = table! {
     "approx" "≈" Role::Relation(Rel::Approx);
     "simeq" "≈" Role::Relation(Rel::Approx);
     "in" "∈" Role::Relation(Rel::In);
+    "notin" "∉" Role::Relation(Rel::NotIn);
     "subset" "⊂" Role::Relation(Rel::Subset);
     "subseteq" "⊆" Role::Relation(Rel::Subset);
     "triangleq" "is defined as" Role::Relation(Rel::Define);
@@ -517,7 +518,6 @@ const OTHERS: &[Command] = table! {
 
     "pm" "plus or minus" Role::Unsupported("two formulas in one cannot be checked; write both");
     "mp" "minus or plus" Role::Unsupported("two formulas in one cannot be checked; write both");
-    "notin" "not an element" Role::Unsupported("there is no such relation in the formula tree");
     "ll" "much less" Role::Unsupported("it has no exact meaning");
     "gg" "much greater" Role::Unsupported("it has no exact meaning");
     "sim" "is similar to" Role::Unsupported("it has no exact meaning");

@@ -498,6 +498,7 @@ fn relation(rel: Rel, compact: bool) -> &'static str {
         Rel::Equiv => " \\equiv ",
         Rel::Approx => " \\approx ",
         Rel::In => " \\in ",
+        Rel::NotIn => " \\notin ",
         Rel::Subset => " \\subseteq ",
         Rel::To => " \\to ",
         Rel::MapsTo => " \\mapsto ",

@@ -67,6 +67,7 @@ impl Plain for Text {
             Rel::Equiv => " ≡ ",
             Rel::Approx => " ≈ ",
             Rel::In => " in ",
+            Rel::NotIn => " ∉ ",
             Rel::Subset => " ⊆ ",
             Rel::To | Rel::MapsTo => " -> ",
             Rel::Implies => " => ",

@@ -66,6 +66,7 @@ pub(crate) fn relation(rel: Rel) -> &'static str {
         Rel::Equiv => " ≡ ",
         Rel::Approx => " ≈ ",
         Rel::In => " ∈ ",
+        Rel::NotIn => " ∉ ",
         Rel::Subset => " ⊆ ",
         Rel::To => " → ",
         Rel::MapsTo => " ↦ ",

@@ -14,11 +14,11 @@ mod tokens;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::phrase::{Phrase, is_call};
-use self::subject::{left_side, name_in, named};
+use self::subject::{ends, left_side, name_in, named};
 use self::tokens::{Token, tokens};
 use super::sentence::Piece;
 use super::speech::Word;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
 use crate::judge::statement::{Said, Statement};
@@ -60,10 +60,24 @@ fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
         let own = found.entry(statement.place.formula).or_default();
         match expr.kind {
             Kind::Sequence(items) => own.extend(items),
+            Kind::Chain(first, links) if is_ordered(&first, &links) => {
+                own.push(*first);
+                own.extend(links.into_iter().map(|link| link.expr));
+            }
             _ => own.push(expr),
         }
     }
     found
+}
+
+/// Whether it lists members of one family in their order: u_0 < u_1 < … < u_m.
+fn is_ordered(first: &Expr, links: &[Link]) -> bool {
+    let base = |expr: &Expr| Head::of(expr).filter(|head| head.index().is_some()).map(|head| head.base);
+    let own = base(first);
+    own.is_some()
+        && links.len() > 1
+        && links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le))
+        && links.iter().all(|link| link.expr.kind == Kind::Ellipsis || base(&link.expr) == own)
 }
 
 struct Reader<'a> {
@@ -133,6 +147,7 @@ impl<'a> Reader<'a> {
                     self.unknown_sort(at);
                     at += 1;
                 }
+                Token::Word(Word::Support) => at = self.support_of(at),
                 _ => at += 1,
             }
         }
@@ -170,7 +185,8 @@ impl<'a> Reader<'a> {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
             _ => self
                 .subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors))
-                .or_else(|| self.subject_after(to)),
+                .or_else(|| self.subject_after(to))
+                .or_else(|| self.subject_of_notation(from)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
@@ -247,6 +263,10 @@ impl<'a> Reader<'a> {
         if function {
             self.topic = names.clone();
         }
+        // The monomial t^k is a polynomial: no name.
+        if function && names.iter().all(|name| matches!(name.kind, Kind::Pow(..))) {
+            return;
+        }
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
         let lists = families(&object.points);
         if names.len() > 1 && lists.len() == names.len() {
@@ -267,6 +287,62 @@ impl<'a> Reader<'a> {
         object.names = names;
         object.of = of.into_iter().next();
         self.found.entry(number).or_default().push(object);
+    }
+
+    /// "N_{i,3} has the support [u_i, u_{i+4}]": a B-spline over these knots. Gives the token after it.
+    fn support_of(&mut self, at: usize) -> usize {
+        let joins = |token: &Token| {
+            matches!(
+                token,
+                Token::Stop
+                    | Token::Word(
+                        Word::Filler
+                            | Word::Article
+                            | Word::Der
+                            | Word::Be
+                            | Word::With
+                            | Word::On
+                            | Word::Of
+                            | Word::Its
+                            | Word::Owns
+                    )
+            )
+        };
+        let before = (self.taken..at).rev().find(|&other| !joins(&self.tokens[other]));
+        let after = (at + 1..self.tokens.len()).find(|&other| !joins(&self.tokens[other]));
+        let next = |from: usize| (from + 1..self.tokens.len()).find(|&other| !joins(&self.tokens[other]));
+        let numbers = |at: Option<usize>| at.and_then(|at| self.formula_at(at));
+        let interval = |number: usize| ends(self.said(number));
+        // "The support of N_i is …" or "N_i has the support …"
+        let (name, set, end) = match (numbers(before), numbers(after)) {
+            (_, Some(name)) if interval(name).is_none() => {
+                let set = after.and_then(next);
+                (Some(name), numbers(set), set)
+            }
+            (name, set) => (name, set, after),
+        };
+        let (Some(name), Some(set), Some(end)) = (name, set, end) else { return at + 1 };
+        let member = |expr: &Expr| Head::of(expr).is_some_and(|head| !head.lower.is_empty());
+        let names: Vec<Expr> = self.said(name).iter().filter_map(name_in).filter(member).collect();
+        let Some((from, to)) = interval(set).filter(|_| names.len() == 1) else { return at + 1 };
+        let index = |end: &Expr| match Head::of(end).filter(|head| head.index().is_some()) {
+            Some(head) => head.index().cloned(),
+            None => Some(end.clone()),
+        };
+        let (Some(first), Some(last)) = (index(&from), index(&to)) else { return at + 1 };
+        let length = Expr::from(Kind::Add(vec![
+            Term { sign: Sign::Plus, expr: last },
+            Term { sign: Sign::Minus, expr: first.grouped() },
+        ]));
+        let object = Object {
+            names,
+            degree: Some(length.grouped().plus(-1)),
+            knots: vec![from, Kind::Ellipsis.into(), to],
+            ..Object::new(Sort::BSpline)
+        };
+        self.taken = end + 1;
+        self.found.entry(name).or_default().push(object);
+        end + 1
     }
 
     /// What was said last of a name.

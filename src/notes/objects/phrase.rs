@@ -4,7 +4,7 @@ use super::super::speech::Word;
 use super::Reader;
 use super::subject::{ends, left_side, name_in, named, subject};
 use super::tokens::Token;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::bases;
 use crate::judge::object::{Object, Sort};
 
@@ -415,6 +415,15 @@ impl Reader<'_> {
                         if items.iter().any(is_call) {
                             return None;
                         }
+                        // with the control points P_0 = (1, 0), P_1 = (2, 3), with the knots u_i = i
+                        let equation = |item: &&Expr| {
+                            matches!(&item.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq
+                                && links[0].expr.items().is_none_or(|_| items.len() > 1))
+                        };
+                        let items: Vec<Expr> = match items.first().filter(equation).and_then(name_in) {
+                            Some(_) => items.iter().filter(equation).filter_map(name_in).collect(),
+                            None => items,
+                        };
                         // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
                         *list = match items.as_slice() {
                             [only] => {

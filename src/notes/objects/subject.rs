@@ -63,6 +63,19 @@ impl Reader<'_> {
         Some((items, first?)).filter(|_| !governed)
     }
 
+    /// "Write f for its blossom"
+    pub(super) fn subject_of_notation(&self, from: usize) -> Option<(Vec<Expr>, usize)> {
+        let name = from.checked_sub(2).filter(|_| self.is(from - 1, &Word::On))?;
+        let number = self.formula_at(name)?;
+        let before = name.checked_sub(1).map(|before| &self.tokens[before]);
+        let opens = matches!(
+            before,
+            None | Some(Token::Comma | Token::Stop | Token::Word(Word::Filler | Word::Let | Word::And))
+        );
+        let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
+        (opens && items.len() == self.said(number).len()).then_some((items, number))
+    }
+
     /// "denoted by f"
     pub(super) fn subject_after(&self, to: usize) -> Option<(Vec<Expr>, usize)> {
         let at = self.skip_fillers(to);
@@ -75,7 +88,16 @@ impl Reader<'_> {
         let said = self.said(number);
         let equation = matches!(said.first(), Some(Expr { kind: Kind::Chain(..), .. }));
         let said = if equation { &said[..1] } else { said };
-        let items: Vec<Expr> = said.iter().filter_map(name_in).collect();
+        let mut items: Vec<Expr> = said.iter().filter_map(name_in).collect();
+        // "The blossoms are f and g"
+        if !equation {
+            let (listed, _) = self.list(self.skip_fillers(at + 1));
+            let names: Vec<Expr> = listed.iter().filter_map(name_in).collect();
+            if names.len() == listed.len() && listed.iter().all(|item| !matches!(item.kind, Kind::Chain(..)))
+            {
+                items = names;
+            }
+        }
         (!items.is_empty()).then_some((items, number))
     }
 }

@@ -27,6 +27,28 @@ pub(super) fn tokens(sentence: &[Piece]) -> Vec<Token> {
             Piece::Words(words) => words_of(after_ordinal(words, &mut found), &mut found),
         }
     }
+    without_asides(found)
+}
+
+/// F (over [0, 1]) and G (over [1, 2]): where they live is no part of the list.
+fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
+    let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while at < tokens.len() {
+        let aside = match tokens.get(at..at + 4) {
+            Some(
+                [Token::Stop, Token::Word(Word::On | Word::Preposition), Token::Formula(_), Token::Stop],
+            ) => 4,
+            _ => 0,
+        };
+        let after_formula = matches!(found.last(), Some(Token::Formula(_)));
+        if aside > 0 && after_formula {
+            at += aside;
+        } else {
+            found.push(tokens[at].clone());
+            at += 1;
+        }
+    }
     found
 }
 

@@ -98,6 +98,9 @@ pub(super) const ZERO: &[&str] = &["0", "零"];
 /// Who does something in a sentence.
 pub(super) const SUBJECTS: &[&str] = &[];
 
+/// Words with which a paragraph goes on from what the one before supposes.
+pub(super) const CONCLUSIONS: &[&str] = &["则", "那么", "于是", "因此", "从而", "故"];
+
 /// Words that ask for a proof.
 pub(super) const PROOFS: &[&str] = &["证明", "验证"];
 
@@ -248,6 +251,13 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("与", And),
     ("及", And),
     ("、", And),
+    ("夹持", Filler),
+    ("开放", Filler),
+    ("严格递增", Filler),
+    ("递增", Filler),
+    ("单调不减", Filler),
+    ("非递减", Filler),
+    ("规范", Filler),
     ("均匀", Uniform),
     ("段", Piece),
     ("一段", Piece),
@@ -264,7 +274,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("其余的", Filler),
     ("外侧", Filler),
     ("内侧", Filler),
-    ("规范", Filler),
     ("规范化的", Filler),
     ("标准的", Filler),
     ("通常的", Filler),

@@ -114,6 +114,10 @@ pub(super) const ZERO: &[&str] = &["0", "zéro", "nul", "nulle", "s'annule"];
 /// Who does something in a sentence.
 pub(super) const SUBJECTS: &[&str] = &[];
 
+/// Words with which a paragraph goes on from what the one before supposes.
+pub(super) const CONCLUSIONS: &[&str] =
+    &["alors", "donc", "ainsi", "on a alors", "on a donc", "par conséquent", "il s'ensuit"];
+
 /// Words that ask for a proof.
 pub(super) const PROOFS: &[&str] = &["montrer", "montrez", "démontrer", "prouver", "vérifier"];
 
@@ -285,6 +289,15 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("par", By),
     ("et", And),
     ("ou", And),
+    ("ouvert", Filler),
+    ("serré", Filler),
+    ("croissante", Filler),
+    ("croissants", Filler),
+    ("strictement croissante", Filler),
+    ("strictement croissants", Filler),
+    ("simples", Filler),
+    ("normalisée", Filler),
+    ("normalisées", Filler),
     ("uniforme", Uniform),
     ("uniformes", Uniform),
     ("équidistants", Uniform),
@@ -309,7 +322,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("biaffine", Filler),
     ("triaffine", Filler),
     ("nouveaux", Filler),
-    ("simples", Filler),
     ("distincts", Filler),
     ("distincts deux à deux", Filler),
     ("quelconque", Filler),
@@ -325,9 +337,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("anciens", Filler),
     ("intérieurs", Filler),
     ("extérieurs", Filler),
-    ("normalisée", Filler),
     ("normalisé", Filler),
-    ("normalisées", Filler),
     ("usuelle", Filler),
     ("usuel", Filler),
     ("classique", Filler),

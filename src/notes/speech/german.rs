@@ -135,6 +135,10 @@ pub(super) const ZERO: &[&str] = &["0", "null", "verschwindet"];
 /// Who does something in a sentence.
 pub(super) const SUBJECTS: &[&str] = &[];
 
+/// Words with which a paragraph goes on from what the one before supposes.
+pub(super) const CONCLUSIONS: &[&str] =
+    &["dann", "also", "somit", "folglich", "daher", "daraus folgt", "es folgt"];
+
 /// Words that ask for a proof.
 pub(super) const PROOFS: &[&str] = &["zeige", "zeigen", "beweise", "beweisen"];
 
@@ -348,6 +352,19 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("mit dem namen", By),
     ("und", And),
     ("oder", And),
+    ("eingespannte", Filler),
+    ("eingespannten", Filler),
+    ("geklemmte", Filler),
+    ("geklemmten", Filler),
+    ("offene", Filler),
+    ("offenen", Filler),
+    ("einfachen", Filler),
+    ("einfache", Filler),
+    ("monoton wachsenden", Filler),
+    ("streng monoton wachsenden", Filler),
+    ("nichtfallenden", Filler),
+    ("normierten", Filler),
+    ("normierte", Filler),
     ("uniforme", Uniform),
     ("uniformen", Uniform),
     ("uniformer", Uniform),
@@ -394,8 +411,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("rechten", Filler),
     ("übrigen", Filler),
     ("alten", Filler),
-    ("normierte", Filler),
-    ("normierten", Filler),
     ("normierter", Filler),
     ("übliche", Filler),
     ("üblichen", Filler),
@@ -404,7 +419,6 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("ursprüngliche", Filler),
     ("resultierende", Filler),
     ("neuen", Filler),
-    ("einfachen", Filler),
     ("verschiedene", Filler),
     ("paarweise", Filler),
     ("beliebige", Filler),

@@ -116,6 +116,8 @@ struct Language {
     subjects: &'static [&'static str],
     /// Words that ask for a proof.
     proofs: &'static [&'static str],
+    /// Words with which a paragraph goes on from what the one before supposes.
+    conclusions: &'static [&'static str],
     /// Words that may stand between a cue and its formula.
     fillers: &'static [&'static str],
     /// Labels of paragraphs.
@@ -134,6 +136,7 @@ const LANGUAGES: &[Language] = &[
         zero: english::ZERO,
         subjects: english::SUBJECTS,
         proofs: english::PROOFS,
+        conclusions: english::CONCLUSIONS,
         fillers: english::FILLERS,
         blocks: english::BLOCKS,
         words: english::WORDS,
@@ -145,6 +148,7 @@ const LANGUAGES: &[Language] = &[
         zero: german::ZERO,
         subjects: german::SUBJECTS,
         proofs: german::PROOFS,
+        conclusions: german::CONCLUSIONS,
         fillers: german::FILLERS,
         blocks: german::BLOCKS,
         words: german::WORDS,
@@ -156,6 +160,7 @@ const LANGUAGES: &[Language] = &[
         zero: french::ZERO,
         subjects: french::SUBJECTS,
         proofs: french::PROOFS,
+        conclusions: french::CONCLUSIONS,
         fillers: french::FILLERS,
         blocks: french::BLOCKS,
         words: french::WORDS,
@@ -167,6 +172,7 @@ const LANGUAGES: &[Language] = &[
         zero: chinese::ZERO,
         subjects: chinese::SUBJECTS,
         proofs: chinese::PROOFS,
+        conclusions: chinese::CONCLUSIONS,
         fillers: chinese::FILLERS,
         blocks: chinese::BLOCKS,
         words: chinese::WORDS,
@@ -340,12 +346,86 @@ pub fn opens_case(words: &str) -> bool {
 /// True for "and on": then it belongs to what comes after.
 pub fn says_on(words: &str) -> Option<bool> {
     let text = normal(words);
-    let on = |text: &str| word(text).is_some_and(|(length, word)| length == text.len() && *word == Word::On);
+    let on = |text: &str| {
+        let begins = word(text).filter(|(_, word)| **word == Word::On);
+        begins.is_some_and(|(length, _)| length == text.len() || is_interval_noun(text.piece(length..)))
+            || WITHIN.iter().any(|within| text.strip_prefix(within).is_some_and(is_interval_noun))
+    };
+    // "and on", "hence on the interval"
     let joined = || {
-        let (before, last) = text.rsplit_once(' ')?;
-        (on(last) && goes_on(before) == Some(false)).then_some(true)
+        text.match_indices(' ').map(|(at, _)| (text.piece(..at), text.piece(at + 1..))).find_map(
+            |(before, last)| {
+                let claims = || {
+                    let left = before.rsplit([',', '，']).next().unwrap_or_default().to_owned();
+                    role(&Around { left, ..Around::default() }, false) == Some(Role::Claimed)
+                };
+                (on(last) && (goes_on(before) == Some(false) || claims())).then_some(true)
+            },
+        )
     };
     if on(&text) { Some(false) } else { joined() }
+}
+
+/// Whether words between a variable and an interval say that the one lies in the other: "lies in the knot interval".
+pub fn says_in(words: &str) -> bool {
+    let text = normal(words);
+    LIES.iter()
+        .any(|lies| text.strip_prefix(lies).is_some_and(|rest| rest.is_empty() || is_interval_noun(rest)))
+}
+
+/// Nouns for intervals.
+const INTERVALS: &[&str] = &[
+    "interval",
+    "subinterval",
+    "segment",
+    "span",
+    "intervall",
+    "teilintervall",
+    "knotenintervall",
+    "parameterintervall",
+    "intervalle",
+    "sous-intervalle",
+    "segment",
+    "区间",
+    "段",
+    "子区间",
+];
+
+/// Words before such a noun.
+const WITHIN: &[&str] =
+    &["in", "on", "over", "inside", "within", "auf", "im", "in", "über", "sur", "dans", "在"];
+
+/// Words that say where a variable lies.
+const LIES: &[&str] = &[
+    "in",
+    "is in",
+    "lies in",
+    "lie in",
+    "belongs to",
+    "lying in",
+    "liegt in",
+    "liegt im",
+    "im",
+    "in dem",
+    "aus",
+    "dans",
+    "est dans",
+    "appartient à",
+    "属于",
+    "在",
+    "位于",
+    "落在",
+];
+
+/// At most two words and a noun for an interval: "the middle knot interval".
+fn is_interval_noun(words: &str) -> bool {
+    let words = words.trim_end_matches(['上', '内', '中', '里']);
+    let text = words.trim_start();
+    let begins = text.len() < words.len()
+        || text.starts_with(|c: char| ('\u{2e80}'..='\u{ffef}').contains(&c))
+        || words.starts_with('\'');
+    let last = INTERVALS.iter().any(|noun| text.ends_with(noun));
+    begins && last && text.split(' ').count() <= 4 && text.chars().count() < 40
 }
 
 /// Whether words say that something is 0 in all other cases: ", and zero elsewhere".
@@ -396,6 +476,18 @@ pub fn goes_on(words: &str) -> Option<bool> {
         "or" | "oder" | "ou" | "或" => Some(true),
         _ => None,
     }
+}
+
+/// Whether a paragraph begins with a word that draws a conclusion from the one before: "Then", "Hence".
+pub fn goes_on_from_before(words: &str) -> bool {
+    let text = plain(words);
+    let text = text.trim_start();
+    LANGUAGES.iter().any(|language| {
+        language.conclusions.iter().any(|word| {
+            text.strip_prefix(word)
+                .is_some_and(|rest| !language.spaced || !rest.starts_with(char::is_alphanumeric))
+        })
+    })
 }
 
 /// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with

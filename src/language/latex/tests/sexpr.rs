@@ -130,6 +130,7 @@ pub fn sexpr(expr: &Expr) -> String {
                     Rel::Equiv => "≡",
                     Rel::Approx => "≈",
                     Rel::In => "∈",
+                    Rel::NotIn => "∉",
                     Rel::Subset => "⊆",
                     Rel::To => "→",
                     Rel::MapsTo => "↦",

@@ -357,7 +357,7 @@ pub(super) fn operators() -> Vec<Row> {
 }
 
 pub(super) fn relations() -> Vec<Row> {
-    const SIGNS: [(Rel, &str, &str, &str, &str); 13] = [
+    const SIGNS: [(Rel, &str, &str, &str, &str); 14] = [
         (Rel::Ne, "a != b", "a ≠ b", r"a \ne b", "Ne(a, b)"),
         (Rel::Lt, "a < b", "a < b", "a < b", "Lt(a, b)"),
         (Rel::Gt, "a > b", "a > b", "a > b", "Gt(a, b)"),
@@ -365,6 +365,7 @@ pub(super) fn relations() -> Vec<Row> {
         (Rel::Equiv, "a ≡ b", "a ≡ b", r"a \equiv b", "!this relation"),
         (Rel::Approx, "a ≈ b", "a ≈ b", r"a \approx b", "!this relation"),
         (Rel::In, "a in b", "a ∈ b", r"a \in b", "Contains(a, b)"),
+        (Rel::NotIn, "a ∉ b", "a ∉ b", r"a \notin b", "!this relation"),
         (Rel::Subset, "a ⊆ b", "a ⊆ b", r"a \subseteq b", "!this relation"),
         (Rel::To, "a -> b", "a → b", r"a \to b", "!this relation"),
         (Rel::MapsTo, "a -> b", "a ↦ b", r"a \mapsto b", "!this relation"),

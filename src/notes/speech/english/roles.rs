@@ -193,6 +193,9 @@ pub const ZERO: &[&str] = &["0", "zero", "vanishes", "vanish"];
 /// Who does something in a sentence.
 pub const SUBJECTS: &[&str] = &["we", "one"];
 
+/// Words with which a paragraph goes on from what the one before supposes.
+pub const CONCLUSIONS: &[&str] = &["then", "hence", "thus", "so", "therefore", "consequently", "it follows"];
+
 /// Words that ask for a proof.
 pub const PROOFS: &[&str] = &["show", "prove", "verify"];
 
