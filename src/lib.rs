@@ -96,5 +96,5 @@ pub use formula::source;
 pub use language::{derive, diagnostic, eval, functions, latex, syntax, value, write};
 pub use math::{
     approximation, basis, blossom, curve, interpolate, linalg, number, piecewise, poly, ring, spline,
-    subdivision,
+    subdivision, system,
 };

@@ -42,7 +42,7 @@ const MATH: Order = Order {
         &["number"],
         &["ring"],
         &["linalg", "poly"],
-        &["basis", "blossom", "piecewise"],
+        &["basis", "blossom", "piecewise", "system"],
         &["curve", "interpolate"],
         &["spline"],
         &["approximation", "subdivision"],

@@ -70,6 +70,7 @@ fn errors_have_a_place_and_a_hint() {
         Code::NoIdentity,
         Code::SymbolicBounds,
         Code::NotReal,
+        Code::LeftOut,
         Code::UnclosedFormula,
         Code::UnclosedBlock,
         Code::HalfDefinition,

@@ -13,3 +13,4 @@ pub mod poly;
 pub mod ring;
 pub mod spline;
 pub mod subdivision;
+pub mod system;

@@ -19,13 +19,18 @@
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
 //! | real roots in intervals of their own | [`roots()`] |
 //! | F ≥ 0 on an interval | [`positivity()`] |
+//! | F ≥ 0 on a rectangle or triangle | [`positivity_over`] |
+//! | real roots by convex hulls | [`clipping()`] |
+//! | the β-matrix of G^k | [`connection_matrix`] |
 //! | all words, in all languages | [`words`] |
 //!
 //! References: those of the modules whose results are derived: [`crate::math::blossom`],
 //! [`crate::math::curve`], [`crate::math::spline`], [`crate::math::interpolate`].
 
 mod calculus;
+mod clipping;
 mod combine;
+mod connection;
 mod join;
 mod lines;
 mod matrices;
@@ -33,17 +38,21 @@ mod moments;
 mod newton;
 mod polar;
 mod positivity;
+mod region;
 mod roots;
 mod schemes;
 pub mod words;
 
 pub use calculus::{derivative, elevation, elevation_of_curve};
+pub use clipping::clipping;
 pub use combine::{Combination, combination};
+pub use connection::connection_matrix;
 pub use join::joining;
 pub use matrices::{bernstein_matrix, power_matrix};
 pub use moments::moments;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
 pub use positivity::positivity;
+pub use region::positivity_over;
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

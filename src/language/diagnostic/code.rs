@@ -187,6 +187,11 @@ codes! {
     ///
     /// Example: `roots(t^2 + 1)`, which is an empty list.
     NotReal = "E322": "roots that are not real",
+    /// Part of an answer is long and was left out.
+    ///
+    /// Example: the points where two curves of degree 10 meet, whose parameters are roots of a polynomial of
+    /// degree 100. `points=1` gives them.
+    LeftOut = "E323": "a part is left out",
 
     /// The time limit was reached.
     ///

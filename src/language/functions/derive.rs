@@ -1,6 +1,6 @@
 //! Derivations in the language.
 
-use crate::language::eval::{Arguments, Evaluated, Machine};
+use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use std::sync::Arc;
 
@@ -11,20 +11,18 @@ use super::parameter::{
     required,
 };
 use super::polar::{POLAR, combine, method};
+use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
-use crate::language::value::{Derivation, Geometry, Language, Polar, PolarKind, Value};
+use crate::language::value::{Derivation, Geometry, Polar, PolarKind, Value};
 use crate::math::blossom::PolarForm;
 use crate::math::interpolate::{CubicSpline, DividedDifferences};
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Poly, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 const ABOUT: Builtin = Builtin::about("Derivations");
-
-/// The language of the reasons.
-pub(super) const LANG: Parameter =
-    named("lang=en", Takes::Word(&["en", "zh"]), "that of the session", "the language of the reasons");
 
 pub(super) const TABLE: &[Builtin] = &[Builtin {
     name: "derive",
@@ -187,6 +185,32 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "clipping",
+        parameters: &[
+            required("F", Takes::Polynomial, "the polynomial, with numbers as coefficients"),
+            optional("a", Takes::Number, "below all roots", "the lower end"),
+            optional("b", Takes::Number, "above all roots", "the upper end"),
+            named("width=1/1000", Takes::Number, "1/1000", "how long the interval around a root may be"),
+            VARIABLE,
+        ],
+        summary: "the real roots in [a, b], by Bezier clipping",
+        example: "derive(clipping, t^2 - 2, 0, 2, width=1/10)",
+        call: |_, args| told(args, clipped(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "connection_matrix",
+        parameters: &[required("k", Takes::Size, "the order")],
+        summary: "the beta-matrix of G^k, by the chain rule",
+        example: "derive(connection_matrix, 2)",
+        call: |_, args| {
+            let k = args.size(0)?;
+            crate::budget::charge_terms((k as u64).saturating_pow(3));
+            told(args, derive::connection_matrix(k))
+        },
+        ..NEW
+    },
+    Builtin {
         name: "moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         summary: "the moments of a cubic spline by its system of equations",
@@ -209,19 +233,6 @@ fn no_subject(args: &Arguments) -> Diagnostic {
         Ok(other) => wrong_kind("the name of a derivation", other).at(args.span(0)).hint(known()),
         Err(error) => error.hint(known()),
     }
-}
-
-/// The derivation as a value, in the language that was asked for.
-pub(super) fn told(args: &Arguments, mut derivation: Derivation) -> Evaluated {
-    derivation.language = match args.named("lang") {
-        Some((Value::Text(code), span)) => Some(
-            code.parse::<Language>()
-                .map_err(|message| Diagnostic::error(Code::Domain, message).at(span).hint("lang=en"))?,
-        ),
-        Some((other, span)) => return Err(wrong_kind("a language", other).at(span).hint("lang=en")),
-        None => None,
-    };
-    Ok(Value::Derivation(Arc::new(derivation)))
 }
 
 /// The polar forms of a polynomial or of the coordinates of a curve.
@@ -343,6 +354,12 @@ fn real_roots(args: &Arguments) -> Result<Derivation> {
             .at(args.span(0))
             .hint("give a polynomial of degree 1 or more: derive(roots, t^2 - 2)"));
     }
+    let (a, b) = searched(args, &polynomial)?;
+    Ok(derive::roots(&polynomial, &variable, &a, &b))
+}
+
+/// The interval in which roots are looked for.
+fn searched(args: &Arguments, polynomial: &Poly) -> Result<(Rational, Rational)> {
     let (a, b) = super::roots::interval(args, 1)?;
     let bound = polynomial.root_bound();
     let (a, b) = (a.unwrap_or_else(|| -&bound), b.unwrap_or(bound));
@@ -351,7 +368,19 @@ fn real_roots(args: &Arguments) -> Result<Derivation> {
             .at(args.span(1))
             .hint("give two ends, the lower one first"));
     }
-    Ok(derive::roots(&polynomial, &variable, &a, &b))
+    Ok((a, b))
+}
+
+fn clipped(args: &Arguments) -> Result<Derivation> {
+    let (polynomial, variable) = super::roots::numeric(args, 0)?;
+    if polynomial.degree().is_none_or(|n| n == 0) {
+        return Err(Diagnostic::error(Code::Domain, "a constant has no roots to be found")
+            .at(args.span(0))
+            .hint("give a polynomial of degree 1 or more: derive(clipping, t^2 - 2)"));
+    }
+    let (a, b) = searched(args, &polynomial)?;
+    let width = super::roots::width(args)?.unwrap_or_else(|| crate::math::number::rational(1, 1000));
+    Ok(derive::clipping(&polynomial, &variable, &a, &b, &width))
 }
 
 fn moments(args: &Arguments) -> Result<Derivation> {

@@ -8,15 +8,14 @@ use crate::language::ops::geometry::{as_rational_form, as_rational_spline, bezie
 use std::sync::Arc;
 
 use super::matrices::{basis_error, read_basis};
-use super::parameter::{CURVE, Takes, optional, required};
-use super::{Builtin, surface_joins};
+use super::parameter::{CURVE, Parameter, Takes, named, optional, required};
+use super::{Builtin, solve, surface_joins};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::derive::polar_label;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value, collected, polynomial_expr};
 use crate::math::basis::{Basis, change_of_basis};
-use crate::math::curve::{self, BezierCurve, GeometricFailure, Interval, Point};
-use crate::math::number::Rational;
+use crate::math::curve::{self, BezierCurve, Point};
 use crate::math::poly::{Fraction, Symbol};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -37,6 +36,14 @@ const FORMS: &[&str] = &[
     "newton",
 ];
 
+/// For which symbols conditions are solved.
+pub(super) const UNKNOWNS: Parameter = named(
+    "unknowns=[x, ...]",
+    Takes::Any,
+    "the conditions as a table",
+    "the symbols for which the conditions are solved",
+);
+
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "joining_conditions",
@@ -44,15 +51,20 @@ pub(super) const TABLE: &[Builtin] = &[
             required("c", Takes::Curve, "the first curve"),
             required("d", Takes::Curve, "the second curve"),
             optional("k", Takes::Size, "1", "the order"),
+            UNKNOWNS,
         ],
         summary: "what the control points of d have to be for c and d to meet C^k (k = 1 if not given)",
         example: "joining_conditions(bezier([b_0, b_1, b_2]), bezier([c_0, c_1, c_2], 1, 2), 2)",
         on_surface: surface_joins::JOINING_CONDITIONS,
-        call: |_, args| {
+        call: |machine, args| {
             let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
             let k = args.optional_size(2)?.unwrap_or(1);
             let form = polynomial_pair(args, left, right)?;
             let conditions = curve::joining_conditions(&f, &g, k).map_err(curve_error).at(args.span(1))?;
+            if let Some((unknowns, span)) = args.named("unknowns") {
+                let pairs = conditions.iter().flat_map(|c| c.found.iter().zip(&c.required));
+                return solve::equal(machine, args, pairs, unknowns, span);
+            }
             let mut table = Table::with_header(["order", "polar value", "required", "found", "holds"]);
             for condition in conditions {
                 let holds = holds_word(&condition.required, &condition.found);
@@ -124,49 +136,9 @@ pub(super) const TABLE: &[Builtin] = &[
         },
         ..NEW
     },
-    Builtin {
-        name: "geometric_continuity",
-        parameters: &[
-            required("c", Takes::Curve, "the first curve"),
-            required("d", Takes::Curve, "the second curve"),
-        ],
-        summary: "up to which G^k (k <= 2) two curves meet, with the change of parameter beta_1, beta_2",
-        example: "geometric_continuity(bezier([[0, 0], [1, 0]]), bezier([[1, 0], [3, 0]]))",
-        call: |_, args| {
-            let ((f, left), (g, right)) = (args.bezier(0)?, args.bezier(1)?);
-            polynomial_pair(args, left, right)?;
-            let (Some(f), Some(g)) = (numeric(&f), numeric(&g)) else {
-                return geometric_equations(
-                    &f,
-                    &g,
-                    Form { scalar: left.scalar && right.scalar, rational: false },
-                    args,
-                );
-            };
-            let report = curve::geometric_continuity(&f, &g).map_err(curve_error).at(args.span(1))?;
-            let mut table = Table::with_header(["continuity", "", "", "why not more"]);
-            for (i, cell) in table.header.iter_mut().enumerate().skip(1).take(2) {
-                *cell = crate::language::value::symbol_expr(&Symbol::indexed("beta", i as i64));
-            }
-            let number = |q: Option<Rational>| q.map_or(Cell::Empty, |q| Cell::Value(Value::number(q)));
-            let why = match report.failure {
-                None => "higher orders are not examined",
-                Some(GeometricFailure::PointsDiffer) => "the points differ",
-                Some(GeometricFailure::NotRegular) => "a derivative is zero there",
-                Some(GeometricFailure::TangentsDiffer) => "the tangents differ",
-                Some(GeometricFailure::Opposite) => "the tangents are opposite: a cusp",
-                Some(GeometricFailure::CurvaturesDiffer) => "the curvatures differ",
-            };
-            table.rows.push(vec![
-                class("G", report.order),
-                number(report.beta1),
-                number(report.beta2),
-                Cell::words(why),
-            ]);
-            Ok(Value::Table(Arc::new(table)))
-        },
-        ..NEW
-    },
+];
+
+pub(super) const CONVERSIONS: &[Builtin] = &[
     Builtin {
         name: "homogeneous",
         parameters: &[CURVE],
@@ -196,7 +168,7 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 /// A point that is a combination of symbolic points, written as one; any other as it is.
-fn collected_cell(form: Form, point: impl Into<Vec<Fraction>>, of: &[Point<Fraction>]) -> Cell {
+pub(super) fn collected_cell(form: Form, point: impl Into<Vec<Fraction>>, of: &[Point<Fraction>]) -> Cell {
     let point = point.into();
     let symbols: Option<Vec<Symbol>> = of
         .iter()
@@ -242,45 +214,6 @@ pub(super) fn polynomial_pair(args: &Arguments, left: Form, right: Form) -> Resu
         }
     }
     Ok(Form { scalar: left.scalar && right.scalar, rational: false })
-}
-
-/// The curve over the numbers, if it has no symbols.
-fn numeric(curve: &BezierCurve<Fraction>) -> Option<BezierCurve<Rational>> {
-    let point = |point: &Point<Fraction>| point.iter().map(Fraction::as_rational).collect();
-    let points: Option<Vec<Point<Rational>>> = curve.points().iter().map(point).collect();
-    let (a, b) = curve.interval().ends();
-    let interval = Interval::new(a.as_rational()?, b.as_rational()?).ok()?;
-    BezierCurve::new(points?, interval).ok()
-}
-
-/// What the derivatives of d have to be for G^1 and G^2: G = F, G' = β_1 F', G'' = β_1² F'' + β_2 F'.
-fn geometric_equations(
-    f: &BezierCurve<Fraction>,
-    g: &BezierCurve<Fraction>,
-    form: Form,
-    args: &Arguments,
-) -> Result<Value> {
-    if f.dimension() != g.dimension() {
-        let error =
-            crate::math::curve::CurveError::DimensionsOf { left: f.dimension(), right: g.dimension() };
-        return Err(curve_error(error).at(args.span(1)));
-    }
-    let beta = |i: i64| Fraction::from(crate::math::poly::MultiPoly::symbol(Symbol::indexed("beta", i)));
-    let jet = |curve: &BezierCurve<Fraction>, t: &Fraction| {
-        [0, 1, 2].map(|k| curve.derivative(k).value(t).position())
-    };
-    let (left, right) = (jet(f, f.interval().end()), jet(g, g.interval().start()));
-    let second = &left[2] * &(beta(1) * beta(1)) + &left[1] * &beta(2);
-    let required = [left[0].clone(), &left[1] * &beta(1), second];
-    let mut table = Table::with_header(["order", "required", "found"]);
-    for (order, (required, found)) in required.into_iter().zip(right).enumerate() {
-        table.rows.push(vec![
-            Cell::Value(Value::int(order as i64)),
-            collected_cell(form, required, f.points()),
-            collected_cell(form, found, g.points()),
-        ]);
-    }
-    Ok(Value::Table(Arc::new(table)))
 }
 
 fn convert(args: &Arguments) -> Result<Value> {

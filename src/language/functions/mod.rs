@@ -1,14 +1,19 @@
 //! The functions of the language: one table for evaluation, help, completion and docs.
 
 mod arrange;
+mod blends;
+mod blossoms;
 mod callable;
 mod curves;
 mod derive;
 mod differential;
 mod figures;
+mod geometric;
 mod interpolation;
+mod intersections;
 mod joins;
 mod matrices;
+mod measure;
 mod numbers;
 mod on_form;
 mod on_geometry;
@@ -18,6 +23,7 @@ mod polar;
 mod polynomials;
 mod rational;
 mod record;
+mod regions;
 mod roots;
 mod solve;
 mod splines;
@@ -26,6 +32,7 @@ mod surface_joins;
 mod surfaces;
 mod symmetric;
 mod table;
+mod told;
 
 pub(crate) use callable::{
     alias, callable, function_called, function_meant, is_argument_word, names, synonym,

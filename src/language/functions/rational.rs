@@ -10,9 +10,11 @@ use crate::language::eval::Arguments;
 use crate::language::eval::arguments::word_of;
 use crate::language::ops::errors::{curve_error, wrong_kind};
 use crate::language::ops::formula;
-use crate::language::ops::geometry::{as_rational_form, bezier, scalar_list};
-use crate::language::value::{Form, Value};
-use crate::math::curve::{self, CircleArc, ConicKind, ImplicitConic, Point, RationalCurve};
+use crate::language::ops::geometry::{as_rational_form, bezier, points_of, scalar_list};
+use crate::language::value::{Form, Geometry, Value};
+use crate::math::curve::{
+    self, CircleArc, ConicKind, ImplicitConic, Interval, Point, RationalCurve, RationalPatch,
+};
 use crate::math::number::integer;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
@@ -285,17 +287,49 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "revolve",
-        parameters: &[CURVE],
-        summary: "the surface of revolution of a profile (x, z) about the z axis: four patches",
+        parameters: &[
+            required(
+                "curve",
+                Takes::Any,
+                "a profile (x, z), or with an axis a curve in space; a spline gives more patches",
+            )
+            .shown("c"),
+            named("axis=[p, q]", Takes::Points, "the z axis", "two points of the axis"),
+        ],
+        summary: "the surface of revolution of a profile (x, z) about the z axis, or about any axis: four patches",
         example: "revolve(bezier([[2, 0], [0, 1]]))",
-        call: |_, args| {
-            let patches = curve::revolve(&rational_curve(args, 0)?).map_err(curve_error).at(args.span(0))?;
-            let wrap = |patch: curve::RationalPatch<Fraction>| tensor(patch.homogeneous().clone(), RATIONAL);
-            Ok(Value::List(patches.into_iter().map(wrap).collect()))
-        },
+        call: |_, args| revolve(args),
         ..NEW
     },
 ];
+
+/// A rational patch as a value.
+pub(super) fn turned(patch: RationalPatch<Fraction>) -> Value {
+    tensor(patch.homogeneous().clone(), RATIONAL)
+}
+
+fn revolve(args: &Arguments) -> Result<Value> {
+    let curves: Vec<RationalCurve<Fraction>> = match args.value(0)? {
+        Value::Geometry(geometry) if let Geometry::Spline(s, form) = &**geometry => {
+            let pieces = s.bezier_pieces().into_iter();
+            let pieces = pieces.map(|piece| RationalCurve::from_homogeneous(as_rational_form(&piece, *form)));
+            pieces.collect::<std::result::Result<_, _>>().map_err(curve_error).at(args.span(0))?
+        }
+        _ => vec![rational_curve(args, 0)?],
+    };
+    let patches: std::result::Result<Vec<_>, _> = match args.named("axis") {
+        None => curves.iter().map(curve::revolve).collect(),
+        Some((value, span)) => {
+            let points = points_of(value).map(|(points, _)| points).and_then(|list| list.try_into().ok());
+            let [p, q]: [Point<Fraction>; 2] = points.ok_or_else(|| {
+                wrong_kind("two points of the axis", value).at(span).hint("axis=[[0, 0, 0], [1, 1, 0]]")
+            })?;
+            curves.iter().map(|curve| curve::revolve_about(curve, &p, &q)).collect()
+        }
+    };
+    let patches = patches.map_err(curve_error).at(args.span(0))?;
+    Ok(Value::list(patches.into_iter().flatten().map(turned).collect()))
+}
 
 fn rational(curve: RationalCurve<Fraction>) -> Value {
     bezier(curve.homogeneous().clone(), RATIONAL)
@@ -337,19 +371,27 @@ fn form(args: &Arguments, words: &[&'static str]) -> Result<&'static str> {
     })
 }
 
+/// Homogeneous coordinates by powers, of a Bézier curve or of coordinates as formulas; and its interval, if it has one.
+pub(super) fn homogeneous_coordinates(
+    args: &Arguments,
+    i: usize,
+) -> Result<(Vec<Vec<Fraction>>, Option<Interval<Fraction>>)> {
+    if let Value::List(items) = args.value(i)?
+        && items.iter().all(|item| item.as_scalar().is_some())
+    {
+        return Ok((by_formulas(args, i)?, None));
+    }
+    let (curve, form) = args.bezier(i)?;
+    let mut power = curve.power();
+    if !form.rational {
+        power.push(vec![Fraction::from(integer(1))]);
+    }
+    Ok((power, Some(curve.interval().clone())))
+}
+
 /// The irreducible equation of a plane curve.
 fn implicit(args: &Arguments) -> Result<MultiPoly> {
-    let coordinates = match args.value(0)? {
-        Value::List(items) if items.iter().all(|item| item.as_scalar().is_some()) => by_formulas(args)?,
-        _ => {
-            let (curve, form) = args.bezier(0)?;
-            let mut power = curve.power();
-            if !form.rational {
-                power.push(vec![Fraction::from(integer(1))]);
-            }
-            power
-        }
-    };
+    let (coordinates, _) = homogeneous_coordinates(args, 0)?;
     let Ok(coordinates) = <[Vec<Fraction>; 3]>::try_from(coordinates) else {
         let error =
             Diagnostic::error(Code::Shape, "only curves of the plane have one equation").at(args.span(0));
@@ -367,12 +409,12 @@ fn implicit(args: &Arguments) -> Result<MultiPoly> {
 }
 
 /// Homogeneous coordinates of a curve that is given by a formula for each coordinate, over one denominator.
-fn by_formulas(args: &Arguments) -> Result<Vec<Vec<Fraction>>> {
-    let formulas = args.scalars(0)?;
+fn by_formulas(args: &Arguments, i: usize) -> Result<Vec<Vec<Fraction>>> {
+    let formulas = args.scalars(i)?;
     // A sum of all letters has the same ones, and none cancels.
     let letters = formulas.iter().flat_map(Fraction::variables).map(MultiPoly::symbol);
     let all = Fraction::from(letters.fold(MultiPoly::constant(integer(0)), |sum, x| sum.plus(&x)));
-    let t = formula::variable_of(&all, None).at(args.span(0))?;
+    let t = formula::variable_of(&all, None).at(args.span(i))?;
     let below = formulas.iter().fold(MultiPoly::constant(integer(1)), |product, f| {
         // The least common multiple.
         let common = product.gcd(f.denominator());
@@ -381,5 +423,5 @@ fn by_formulas(args: &Arguments) -> Result<Vec<Vec<Fraction>>> {
     });
     let weight = Fraction::from(below);
     let scaled = formulas.iter().map(|f| f.times(&weight)).chain([weight.clone()]);
-    scaled.map(|f| formula::coefficients_in(&f, &t).at(args.span(0))).collect()
+    scaled.map(|f| formula::coefficients_in(&f, &t).at(args.span(i))).collect()
 }

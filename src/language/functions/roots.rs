@@ -1,8 +1,8 @@
 //! Roots of polynomials: resultants, Sturm's chain, real roots.
 
 use super::Builtin;
-use super::derive::{LANG, told};
 use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
+use super::told::{LANG, told};
 use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
@@ -197,7 +197,7 @@ pub(super) fn interval(args: &Arguments, i: usize) -> Result<(Option<Rational>, 
     Ok((a, b))
 }
 
-fn width(args: &Arguments) -> Result<Option<Rational>> {
+pub(super) fn width(args: &Arguments) -> Result<Option<Rational>> {
     let Some((value, span)) = args.named("width") else { return Ok(None) };
     let width = value.as_rational().ok_or_else(|| wrong_kind("a number", value).at(span))?;
     if !width.is_positive() {

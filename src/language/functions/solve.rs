@@ -1,14 +1,15 @@
-//! `solve`: linear equations in unknowns, and polynomial equations in one.
+//! `solve`: linear equations in unknowns, polynomial ones with finitely many solutions; Gröbner bases.
 
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
 use super::parameter::{Parameter, Takes, named, optional, required};
-use super::record::Variant;
+use super::record::{Builtin, Variant};
 use super::roots::note_complex;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::{division_by_zero, linalg_error, wrong_kind};
@@ -16,14 +17,14 @@ use crate::language::ops::formula::symbol_of;
 use crate::language::value::{Claim, PolarKind, Value, grouped_expr, polynomial_expr, symbol_expr};
 use crate::language::write::text;
 use crate::math::linalg::solutions;
-use crate::math::poly::{Fraction, MultiPoly, Poly, Symbol};
+use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
+use crate::math::system::{RealZero, SystemError, common_zeros, groebner_basis, real_zeros};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
 const PARAMETERS: &[Parameter] = &[
-    required("equations", Takes::Equations, "equations, linear or polynomials in one unknown")
-        .shown("[equation, ...]"),
+    required("equations", Takes::Equations, "equations, linear or polynomial").shown("[equation, ...]"),
     optional("unknowns", Takes::Any, "all symbols", "the unknown, or the list of them").shown("[x, ...]"),
     named(
         "all=t",
@@ -66,12 +67,41 @@ fn solve(machine: &mut Machine, args: &Arguments) -> Evaluated {
         Some((value, span)) => symbols(value, span)?,
         None => all_symbols(&equations),
     };
-    if let [unknown] = unknowns.as_slice()
+    solved(machine, args, &equations, &unknowns, single)
+}
+
+/// The unknowns for which pairs of values are equal.
+pub(super) fn equal<'a>(
+    machine: &mut Machine,
+    args: &Arguments,
+    pairs: impl Iterator<Item = (&'a Fraction, &'a Fraction)>,
+    unknowns: &Value,
+    span: Span,
+) -> Result<Value> {
+    let differences = pairs.map(|(x, y)| x.minus(y).numerator().clone()).filter(|p| !p.is_zero());
+    let equations: Vec<MultiPoly> = differences.collect();
+    let (unknowns, single) = symbols(unknowns, span)?;
+    solved(machine, args, &equations, &unknowns, single)
+}
+
+/// The values of the unknowns for which some polynomials are 0.
+fn solved(
+    machine: &mut Machine,
+    args: &Arguments,
+    equations: &[MultiPoly],
+    unknowns: &[Symbol],
+    single: bool,
+) -> Result<Value> {
+    let span = args.span(0);
+    if let [unknown] = unknowns
         && equations.iter().any(|p| p.degree_in(unknown) > 1)
     {
-        return in_one_unknown(machine, args, &equations, unknown);
+        return in_one_unknown(machine, args, equations, unknown);
     }
-    let (matrix, right) = linear(&equations, &unknowns).at(span)?;
+    let (matrix, right) = match linear(equations, unknowns) {
+        Some(system) => system,
+        None => return in_several_unknowns(equations, unknowns).at(span),
+    };
     let found = solutions(&matrix, &right).map_err(linalg_error).at(span)?;
     if let Some(condition) = condition(&found.minor) {
         let note = format!("this holds where {condition}");
@@ -220,29 +250,106 @@ fn all_symbols(equations: &[MultiPoly]) -> (Vec<Symbol>, bool) {
     (symbols, single)
 }
 
-/// The matrix and the right sides of the equations.
-fn linear(equations: &[MultiPoly], unknowns: &[Symbol]) -> Result<(DMatrix<Fraction>, Vec<Fraction>)> {
+/// The matrix and the right sides of the equations; `None` if one is not linear in the unknowns.
+fn linear(equations: &[MultiPoly], unknowns: &[Symbol]) -> Option<(DMatrix<Fraction>, Vec<Fraction>)> {
     let mut matrix = DMatrix::zeros(equations.len(), unknowns.len());
     let mut right = Vec::with_capacity(equations.len());
     let nothing: Vec<(Symbol, MultiPoly)> = unknowns.iter().map(|x| (x.clone(), MultiPoly::zero())).collect();
     for (i, equation) in equations.iter().enumerate() {
         for (j, x) in unknowns.iter().enumerate() {
             let coefficient = equation.derivative(x);
-            if let Some(other) = coefficient.variables().iter().find(|y| unknowns.contains(y)) {
-                let (x, other) = (text(&symbol_expr(x)), text(&symbol_expr(other)));
-                let message = match x == other {
-                    true => format!("an equation is not linear in {x}"),
-                    false => format!("an equation has a product of the unknowns {x} and {other}"),
-                };
-                return Err(Diagnostic::error(Code::Unsupported, message)
-                    .hint("name the unknowns in which it is linear: solve(a x = b, x)")
-                    .hint("polynomial equations are solved in one unknown; resultant(F, G, x) eliminates x from two"));
+            if coefficient.variables().iter().any(|y| unknowns.contains(y)) {
+                return None;
             }
             matrix[(i, j)] = Fraction::from(coefficient);
         }
         right.push(Fraction::from(-equation.substitute(&nothing)));
     }
-    Ok((matrix, right))
+    Some((matrix, right))
+}
+
+/// All real solutions of polynomial equations with numbers as coefficients, if there are finitely many complex ones.
+fn in_several_unknowns(equations: &[MultiPoly], unknowns: &[Symbol]) -> Result<Value> {
+    if let Some(symbol) = equations.iter().flat_map(|p| p.variables()).find(|s| !unknowns.contains(s)) {
+        let symbol = text(&symbol_expr(symbol));
+        let message = format!("equations that are not linear in the unknowns have the symbol {symbol}");
+        return Err(Diagnostic::error(Code::Unsupported, message)
+            .hint(format!("give {symbol} a value, or name it among the unknowns"))
+            .hint("name the unknowns in which they are linear: solve(a x = b, x)")
+            .hint("groebner(equations, unknowns) eliminates unknowns with symbols as coefficients"));
+    }
+    let zeros = match (equations, unknowns) {
+        ([p, q], [x, y]) => common_zeros(p, q, &[x.clone(), y.clone()], &Default::default()),
+        _ => real_zeros(equations, unknowns),
+    };
+    let zeros = zeros.map_err(system_error)?;
+    if zeros.is_empty() {
+        return Ok(Value::Text("no real solution".to_owned()));
+    }
+    let t = Symbol::new("t");
+    let point = |zero: &RealZero| -> Vec<Value> {
+        zero.coordinates.iter().map(|x| Value::root(x.clone(), &t)).collect()
+    };
+    let relations = |zero: &RealZero| -> Expr {
+        let relation =
+            |(x, value): (&Symbol, Value)| Expr::relation(symbol_expr(x), Rel::Eq, value.to_expr());
+        Kind::List(unknowns.iter().zip(point(zero)).map(relation).collect()).into()
+    };
+    let shown: Expr = Kind::List(zeros.iter().map(relations).collect()).into();
+    let values = zeros.iter().map(|zero| Value::list(point(zero))).collect();
+    Ok(Value::written(Value::List(values), shown))
+}
+
+/// The diagnostic for a system that is not solved.
+pub(super) fn system_error(error: SystemError) -> Diagnostic {
+    let hint = match error {
+        SystemError::Infinite => {
+            "give as many independent equations as unknowns; groebner(equations, unknowns) shows what they say"
+        }
+        SystemError::Many => "fewer unknowns, or lower degrees; resultant(F, G, x) eliminates x from two",
+        SystemError::Pairs => "resultant(F, G, x) eliminates x from two",
+        SystemError::Entangled => "count_roots and resultant(F, G, x) tell more",
+    };
+    Diagnostic::error(Code::Unsupported, error.to_string()).hint(hint)
+}
+
+const BASIS_PARAMETERS: &[Parameter] = &[
+    required("F", Takes::Any, "the polynomials, or equations").shown("[F_1, ...]"),
+    required("unknowns", Takes::Variables, "the unknowns, the largest first").shown("[x, ...]"),
+    named("order=lex", Takes::Word(&["lex", "grlex", "grevlex"]), "lex", "the order of the monomials"),
+];
+
+pub(super) const TABLE: &[Builtin] = &[Builtin {
+    name: "groebner",
+    parameters: BASIS_PARAMETERS,
+    summary: "the reduced Groebner basis of polynomials or equations, without denominators",
+    example: "groebner([x^2 + y^2 - 1, x - y], [x, y])",
+    on_equations: Variant::new(BASIS_PARAMETERS, |args| {
+        let Value::Claim(claim) = args.value(0)? else { return Err(wrong_kind("equations", args.value(0)?)) };
+        groebner(args, &zeros(claim).at(args.span(0))?)
+    }),
+    call: |_, args| {
+        let polynomials = args.scalars(0)?;
+        let polynomials: Vec<MultiPoly> = polynomials.iter().map(|f| f.numerator().clone()).collect();
+        groebner(args, &polynomials)
+    },
+    ..Builtin::about("Roots of polynomials")
+}];
+
+fn groebner(args: &Arguments, polynomials: &[MultiPoly]) -> Result<Value> {
+    let (value, span) = args.given(1).ok_or_else(|| wrong_kind("unknowns", &Value::list(Vec::new())))?;
+    let (unknowns, _) = symbols(value, span)?;
+    let order = match args.named("order") {
+        None => MonomialOrder::Lex,
+        Some((value, span)) => match word_of(value) {
+            Some("lex") => MonomialOrder::Lex,
+            Some("grlex") => MonomialOrder::GrLex,
+            Some("grevlex") => MonomialOrder::GrevLex,
+            _ => return Err(wrong_kind("lex, grlex or grevlex", value).at(span).hint("order=lex")),
+        },
+    };
+    let basis = groebner_basis(polynomials, &unknowns, order).map_err(system_error).at(args.span(0))?;
+    Ok(Value::List(basis.into_iter().map(|f| Value::Scalar(Fraction::from(f))).collect()))
 }
 
 /// That no factor of the minor is 0; `None` if it is a number.

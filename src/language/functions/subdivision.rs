@@ -18,7 +18,8 @@ use crate::math::number::rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use crate::math::subdivision::{
-    Contraction, Scheme, SubdivisionError, VertexScheme, contraction, limit_stencil, vertex_matrix,
+    Contraction, Scheme, SubdivisionError, VertexScheme, contraction, limit_stencil, vertex_limit,
+    vertex_matrix,
 };
 
 type Result<T> = std::result::Result<T, Diagnostic>;
@@ -181,18 +182,24 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the matrix of a step around a vertex: itself, its neighbours, opposite corners",
         example: "vertex_matrix(catmull_clark, 3)",
         call: |_, args| {
-            let scheme = match word_of(args.value(0)?) {
-                Some("catmull_clark") => VertexScheme::CatmullClark,
-                Some("doo_sabin") => VertexScheme::DooSabin,
-                Some("loop") => VertexScheme::Loop,
-                Some("warren") => VertexScheme::Warren,
-                _ => {
-                    let error = wrong_kind("a scheme for meshes", args.value(0)?).at(args.span(0));
-                    return Err(error.hint("catmull_clark, doo_sabin, loop or warren"));
-                }
-            };
+            let scheme = mesh_scheme(args)?;
             let matrix = vertex_matrix(scheme, args.size(1)?).map_err(subdivision_error).at(args.span(1))?;
             Ok(Value::Matrix(matrix.map(Fraction::from)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "vertex_limit",
+        parameters: &[
+            required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
+            size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
+        ],
+        summary: "the weights of the points around a vertex in its limit point, in the order of vertex_matrix",
+        example: "vertex_limit(catmull_clark, 5)",
+        call: |_, args| {
+            let weights = vertex_limit(mesh_scheme(args)?, args.size(1)?);
+            let weights = weights.map_err(subdivision_error).at(args.span(1))?;
+            Ok(scalar_list(weights.into_iter().map(Fraction::from)))
         },
         ..NEW
     },
@@ -236,6 +243,20 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// The scheme for meshes at the first place.
+fn mesh_scheme(args: &Arguments) -> Result<VertexScheme> {
+    Ok(match word_of(args.value(0)?) {
+        Some("catmull_clark") => VertexScheme::CatmullClark,
+        Some("doo_sabin") => VertexScheme::DooSabin,
+        Some("loop") => VertexScheme::Loop,
+        Some("warren") => VertexScheme::Warren,
+        _ => {
+            let error = wrong_kind("a scheme for meshes", args.value(0)?).at(args.span(0));
+            return Err(error.hint("catmull_clark, doo_sabin, loop or warren"));
+        }
+    })
+}
 
 /// The diagnostic for an error of subdivision.
 fn subdivision_error(error: SubdivisionError) -> Diagnostic {

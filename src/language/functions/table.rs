@@ -5,8 +5,9 @@ use std::sync::LazyLock;
 
 use super::record::Builtin;
 use super::{
-    arrange, curves, derive, differential, figures, interpolation, joins, matrices, numbers, polar,
-    polynomials, rational, roots, splines, subdivision, surfaces, symmetric,
+    arrange, blends, blossoms, curves, derive, differential, figures, geometric, interpolation,
+    intersections, joins, matrices, measure, numbers, polar, polynomials, rational, regions, roots, solve,
+    splines, subdivision, surfaces, symmetric,
 };
 
 /// All functions, by topic.
@@ -37,17 +38,25 @@ pub static BUILTINS: &[&Builtin] = &{
     const TABLES: &[&[Builtin]] = &[
         polar::TABLE,
         symmetric::TABLE,
+        blossoms::TABLE,
         polynomials::TABLE,
         arrange::TABLE,
         roots::TABLE,
+        regions::TABLE,
+        solve::TABLE,
         matrices::TABLE,
         curves::TABLE,
         splines::TABLE,
         subdivision::TABLE,
         rational::TABLE,
+        intersections::TABLE,
         differential::TABLE,
+        measure::TABLE,
         surfaces::TABLE,
+        blends::TABLE,
         joins::TABLE,
+        geometric::TABLE,
+        joins::CONVERSIONS,
         derive::TABLE,
         interpolation::POLYNOMIALS,
         interpolation::SPLINES,

@@ -6,6 +6,7 @@ pub mod laws;
 mod methods;
 mod operations;
 mod polar_form;
+mod shifted;
 mod tensor;
 mod total_degree;
 
@@ -13,5 +14,6 @@ pub use evaluator::Evaluator;
 pub use expand::{Written, expand_tensor, expand_total, expand_univariate, symmetrize};
 pub use methods::{Derivation, Method, Step, Weights};
 pub use polar_form::{Argument, PolarError, PolarForm};
+pub use shifted::{apolar_product, h_blossom, moebius, q_blossom};
 pub use tensor::TensorPolarForm;
 pub use total_degree::{PointArgument, TotalDegreePolarForm};

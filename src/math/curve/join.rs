@@ -5,17 +5,10 @@
 //! or by hats f(b^{n−j}, 1̂^j) = g(b^{n−j}, 1̂^j), that is, equal derivatives. As g(b^{n−j} c^j)
 //! is a control point of G, these are equations between control points.
 //!
-//! **Geometric continuity.** G^k asks for the same after a change of parameter of one curve:
-//! G' = β_1 F' and G'' = β_1² F'' + β_2 F' with β_1 > 0.
-//!
-//! References: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989); B. Barsky, T. DeRose,
-//! "Geometric continuity of parametric curves", IEEE CG&A 9 (1989).
+//! Reference: L. Ramshaw, "Blossoms are polar forms", CAGD 6 (1989).
 
-use num_traits::Signed;
-
-use super::{BezierCurve, CurveError, Point, PolarValue, Vector};
+use super::{BezierCurve, CurveError, Point, PolarValue};
 use crate::math::blossom::Argument;
-use crate::math::number::Rational;
 use crate::math::ring::Field;
 
 /// One condition for C^k: what a control point of the second curve has to be.
@@ -128,86 +121,12 @@ pub fn continuity_at<C: Field>(
     Ok(Continuity { order, same: true, failure: None })
 }
 
-/// Up to which order two curves meet geometrically, with the change of parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GeometricContinuity {
-    /// The largest k ≤ 2 with G^k; `None` if the points differ.
-    pub order: Option<usize>,
-    /// β_1 with G' = β_1 F', if there is a positive one.
-    pub beta1: Option<Rational>,
-    /// β_2 with G'' = β_1² F'' + β_2 F', if there is one.
-    pub beta2: Option<Rational>,
-    /// Why the next order fails.
-    pub failure: Option<GeometricFailure>,
-}
-
-/// Why two curves do not meet with a higher geometric continuity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GeometricFailure {
-    /// The end of the first curve is not the start of the second.
-    PointsDiffer,
-    /// A derivative vanishes: the tangent is not given by it.
-    NotRegular,
-    /// The tangents have different directions.
-    TangentsDiffer,
-    /// The tangents are opposite: a cusp.
-    Opposite,
-    /// G'' − β_1² F'' is not parallel to the tangent: the curvatures differ.
-    CurvaturesDiffer,
-}
-
-/// The s with q = s p, if there is one (p ≠ 0).
-fn ratio(p: &Vector<Rational>, q: &Vector<Rational>) -> Option<Rational> {
-    let k = p.iter().position(|x| !num_traits::Zero::is_zero(x))?;
-    let s = &q[k] / &p[k];
-    (p * &s == *q).then_some(s)
-}
-
-/// How smoothly two curves meet geometrically, up to G^2, where the first interval ends.
-///
-/// # Errors
-/// [`CurveError::DimensionsOf`].
-pub fn geometric_continuity(
-    left: &BezierCurve<Rational>,
-    right: &BezierCurve<Rational>,
-) -> Result<GeometricContinuity, CurveError> {
-    if left.dimension() != right.dimension() {
-        return Err(CurveError::DimensionsOf { left: left.dimension(), right: right.dimension() });
-    }
-    let (s, t) = (left.interval().end(), right.interval().start());
-    let jet = |curve: &BezierCurve<Rational>, at: &Rational| {
-        [0, 1, 2].map(|k| curve.derivative(k).value(at).position())
-    };
-    let (f, g) = (jet(left, s), jet(right, t));
-    let report =
-        |order, beta1, failure| GeometricContinuity { order, beta1, beta2: None, failure: Some(failure) };
-    if f[0] != g[0] {
-        return Ok(report(None, None, GeometricFailure::PointsDiffer));
-    }
-    if f[1].is_zero() || g[1].is_zero() {
-        return Ok(report(Some(0), None, GeometricFailure::NotRegular));
-    }
-    let Some(beta1) = ratio(&f[1], &g[1]) else {
-        return Ok(report(Some(0), None, GeometricFailure::TangentsDiffer));
-    };
-    if beta1.is_negative() {
-        return Ok(report(Some(0), None, GeometricFailure::Opposite));
-    }
-    let rest = &g[2] - &(&f[2] * &(&beta1 * &beta1));
-    Ok(match ratio(&f[1], &rest) {
-        Some(beta2) => {
-            GeometricContinuity { order: Some(2), beta1: Some(beta1), beta2: Some(beta2), failure: None }
-        }
-        None => report(Some(1), Some(beta1), GeometricFailure::CurvaturesDiffer),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::curve::Interval;
     use crate::math::curve::bezier::tests::any_curve;
-    use crate::math::number::{integer as z, rational as q};
+    use crate::math::number::integer as z;
     use crate::math::poly::{Fraction, MultiPoly, Symbol};
     use proptest::prelude::*;
 
@@ -234,23 +153,6 @@ mod tests {
             prop_assert_eq!(by_points, Some(k.min(n)));
             prop_assert_eq!(by_hats.same, k >= n);
         }
-
-        /// A regular change of parameter keeps G^2 and its β are found.
-        #[test]
-        fn a_change_of_parameter_is_found(f in any_curve(), b1 in 1i64..5, b2 in -4i64..5) {
-            let b = f.interval().end();
-            // φ(0) = b, φ' = b1, φ'' = b2
-            let inner = crate::math::blossom::PolarForm::new(vec![b.clone(), z(b1), q(b2, 2)]);
-            let g = f.compose(&inner, Interval::unit()).unwrap();
-            let report = geometric_continuity(&f, &g).unwrap();
-            if f.derivative(1).value(b).iter().all(num_traits::Zero::is_zero) {
-                prop_assert_eq!(report.failure, Some(GeometricFailure::NotRegular));
-            } else {
-                prop_assert_eq!(report.order, Some(2));
-                prop_assert_eq!(report.beta1, Some(z(b1)));
-                prop_assert_eq!(report.beta2, Some(z(b2)));
-            }
-        }
     }
 
     #[test]
@@ -272,19 +174,5 @@ mod tests {
         let short = BezierCurve::new(vec![vec![number(0)]], after).unwrap();
         assert_eq!(joining_conditions(&f, &short, 1), Err(CurveError::Degrees { left: 3, right: 0 }));
         assert_eq!(joining_conditions(&g, &f, 1), Err(CurveError::NoCommonEnd));
-    }
-
-    #[test]
-    fn geometric_failures() {
-        let line = |p: [i64; 2], r: [i64; 2]| {
-            BezierCurve::new(vec![p.map(z).to_vec(), r.map(z).to_vec()], Interval::unit()).unwrap()
-        };
-        let start = line([0, 0], [1, 0]);
-        let failure = |next: &BezierCurve<Rational>| geometric_continuity(&start, next).unwrap().failure;
-        assert_eq!(failure(&line([2, 0], [3, 0])), Some(GeometricFailure::PointsDiffer));
-        assert_eq!(failure(&line([1, 0], [1, 0])), Some(GeometricFailure::NotRegular));
-        assert_eq!(failure(&line([1, 0], [1, 1])), Some(GeometricFailure::TangentsDiffer));
-        assert_eq!(failure(&line([1, 0], [0, 0])), Some(GeometricFailure::Opposite));
-        assert_eq!(failure(&line([1, 0], [7, 0])), None);
     }
 }

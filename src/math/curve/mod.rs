@@ -11,16 +11,21 @@
 
 pub mod affine;
 mod bezier;
+mod blend;
 mod circle;
 mod conic;
 mod curvature;
 pub(crate) mod display;
 mod domain;
 mod edge;
+mod geometric;
 mod hull;
 mod implicit;
 mod integers;
+mod intersect;
 mod join;
+mod length;
+mod moving;
 mod patch;
 mod patch_conversion;
 mod point;
@@ -28,31 +33,38 @@ mod polygon;
 mod projective;
 mod rational;
 mod rational_surface;
+mod region;
 mod revolve;
 mod sphere;
 mod traits;
 mod triangle;
+mod turn;
 
 use std::fmt;
 
 pub use bezier::{BezierCurve, Tableau, bernstein_maximum, bernstein_scaling, bezier_edge_basis};
+pub use blend::{gordon_surface, ruled_surface, swept_surface};
 pub use circle::{CircleArc, circle_quarters, circle_quintic, circle_thirds, full_circle};
 pub use conic::{ConicKind, ImplicitConic, conic_arc, conic_kind, conic_through};
 pub use curvature::{squared_curvature, torsion, turn};
 pub use domain::{Corner, Interval, Triangle};
 pub use edge::EdgeEquation;
+pub use geometric::{
+    GeometricContinuity, GeometricFailure, beta_matrix, geometric_continuity, jet, transferred,
+};
 pub use hull::convex_hull;
 pub use implicit::implicit_equation;
-pub use join::{
-    Continuity, GeometricContinuity, GeometricFailure, JoiningCondition, continuity_at, geometric_continuity,
-    joining_conditions,
-};
+pub use intersect::{Meeting, PlaneCurve};
+pub use join::{Continuity, JoiningCondition, continuity_at, joining_conditions};
+pub use length::{arc_length, green, inflections, polygon_moments, pythagorean_curve, speed};
+pub use moving::{MovingLine, inversion_formula, moving_lines};
 pub(crate) use patch::transposed;
 pub use patch::{Direction, Net, Scheme, Side, TensorPatch};
 pub use point::{Point, PolarValue, Vector, combination, lerp};
 pub(in crate::math) use projective::{check_weight, lifted, lifted_net, parted, projected};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
+pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, checks, positivity_on};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub(in crate::math) use traits::quartered;
@@ -60,6 +72,7 @@ pub(in crate::math) use traits::quartered;
 pub(in crate::math) use traits::tests::check as check_surface;
 pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
+pub use turn::revolve_about;
 
 /// Why a curve or surface cannot be made or changed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -39,7 +39,8 @@ pub enum MonomialOrder {
 }
 
 impl MonomialOrder {
-    fn compare(self, a: &[u32], b: &[u32]) -> std::cmp::Ordering {
+    /// Which of two monomials is larger, by their exponents.
+    pub(in crate::math) fn compare(self, a: &[u32], b: &[u32]) -> std::cmp::Ordering {
         let total = |e: &[u32]| e.iter().map(|&x| u64::from(x)).sum::<u64>();
         match self {
             MonomialOrder::Lex => a.cmp(b),
@@ -250,7 +251,7 @@ impl MultiPoly {
     }
 
     /// The coefficient of the first term in lexicographic order; 0 for 0.
-    pub(super) fn leading_coefficient(&self) -> Rational {
+    pub(in crate::math) fn leading_coefficient(&self) -> Rational {
         self.terms.first().map_or_else(Rational::zero, |(_, c)| Rational::new(c.clone(), self.den.clone()))
     }
 

@@ -25,7 +25,7 @@ use std::fmt;
 pub use limit::{Stencil, limit_stencil};
 pub use scheme::Scheme;
 pub use smoothness::{Contraction, contraction, iterated_norm};
-pub use vertex::{VertexScheme, vertex_matrix};
+pub use vertex::{VertexScheme, vertex_limit, vertex_matrix};
 
 /// Why points cannot be subdivided, or a scheme not be analysed.
 #[derive(Clone, Debug, PartialEq, Eq)]

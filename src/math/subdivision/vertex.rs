@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 
 use super::SubdivisionError;
 use crate::budget;
+use crate::math::linalg::null_space;
 use crate::math::number::{Int, Rational};
 
 /// A scheme for meshes.
@@ -68,6 +69,30 @@ pub fn vertex_matrix(scheme: VertexScheme, n: usize) -> Result<DMatrix<Rational>
         }
         VertexScheme::Warren => Ok(triangles(n, &if n == 3 { q(3, 16) } else { q(3, 8 * n) })),
     }
+}
+
+/// The weights of the points around a vertex in its limit, for Doo–Sabin those of the corners in the limit of the centre of the face: the
+/// left eigenvector of the matrix for the eigenvalue 1 with sum 1.
+///
+/// Cost: a null space as large as the matrix.
+///
+/// # Errors
+/// As [`vertex_matrix`].
+///
+/// ```
+/// use polarform::number::rational as q;
+/// use polarform::subdivision::{VertexScheme, vertex_limit};
+/// let weights = vertex_limit(VertexScheme::CatmullClark, 4)?;
+/// assert_eq!([&weights[0], &weights[1], &weights[5]], [&q(4, 9), &q(1, 9), &q(1, 36)]);
+/// # Ok::<(), polarform::subdivision::SubdivisionError>(())
+/// ```
+pub fn vertex_limit(scheme: VertexScheme, n: usize) -> Result<Vec<Rational>, SubdivisionError> {
+    let matrix = vertex_matrix(scheme, n)?;
+    let size = matrix.nrows();
+    let shifted = matrix.transpose() - DMatrix::from_fn(size, size, |i, j| q(usize::from(i == j), 1));
+    let basis = null_space(&shifted);
+    let sum: Rational = basis.column(0).iter().cloned().sum();
+    Ok(basis.column(0).iter().map(|w| w / &sum).collect())
 }
 
 fn q(numerator: usize, denominator: usize) -> Rational {

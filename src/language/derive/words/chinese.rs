@@ -28,6 +28,8 @@ pub(super) fn title(title: Title) -> String {
         Title::Newton => "差商与牛顿插值公式".into(),
         Title::Moments => "三次样条的三弯矩法".into(),
         Title::Positivity => "用伯恩斯坦系数判定多项式的符号".into(),
+        Title::Clipping => "用贝塞尔裁剪求实根".into(),
+        Title::ConnectionMatrix(k) => format!("`G^{k}` 连续的 beta 矩阵"),
         Title::Roots => "用伯恩斯坦系数与笛卡尔符号法则分离实根".into(),
     }
 }
@@ -195,5 +197,22 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::NoneNegativeBeyond { end, up: true } => format!("系数均非负：从 `{end}` 起非负"),
         Reason::NoneNegativeBeyond { end, .. } => format!("系数均非负：到 `{end}` 为止非负"),
         Reason::PositiveConstant => "非负常数".into(),
+        Reason::NoneNegativeOver(corners) => format!("伯恩斯坦系数均非负：在 {corners} 上非负"),
+        Reason::EdgesNotNegative => "在每条边上是一元多项式，由其实根知非负".into(),
+        Reason::CriticalPoints => "内部的最小值在两个偏导数的公共零点处取到".into(),
+        Reason::NoCriticalPoints => "内部没有公共零点：最小值在边上取到".into(),
+        Reason::CriticalNotNegative => "区域内的公共零点，在各点处的值均非负".into(),
+
+        Reason::HullMisses => "系数同号：凸包不与轴相交，无根".into(),
+        Reason::HullAtEnd(end) => format!("凸包仅在端点与轴相交：`{end}` 是根"),
+        Reason::HullMeets(lower, upper) => {
+            format!("凸包与轴的交落在下一个区间内（向外舍入）：`{lower}` 到 `{upper}`")
+        }
+        Reason::HullTooWide(middle) => format!("裁去不足五分之一：在 `{middle}` 处二分"),
+        Reason::HullOneRoot => "短区间上恰有一次变号：恰有一个根".into(),
+
+        Reason::ChangeOfParameter => "`G^k` 要求存在参数变换 `phi`，`phi' > 0`，使此式直到 `k` 阶成立".into(),
+        Reason::ChainRule => "对上一行求导，用乘积法则与链式法则；`F` 及其导数取在 `phi(t)` 处".into(),
+        Reason::BetasNamed => "在连接点处".into(),
     }
 }

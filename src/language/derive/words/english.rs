@@ -28,6 +28,8 @@ pub(super) fn title(title: Title) -> String {
         Title::Newton => "Divided differences and Newton's form".into(),
         Title::Moments => "A cubic spline by its moments".into(),
         Title::Positivity => "The sign of a polynomial, by its Bernstein coefficients".into(),
+        Title::Clipping => "Real roots by Bézier clipping".into(),
+        Title::ConnectionMatrix(k) => format!("The beta-matrix of `G^{k}`"),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
 }
@@ -229,5 +231,34 @@ pub(super) fn reason(reason: &Reason) -> String {
             format!("no coefficient is negative: not negative up to `{end}`")
         }
         Reason::PositiveConstant => "a constant that is not negative".into(),
+        Reason::NoneNegativeOver(corners) => {
+            format!("no Bernstein coefficient is negative: not negative over {corners}")
+        }
+        Reason::EdgesNotNegative => {
+            "on each edge a polynomial in one variable that is not negative, by its real roots".into()
+        }
+        Reason::CriticalPoints => "a least value inside is at a common zero of both derivatives".into(),
+        Reason::NoCriticalPoints => "there is none inside: the least value is on an edge".into(),
+        Reason::CriticalNotNegative => {
+            "the common zeros in the region; the value at each of them is not negative".into()
+        }
+
+        Reason::HullMisses => "all of one sign: the hull does not meet the axis, no root".into(),
+        Reason::HullAtEnd(end) => format!("the hull meets the axis at the end only: `{end}` is a root"),
+        Reason::HullMeets(lower, upper) => {
+            format!("the hull meets the axis within the next interval, rounded outwards: `{lower}` to `{upper}`")
+        }
+        Reason::HullTooWide(middle) => format!("less than a fifth is cut off: halved at `{middle}`"),
+        Reason::HullOneRoot => "one change of sign on a short interval: exactly one root".into(),
+
+        Reason::ChangeOfParameter => {
+            "`G^k` asks for a change of parameter `phi` with `phi' > 0` for which this holds up to order `k`"
+                .into()
+        }
+        Reason::ChainRule => {
+            "the line before differentiated, by the product and the chain rule; `F` and its derivatives at `phi(t)`"
+                .into()
+        }
+        Reason::BetasNamed => "where the curves meet".into(),
     }
 }

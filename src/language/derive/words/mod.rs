@@ -46,6 +46,10 @@ pub enum Title {
     Roots,
     /// The sign of a polynomial on an interval.
     Positivity,
+    /// Real roots by convex hulls.
+    Clipping,
+    /// The matrix of G^k.
+    ConnectionMatrix(usize),
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -356,6 +360,34 @@ pub enum Reason {
     },
     /// A constant that is not negative.
     PositiveConstant,
+    /// No Bernstein coefficient over a rectangle or triangle with these corners is negative.
+    NoneNegativeOver(String),
+    /// On the edges it is a polynomial in one variable.
+    EdgesNotNegative,
+    /// Critical points are common zeros of both derivatives.
+    CriticalPoints,
+    /// There are none in the region.
+    NoCriticalPoints,
+    /// Not negative at all of them.
+    CriticalNotNegative,
+
+    /// The hull of the Bézier points does not meet the axis.
+    HullMisses,
+    /// It meets it at an end only.
+    HullAtEnd(Rational),
+    /// Between these numbers, rounded outwards.
+    HullMeets(Rational, Rational),
+    /// Too little is cut off.
+    HullTooWide(Rational),
+    /// One sign change on a short interval.
+    HullOneRoot,
+
+    /// G = F ∘ φ.
+    ChangeOfParameter,
+    /// The line before, differentiated.
+    ChainRule,
+    /// β_i = φ^(i) at the joint.
+    BetasNamed,
 }
 
 impl Title {

@@ -4,12 +4,14 @@
 //! | --- | --- |
 //! | how many there are, by Sturm's theorem | `sturm` |
 //! | each in an interval of its own, by Bernstein coefficients and Descartes' rule of signs | `isolate` |
+//! | the same by convex hulls (Bézier clipping) | `clip` |
 //! | a root that is not rational, as a number that can be compared | [`AlgebraicNumber`] |
 //! | F ≥ 0 on an interval, with a certificate | [`Positivity`] |
 //! | integer Bernstein coefficients, and how they are halved | `bernstein` |
 
 mod algebraic;
 mod bernstein;
+mod clip;
 mod isolate;
 mod sign;
 mod sturm;
@@ -17,5 +19,6 @@ mod sturm;
 mod tests;
 
 pub use algebraic::{AlgebraicNumber, RealRoot};
+pub use clip::{Clip, ClipOutcome};
 pub use isolate::Part;
 pub use sign::Positivity;

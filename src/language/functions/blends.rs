@@ -1,0 +1,167 @@
+//! Surfaces made of curves: ruled, swept, blended and turned.
+
+use super::Builtin;
+use super::joins::polynomial_pair;
+use super::parameter::{Parameter, Takes, required};
+use super::rational::turned;
+use super::surfaces::tensor;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::Arguments;
+use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::value::{Form, Value};
+use crate::math::curve::{self, BezierCurve, CurveError, RationalCurve};
+use crate::math::poly::Fraction;
+use crate::math::ring::Ring;
+use num_traits::Zero;
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Surfaces");
+
+const FIRST: Parameter = required("c", Takes::Curve, "a curve in u");
+
+const SECOND: Parameter = required("d", Takes::Curve, "the other curve");
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "ruled",
+        parameters: &[FIRST, SECOND],
+        summary: "the ruled surface (1 - v) c(u) + v d(u) of two polynomial curves",
+        example: "ruled(bezier([[0, 0, 0], [1, 0, 0]]), bezier([[0, 1, 0], [1, 1, 1]]))",
+        call: |_, args| {
+            let (c, d, form) = pair(args)?;
+            curve::ruled_surface(&c, &d).map(|s| tensor(s, form)).map_err(curve_error).at(args.span(1))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "sweep",
+        parameters: &[FIRST, required("d", Takes::Curve, "the curve along which it is moved, in v")],
+        summary: "the surface c(u) + d(v) - d(a) that c sweeps when it is moved along d from where d starts",
+        example: "sweep(bezier([[0, 0, 0], [1, 0, 0]]), bezier([[0, 0, 0], [0, 1, 1], [0, 2, 0]]))",
+        call: |_, args| {
+            let (c, d, form) = pair(args)?;
+            curve::swept_surface(&c, &d).map(|s| tensor(s, form)).map_err(curve_error).at(args.span(1))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "coons",
+        parameters: &[
+            required("c_0", Takes::Curve, "the boundary curve in u where v starts"),
+            required("c_1", Takes::Curve, "the one where v ends"),
+            required("d_0", Takes::Curve, "the boundary curve in v where u starts"),
+            required("d_1", Takes::Curve, "the one where u ends"),
+        ],
+        summary: "Coons' bilinearly blended surface of four boundary curves that meet at the corners",
+        example: "coons(bezier([[0, 0], [1, 0]]), bezier([[0, 1], [1, 1]]), bezier([[0, 0], [0, 1]]), bezier([[1, 0], [2, 1], [1, 1]]))",
+        call: |_, args| {
+            let curves = (0..4).map(|i| args.bezier(i)).collect::<Result<Vec<_>>>()?;
+            for (i, (_, form)) in curves.iter().enumerate() {
+                polynomial(args, i, *form)?;
+            }
+            let form = Form { scalar: curves.iter().all(|(_, form)| form.scalar), rational: false };
+            let mut list: Vec<BezierCurve<Fraction>> = curves.into_iter().map(|(curve, _)| curve).collect();
+            let in_v = list.split_off(2);
+            let ends = |curve: &BezierCurve<Fraction>| {
+                let (a, b) = curve.interval().ends();
+                [a.clone(), b.clone()]
+            };
+            let (u, v) = (ends(&list[0]), ends(&in_v[0]));
+            let s = curve::gordon_surface(&list, &v, &in_v, &u);
+            s.map(|s| tensor(s, form)).map_err(network_error).at(args.span(0).to(args.span(3)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "gordon",
+        parameters: &[
+            required("in_u", Takes::List, "curves in u").shown("[c_0, ..., c_m]"),
+            required("v", Takes::Scalars, "the v of each of them").shown("[v_0, ..., v_m]"),
+            required("in_v", Takes::List, "curves in v").shown("[d_0, ..., d_n]"),
+            required("u", Takes::Scalars, "the u of each of them").shown("[u_0, ..., u_n]"),
+        ],
+        summary: "Gordon's surface through a network of curves that meet: c_j(u_i) = d_i(v_j)",
+        example: "gordon([bezier([0, 2, 0]), bezier([1, 1])], [0, 1], [bezier([0, 1]), bezier([0, 3, 1])], [0, 1])",
+        call: |_, args| {
+            let ((in_u, left), (in_v, right)) = (family(args, 0)?, family(args, 2)?);
+            let form = Form { scalar: left && right, rational: false };
+            let s = curve::gordon_surface(&in_u, &args.scalars(1)?, &in_v, &args.scalars(3)?);
+            s.map(|s| tensor(s, form)).map_err(network_error).at(args.span(0).to(args.span(3)))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "torus",
+        parameters: &[
+            required("R", Takes::Scalar, "the distance of the circle from the axis"),
+            required("r", Takes::Scalar, "the radius of the circle"),
+        ],
+        summary: "the torus about the z axis as 16 rational patches of degrees 2 and 2",
+        example: "torus(3, 1)",
+        call: |_, args| {
+            let (distance, radius) = (args.scalar(0)?, args.scalar(1)?);
+            if radius.is_zero() {
+                let error = Diagnostic::error(Code::Degenerate, "the radius is 0").at(args.span(1));
+                return Err(error.hint("a circle has a radius: torus(3, 1)"));
+            }
+            let centre = [distance.clone(), Fraction::zero()];
+            let start = [distance.plus(&radius), Fraction::zero()];
+            let quarters: Vec<RationalCurve<Fraction>> =
+                curve::circle_quarters(&centre, &start).map_err(curve_error)?.into_iter().collect();
+            let patches = quarters.iter().map(curve::revolve).collect::<std::result::Result<Vec<_>, _>>();
+            let patches = patches.map_err(curve_error).at(args.span(0))?;
+            Ok(Value::List(patches.into_iter().flatten().map(turned).collect()))
+        },
+        ..NEW
+    },
+];
+
+fn polynomial(args: &Arguments, i: usize, form: Form) -> Result<()> {
+    match form.rational {
+        false => Ok(()),
+        true => Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational").at(args.span(i)).hint(
+            "for homogeneous(c) the surface is that of the homogeneous coordinates: of ruled surfaces the same",
+        )),
+    }
+}
+
+fn pair(args: &Arguments) -> Result<(BezierCurve<Fraction>, BezierCurve<Fraction>, Form)> {
+    let ((c, left), (d, right)) = (args.bezier(0)?, args.bezier(1)?);
+    let form = polynomial_pair(args, left, right)?;
+    Ok((c, d, form))
+}
+
+/// A list of curves, and whether all have numbers as points.
+fn family(args: &Arguments, i: usize) -> Result<(Vec<BezierCurve<Fraction>>, bool)> {
+    let Value::List(items) = args.value(i)? else {
+        return Err(wrong_kind("a list of curves", args.value(i)?).at(args.span(i)));
+    };
+    let mut list = Vec::with_capacity(items.len());
+    let mut scalar = true;
+    for item in items {
+        let (curve, form) = args.with_first(item.clone()).bezier(0).at(args.span(i))?;
+        polynomial(args, i, form)?;
+        scalar &= form.scalar;
+        list.push(curve);
+    }
+    Ok((list, scalar))
+}
+
+fn network_error(error: CurveError) -> Diagnostic {
+    match error {
+        CurveError::NoCommonEnd => {
+            Diagnostic::error(Code::Coincident, "the curves do not meet where the network has its points")
+                .hint("a curve in u for v_j has at u_i the point that the curve in v for u_i has at v_j")
+        }
+        CurveError::Degrees { left, right } => {
+            Diagnostic::error(Code::Shape, format!("there are {left} curves and {right} parameters"))
+                .hint("give one parameter for each curve")
+        }
+        CurveError::TooFewPoints { given, .. } => {
+            Diagnostic::error(Code::Shape, format!("a network has two curves in each direction, not {given}"))
+                .hint("coons(c_0, c_1, d_0, d_1) takes four")
+        }
+        other => curve_error(other),
+    }
+}

@@ -1,0 +1,246 @@
+//! Where plane curves meet others and themselves, and the parameters of their points.
+
+use std::sync::Arc;
+
+use super::Builtin;
+use super::parameter::{Parameter, Takes, named, optional, required};
+use super::rational::homogeneous_coordinates;
+use super::solve::system_error;
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval::{Arguments, Machine};
+use crate::language::ops::arithmetic::{add, negate};
+use crate::language::ops::errors::wrong_kind;
+use crate::language::value::{Cell, Table, Value};
+use crate::math::curve::{self, MovingLine, PlaneCurve};
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, MultiPoly, Poly, RealRoot, Symbol};
+use crate::math::system::SystemError;
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Intersections");
+
+/// Points are left out for parameters of higher degree, unless they are asked for.
+const DEGREE_WITH_POINTS: usize = 12;
+
+const PLANE_CURVE: Parameter =
+    required("curve", Takes::Any, "a Bézier curve of the plane, or its coordinates as formulas").shown("c");
+
+const POINTS: Parameter = named(
+    "points=1",
+    Takes::Flag,
+    "1 for parameters of degree 12 at most",
+    "whether the points are given as well",
+);
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "intersections",
+        parameters: &[
+            PLANE_CURVE,
+            required("other", Takes::Any, "another curve, or the left side of F(x, y) = 0").shown("d"),
+            POINTS,
+        ],
+        summary: "where a plane curve meets another one, or a curve F(x, y) = 0: parameters and points, exactly",
+        example: "intersections([t, t^2], x^2 + y^2 - 2)",
+        call: intersections,
+        ..NEW
+    },
+    Builtin {
+        name: "double_points",
+        parameters: &[PLANE_CURVE, POINTS],
+        summary: "the pairs of real parameters s <= t of one point of a plane curve; s = t at a cusp",
+        example: "double_points([t^2, t^3 - t])",
+        call: |machine, args| {
+            let curve = plane_curve(args, 0)?;
+            let found = curve.double_points().map_err(|error| twice(error, args))?;
+            let rows = found.into_iter().map(|pair| (pair.parameters.to_vec(), pair.degree));
+            table(machine, args, ["s", "t"].as_slice(), &curve, rows.collect())
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "inversion",
+        parameters: &[PLANE_CURVE, optional("p", Takes::Point, "the point (x, y)", "a point of the curve")],
+        summary: "the parameters of a point of a plane curve; without a point the formula in x and y",
+        example: "inversion([t^2, t^3])",
+        call: |_, args| inversion(args),
+        ..NEW
+    },
+    Builtin {
+        name: "moving_lines",
+        parameters: &[PLANE_CURVE],
+        summary: "two lines that follow a plane curve, of least degrees in t; their resultant is its equation",
+        example: "moving_lines([t^2, t^3])",
+        call: |_, args| {
+            let coordinates = numbers(args, 0)?.0;
+            let basis = curve::moving_lines(&coordinates).ok_or_else(|| single_point(args))?;
+            let [x, y, t] = ["x", "y", "t"].map(|name| MultiPoly::symbol(Symbol::new(name)));
+            let written = |line: &MovingLine| {
+                let [a, b, c] = line.each_ref().map(|f| f.value_in(&t));
+                Value::Scalar(Fraction::from(a * x.clone() + b * y.clone() + c))
+            };
+            Ok(Value::List(basis.iter().map(written).collect()))
+        },
+        ..NEW
+    },
+];
+
+/// Homogeneous coordinates with numbers as coefficients, and the bounds of the parameter.
+fn numbers(args: &Arguments, i: usize) -> Result<([Poly; 3], (Option<Rational>, Option<Rational>))> {
+    let (coordinates, interval) = homogeneous_coordinates(args, i)?;
+    let of_plane: std::result::Result<[Vec<Fraction>; 3], _> = coordinates.try_into();
+    let coordinates = of_plane.map_err(|list| {
+        let message = format!("a curve of the plane is needed, this one has {} coordinates", list.len() - 1);
+        let error = Diagnostic::error(Code::Shape, message).at(args.span(i));
+        error.hint("solve finds where coordinates are equal: solve([x(s) = u(t), ...], [s, t])")
+    })?;
+    let polynomial =
+        |list: &Vec<Fraction>| -> Option<Poly> { list.iter().map(Fraction::as_rational).collect() };
+    let end = |end: &Fraction| end.as_rational();
+    let symbolic = || {
+        Diagnostic::error(Code::Type, "numbers are needed as control points and as ends of the interval")
+            .at(args.span(i))
+            .hint("solve treats curves with symbols: solve(c(t) = [x, y], t)")
+    };
+    let [Some(x), Some(y), Some(w)] = coordinates.each_ref().map(polynomial) else { return Err(symbolic()) };
+    let range = match interval {
+        None => (None, None),
+        Some(interval) => {
+            let (a, b) = interval.ends();
+            let (Some(a), Some(b)) = (end(a), end(b)) else { return Err(symbolic()) };
+            (Some(a.clone().min(b.clone())), Some(a.max(b)))
+        }
+    };
+    Ok(([x, y, w], range))
+}
+
+fn plane_curve(args: &Arguments, i: usize) -> Result<PlaneCurve> {
+    let (coordinates, range) = numbers(args, i)?;
+    PlaneCurve::new(coordinates, range)
+        .ok_or_else(|| Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(i)))
+}
+
+fn single_point(args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0)).hint("give a curve")
+}
+
+/// Infinitely many double points.
+fn twice(error: SystemError, args: &Arguments) -> Diagnostic {
+    match error {
+        SystemError::Infinite => {
+            let message =
+                "infinitely many points belong to several parameters: the curve is run through several times";
+            let error = Diagnostic::error(Code::Degenerate, message).at(args.span(0));
+            error.hint("implicit(c) is its equation")
+        }
+        other => system_error(other).at(args.span(0)),
+    }
+}
+
+fn intersections(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    let curve = plane_curve(args, 0)?;
+    let overlap = || {
+        Diagnostic::error(Code::Degenerate, "the curves have infinitely many points in common")
+            .at(args.span(1))
+            .hint("both are parts of one curve, or one of them is a point: implicit(c) is the equation")
+    };
+    if let Some(equation) = equation(args)? {
+        let symbols = ["x", "y"].map(Symbol::new);
+        if let Some(other) = equation.variables().iter().find(|s| !symbols.contains(s)) {
+            let message = format!("the equation has the symbol {other} besides x and y");
+            return Err(Diagnostic::error(Code::Type, message)
+                .at(args.span(1))
+                .hint("give it a value first; a curve is a list of its coordinates: [t, t^2]"));
+        }
+        let found = curve.on(&equation, &symbols).ok_or_else(overlap)?;
+        let rows = found.into_iter().map(|t| (vec![t.clone()], degree(&t)));
+        return table(machine, args, &["t"], &curve, rows.collect());
+    }
+    let other = plane_curve(args, 1)?;
+    let found = curve.meetings(&other).map_err(|error| match error {
+        SystemError::Infinite => overlap(),
+        error => system_error(error).at(args.span(1)),
+    })?;
+    let rows = found.into_iter().map(|meeting| (meeting.parameters.to_vec(), meeting.degree));
+    table(machine, args, &["t of the first", "t of the second"], &curve, rows.collect())
+}
+
+fn degree(t: &RealRoot) -> usize {
+    match t {
+        RealRoot::Rational(_) => 1,
+        RealRoot::Irrational(number) => number.polynomial().degree().unwrap_or(0),
+    }
+}
+
+/// The numerator of F where the second argument is a formula or equation, so no curve.
+fn equation(args: &Arguments) -> Result<Option<MultiPoly>> {
+    Ok(match args.value(1)? {
+        Value::Scalar(f) => Some(f.numerator().clone()),
+        Value::Claim(claim) => {
+            let [one] = claim.judgements.as_slice() else {
+                return Err(wrong_kind("one equation", args.value(1)?).at(args.span(1)));
+            };
+            let difference = negate(one.right.clone()).and_then(|right| add(one.left.clone(), right))?;
+            difference.as_scalar().map(|f| f.numerator().clone())
+        }
+        _ => None,
+    })
+}
+
+/// A row for each parameter or pair of them, with the point of the first curve.
+fn table(
+    machine: &mut Machine,
+    args: &Arguments,
+    header: &[&str],
+    curve: &PlaneCurve,
+    rows: Vec<(Vec<RealRoot>, usize)>,
+) -> Result<Value> {
+    if rows.is_empty() {
+        return Ok(Value::list(Vec::new()));
+    }
+    let [t, x, y] = ["t", "x", "y"].map(Symbol::new);
+    let highest = rows.iter().map(|(_, degree)| *degree).max().unwrap_or(1);
+    let with_points = args.flag("points", highest <= DEGREE_WITH_POINTS)?;
+    if !with_points && args.named("points").is_none() {
+        let message =
+            format!("the points are left out: a parameter is a root of a polynomial of degree {highest}");
+        let note = Diagnostic::note(Code::LeftOut, message).at(args.span(0));
+        machine.note(note.hint("points=1 gives them"));
+    }
+    let mut result = Table::with_header(header.iter().copied().chain(with_points.then_some("point")));
+    for (parameters, _) in rows {
+        let mut row: Vec<Cell> = parameters.iter().map(|p| Cell::Value(Value::root(p.clone(), &t))).collect();
+        if with_points {
+            let [a, b] = curve.point(&parameters[0]);
+            row.push(Cell::Value(Value::point(vec![Value::root(a, &x), Value::root(b, &y)])));
+        }
+        result.rows.push(row);
+    }
+    Ok(Value::Table(Arc::new(result)))
+}
+
+fn inversion(args: &Arguments) -> Result<Value> {
+    let (coordinates, range) = numbers(args, 0)?;
+    let Some((_, span)) = args.given(1) else {
+        let [x, y] = ["x", "y"].map(Symbol::new);
+        if curve::moving_lines(&coordinates).is_none() {
+            return Err(single_point(args));
+        }
+        return curve::inversion_formula(&coordinates, [&x, &y]).map(Value::Scalar).ok_or_else(|| {
+            let message = "the parameter is no function of the point: the curve is run through several times";
+            Diagnostic::error(Code::Degenerate, message).at(args.span(0)).hint("implicit(c) is its equation")
+        });
+    };
+    let point = args.point(1)?;
+    let numbers: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
+    let point: [Rational; 2] = numbers.and_then(|list| list.try_into().ok()).ok_or_else(|| {
+        Diagnostic::error(Code::Shape, "a point with two numbers as coordinates is needed").at(span)
+    })?;
+    let curve = PlaneCurve::new(coordinates, range).ok_or_else(|| {
+        Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(0))
+    })?;
+    let found = curve.parameters_of(&point).ok_or_else(|| single_point(args))?;
+    let t = Symbol::new("t");
+    Ok(Value::List(found.into_iter().map(|root| Value::root(root, &t)).collect()))
+}

@@ -1,0 +1,268 @@
+//! Lengths, areas and centroids; inflections; curves with Pythagorean hodographs; curvatures of surfaces.
+
+use super::Builtin;
+use super::geometric::numeric;
+use super::on_surface::partial_derivatives;
+use super::parameter::{CURVE, Parameter, SURFACE, Takes, named, optional, required};
+use super::roots;
+use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::{Arguments, Evaluated};
+use crate::language::ops::errors::{curve_error, wrong_kind};
+use crate::language::ops::geometry::{bezier, points_of};
+use crate::language::value::{Form, Geometry, Value, in_letter};
+use crate::math::curve::{self, BezierCurve, Interval, Point};
+use crate::math::number::{Rational, rational};
+use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::{Field, Ring};
+
+type Result<T> = std::result::Result<T, Diagnostic>;
+
+const NEW: Builtin = Builtin::about("Lengths and areas");
+
+const SURFACES: Builtin = Builtin::about("Curvature");
+
+const OUTLINE: Parameter =
+    required("outline", Takes::Any, "points, a closed curve of the plane or a list of curves")
+        .shown("[p_0, ..., p_m]");
+
+const AT: [Parameter; 3] = [
+    SURFACE,
+    required("u", Takes::Scalar, "the first parameter"),
+    required("v", Takes::Scalar, "the second parameter"),
+];
+
+pub(super) const TABLE: &[Builtin] = &[
+    Builtin {
+        name: "area",
+        parameters: &[OUTLINE],
+        summary: "the area inside of a polygon or of closed curves, positive if they run counterclockwise",
+        example: "area([[0, 0], [2, 0], [0, 3]])",
+        call: |_, args| Ok(Value::Scalar(moments(args)?[0].clone())),
+        ..NEW
+    },
+    Builtin {
+        name: "centroid",
+        parameters: &[OUTLINE],
+        summary: "the centroid of the area inside of a polygon or of closed curves",
+        example: "centroid([[0, 0], [2, 0], [0, 3]])",
+        call: |_, args| {
+            let [area, x, y] = moments(args)?;
+            let inverse = area.inverse().ok_or_else(|| {
+                Diagnostic::error(Code::Degenerate, "the area is 0")
+                    .at(args.span(0))
+                    .hint("give an outline with an area")
+            })?;
+            Ok(Form::default().plain(vec![x.times(&inverse), y.times(&inverse)]))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "arc_length",
+        parameters: &[
+            CURVE,
+            named("width=1/1000", Takes::Number, "1/1000", "how far the bounds may be apart"),
+        ],
+        summary: "the length of a polynomial curve: exactly where |c'| is a polynomial, else bounds [lower, upper]",
+        example: "arc_length(bezier([[0, 0], [1, 1], [2, 0]]), width=1/50)",
+        call: |_, args| {
+            let curve = numbers(args)?;
+            let width = roots::width(args)?.unwrap_or_else(|| rational(1, 1000));
+            let (lower, upper) = curve::arc_length(&curve, &width);
+            Ok(match lower == upper {
+                true => Value::number(lower),
+                false => Value::list(vec![Value::number(lower), Value::number(upper)]),
+            })
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "speed",
+        parameters: &[CURVE],
+        summary: "|c'| of a curve with a Pythagorean hodograph, as a polynomial up to its sign",
+        example: "speed(pythagorean_curve(1, t))",
+        call: |_, args| {
+            let curve = numbers(args)?;
+            let letter = Symbol::new("t");
+            let found = curve::speed(&curve).map(|p| Value::Scalar(Fraction::from(in_letter(&p, &letter))));
+            found.ok_or_else(|| {
+                let message = "|c'|^2 is not the square of a polynomial: the hodograph is not Pythagorean";
+                let error = Diagnostic::error(Code::Irrational, message).at(args.span(0));
+                error.hint("arc_length(c) gives bounds of the length")
+            })
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "pythagorean_curve",
+        parameters: &[
+            required("U", Takes::Polynomial, "a polynomial"),
+            required("V", Takes::Polynomial, "another one"),
+            optional("p", Takes::Point, "[0, 0]", "where the curve starts"),
+        ],
+        summary: "the curve over [0, 1] with the derivative (U^2 - V^2, 2 U V), whose length is a polynomial",
+        example: "pythagorean_curve(1, t)",
+        call: |_, args| pythagorean(args),
+        ..NEW
+    },
+    Builtin {
+        name: "inflections",
+        parameters: &[CURVE],
+        summary: "the parameters at which the curvature of a plane curve changes its sign, exactly",
+        example: "inflections(bezier([[0, 0], [1, 2], [2, -2], [3, 0]]))",
+        call: |_, args| {
+            let found = curve::inflections(&numbers(args)?).map_err(curve_error).at(args.span(0))?;
+            let letter = Symbol::new("t");
+            let list = found.ok_or_else(|| {
+                let error = Diagnostic::error(Code::Degenerate, "the curve is straight").at(args.span(0));
+                error.hint("its curvature is 0 everywhere")
+            })?;
+            Ok(Value::List(list.into_iter().map(|t| Value::root(t, &letter)).collect()))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "gaussian_curvature",
+        parameters: &AT,
+        summary: "the Gaussian curvature (L N - M^2)/(E G - F^2) of a surface in space",
+        example: "gaussian_curvature(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 0, 0)",
+        call: |_, args| {
+            let forms = fundamental(args)?;
+            let [l, m, n] = &forms.second;
+            let inverse = forms.area.times(&forms.area).inverse().ok_or_else(|| flat(args))?;
+            Ok(Value::Scalar(l.times(n).minus(&m.times(m)).times(&inverse)))
+        },
+        ..SURFACES
+    },
+    Builtin {
+        name: "squared_mean_curvature",
+        parameters: &AT,
+        summary: "the square of the mean curvature (E N - 2 F M + G L)/(2 (E G - F^2)), which is rational",
+        example: "squared_mean_curvature(patch([[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 1]]]), 1, 1)",
+        call: |_, args| {
+            let forms = fundamental(args)?;
+            let ([e, f, g], [l, m, n]) = (&forms.first, &forms.second);
+            let sum = e.times(n).minus(&f.times(m).scaled(&rational(2, 1))).plus(&g.times(l));
+            let below = forms.area.powered(3).scaled(&rational(4, 1));
+            let inverse = below.inverse().ok_or_else(|| flat(args))?;
+            Ok(Value::Scalar(sum.times(&sum).times(&inverse)))
+        },
+        ..SURFACES
+    },
+];
+
+/// E, F, G; L, M, N times |n| for the normal n = s_u × s_v; and |n|² = E G − F².
+struct Fundamental {
+    first: [Fraction; 3],
+    second: [Fraction; 3],
+    area: Fraction,
+}
+
+fn fundamental(args: &Arguments) -> Result<Fundamental> {
+    let (jet, _) = partial_derivatives(args, 2)?;
+    let (u, v) = (&jet[1][0], &jet[0][1]);
+    if u.len() != 3 {
+        let message = format!("a surface in space is needed, this one has {} coordinates", u.len());
+        return Err(Diagnostic::error(Code::Shape, message)
+            .at(args.span(0))
+            .hint("give points with three coordinates"));
+    }
+    let dot = |a: &[Fraction], b: &[Fraction]| {
+        a.iter().zip(b).fold(Fraction::from(rational(0, 1)), |sum, (x, y)| sum.plus(&x.times(y)))
+    };
+    let normal: Vec<Fraction> = (0..3)
+        .map(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            u[i].times(&v[j]).minus(&u[j].times(&v[i]))
+        })
+        .collect();
+    let first = [dot(u, u), dot(u, v), dot(v, v)];
+    let second = [&jet[2][0], &jet[1][1], &jet[0][2]].map(|d| dot(d, &normal));
+    let area = dot(&normal, &normal);
+    Ok(Fundamental { first, second, area })
+}
+
+fn flat(args: &Arguments) -> Diagnostic {
+    let error = Diagnostic::error(Code::Degenerate, "the partial derivatives are parallel or 0 there");
+    error.at(args.span(1)).hint("derivatives_at(s, u, v, 1) shows them")
+}
+
+/// The polynomial curve at the first place, with numbers.
+fn numbers(args: &Arguments) -> Result<BezierCurve<Rational>> {
+    let (curve, form) = args.bezier(0)?;
+    if form.rational {
+        return Err(Diagnostic::error(Code::NotPolynomial, "this curve is rational")
+            .at(args.span(0))
+            .hint("a polynomial curve is needed"));
+    }
+    numeric(&curve).ok_or_else(|| {
+        Diagnostic::error(Code::Type, "numbers are needed as control points")
+            .at(args.span(0))
+            .hint("give the symbols values first")
+    })
+}
+
+/// The area and its moments in x and y.
+fn moments(args: &Arguments) -> Result<[Fraction; 3]> {
+    let outline = args.value(0)?;
+    let curve = |item: &Value| matches!(item, Value::Geometry(geometry) if !geometry.is_surface());
+    let curves: Vec<Value> = match outline {
+        Value::List(items) if items.iter().any(curve) => items.to_vec(),
+        one if curve(one) => vec![one.clone()],
+        _ => return polygon(args, outline),
+    };
+    let mut list = Vec::new();
+    for item in curves {
+        let (pieces, form) = match &item {
+            Value::Geometry(geometry) => match &**geometry {
+                Geometry::Spline(s, form) => (s.bezier_pieces(), *form),
+                _ => {
+                    let (curve, form) = args.with_first(item.clone()).bezier(0).at(args.span(0))?;
+                    (vec![curve], form)
+                }
+            },
+            _ => return Err(wrong_kind("a curve", &item).at(args.span(0))),
+        };
+        for piece in pieces {
+            list.push(numbers(&args.with_first(bezier(piece, form)))?);
+        }
+    }
+    curve::green(&list).map(|sums| sums.map(Fraction::from)).map_err(curve_error).at(args.span(0))
+}
+
+fn polygon(args: &Arguments, outline: &Value) -> Result<[Fraction; 3]> {
+    let wrong = || wrong_kind("points of the plane or a closed curve", outline).at(args.span(0));
+    let (points, _) = points_of(outline).ok_or_else(|| wrong().hint("area([[0, 0], [2, 0], [0, 3]])"))?;
+    if points.len() < 3 || points.iter().any(|p| p.len() != 2) {
+        return Err(Diagnostic::error(
+            Code::ControlPoints,
+            "an outline has three points of the plane or more",
+        )
+        .at(args.span(0))
+        .hint("area([[0, 0], [2, 0], [0, 3]])"));
+    }
+    Ok(curve::polygon_moments(&points))
+}
+
+fn pythagorean(args: &Arguments) -> Evaluated {
+    let ((u, _), (v, _)) = (roots::numeric(args, 0)?, roots::numeric(args, 1)?);
+    let start = match args.given(2) {
+        None => [rational(0, 1), rational(0, 1)],
+        Some((_, span)) => {
+            let point: Point<Fraction> = args.point(2)?;
+            let list: Option<Vec<Rational>> = point.iter().map(Fraction::as_rational).collect();
+            list.and_then(|list| list.try_into().ok()).ok_or_else(|| {
+                Diagnostic::error(Code::Shape, "a point with two numbers is needed")
+                    .at(span)
+                    .hint("such as [0, 0]")
+            })?
+        }
+    };
+    let coordinates = curve::pythagorean_curve(&u, &v, &start);
+    let degree = coordinates.iter().filter_map(|p| p.degree()).max().unwrap_or(0);
+    let power: Vec<Vec<Fraction>> = coordinates
+        .iter()
+        .map(|p| (0..=degree).map(|k| Fraction::from(p.coefficient(k))).collect())
+        .collect();
+    let curve = BezierCurve::from_power(&power, Interval::unit()).map_err(curve_error)?;
+    Ok(bezier(curve, Form::default()))
+}
