@@ -48,10 +48,10 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "coons",
         parameters: &[
-            required("c_0", Takes::Curve, "the boundary curve in u where v starts"),
-            required("c_1", Takes::Curve, "the one where v ends"),
-            required("d_0", Takes::Curve, "the boundary curve in v where u starts"),
-            required("d_1", Takes::Curve, "the one where u ends"),
+            required("bottom", Takes::Curve, "the boundary curve in u where v starts").shown("c_0"),
+            required("top", Takes::Curve, "the one where v ends").shown("c_1"),
+            required("left", Takes::Curve, "the boundary curve in v where u starts").shown("d_0"),
+            required("right", Takes::Curve, "the one where u ends").shown("d_1"),
         ],
         summary: "Coons' bilinearly blended surface of four boundary curves that meet at the corners",
         example: "coons(bezier([[0, 0], [1, 0]]), bezier([[0, 1], [1, 1]]), bezier([[0, 0], [0, 1]]), bezier([[1, 0], [2, 1], [1, 1]]))",
@@ -76,9 +76,9 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "gordon",
         parameters: &[
-            required("in_u", Takes::List, "curves in u").shown("[c_0, ..., c_m]"),
+            required("curves", Takes::List, "curves in u").shown("[c_0, ..., c_m]"),
             required("v", Takes::Scalars, "the v of each of them").shown("[v_0, ..., v_m]"),
-            required("in_v", Takes::List, "curves in v").shown("[d_0, ..., d_n]"),
+            required("others", Takes::List, "curves in v").shown("[d_0, ..., d_n]"),
             required("u", Takes::Scalars, "the u of each of them").shown("[u_0, ..., u_n]"),
         ],
         summary: "Gordon's surface through a network of curves that meet: c_j(u_i) = d_i(v_j)",
