@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::check::Checker;
 use super::context::{Body, Condition, is_variable};
 use super::model::{Ambiguity, Choices, Curve};
-use super::names::{Head, is_index_letter, is_range, own_names, walk};
+use super::names::{Head, bases, is_index_letter, is_range, own_names, walk};
 use super::statement::{Chain, Place};
 use super::tally::{Outcomes, Tally};
 use super::trial::{Facts, Setting, Trial};
@@ -127,6 +127,13 @@ impl Checker {
             // "n = 1:", "n = 2:", … are values, each for its own paragraph.
             .filter(|c| c.place.group == place.group || !gives_a_number(&c.expr))
             .collect();
+        // Of a letter that this section introduces anew another one says nothing.
+        earlier.retain(|condition| {
+            place.sees(&condition.place)
+                || !bases(&condition.expr)
+                    .iter()
+                    .any(|base| self.context.is_spoken_of_anew(base, &condition.place, place))
+        });
         // The nearest and latest first.
         earlier.sort_by_key(|condition| (place.sees(&condition.place), condition.line));
         earlier.reverse();

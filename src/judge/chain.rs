@@ -99,7 +99,11 @@ impl Checker {
                             .chain(&head.upper)
                             .all(|index| matches!(index.kind, Kind::Number(_)))
                     };
-                    if let Some(head) = Head::of(&side.expr).filter(certain) {
+                    // M_0 = M_n = 0, where M_i = s''(x_i): a condition on s
+                    if Head::of(&side.expr).is_some_and(|head| self.is_of_any_spline(&head, place)) {
+                        let equation = Expr::relation(side.expr.clone(), Rel::Eq, value.clone());
+                        self.condition(equation, side.expr.span, false, place);
+                    } else if let Some(head) = Head::of(&side.expr).filter(certain) {
                         self.define(head, Body::Formula(value.clone()), &[], place, side.expr.span);
                     }
                 }
@@ -447,10 +451,14 @@ impl Checker {
             let datum = statement.role != Some(Role::Claimed)
                 && findings[at].verdict == Verdict::Undecided
                 && chain.relations[at].0 == Rel::Eq
-                && !tally.record.unknown.is_empty()
+                && (!tally.record.unknown.is_empty()
+                    || self.is_value_of_spline(&chain.sides[at].expr, place))
                 && head.is_none()
                 && self.is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr, place);
-            if datum {
+            let named = at == 0
+                && findings[at].verdict != Verdict::Proved
+                && self.names_a_value_of_spline(chain, place);
+            if datum || named {
                 findings[at].verdict = Verdict::Definition;
                 findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
             }
@@ -502,11 +510,6 @@ impl Checker {
                 findings[at].suggestion = None;
             }
         }
-    }
-
-    /// Whether it is about two functions that words introduced and of which no more is known.
-    fn is_of_two_functions(&self, tally: &Tally) -> bool {
-        tally.record.unknown.len() > 1
     }
 
     /// Where a side in the middle of a chain is wrong, both relations around it fail: the second one

@@ -110,6 +110,7 @@ impl Checker {
                 }
                 self.findings.push(finding);
                 Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
+                self.join(&side.expr, statement);
             }
             Said::Chain(chain) => {
                 let chain = &whole_sums(chain);
@@ -134,6 +135,9 @@ impl Checker {
                     let join = statement.role == Some(Role::Assumed) && statement.topics.has(Topic::Join);
                     if statement.role == Some(Role::Sought) {
                         self.remember(chain, statement, &findings);
+                    }
+                    if statement.role == Some(Role::Equivalent) {
+                        self.as_a_consequence(chain, statement, &mut findings);
                     }
                     if join || statement.role == Some(Role::Equivalent) {
                         self.by_the_field(chain, statement, &mut findings, before);
@@ -182,6 +186,9 @@ impl Checker {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
+        if object.natural {
+            self.natural(object, place);
+        }
         for (head, value) in object.members() {
             let span = value.span;
             self.define(head, Body::Formula(value), &[], place, span);

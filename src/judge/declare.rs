@@ -5,11 +5,17 @@
 //! formula is not judged. What a block of queries defines is declared, too: weaving runs the block, and
 //! the text around it speaks of its names.
 
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
 use super::check::Checker;
 use super::context::{Body, Definition, Source};
+use super::finding::{Finding, Verdict};
+use super::known::definable;
 use super::names::{Head, bases, operated, walk};
 use super::object::{Object, Sort};
-use super::statement::{Chain, Place, Statement};
+use super::statement::{Chain, Place, Role, Statement};
+use super::tally::Tally;
 use super::topic::Topic;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel};
@@ -70,6 +76,150 @@ impl Checker {
             let argument = head.base[operator.len()..].trim_matches(['[', ']']).to_owned();
             let body = body.with_name(&argument, &function);
             self.define(Head { base, ..head }, Body::Formula(body.clone()), &conditions, place, body.span);
+        }
+    }
+
+    /// "They join if and only if c_0 = b_n": what is known of the join leads to it, or to something else.
+    pub(super) fn as_a_consequence(
+        &mut self,
+        chain: &Chain,
+        statement: &Statement,
+        findings: &mut [Finding],
+    ) {
+        let named: BTreeSet<String> = chain.sides.iter().flat_map(|side| bases(&side.expr)).collect();
+        let told = self.context.objects.iter().filter(|told| {
+            told.object.sort == Sort::BezierCurve && statement.place.knows(&told.place, false)
+        });
+        let letters = |object: &Object| object.points.first().and_then(Head::of).map(|head| head.base);
+        let curves: Vec<(String, String)> = told
+            .filter_map(|told| Some((Head::of(told.object.names.first()?)?.base, letters(&told.object)?)))
+            .collect();
+        let joined = curves
+            .iter()
+            .any(|(curve, points)| named.contains(points) && self.is_constrained(curve, &statement.place));
+        if !joined {
+            return;
+        }
+        let claim = Statement { role: Some(Role::Claimed), ..statement.clone() };
+        let kept = self.context.clone();
+        let tried = self.chain(chain, &claim);
+        self.context = kept;
+        for (finding, tried) in findings.iter_mut().zip(tried) {
+            let refuted = tried.verdict == Verdict::Refuted && tried.determined;
+            if refuted || matches!(tried.verdict, Verdict::Proved | Verdict::Sampled) {
+                *finding = tried;
+            }
+        }
+    }
+
+    /// A natural spline has no second derivative at its first and last knot, as far as the page names these.
+    pub(super) fn natural(&mut self, object: &Object, place: &Place) {
+        let listed = || {
+            let letter = self.context.objects.iter().rev().find_map(|told| {
+                let knots =
+                    matches!(told.object.sort, Sort::Knots | Sort::Nodes) && place.knows(&told.place, false);
+                Head::of(told.object.names.first().filter(|_| knots)?).map(|head| head.base)
+            });
+            let letter = letter.unwrap_or_else(|| "x".to_owned());
+            let (first, last) = self.context.listed(&letter, place)?;
+            let member =
+                |index: Expr| Expr::from(Kind::Subscript(Box::new(Expr::name(&letter)), vec![index]));
+            Some((member(first), member(last)))
+        };
+        let ends = match object.knots.as_slice() {
+            [first, .., last] if last.kind != Kind::Ellipsis => Some((first.clone(), last.clone())),
+            _ => listed(),
+        };
+        let ([name], Some((first, last))) = (object.names.as_slice(), ends) else { return };
+        for end in [first, last] {
+            let second = Expr::from(Kind::Prime(Box::new(name.clone()), 2));
+            let equation = Expr::relation(Expr::apply(second, vec![end]), Rel::Eq, Expr::int(0));
+            self.condition(equation, name.span, false, place);
+        }
+    }
+
+    /// Whether a name is defined by a spline of which no more is known.
+    pub(super) fn is_of_any_spline(&self, head: &Head, place: &Place) -> bool {
+        self.is_covered(head, place)
+            && self.context.visible(&head.base, place).any(|(_, definition, _)| match &definition.body {
+                Body::Formula(body) => bases(body).iter().any(|base| {
+                    self.context.object_called(base, place).is_some_and(|known| {
+                        known.object.sort == Sort::SplineCurve && known.object.points.is_empty()
+                    })
+                }),
+                Body::Value(_) => false,
+            })
+    }
+
+    /// Whether it is a value of a spline of which no more is known, or of a derivative of it.
+    pub(super) fn is_value_of_spline(&self, expr: &Expr, place: &Place) -> bool {
+        let Kind::Apply(callee, _) = &expr.kind else { return false };
+        let mut function = callee.as_ref();
+        while let Kind::Prime(inner, _) = &function.kind {
+            function = inner;
+        }
+        Head::of(function).is_some_and(|head| {
+            self.context
+                .object(&head, place)
+                .is_some_and(|known| known.object.sort == Sort::SplineCurve && known.object.points.is_empty())
+                && self.context.visible(&head.base, place).next().is_none()
+        })
+    }
+
+    /// s(x_i) = y_i for a spline of which no more is known: the y_i are its values.
+    pub(super) fn names_a_value_of_spline(&mut self, chain: &Chain, place: &Place) -> bool {
+        let [left, right] = [&chain.sides[0].expr, &chain.sides[1].expr];
+        let Kind::Apply(_, groups) = &left.kind else { return false };
+        let spline = self.is_value_of_spline(left, place);
+        let member = |expr: &Expr| Head::of(expr).filter(|head| head.index().is_some());
+        let same = |head: &Head| match groups.concat().as_slice() {
+            [argument] => match (member(argument).and_then(|own| own.index().cloned()), head.index()) {
+                (Some(a), Some(b)) => a.same_as(b),
+                _ => false,
+            },
+            _ => false,
+        };
+        let named = definable(right).filter(|head| head.arguments.is_none() && head.upper.is_empty());
+        let Some(head) = named.filter(|head| spline && same(head)) else { return false };
+        let new = !self.context.visible(&head.base, place).any(|(_, _, near)| near);
+        if new {
+            self.define(head, Body::Formula(left.clone()), &[], place, left.span);
+        }
+        new
+    }
+
+    /// Whether it is about two functions that words introduced and of which no more is known.
+    pub(super) fn is_of_two_functions(&self, tally: &Tally) -> bool {
+        tally.record.unknown.len() > 1
+    }
+
+    /// "They join with C^1 continuity": what the last two curves of the section, over adjacent intervals, fulfil.
+    pub(super) fn join(&mut self, expr: &Expr, statement: &Statement) {
+        let Kind::Pow(letter, order) = &expr.kind else { return };
+        let (Kind::Name(letter), Some(order)) = (&letter.kind, order.as_int()) else { return };
+        let place = &statement.place;
+        if letter != "C" || !(0..4).contains(&order) || statement.denied {
+            return;
+        }
+        let curves = self.context.objects.iter().rev().filter(|told| {
+            told.object.sort == Sort::BezierCurve
+                && told.object.names.len() == 1
+                && place.knows(&told.place, false)
+        });
+        let curves: Vec<Rc<Object>> = curves.take(2).map(|told| told.object.clone()).collect();
+        let [second, first] = curves.as_slice() else { return };
+        let (Some((_, end)), Some((start, _))) = (&first.interval, &second.interval) else { return };
+        if !end.same_as(start) {
+            return;
+        }
+        for k in 0..=order {
+            let value = |curve: &Object| {
+                let name = curve.names[0].clone();
+                let name = if k == 0 { name } else { Kind::Prime(Box::new(name), k as u32).into() };
+                Expr::apply(name, vec![end.clone()])
+            };
+            let equation = Expr::relation(value(first), Rel::Eq, value(second));
+            self.condition(equation, expr.span, false, place);
         }
     }
 

@@ -18,7 +18,7 @@ use crate::math::poly::Symbol;
 
 /// The left side of a definition: a name, perhaps with indices, applied to distinct names.
 pub fn definable(expr: &Expr) -> Option<Head> {
-    let head = Head::of(expr).filter(|head| !is_function_word(&head.base))?;
+    let head = Head::of(expr).filter(|head| !is_function_word(&head.base) || head.base == "inner")?;
     // q_{2i+1} beside q_{2i}, but not F_{n+1}, of which F_n is one, too
     let odd = |index: &Expr| match &index.kind {
         Kind::Add(terms) => {

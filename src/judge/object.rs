@@ -99,6 +99,8 @@ pub struct Object {
     pub interval: Option<(Expr, Expr)>,
     /// Whether its knots are equally spaced.
     pub uniform: bool,
+    /// Whether the second derivatives of a spline vanish at its ends.
+    pub natural: bool,
 }
 
 impl Object {
@@ -115,6 +117,7 @@ impl Object {
             values: Vec::new(),
             interval: None,
             uniform: false,
+            natural: false,
         }
     }
 
@@ -274,10 +277,9 @@ impl Context {
                     more.extend(bases(body));
                 }
             }
-            if let Some(of) =
-                self.object_called(&base, place).and_then(|declared| declared.object.of.as_ref())
-            {
-                more.extend(bases(of));
+            if let Some(declared) = self.object_called(&base, place) {
+                let object = &declared.object;
+                object.of.iter().chain(&object.points).for_each(|part| more.extend(bases(part)));
             }
             for name in more {
                 if found.insert(name.clone()) {

@@ -35,7 +35,8 @@ impl Trial<'_> {
     /// Whether a name in it was introduced as a B-spline or a curve of them.
     fn speaks_of_splines(&self) -> bool {
         self.spoken().any(|object| {
-            object.sort == Sort::BSpline || object.sort == Sort::SplineCurve && !object.knots.is_empty()
+            object.sort == Sort::BSpline
+                || object.sort == Sort::SplineCurve && !object.knots.is_empty() && !object.points.is_empty()
         })
     }
 

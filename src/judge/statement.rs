@@ -208,13 +208,15 @@ pub struct Statement {
     pub near: Topics,
     /// The words between the formula before and this one.
     pub gap: String,
+    /// Whether these words deny it.
+    pub denied: bool,
 }
 
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
         let (topics, near, gap) = Default::default();
-        Statement { said, place, role: None, topics, near, gap }
+        Statement { said, place, role: None, topics, near, gap, denied: false }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -265,7 +265,8 @@ impl Checker {
             });
             named.count() > 1
         };
-        !new.is_empty() && new.iter().all(listed)
+        let of_functions = left.iter().all(|symbol| symbol.is_plain() || hypotheses::is_coefficient(symbol));
+        of_functions && !new.is_empty() && new.iter().all(listed)
     }
 
     /// A proof for all integers, if one is found.

@@ -15,7 +15,7 @@ use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::inequality::interval;
-use crate::judge::names::{Head, bases};
+use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
@@ -193,6 +193,7 @@ impl Reader<'_> {
             topics: self.topics,
             near: self.near(),
             gap: self.gap.clone(),
+            denied: speech::denies(&self.gap),
             ..Statement::new(said, self.place())
         };
         self.statements.push(statement);
@@ -483,6 +484,21 @@ fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
             let dots = taken.iter().any(|e| e.kind == Kind::Ellipsis);
             if let (true, Some(last)) = (dots, taken.last())
                 && last.kind != Kind::Ellipsis
+            {
+                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
+                let range = Expr::new(range, from.span.to(last.span));
+                let link = Link { rel: Rel::Eq, span: *span, expr: range };
+                let whole = item.span.to(last.span);
+                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
+                continue;
+            }
+            // k = 0, 1, 2
+            let first = from.as_int();
+            let consecutive =
+                |(at, next): (usize, &Expr)| next.as_int() == first.map(|first| first + at as i64 + 1);
+            if let (Some(_), Some(last), Kind::Name(letter)) = (first, taken.last(), &left.kind)
+                && is_index_letter(letter)
+                && taken.iter().enumerate().all(consecutive)
             {
                 let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
                 let range = Expr::new(range, from.span.to(last.span));

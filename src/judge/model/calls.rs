@@ -31,6 +31,9 @@ impl Model {
         if !self.is_function(machine, callee) {
             return None;
         }
+        if let Some(result) = self.functional(machine, callee, groups) {
+            return Some(result);
+        }
         if let (Kind::Name(name), true) = (&callee.kind, self.is_queried(callee, groups))
             && let Some(Ok(function)) = self.defined(machine, &Head::of(callee)?, None)
         {
@@ -333,7 +336,10 @@ impl Model {
                 derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
             })
         };
-        match (self.moved(around, || self.apply(machine, function, &own, expr)), argument.as_rational()) {
+        let outer = self.place_of_derivative.replace(Some(argument.clone()));
+        let value = self.moved(around, || self.apply(machine, function, &own, expr));
+        self.place_of_derivative.replace(outer);
+        match (value, argument.as_rational()) {
             // Given by several formulas: the derivatives from both sides have to agree.
             (Err(error), Some(at)) if error.message == OPEN_PIECE => {
                 let near = Rational::new(1.into(), (1i64 << 40).into());

@@ -52,6 +52,9 @@ impl Model {
             {
                 continue;
             }
+            if self.is_made_of_itself(machine, definition, head) {
+                continue;
+            }
             let Some((bound, exact)) = self.matches(machine, definition, head, values) else { continue };
             match self.allows(machine, definition, &bound) {
                 Some(false) => {
@@ -101,6 +104,32 @@ impl Model {
         }
         self.record.borrow_mut().definitions.insert((number, near));
         Some(result)
+    }
+
+    /// Whether a definition of all members of a family leads back to the one that is asked for: x_i = x_0 + ih says
+    /// nothing of x_0.
+    fn is_made_of_itself(&self, machine: &mut Machine, definition: &Definition, head: &Head) -> bool {
+        let ([Expr { kind: Kind::Name(_), .. }], [index], Body::Formula(body)) =
+            (definition.head.lower.as_slice(), head.lower.as_slice(), &definition.body)
+        else {
+            return false;
+        };
+        let plain =
+            definition.head.upper.is_empty() && definition.head.arguments.is_none() && head.upper.is_empty();
+        let fixed = |part: &Expr| match &part.kind {
+            Kind::Subscript(base, lower) => match (&base.kind, lower.as_slice()) {
+                (Kind::Name(letter), [Expr { kind: Kind::Number(_), .. }]) if *letter == head.base => {
+                    lower[0].as_int()
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        if !plain || !body.has(&|part| fixed(part).is_some()) {
+            return false;
+        }
+        let Some(own) = machine.eval(index).ok().and_then(|value| value.as_int()) else { return false };
+        body.has(&|part| fixed(part) == Some(own))
     }
 
     /// The item b_i of a list b that a query gives.

@@ -11,10 +11,12 @@ mod definitions;
 mod dots;
 mod dotted_arguments;
 mod families;
+mod functionals;
 mod notations;
 mod objects;
 mod piecewise;
 mod polynomials;
+mod spline;
 mod steps;
 mod symmetric;
 
@@ -34,7 +36,7 @@ use crate::language::lexicon::{letters, roles};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::number::Rational;
-use crate::math::poly::{Index, Symbol};
+use crate::math::poly::{Fraction, Index, Symbol};
 
 type Evaluated = Result<Value, Diagnostic>;
 
@@ -169,6 +171,8 @@ pub struct Model {
     /// Letters of control points whose curve is being evaluated.
     open: RefCell<BTreeSet<String>>,
     depth: Cell<usize>,
+    /// Where the derivative is taken that is being worked out.
+    place_of_derivative: RefCell<Option<Fraction>>,
     /// Whether conditions of a definition are being looked at.
     asking: Cell<bool>,
     record: RefCell<Record>,
@@ -195,6 +199,7 @@ impl Model {
             flexible: Cell::new(false),
             open: RefCell::default(),
             depth: Cell::new(0),
+            place_of_derivative: RefCell::default(),
             asking: Cell::new(false),
             record: RefCell::default(),
         }

@@ -179,6 +179,11 @@ impl Model {
                     Err(error) => Err(error),
                 }
             }
+            Sort::SplineCurve if object.points.is_empty() && !self.is_local() => {
+                let x = one?;
+                let degree = self.stated_degree(machine, &object, &bound)?;
+                self.any_spline(machine, &object, head, degree, &x, expr)
+            }
             Sort::BezierCurve => {
                 let x = one?;
                 let degree = self

@@ -176,7 +176,7 @@ impl<'a> Reader<'a> {
     }
 
     fn take(&mut self, phrase: Phrase) {
-        let Phrase { mut object, mut of, piece, anonymous, from, to, named, inner } = phrase;
+        let Phrase { mut object, mut of, intervals, piece, anonymous, from, to, named, inner } = phrase;
         if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
             object.sort = Sort::SplineCurve;
             object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));
@@ -186,7 +186,8 @@ impl<'a> Reader<'a> {
             _ => self
                 .subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors))
                 .or_else(|| self.subject_after(to))
-                .or_else(|| self.subject_of_notation(from)),
+                .or_else(|| self.subject_of_notation(from))
+                .or_else(|| self.subject_of_clause(from)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
@@ -212,7 +213,19 @@ impl<'a> Reader<'a> {
                 && !object.points.is_empty()
                 && let Some(number) = (from..to).find_map(|at| self.formula_at(at))
             {
-                self.found.entry(number).or_default().push(object);
+                let lists = families(&object.points);
+                let several = lists.len() > 1 && lists.len() == intervals.len();
+                let found = self.found.entry(number).or_default();
+                if !several {
+                    found.push(object);
+                    return;
+                }
+                // "Two curves over [0, 1] and [1, 3] with the control points b_0, … and c_0, …"
+                for ((points, interval), at) in lists.into_iter().zip(intervals).zip(1..) {
+                    let names = vec![Expr::name(format!("\u{25ab}{at}"))];
+                    let interval = Some(interval);
+                    found.push(Object { names, points, interval, ..object.clone() });
+                }
             }
             return;
         };
@@ -270,8 +283,9 @@ impl<'a> Reader<'a> {
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
         let lists = families(&object.points);
         if names.len() > 1 && lists.len() == names.len() {
-            for (name, points) in names.into_iter().zip(lists) {
-                let own = Object { names: vec![name], points, ..object.clone() };
+            for (at, (name, points)) in names.into_iter().zip(lists).enumerate() {
+                let interval = intervals.get(at).cloned().or(object.interval.clone());
+                let own = Object { names: vec![name], points, interval, ..object.clone() };
                 self.found.entry(number).or_default().push(own);
             }
             return;

@@ -13,6 +13,8 @@ pub(super) struct Phrase {
     pub(super) object: Object,
     /// Several things that it belongs to: the polar forms of F and G.
     pub(super) of: Vec<Expr>,
+    /// The intervals of several curves.
+    pub(super) intervals: Vec<(Expr, Expr)>,
     /// Whether it is a piece of what it says.
     pub(super) piece: bool,
     /// Whether it belongs to something without a name: the polar form of any quadratic.
@@ -36,6 +38,7 @@ impl Reader<'_> {
                     Word::Filler
                         | Word::Article
                         | Word::Uniform
+                        | Word::Natural
                         | Word::Rational
                         | Word::OfDegree(_)
                         | Word::Piece
@@ -125,6 +128,7 @@ impl Reader<'_> {
                 ) => closed = true,
                 Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
                 Token::Word(Word::Uniform) => object.uniform = true,
+                Token::Word(Word::Natural) => object.natural = true,
                 Token::Word(Word::Piece) => piece = true,
                 Token::Word(Word::Of) if before > 0 && self.is(before - 1, &Word::Piece) => {
                     piece = true;
@@ -157,6 +161,8 @@ impl Reader<'_> {
                     from = before;
                 }
                 Token::Word(Word::Rational) => rational = true,
+                // A C^2 cubic spline
+                Token::Formula(number) if is_smoothness(self.said(*number)) => {}
                 // An adjective that is not known here may change everything.
                 Token::Unknown(word)
                     if !matches!(object.sort, Sort::Symbols | Sort::Vectors)
@@ -174,12 +180,18 @@ impl Reader<'_> {
         // Adjectives after it: B-spline quadratique.
         let mut at = noun + 1;
         while let Some(Token::Word(
-            word @ (Word::Filler | Word::OfDegree(_) | Word::Uniform | Word::Rational | Word::Piece),
+            word @ (Word::Filler
+            | Word::OfDegree(_)
+            | Word::Uniform
+            | Word::Natural
+            | Word::Rational
+            | Word::Piece),
         )) = self.tokens.get(at)
         {
             match word {
                 Word::OfDegree(degree) => object.degree = Some(Expr::int(*degree)),
                 Word::Uniform => object.uniform = true,
+                Word::Natural => object.natural = true,
                 Word::Rational => rational = true,
                 Word::Piece => piece = true,
                 _ => {}
@@ -227,6 +239,7 @@ impl Reader<'_> {
         let mut phrase = Phrase {
             object,
             of: phrase_of,
+            intervals: Vec::new(),
             piece,
             anonymous: false,
             from,
@@ -237,6 +250,9 @@ impl Reader<'_> {
         // Knots and control points in a phrase are names of their own only if they are names.
         loop {
             let mut next = phrase.to;
+            // 定义在 [0, 1] 与 [1, 3] 上,
+            let after = self.is(next, &Word::On) && matches!(self.tokens.get(next + 1), Some(Token::Comma));
+            next += usize::from(after);
             while matches!(self.tokens.get(next), Some(Token::Comma | Token::Word(Word::Filler))) {
                 next += 1;
             }
@@ -252,6 +268,7 @@ impl Reader<'_> {
                 phrase.inner.push(Phrase {
                     object: knots,
                     of: Vec::new(),
+                    intervals: Vec::new(),
                     piece: false,
                     anonymous: false,
                     from,
@@ -341,7 +358,7 @@ impl Reader<'_> {
 
     /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
     fn attribute(&self, at: usize, phrase: &mut Phrase) -> Option<usize> {
-        let Phrase { object, of, piece, anonymous, inner: within, .. } = phrase;
+        let Phrase { object, of, intervals, piece, anonymous, inner: within, .. } = phrase;
         if object.sort == Sort::BSpline
             && let Some((knots, end)) = self.support(at)
         {
@@ -350,7 +367,8 @@ impl Reader<'_> {
             }
             return Some(end);
         }
-        let next = self.skip_fillers(at + 1);
+        let own = matches!(self.tokens.get(at), Some(Token::Word(Word::Noun(Sort::ControlPoints))));
+        let next = if own { at } else { self.skip_fillers(at + 1) };
         let word = match self.tokens.get(at)? {
             // with … and weights …
             Token::Word(Word::And)
@@ -364,6 +382,15 @@ impl Reader<'_> {
                 &Word::With
             }
             Token::Word(Word::Der) => &Word::Of,
+            // …, the control points being b_0, …, b_3
+            Token::Word(Word::Noun(Sort::ControlPoints))
+                if object.sort == Sort::BezierCurve
+                    && object.points.is_empty()
+                    && self.is(at + 1, &Word::Be)
+                    && self.formula_at(at + 2).is_some() =>
+            {
+                &Word::With
+            }
             // e_k in x_1, …, x_n
             Token::Word(Word::Preposition) if matches!(object.sort, Sort::Symmetric(_)) => &Word::Of,
             Token::Word(word) => word,
@@ -486,9 +513,14 @@ impl Reader<'_> {
                         }));
                         Some(end)
                     }
-                    Token::Formula(number) if *word == Word::On => {
-                        object.interval = Some(ends(self.said(*number))?);
-                        Some(next + 1)
+                    Token::Formula(_) if *word == Word::On => {
+                        let (items, end) = self.list(next);
+                        let all: Option<Vec<(Expr, Expr)>> =
+                            items.iter().map(|item| ends(std::slice::from_ref(item))).collect();
+                        let all = all.filter(|all| !all.is_empty())?;
+                        object.interval = all.first().cloned();
+                        *intervals = all;
+                        Some(end)
                     }
                     Token::Unknown(_) if *word == Word::On => {
                         let number = self.formula_at(next + 1)?;
@@ -501,6 +533,12 @@ impl Reader<'_> {
             _ => None,
         }
     }
+}
+
+/// C^2, among adjectives.
+fn is_smoothness(said: &[Expr]) -> bool {
+    let [Expr { kind: Kind::Pow(letter, order), .. }] = said else { return false };
+    matches!(&letter.kind, Kind::Name(name) if name == "C") && matches!(order.kind, Kind::Number(_))
 }
 
 /// Whether it is, or gives, the value of a function: no knot.

@@ -76,6 +76,16 @@ impl Reader<'_> {
         (opens && items.len() == self.said(number).len()).then_some((items, number))
     }
 
+    /// 设 s 是节点 x_i 上的三次样条: what begins the clause is what its last noun says.
+    pub(super) fn subject_of_clause(&self, from: usize) -> Option<(Vec<Expr>, usize)> {
+        let owned = from.checked_sub(1).is_some_and(|before| self.is(before, &Word::Owns));
+        let start = (0..from).rev().take_while(|&at| !matches!(self.tokens[at], Token::Comma)).last()?;
+        let be = (start..from).find(|&at| self.is(at, &Word::Be)).filter(|_| owned)?;
+        let number = be.checked_sub(1).and_then(|before| self.formula_at(before))?;
+        let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
+        (items.len() == 1).then_some((items, number))
+    }
+
     /// "denoted by f"
     pub(super) fn subject_after(&self, to: usize) -> Option<(Vec<Expr>, usize)> {
         let at = self.skip_fillers(to);

@@ -57,6 +57,8 @@ pub enum Word {
     Uniform,
     /// "two": after "degree" it is the degree.
     Count(i64),
+    /// "natural": of a spline without curvature at its ends.
+    Natural,
     /// "rational": with weights.
     Rational,
     /// "weights", after "with".
@@ -446,6 +448,15 @@ pub fn zero_elsewhere(words: &str) -> bool {
 pub fn ours(words: &str) -> bool {
     let text = plain(words);
     text.split(' ').any(|word| LANGUAGES.iter().any(|language| language.subjects.contains(&word)))
+}
+
+/// Whether words deny what follows them: "but not".
+pub fn denies(words: &str) -> bool {
+    let text = plain(words);
+    text.contains('不')
+        || text
+            .split(' ')
+            .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
 }
 
 /// Whether words ask for a proof.
