@@ -281,6 +281,109 @@ fn wrong_formulas_are_marked_explained_and_repaired() {
 }
 
 #[test]
+fn marks_completions_and_results() {
+    let folder = Folder::new("lsp-weave");
+    let uri = format!("file://{}", folder.path("a.md"));
+    let page = "# 𝒇\n\n```polarform\nf := polar(t^2 + 2t)\nfigure_basis(2)\n```\n\n\
+                So $f(0,1) = {{ f(0, 1) }}$, $2 + 2 = 4$, 𝒇 $2 + 2 = 5$ and $\\sum_{i=0}^n \\binom{n}{i} = 2^n$.\n";
+    for versioned in [false, true] {
+        let mut client = Client::ready(json!({
+            "workspace": {"workspaceEdit": {"documentChanges": versioned}, "inlayHint": {"refreshSupport": true}},
+        }));
+        client.open(&uri, "markdown", page);
+        // A request of the server, which it need not be answered.
+        assert_eq!(client.told("workspace/inlayHint/refresh"), Value::Null);
+        let whole = json!({"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}});
+        let params = json!({"textDocument": {"uri": uri}, "range": whole});
+        let hints = client.ask("textDocument/inlayHint", params)["result"].take();
+        let labels: Vec<&str> =
+            hints.as_array().expect("a list").iter().map(|hint| hint["label"].as_str().unwrap()).collect();
+        assert_eq!(labels, ["✓", "✓", "✗", "✓"], "{hints}");
+        assert_eq!(hints[2]["position"], range(page, "2 + 2 = 5")["end"]);
+        assert!(
+            hints[2]["tooltip"]["value"].as_str().is_some_and(|told| told.starts_with("refuted")),
+            "{hints}"
+        );
+        let line = json!({"start": {"line": 0, "character": 0}, "end": {"line": 1, "character": 0}});
+        let params = json!({"textDocument": {"uri": uri}, "range": line});
+        assert_eq!(client.ask("textDocument/inlayHint", params)["result"], json!([]));
+
+        let place = range(page, "f(0, 1) }}")["start"].clone();
+        let params = json!({"textDocument": {"uri": uri}, "position": place});
+        let found = client.ask("textDocument/completion", params)["result"].take();
+        let names: Vec<&str> =
+            found.as_array().expect("a list").iter().map(|item| item["label"].as_str().unwrap()).collect();
+        assert!(names[0] == "f" && names.contains(&"polar"), "{names:?}");
+        assert_eq!(found[0]["textEdit"]["range"]["start"], place);
+        let params = json!({"textDocument": {"uri": uri}, "position": {"line": 0, "character": 1}});
+        assert_eq!(client.ask("textDocument/completion", params)["result"], json!([]));
+
+        let only = json!({"diagnostics": [], "only": ["source.polarform.weave"]});
+        let actions = client.actions(&uri, &line, only);
+        assert_eq!(actions.len(), 1, "{actions:?}");
+        let command = &actions[0]["command"];
+        let params = json!({"command": command["command"], "arguments": command["arguments"]});
+        assert_eq!(client.ask("workspace/executeCommand", params)["result"], Value::Null);
+        let edit = client.told("workspace/applyEdit")["edit"].take();
+        let edits = match versioned {
+            true => edit["documentChanges"][0]["edits"].clone(),
+            false => edit["changes"][&uri].clone(),
+        };
+        // The program itself is the other way to the same page.
+        let file = folder.write("a.md", page);
+        crate::common::run(&["weave", "--quiet", &file]);
+        let woven = folder.read("a.md");
+        assert!(woven.contains("$f(0,1) = 1$<!--") && woven.contains("a-figure-1.svg"), "{woven}");
+        assert_eq!(edited(page, &edits), woven);
+        assert!(folder.read("a-figure-1.svg").starts_with("<svg"));
+
+        client.change(&uri, 2, "{{ 1/0 }} and {{ 1 + 1 }}");
+        let params = json!({"command": "polarform.weave", "arguments": [uri]});
+        client.ask("workspace/executeCommand", params);
+        let edit = client.told("workspace/applyEdit");
+        assert!(edit.to_string().contains("$2$<!--"), "{edit}");
+        let said = client.told("window/showMessage");
+        assert!(
+            said["message"].as_str().is_some_and(|text| text.contains("line 1: division by zero")),
+            "{said}"
+        );
+        for arguments in [json!([]), json!(["untitled:none"]), json!([3])] {
+            client.ask(
+                "workspace/executeCommand",
+                json!({"command": "polarform.weave", "arguments": arguments}),
+            );
+            client.told("window/logMessage");
+        }
+        assert_eq!(client.leave(), Some(0));
+    }
+}
+
+#[test]
+fn an_edit_is_answered_before_the_page_is_judged_anew() {
+    let mut client = Client::ready(json!({}));
+    let uri = "untitled:long";
+    let claim = |k: usize| {
+        format!(
+            "Then $\\sum_{{i=0}}^n \\binom{{n}}{{i}} B_i^n(t) = \\sum_{{j=0}}^n \\binom{{n}}{{j}} B_j^n(t) + {k} - {k}$.\n\n"
+        )
+    };
+    let page = |typed: &str| {
+        (0..40).map(claim).collect::<String>() + typed + "\n\n" + &(40..80).map(claim).collect::<String>()
+    };
+    client.open(uri, "markdown", &page("Now $2 + 2 = 4$."));
+    client.change(uri, 2, &page("Now $2 + 2 = 5$."));
+    // Perhaps the verdicts from before are told once more meanwhile.
+    let found = client.diagnostics(uri, 2);
+    let found = if found == json!([]) { client.diagnostics(uri, 2) } else { found };
+    assert_eq!(found.as_array().map(Vec::len), Some(1), "{found}");
+    // It was told with the verdicts of the last check on all that follows.
+    let place = json!({"line": 120, "character": 8});
+    let hover = client.hover(uri, &place);
+    assert!(hover["contents"]["value"].as_str().is_some_and(|told| !told.starts_with("refuted")), "{hover}");
+    assert_eq!(client.leave(), Some(0));
+}
+
+#[test]
 fn pages_of_all_kinds() {
     let folder = Folder::new("lsp-kinds");
     folder.write("macros.tex", "\\newcommand{\\twice}[1]{2 \\cdot #1}\n");

@@ -14,6 +14,7 @@ mod differential;
 mod docs;
 mod figure_commands;
 mod figures;
+mod fronts;
 mod functions;
 mod fuzz;
 mod habits;

@@ -14,6 +14,7 @@ mod notes_arguments;
 mod notes_config;
 mod notes_input;
 mod output;
+mod pictures;
 mod raster;
 mod repl;
 mod repl_helper;

@@ -1,7 +1,6 @@
 //! The command that weaves.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -14,6 +13,7 @@ use super::commands::{Ran, Stop};
 use super::notes_config::Config;
 use super::notes_input::{STANDARD, expanded, identity, standard_input};
 use super::output::{Output, shown};
+use super::pictures::{picture_prefix, put_picture, stays_inside};
 use crate::document::{Container, read_bytes, read_stream, standing, utf8};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, harmless};
@@ -193,9 +193,7 @@ impl Weaver<'_> {
 
     /// The options for a document whose pictures stand beside it.
     fn with_pictures(&self, document: &Path) -> Options {
-        let stem = document.file_stem().map_or("figure".into(), |stem| stem.to_string_lossy());
-        let prefix: String = stem.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-        Options { pictures: Some(format!("{prefix}-figure")), ..self.options.clone() }
+        Options { pictures: Some(picture_prefix(document)), ..self.options.clone() }
     }
 
     /// Writes the pictures of a document, or says which are out of date.
@@ -203,28 +201,13 @@ impl Weaver<'_> {
         let folder = document.parent().unwrap_or(Path::new(""));
         for (name, svg) in &woven.pictures {
             let path = folder.join(name);
-            stays_inside(folder, &path)?;
-            let before = standing(&path);
-            if before.as_deref() == Some(svg.as_bytes()) {
-                continue;
-            }
-            if self.arguments.check {
+            if self.arguments.check && standing(&path).as_deref() != Some(svg.as_bytes()) {
+                stays_inside(folder, &path).map_err(failed)?;
                 let file = SourceFile::new(path.display().to_string(), "");
                 woven.stale.push((file, Span::default()));
-                continue;
+            } else {
+                put_picture(folder, name, svg).map_err(failed)?;
             }
-            if path.exists() && !before.is_some_and(|before| is_ours(&before)) {
-                let message = format!("{} is there already and no picture of polarform", path.display());
-                let problem = Diagnostic::error(Code::File, message).hint("name another file: picture=...");
-                return Err(failed(problem));
-            }
-            if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-                fs::create_dir_all(parent).map_err(|error| {
-                    let message = format!("cannot make the folder {}: {error}", parent.display());
-                    failed(Diagnostic::error(Code::File, message).hint("choose another folder: picture=..."))
-                })?;
-            }
-            write_file(&path, svg).map_err(failed)?;
         }
         Ok(())
     }
@@ -376,31 +359,6 @@ fn usage(message: &str, hint: &str) -> Stop {
 /// The text that stands where one is to be written.
 fn standing_text(path: &Path) -> Option<String> {
     standing(path).and_then(|bytes| String::from_utf8(bytes).ok())
-}
-
-/// Pictures stay in the folder of their document: a link that leads out of it is not followed.
-fn stays_inside(folder: &Path, path: &Path) -> Result<(), Stop> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    // What is not there yet will stand in the nearest folder that is.
-    let nearest = path.ancestors().find_map(|part| fs::canonicalize(part).ok());
-    let inside = fs::canonicalize(folder).is_ok_and(|folder| match nearest {
-        Some(nearest) => nearest.starts_with(folder),
-        // Nothing of a short path such as a.svg is there yet.
-        None => true,
-    });
-    if inside {
-        return Ok(());
-    }
-    let message = format!("{} leads out of the folder of the document", path.display());
-    Err(failed(
-        Diagnostic::error(Code::File, message).hint("remove the link, or name another file: picture=..."),
-    ))
-}
-
-/// Whether a file is a picture that was woven before.
-fn is_ours(svg: &[u8]) -> bool {
-    let start = String::from_utf8_lossy(&svg[..svg.len().min(2000)]);
-    start.contains("class=\"polarform")
 }
 
 /// Whether a picture that was woven into a document is not there any more.

@@ -25,6 +25,7 @@ use num_traits::Zero;
 const ASKED: &str = "asked for, not claimed";
 
 /// Judges statements in their order.
+#[derive(Clone)]
 pub struct Checker {
     pub(super) file: SourceFile,
     pub(super) context: Rc<Context>,
@@ -64,6 +65,16 @@ impl Checker {
             findings: Vec::new(),
             problems: Vec::new(),
         }
+    }
+
+    /// A state of an earlier run to go on from in this one, if letters are used alike on both pages, of which what was
+    /// judged must be the same.
+    pub fn resumed(&self, earlier: &Checker) -> Option<Checker> {
+        (self.context.letters == earlier.context.letters).then(|| Checker {
+            file: self.file.clone(),
+            limits: self.limits.clone(),
+            ..earlier.clone()
+        })
     }
 
     pub(super) fn line(&self, span: Span) -> usize {

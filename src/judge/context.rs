@@ -112,7 +112,7 @@ impl Mark {
 }
 
 /// How letters are used in a document.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Letters {
     /// Letters that are applied to arguments like functions.
     pub functions: BTreeSet<String>,

@@ -38,6 +38,7 @@ const CURVE: &str = "\u{25ab}";
 const POINTS: &str = "\u{25aa}";
 
 /// A meaning with which a formula for a letter holds.
+#[derive(Clone)]
 pub(super) struct Taken {
     letter: String,
     place: Place,

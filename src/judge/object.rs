@@ -77,7 +77,7 @@ impl Symmetric {
 const FORMULA_KNOTS: std::ops::Range<i64> = -4..13;
 
 /// Something that a sentence speaks of.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Its names as written.
     pub names: Vec<Expr>,

@@ -21,6 +21,7 @@ use crate::math::basis::bernstein_all;
 use crate::math::number::Rational;
 
 /// A scheme of which a point agreed.
+#[derive(Clone)]
 pub(super) struct Scheme {
     letter: String,
     place: Place,

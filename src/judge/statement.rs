@@ -100,7 +100,7 @@ pub enum Role {
 }
 
 /// One side of a relation.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Side {
     /// The formula, with spans in the file.
     pub expr: Expr,
@@ -124,7 +124,7 @@ impl Side {
 }
 
 /// A chain of relations.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Chain {
     /// At least two sides.
     pub sides: Vec<Side>,
@@ -177,7 +177,7 @@ impl Chain {
 }
 
 /// What a formula says.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Said {
     /// Relations.
     Chain(Chain),
@@ -194,7 +194,7 @@ pub enum Said {
 }
 
 /// A statement with its surroundings.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     /// What is said.
     pub said: Said,

@@ -7,6 +7,7 @@
 // Pieces of a text are taken by `Pieces`, which no text can bring down.
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
+mod again;
 mod brackets;
 mod cases;
 mod conditions;
@@ -18,4 +19,5 @@ mod sentence;
 mod speech;
 mod statement;
 
+pub use again::{Memory, Progress, check_again};
 pub use page::{Options, check_document, listing};

@@ -1,13 +1,11 @@
 //! A page: its statements, judged in their order.
 
-use std::sync::atomic::Ordering;
-
 use super::statement::statements;
 use crate::budget::Limits;
 use crate::document::Document;
-use crate::judge::check::{Checker, blank, of_side};
+use crate::judge::check::{blank, of_side};
 use crate::judge::finding::{FileReport, Finding, Verdict};
-use crate::judge::statement::{Place, Said};
+use crate::judge::statement::Said;
 
 /// What to check with.
 #[derive(Clone, Debug, Default)]
@@ -23,24 +21,7 @@ pub struct Options {
 /// Cost: the statements are tried on up to some hundred small instances each; each chain has the
 /// limits of the options.
 pub fn check_document(document: &Document, options: &Options) -> FileReport {
-    let statements = statements(document);
-    let mut checker = Checker::new(&document.file, &options.limits, &statements);
-    if let Some(context) = &options.context {
-        checker.declare(
-            context,
-            &Place { scope: Vec::new(), group: 0, formula: 0, blocks: Vec::new() },
-            None,
-        );
-    }
-    for statement in &statements {
-        if options.limits.interrupt.load(Ordering::Relaxed) {
-            break;
-        }
-        checker.statement(statement);
-    }
-    checker.finish();
-    let problems = [document.problems.clone(), checker.problems].concat();
-    FileReport { file: document.file.clone(), findings: checker.findings, problems }
+    super::again::run(document, options, None, &mut |_| {})
 }
 
 /// How every formula of a document is read, without judging it.

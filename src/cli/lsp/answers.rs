@@ -2,13 +2,13 @@
 
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOrCommand, DiagnosticSeverity, DocumentChanges, Hover,
-    HoverContents, MarkupContent, MarkupKind, NumberOrString, OneOf, OptionalVersionedTextDocumentIdentifier,
-    Position, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
+    HoverContents, InlayHint, InlayHintLabel, InlayHintTooltip, MarkupContent, MarkupKind, NumberOrString,
+    OneOf, OptionalVersionedTextDocumentIdentifier, Position, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
 };
 
 use super::checker::Checked;
 use crate::formula::source::Span;
-use crate::judge::finding::{FileReport, Finding};
+use crate::judge::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 use crate::notes::report::{Fix, Rule, fixes, message};
 
@@ -88,6 +88,34 @@ impl Checked {
         Some(Hover { contents, range: Some(self.places.range(self.text(), finding.span)) })
     }
 
+    /// A mark behind each claim between two bytes: ✓ proved, ≈ true in all instances tried, ✗ refuted, ? undecided.
+    pub fn hints(&self, between: Span, markdown: bool) -> Vec<InlayHint> {
+        let mark = |finding: &Finding| match finding.verdict {
+            _ if finding.relation == 0 => None,
+            Verdict::Proved => Some("✓"),
+            Verdict::Sampled => Some("≈"),
+            Verdict::Refuted => Some("✗"),
+            Verdict::Undecided => Some("?"),
+            Verdict::Definition | Verdict::Unread => None,
+        };
+        let near = |finding: &&Finding| between.start <= finding.span.end && finding.span.end <= between.end;
+        let all = self.report.findings.iter().filter(near).filter_map(|finding| {
+            let kind = if markdown { MarkupKind::Markdown } else { MarkupKind::PlainText };
+            let told = MarkupContent { kind, value: told(finding, markdown) };
+            Some(InlayHint {
+                position: self.places.position(self.text(), finding.span.end),
+                label: InlayHintLabel::String(mark(finding)?.to_owned()),
+                kind: None,
+                text_edits: None,
+                tooltip: Some(InlayHintTooltip::MarkupContent(told)),
+                padding_left: Some(true),
+                padding_right: None,
+                data: None,
+            })
+        });
+        all.collect()
+    }
+
     /// The suggestions for what is refuted between two bytes, and all of them at once.
     pub fn actions(&self, uri: &Uri, between: Span, versioned: bool) -> Vec<CodeActionOrCommand> {
         let edit = |fixes: Vec<Fix>| self.edit(uri, fixes, versioned);
@@ -126,17 +154,19 @@ impl Checked {
 
     fn edit(&self, uri: &Uri, fixes: Vec<Fix>, versioned: bool) -> WorkspaceEdit {
         let put = |fix: Fix| TextEdit::new(self.places.range(self.text(), fix.span), fix.text);
-        let edits: Vec<TextEdit> = fixes.into_iter().map(put).collect();
-        if !versioned {
-            return WorkspaceEdit::new([(uri.clone(), edits)].into_iter().collect());
-        }
-        // With its version, so that it is never put into a text that has changed.
-        let text_document =
-            OptionalVersionedTextDocumentIdentifier { uri: uri.clone(), version: Some(self.version) };
-        let edits = edits.into_iter().map(OneOf::Left).collect();
-        let changes = DocumentChanges::Edits(vec![TextDocumentEdit { text_document, edits }]);
-        WorkspaceEdit { document_changes: Some(changes), ..WorkspaceEdit::default() }
+        workspace_edit(uri, fixes.into_iter().map(put).collect(), versioned.then_some(self.version))
     }
+}
+
+/// Edits of a page; with its version, so that they are never put into a text that has changed.
+pub(super) fn workspace_edit(uri: &Uri, edits: Vec<TextEdit>, version: Option<i32>) -> WorkspaceEdit {
+    if version.is_none() {
+        return WorkspaceEdit::new([(uri.clone(), edits)].into_iter().collect());
+    }
+    let text_document = OptionalVersionedTextDocumentIdentifier { uri: uri.clone(), version };
+    let edits = edits.into_iter().map(OneOf::Left).collect();
+    let changes = DocumentChanges::Edits(vec![TextDocumentEdit { text_document, edits }]);
+    WorkspaceEdit { document_changes: Some(changes), ..WorkspaceEdit::default() }
 }
 
 /// The beginning of a formula, for a menu.

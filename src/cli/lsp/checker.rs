@@ -1,13 +1,13 @@
 //! The thread that checks pages: a moment after the last edit, each page by itself, until it is edited again.
 
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::places::Places;
 use crate::budget::Limits;
@@ -16,16 +16,25 @@ use crate::document::{Container, Document, Reading, read_files, read_macros, rea
 use crate::formula::source::SourceFile;
 use crate::judge::finding::FileReport;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::notes::{Options, check_document};
+use crate::notes::{Memory, Options, check_again};
 
-/// A page is checked when nothing was typed for so long.
-const QUIET: Duration = Duration::from_millis(60);
+/// A page is checked when nothing was typed for so long; an edit ends the check before it.
+const QUIET: Duration = Duration::from_millis(10);
+
+/// The verdict on what was typed is told if all that follows is not judged by then.
+const EARLY: Duration = Duration::from_millis(30);
+
+/// If even that takes long, the verdicts on the rest are told.
+const LATE: Duration = Duration::from_millis(60);
+
+/// So many pages are remembered.
+const PAGES: usize = 8;
 
 /// A longer page is not checked while it is edited.
 const LONGEST: usize = 2 << 20;
 
 /// Formulas are nested; a thread gets more than the usual two megabytes.
-const STACK: usize = 16 << 20;
+pub(super) const STACK: usize = 16 << 20;
 
 /// A page to be checked.
 pub(super) struct Job {
@@ -56,12 +65,22 @@ pub(super) fn start(limits: Limits, done: impl Fn(Checked) + Send + 'static) -> 
     let (sender, receiver) = mpsc::channel();
     let work = move || {
         let mut jobs = Jobs { receiver, waiting: VecDeque::new() };
+        let mut memories: HashMap<String, Memory> = HashMap::new();
         while let Some(job) = jobs.next() {
             let outdated = job.outdated.clone();
-            let checked = check(job, &limits);
-            if !outdated.load(Ordering::Relaxed) {
-                done(checked);
+            let tell = |checked: Checked| {
+                if !outdated.load(Ordering::Relaxed) {
+                    done(checked);
+                }
+            };
+            if memories.len() >= PAGES {
+                memories.retain(|uri, _| *uri == job.uri);
             }
+            let mut memory = memories.remove(&job.uri).unwrap_or_default();
+            let uri = job.uri.clone();
+            let checked = check(job, &limits, &mut memory, &tell);
+            memories.insert(uri, memory);
+            tell(checked);
         }
     };
     thread::Builder::new().name("checker".to_owned()).stack_size(STACK).spawn(work)?;
@@ -99,7 +118,7 @@ impl Jobs {
 }
 
 /// Checks a page; what prevents that is a problem of the page.
-fn check(job: Job, limits: &Limits) -> Checked {
+fn check(job: Job, limits: &Limits, memory: &mut Memory, tell: &dyn Fn(Checked)) -> Checked {
     let name = job.path.as_ref().map_or_else(|| job.uri.clone(), |path| path.display().to_string());
     let file = SourceFile::new(name, job.text.as_str());
     let mut remark = None;
@@ -108,10 +127,13 @@ fn check(job: Job, limits: &Limits) -> Checked {
             format!("the page has more than {} MiB and is not checked while it is edited", LONGEST >> 20);
         Err(Diagnostic::note(Code::File, message).hint("polarform notes check reads it"))
     } else {
-        catch_unwind(AssertUnwindSafe(|| judged(&job, limits, &mut remark))).unwrap_or_else(|_| {
-            Err(Diagnostic::error(Code::Internal, "polarform met a defect of its own")
-                .hint("please report the page that led here"))
-        })
+        catch_unwind(AssertUnwindSafe(|| judged(&job, limits, memory, tell, &mut remark))).unwrap_or_else(
+            |_| {
+                *memory = Memory::default();
+                Err(Diagnostic::error(Code::Internal, "polarform met a defect of its own")
+                    .hint("please report the page that led here"))
+            },
+        )
     };
     let (document, report) = result.unwrap_or_else(|problem| {
         let document = Document { file: file.clone(), items: Vec::new(), problems: Vec::new() };
@@ -124,6 +146,8 @@ fn check(job: Job, limits: &Limits) -> Checked {
 fn judged(
     job: &Job,
     limits: &Limits,
+    memory: &mut Memory,
+    tell: &dyn Fn(Checked),
     remark: &mut Option<String>,
 ) -> Result<(Document, FileReport), Diagnostic> {
     // Without its settings a page is still checked.
@@ -155,7 +179,26 @@ fn judged(
         }
     };
     let limits = Limits { interrupt: job.outdated.clone(), ..limits.clone() };
-    let report = check_document(&document, &Options { limits, context });
+    let began = Instant::now();
+    // Of a page that was never checked nothing is told before the end.
+    let (mut edited, mut rest) = (memory.is_empty(), memory.is_empty());
+    let report = check_again(&document, &Options { limits, context }, memory, &mut |progress| {
+        let wanted = match progress.edited {
+            true => !edited && began.elapsed() >= EARLY,
+            false => !rest && began.elapsed() >= LATE,
+        };
+        if wanted {
+            (edited, rest) = (progress.edited, true);
+            tell(Checked {
+                uri: job.uri.clone(),
+                version: job.version,
+                document: document.clone(),
+                report: config.filtered(progress.report(), false),
+                places: Places::new(document.file.text()),
+                remark: None,
+            });
+        }
+    });
     let report = config.filtered(report, false);
     Ok((document, report))
 }

@@ -8,36 +8,48 @@
 
 mod answers;
 mod checker;
+mod completion;
 mod places;
 mod transport;
+mod weaving;
 
 use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
 
 use lsp_server::{Connection, ErrorCode, ExtractError, Message, Notification, Request, Response};
 use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, DidSaveTextDocument, Exit, LogMessage,
-    Notification as _, PublishDiagnostics,
+    Notification as _, PublishDiagnostics, ShowMessage,
 };
-use lsp_types::request::{CodeActionRequest, HoverRequest, Initialize, Request as _, Shutdown};
+use lsp_types::request::{
+    ApplyWorkspaceEdit, CodeActionRequest, Completion, ExecuteCommand, HoverRequest, Initialize,
+    InlayHintRefreshRequest, InlayHintRequest, Request as _, Shutdown,
+};
 use lsp_types::{
-    CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams, HoverParams,
-    HoverProviderCapability, InitializeParams, InitializeResult, LogMessageParams, MarkupKind, MessageType,
-    PublishDiagnosticsParams, SaveOptions, ServerCapabilities, ServerInfo, TextDocumentSyncCapability,
-    TextDocumentSyncKind, TextDocumentSyncOptions, Uri,
+    ApplyWorkspaceEditParams, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams,
+    CompletionOptions, CompletionParams, CompletionResponse, ExecuteCommandOptions, ExecuteCommandParams,
+    HoverParams, HoverProviderCapability, InitializeParams, InitializeResult, InlayHint, InlayHintParams,
+    LogMessageParams, MarkupKind, MessageType, OneOf, PublishDiagnosticsParams, SaveOptions,
+    ServerCapabilities, ServerInfo, ShowMessageParams, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, Uri,
 };
 
 use super::Status;
 use super::arguments::Global;
 use super::commands::{Ran, Stop};
 use super::output::Trouble;
+use crate::budget::Limits;
 use crate::document::Container;
 use crate::formula::source::Span;
 use crate::language::diagnostic::{Code, Diagnostic};
+use answers::workspace_edit;
 use checker::{Checked, Job};
+use places::Places;
 
 /// A page that an editor has open.
 struct Page {
@@ -47,7 +59,23 @@ struct Page {
     kind: Option<Container>,
     /// Ends the check of the text before.
     outdated: Arc<AtomicBool>,
+    /// What was found last; of the text before, as long as this one is checked.
     checked: Option<Checked>,
+    /// The diagnostics that the client has.
+    told: Option<(i32, Vec<lsp_types::Diagnostic>)>,
+}
+
+impl Page {
+    /// What was found in the text that the editor has.
+    fn current(&self) -> Option<&Checked> {
+        self.checked.as_ref().filter(|checked| checked.version == self.version)
+    }
+
+    /// Whether results are filled into it.
+    fn is_markdown(&self) -> bool {
+        let kind = self.kind.or_else(|| Container::of(self.path.as_deref()?).ok());
+        kind.unwrap_or(Container::Markdown) == Container::Markdown
+    }
 }
 
 type Pages = Arc<Mutex<BTreeMap<String, Page>>>;
@@ -64,6 +92,8 @@ struct Client {
     markdown: bool,
     versioned: bool,
     leaving: bool,
+    /// Whether it asks again for marks when it is told to.
+    refreshes: Arc<AtomicBool>,
 }
 
 struct Server {
@@ -71,32 +101,41 @@ struct Server {
     jobs: Sender<Job>,
     client: Client,
     out: Connection,
+    limits: Limits,
 }
 
 /// Serves an editor on standard input and output until it says that it leaves.
 pub(super) fn run(global: &Global, seconds: f64) -> Ran {
     let (connection, writer) = transport::stdio();
     let pages = Pages::default();
-    let (checked, sender) = (pages.clone(), connection.sender.clone());
+    let client = Client::default();
+    let (checked, sender, refreshes) = (pages.clone(), connection.sender.clone(), client.refreshes.clone());
     let done = move |found: Checked| {
         let mut pages = locked(&checked);
         // A page may have been closed, or edited since the last look.
         let Some(page) = pages.get_mut(&found.uri).filter(|page| page.version == found.version) else {
             return;
         };
-        let told = found.remark.as_ref().map(|remark| log(remark));
-        let marks = found.uri.parse().map(|uri| marks(uri, found.diagnostics(), Some(found.version)));
+        let said = found.remark.as_ref().map(|remark| log(remark));
+        let new = Some((found.version, found.diagnostics()));
+        let changed = (page.told != new).then(|| found.uri.parse().ok()).flatten().zip(new.clone());
+        let marks = changed.map(|(uri, (version, found))| marks(uri, found, Some(version)));
+        page.told = new;
         page.checked = Some(found);
-        for message in told.into_iter().chain(marks.ok()) {
+        let again = refreshes.load(Ordering::Relaxed).then(|| {
+            Request::new("marks".to_owned().into(), InlayHintRefreshRequest::METHOD.to_owned(), ()).into()
+        });
+        for message in said.into_iter().chain(marks).chain(again) {
             // When the client is gone the server ends.
             let _ = sender.send(message);
         }
     };
-    let jobs = checker::start(global.limits_or(seconds), done).map_err(|error| {
+    let limits = global.limits_or(seconds);
+    let jobs = checker::start(limits.clone(), done).map_err(|error| {
         let message = format!("cannot start a thread: {error}");
         Stop::Trouble(Trouble::Problem(Box::new(Diagnostic::error(Code::Internal, message))))
     })?;
-    let mut server = Server { pages, jobs, client: Client::default(), out: connection };
+    let mut server = Server { pages, jobs, client, out: connection, limits };
     let status = server.serve();
     server.stop_all();
     drop(server);
@@ -147,6 +186,14 @@ impl Server {
             CodeActionRequest::METHOD => {
                 answered::<CodeActionRequest>(request, |params| Some(self.actions(&params)))
             }
+            InlayHintRequest::METHOD => {
+                answered::<InlayHintRequest>(request, |params| Some(self.hints(&params)))
+            }
+            Completion::METHOD => answered::<Completion>(request, |params| self.completions(&params)),
+            ExecuteCommand::METHOD => answered::<ExecuteCommand>(request, |params| {
+                self.execute(&params);
+                None
+            }),
             method => refused(ErrorCode::MethodNotFound, &format!("{method} is not supported")),
         }
     }
@@ -176,6 +223,7 @@ impl Server {
                     kind,
                     outdated: Arc::default(),
                     checked: None,
+                    told: None,
                 };
                 let mut pages = locked(&self.pages);
                 if let Some(old) = pages.insert(uri.clone(), page) {
@@ -191,7 +239,6 @@ impl Server {
                     if let (Some(page), Some(change)) = (pages.get_mut(uri), params.content_changes.pop()) {
                         page.text = change.text;
                         page.version = params.text_document.version;
-                        page.checked = None;
                         self.check(uri, &mut pages);
                     }
                 })
@@ -245,12 +292,12 @@ impl Server {
         let document = params.capabilities.text_document.as_ref();
         let formats = document.and_then(|can| can.hover.as_ref()?.content_format.as_ref());
         let edits = params.capabilities.workspace.as_ref().and_then(|can| can.workspace_edit.as_ref());
-        self.client = Client {
-            initialized: true,
-            markdown: formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown)),
-            versioned: edits.and_then(|can| can.document_changes).unwrap_or(false),
-            leaving: false,
-        };
+        let hints = params.capabilities.workspace.as_ref().and_then(|can| can.inlay_hint.as_ref());
+        let refreshes = hints.and_then(|can| can.refresh_support).unwrap_or(false);
+        self.client.refreshes.store(refreshes, Ordering::Relaxed);
+        self.client.initialized = true;
+        self.client.markdown = formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown));
+        self.client.versioned = edits.and_then(|can| can.document_changes).unwrap_or(false);
         let sync = TextDocumentSyncOptions {
             open_close: Some(true),
             change: Some(TextDocumentSyncKind::FULL),
@@ -258,7 +305,11 @@ impl Server {
             ..TextDocumentSyncOptions::default()
         };
         let actions = CodeActionOptions {
-            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, CodeActionKind::SOURCE_FIX_ALL]),
+            code_action_kinds: Some(vec![
+                CodeActionKind::QUICKFIX,
+                CodeActionKind::SOURCE_FIX_ALL,
+                weaving::kind(),
+            ]),
             ..CodeActionOptions::default()
         };
         InitializeResult {
@@ -266,6 +317,15 @@ impl Server {
                 text_document_sync: Some(TextDocumentSyncCapability::Options(sync)),
                 hover_provider: Some(HoverProviderCapability::Simple(true)),
                 code_action_provider: Some(actions.into()),
+                inlay_hint_provider: Some(OneOf::Left(true)),
+                completion_provider: Some(CompletionOptions {
+                    trigger_characters: Some(completion::TRIGGERS.map(str::to_owned).to_vec()),
+                    ..CompletionOptions::default()
+                }),
+                execute_command_provider: Some(ExecuteCommandOptions {
+                    commands: vec![weaving::COMMAND.to_owned()],
+                    ..ExecuteCommandOptions::default()
+                }),
                 ..ServerCapabilities::default()
             },
             server_info: Some(ServerInfo {
@@ -278,18 +338,24 @@ impl Server {
     fn hover(&self, params: &HoverParams) -> Option<lsp_types::Hover> {
         let place = &params.text_document_position_params;
         let pages = locked(&self.pages);
-        let checked = pages.get(place.text_document.uri.as_str())?.checked.as_ref()?;
+        let checked = pages.get(place.text_document.uri.as_str())?.current()?;
         checked.hover(checked.byte(place.position), self.client.markdown)
     }
 
     fn actions(&self, params: &CodeActionParams) -> Vec<CodeActionOrCommand> {
         let uri = &params.text_document.uri;
         let pages = locked(&self.pages);
-        let Some(checked) = pages.get(uri.as_str()).and_then(|page| page.checked.as_ref()) else {
-            return Vec::new();
+        let Some(page) = pages.get(uri.as_str()) else { return Vec::new() };
+        let mut actions = match page.current() {
+            Some(checked) => {
+                let between = Span::new(checked.byte(params.range.start), checked.byte(params.range.end));
+                checked.actions(uri, between, self.client.versioned)
+            }
+            None => Vec::new(),
         };
-        let between = Span::new(checked.byte(params.range.start), checked.byte(params.range.end));
-        let mut actions = checked.actions(uri, between, self.client.versioned);
+        if page.is_markdown() && weaving::has_queries(&page.text) {
+            actions.push(CodeActionOrCommand::CodeAction(weaving::action(uri.as_str())));
+        }
         if let Some(only) = &params.context.only {
             // A kind stands for those below it, too: source for source.fixAll.
             let wanted = |kind: &CodeActionKind| {
@@ -306,6 +372,66 @@ impl Server {
             });
         }
         actions
+    }
+
+    /// The marks of what was found last, also while a new text is checked, which asks for them again.
+    fn hints(&self, params: &InlayHintParams) -> Vec<InlayHint> {
+        let pages = locked(&self.pages);
+        let found = pages.get(params.text_document.uri.as_str()).and_then(Page::current);
+        found.map_or_else(Vec::new, |checked| {
+            let between = Span::new(checked.byte(params.range.start), checked.byte(params.range.end));
+            checked.hints(between, self.client.markdown)
+        })
+    }
+
+    fn completions(&self, params: &CompletionParams) -> Option<CompletionResponse> {
+        let place = &params.text_document_position;
+        let pages = locked(&self.pages);
+        let text = &pages.get(place.text_document.uri.as_str())?.text;
+        let places = Places::new(text);
+        let byte = places.byte(text, place.position);
+        Some(CompletionResponse::Array(completion::completions(text, &places, byte)))
+    }
+
+    /// Fills results into a page, in a thread of its own, and hands the edit to the client.
+    fn execute(&self, params: &ExecuteCommandParams) {
+        let uri =
+            params.arguments.first().and_then(|uri| uri.as_str()).and_then(|uri| uri.parse::<Uri>().ok());
+        let Some(uri) = uri.filter(|_| params.command == weaving::COMMAND) else {
+            return self.send(log(&format!("there is no command {} for that", params.command)));
+        };
+        let pages = locked(&self.pages);
+        let Some(page) = pages.get(uri.as_str()).filter(|page| page.is_markdown()) else {
+            return self.send(log("results are put into open pages of Markdown"));
+        };
+        let (text, path, version) = (page.text.clone(), page.path.clone(), page.version);
+        let limits = Limits { interrupt: page.outdated.clone(), ..self.limits.clone() };
+        let (sender, versioned) = (self.out.sender.clone(), self.client.versioned);
+        let work = move || {
+            let woven = catch_unwind(AssertUnwindSafe(|| {
+                weaving::woven(&text, path.as_ref(), &Places::new(&text), &limits)
+            }));
+            let (edit, problems) =
+                woven.unwrap_or_else(|_| (None, vec!["polarform met a defect of its own".to_owned()]));
+            let edit = edit.filter(|_| !limits.interrupt.load(Ordering::Relaxed)).map(|edit| {
+                let edit = workspace_edit(&uri, vec![edit], versioned.then_some(version));
+                let params = ApplyWorkspaceEditParams { label: Some("polarform weave".to_owned()), edit };
+                Request::new("weave".to_owned().into(), ApplyWorkspaceEdit::METHOD.to_owned(), params).into()
+            });
+            let told = (!problems.is_empty()).then(|| {
+                let message = format!("polarform: {}", problems.join("\n"));
+                let params = ShowMessageParams { typ: MessageType::WARNING, message };
+                Notification::new(ShowMessage::METHOD.to_owned(), params).into()
+            });
+            for message in edit.into_iter().chain(told) {
+                // When the client is gone nobody waits for it.
+                let _ = sender.send(message);
+            }
+        };
+        let started = thread::Builder::new().stack_size(checker::STACK).spawn(work);
+        if let Err(error) = started {
+            self.send(log(&format!("cannot start a thread: {error}")));
+        }
     }
 }
 
