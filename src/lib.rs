@@ -66,7 +66,7 @@
 //! # What is not supported
 //! - floating-point numbers: every number is rational, decimals are read as fractions
 //! - functions that are not rational, such as sin, exp and roots
-//! - solving equations (linear systems apart) and general simplification
+//! - systems of equations with infinitely many solutions (linear ones apart), and general simplification
 //! - coefficients in finite fields or in algebraic extensions of Q
 //!
 //! # Limits and panics

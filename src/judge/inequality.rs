@@ -4,6 +4,7 @@ use super::compare::{Domain, Outcome};
 use crate::formula::{Expr, Kind, Link, Rel, Sign};
 use crate::language::lexicon::roles;
 use crate::language::value::{Judgement, Value, Verdict, Witness};
+use crate::math::curve::{Region, RegionFailure, RegionShown, positivity_on};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Poly, RealRoot, Symbol};
 use crate::math::ring::Ring;
@@ -89,15 +90,42 @@ fn positive_of(rel: Rel, left: &Value, right: &Value) -> Option<(Fraction, bool)
     })
 }
 
-/// An inequality in one variable, decided in the range that conditions which are linear in it give. What fails there may
+/// An inequality in one variable or two, decided in the ranges that conditions which are linear in one of them give. What fails there may
 /// be excluded by other conditions. `None` if they give no range, or nothing can be said.
 pub fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgement> {
     let (d, strict) = positive(claim)?;
-    let [variable] = <[Symbol; 1]>::try_from(d.variables()).ok()?;
+    let variables = d.variables();
+    let ranges: Vec<Range> = variables.iter().map(|x| linear_range(x, conditions)).collect::<Option<_>>()?;
+    let with = |verdict, witness| {
+        Some(Judgement { verdict, witness, difference: None, reasons: Vec::new(), ..claim.clone() })
+    };
+    let refuted = |point: Vec<Rational>| {
+        let assignment: Vec<(Symbol, Rational)> = variables.iter().cloned().zip(point).collect();
+        let number = |s: &Symbol| assignment.iter().find(|(name, _)| name == s).map(|(_, q)| q.clone());
+        let put = |value: &Value| value.as_scalar()?.value(&number);
+        let (left, right) = (put(&claim.left)?, put(&claim.right)?);
+        with(Verdict::Refuted, Some(Witness { assignment, left, right }))
+    };
+    match (variables.as_slice(), ranges.as_slice()) {
+        ([_], [range]) => match decide(&d, strict, range)? {
+            Decision::Holds => with(Verdict::Proved, None),
+            Decision::Fails(point) => refuted(vec![point]),
+            Decision::Zero(_) | Decision::Pole => None,
+        },
+        ([x, y], [first, second]) => match over_box(d.as_polynomial()?, strict, [x, y], [first, second])? {
+            None => with(Verdict::Proved, None),
+            Some(point) => refuted(point.to_vec()),
+        },
+        _ => None,
+    }
+}
+
+/// The range that conditions which are linear in a variable alone give it; `None` if there are none, or it is empty.
+fn linear_range(variable: &Symbol, conditions: &[Judgement]) -> Option<Range> {
     let mut range: Option<Range> = None;
     for condition in conditions {
         let Some((c, strict)) = positive(condition) else { continue };
-        let Some([constant, slope]) = linear(&c, &variable) else { continue };
+        let Some([constant, slope]) = linear(&c, variable) else { continue };
         let (end, range) = (-constant / &slope, range.get_or_insert_with(Range::default));
         let (known, open, k) = if slope.is_positive() {
             (&mut range.lower, &mut range.open, 0)
@@ -110,25 +138,10 @@ pub fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgeme
             *known = Some(end);
         }
     }
-    let range = range?;
-    if let (Some(a), Some(b)) = (&range.lower, &range.upper)
-        && a >= b
-    {
-        return None;
-    }
-    let with = |verdict, witness| {
-        Some(Judgement { verdict, witness, difference: None, reasons: Vec::new(), ..claim.clone() })
-    };
-    match decide(&d, strict, &range)? {
-        Decision::Holds => with(Verdict::Proved, None),
-        Decision::Fails(point) => {
-            let put = |value: &Value| value.as_scalar()?.value(&|_| Some(point.clone()));
-            let (left, right) = (put(&claim.left)?, put(&claim.right)?);
-            let witness = Witness { assignment: vec![(variable, point.clone())], left, right };
-            with(Verdict::Refuted, Some(witness))
-        }
-        Decision::Zero(_) | Decision::Pole => None,
-    }
+    range.filter(|range| match (&range.lower, &range.upper) {
+        (Some(a), Some(b)) => a < b,
+        _ => true,
+    })
 }
 
 /// c_0 and c_1 of c_0 + c_1 t with numbers, c_1 not 0.
@@ -204,6 +217,15 @@ pub(super) fn inequality(
             "an inequality between quotients in several variables is not decided".to_owned(),
         );
     };
+    if let [x, y] = variables.as_slice()
+        && let (Some(first), Some(second)) = (range(x, conditions), range(y, conditions))
+    {
+        match over_box(polynomial, strict, [x, y], [&first, &second]) {
+            Some(None) => return Outcome::Holds,
+            Some(Some([a, b])) => return fails(vec![(x.clone(), a), (y.clone(), b)]),
+            None => {}
+        }
+    }
     // Barycentric coordinates are not negative.
     let nonnegative = polynomial.terms(MonomialOrder::Lex).iter().all(|(_, c)| !c.is_negative());
     let coordinates = variables.iter().all(|v| v.is_plain() && roles::is_barycentric(v.base()));
@@ -211,6 +233,49 @@ pub(super) fn inequality(
         return Outcome::Holds;
     }
     Outcome::Unclear("an inequality in several variables is not decided".to_owned())
+}
+
+/// Polynomials of higher degree in two variables are not looked at.
+const HIGHEST_DEGREE_OF_TWO: u32 = 12;
+
+/// Whether d ≥ 0, or d > 0, on a bounded rectangle of values of two variables: a point where it is not, if there is one. `None` if
+/// the ranges are not bounded or nothing can be said. Cost: as for [`positivity_on`].
+fn over_box(
+    d: &MultiPoly,
+    strict: bool,
+    [x, y]: [&Symbol; 2],
+    ranges: [&Range; 2],
+) -> Option<Option<[Rational; 2]>> {
+    if d.total_degree()? > HIGHEST_DEGREE_OF_TWO {
+        return None;
+    }
+    let ends = |range: &Range| -> Option<[Rational; 2]> {
+        let (a, b) = (range.lower.clone()?, range.upper.clone()?);
+        (a < b).then_some([a, b])
+    };
+    let region = Region::Rectangle(ends(ranges[0])?, ends(ranges[1])?);
+    match positivity_on(d, &[x.clone(), y.clone()], &region) {
+        // A sign on an open rectangle is that on the closed one.
+        Ok(_) if !strict => Some(None),
+        Ok(shown) => {
+            let plain = shown.root_of_square.as_constant().is_some();
+            let RegionShown::Coefficients(parts) = &shown.shown else { return None };
+            let all = || parts.iter().flat_map(|part| part.coefficients.iter().flatten());
+            // Inside of a rectangle every Bernstein polynomial is positive.
+            let inside = parts.len() == 1 && ranges.iter().all(|range| range.open == [true, true]);
+            let positive = all().all(Signed::is_positive) || inside && all().any(Signed::is_positive);
+            (plain && positive).then_some(None)
+        }
+        Err(RegionFailure::Negative(point)) => {
+            let left_out = |range: &Range, q: &Rational| {
+                range.open[0] && range.lower.as_ref() == Some(q)
+                    || range.open[1] && range.upper.as_ref() == Some(q)
+            };
+            let inside = ranges.iter().zip(&point).all(|(range, q)| !left_out(range, q));
+            inside.then_some(Some(point))
+        }
+        Err(RegionFailure::Open(_)) => None,
+    }
 }
 
 /// The range of a variable that the conditions give, by the first of them that gives an end: 0 ≤ t ≤ 1, t ∈ [0, 1), t > 0.

@@ -151,6 +151,7 @@ pub(super) const CONVERSIONS: &[Builtin] = &[
                 _ => return Err(wrong_kind("a curve", args.value(0)?).at(args.span(0))),
             })
         },
+        on_surface: surface_joins::HOMOGENEOUS,
         ..NEW
     },
     Builtin {

@@ -33,6 +33,7 @@ mod surfaces;
 mod symmetric;
 mod table;
 mod told;
+mod triangulations;
 
 pub(crate) use callable::{
     alias, callable, function_called, function_meant, is_argument_word, names, synonym,

@@ -15,7 +15,7 @@ use crate::language::value::{Cell, Form, Table, Value, polynomial_expr, symbol_e
 use crate::math::curve::Point;
 use crate::math::linalg::characteristic_polynomial;
 use crate::math::number::rational;
-use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
 use crate::math::subdivision::{
     Contraction, Scheme, SubdivisionError, VertexScheme, contraction, limit_stencil, vertex_limit,
@@ -217,7 +217,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "eigenvalues",
         parameters: &[MATRIX, LETTER],
-        summary: "the rational eigenvalues with their multiplicities, the others by their equations",
+        summary: "the rational eigenvalues with their multiplicities, the others by their equations and isolated",
         example: "eigenvalues(local_matrix(four_point))",
         call: |_, args| {
             let lambda = letter(args, "lambda")?;
@@ -236,7 +236,17 @@ pub(super) const TABLE: &[Builtin] = &[
                         Cell::Formula(Expr::relation(left, Rel::Eq, Expr::int(0)))
                     }
                 };
-                table.rows.push(vec![value, Cell::Value(Value::int(multiplicity as i64))]);
+                let mut row = vec![value, Cell::Value(Value::int(multiplicity as i64))];
+                let numbers: Option<Poly> = coefficients.iter().map(MultiPoly::as_constant).collect();
+                if let Some(polynomial) = numbers.filter(|p| p.degree() > Some(1)) {
+                    let real = polynomial.real_roots(None, None).unwrap_or_default();
+                    let real = real.into_iter().map(|(root, _)| Value::root(root, &symbol)).collect();
+                    row.push(Cell::Value(Value::list(real)));
+                }
+                table.rows.push(row);
+            }
+            if table.rows.iter().any(|row| row.len() > 2) {
+                table.header.extend(Table::with_header(["real ones"]).header);
             }
             Ok(Value::Table(Arc::new(table)))
         },

@@ -11,8 +11,9 @@ use super::record::Variant;
 use super::surfaces::{polynomial_only, surface, tensor, triangular};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::value::{Cell, Form, Geometry, Table, Value};
-use crate::math::curve::{Direction, EdgeEquation};
+use crate::math::curve::{Direction, EdgeEquation, Point, TensorPatch, TrianglePatch};
 use crate::math::poly::Fraction;
+use crate::math::spline::SplineSurface;
 
 /// A second surface.
 const SECOND: Parameter = required("second", Takes::Surface, "the other surface").shown("r");
@@ -26,6 +27,8 @@ pub(super) const JOINING_CONDITIONS: Option<Variant> = Variant::new(
 );
 
 pub(super) const CONTINUITY: Option<Variant> = Variant::new(&[SURFACE, SECOND, ACROSS], continuity);
+
+pub(super) const HOMOGENEOUS: Option<Variant> = Variant::new(&[SURFACE], homogeneous);
 
 pub(super) const CONVERT: Option<Variant> = Variant::new(
     &[
@@ -136,5 +139,36 @@ fn convert(args: &Arguments) -> Evaluated {
         (geometry, _) => Err(Diagnostic::error(Code::Type, format!("{} has no such representation", geometry.kind()))
             .at(args.span(1))
             .hint("patches: triangle, polar, power, bspline; triangular ones: tensor, degenerate, polar; spline surfaces: pieces")),
+    }
+}
+
+/// The surface of the homogeneous coordinates, the weight last.
+fn homogeneous(args: &Arguments) -> Evaluated {
+    let geometry = args.geometry(0)?;
+    let rational = geometry.form().rational;
+    let lifted = |point: &Point<Fraction>| -> Point<Fraction> {
+        let weight = (!rational).then(|| Fraction::from(crate::math::number::integer(1)));
+        point.iter().cloned().chain(weight).collect()
+    };
+    let net = |net: &[Vec<Point<Fraction>>]| -> Vec<Vec<Point<Fraction>>> {
+        net.iter().map(|row| row.iter().map(lifted).collect()).collect()
+    };
+    let form = Form::default();
+    match &*geometry {
+        Geometry::Patch(patch, _) => {
+            let lifted = TensorPatch::new(net(patch.net()), patch.u().clone(), patch.v().clone());
+            lifted.map(|patch| tensor(patch, form)).map_err(curve_error).at(args.span(0))
+        }
+        Geometry::Triangle(patch, _) => {
+            let points = patch.points().iter().map(lifted).collect();
+            let lifted = TrianglePatch::new(points, patch.triangle().clone());
+            lifted.map(|patch| triangular(patch, form)).map_err(curve_error).at(args.span(0))
+        }
+        Geometry::Surface(s, _) => {
+            let (u, v) = s.knots();
+            let lifted = SplineSurface::new(u.clone(), v.clone(), net(s.net()));
+            lifted.map(|s| surface(s, form)).map_err(spline_error).at(args.span(0))
+        }
+        other => Err(not_for(other, args)),
     }
 }

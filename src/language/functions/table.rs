@@ -7,7 +7,7 @@ use super::record::Builtin;
 use super::{
     arrange, blends, blossoms, curves, derive, differential, figures, geometric, interpolation,
     intersections, joins, matrices, measure, numbers, polar, polynomials, rational, regions, roots, solve,
-    splines, subdivision, surfaces, symmetric,
+    splines, subdivision, surfaces, symmetric, triangulations,
 };
 
 /// All functions, by topic.
@@ -54,6 +54,7 @@ pub static BUILTINS: &[&Builtin] = &{
         measure::TABLE,
         surfaces::TABLE,
         blends::TABLE,
+        triangulations::TABLE,
         joins::TABLE,
         geometric::TABLE,
         joins::CONVERSIONS,

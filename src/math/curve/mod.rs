@@ -38,6 +38,7 @@ mod revolve;
 mod sphere;
 mod traits;
 mod triangle;
+mod triangulation;
 mod turn;
 
 use std::fmt;
@@ -72,6 +73,7 @@ pub(in crate::math) use traits::quartered;
 pub(in crate::math) use traits::tests::check as check_surface;
 pub use traits::{Curve, Surface};
 pub use triangle::{TrianglePatch, indices};
+pub use triangulation::{CornerData, Triangulation, clough_tocher, powell_sabin};
 pub use turn::revolve_about;
 
 /// Why a curve or surface cannot be made or changed.

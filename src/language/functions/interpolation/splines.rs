@@ -5,7 +5,7 @@ use crate::language::ops::errors::wrong_kind;
 use std::sync::Arc;
 
 use super::NEW;
-use super::data::{Datum, Result, Samples, indexed, pair, word};
+use super::data::{Datum, Result, Samples, datum, indexed, pair, word};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -14,7 +14,7 @@ use crate::language::functions::parameter::{
     NODES, Parameter, RESULT_VARIABLE, Takes, VALUES, named, optional,
 };
 use crate::language::value::{Cell, Form, PiecewiseFunction, Table, Value};
-use crate::math::interpolate::{CubicSpline, Ends, Unknowns};
+use crate::math::interpolate::{CubicSpline, End, Ends, Unknowns};
 use crate::math::poly::Fraction;
 
 pub(crate) const ENDS: Parameter = optional(
@@ -31,6 +31,14 @@ pub(crate) const SLOPES: Parameter =
 pub(crate) const MOMENTS: Parameter =
     named("moments=[a, b]", Takes::Points, "none", "the second derivatives at the ends");
 
+/// What holds at one end only, whatever holds at the other.
+pub(crate) const ONE_END: [Parameter; 4] = [
+    named("first_slope=a", Takes::Point, "what ends says", "the slope at the first node"),
+    named("last_slope=b", Takes::Point, "what ends says", "the slope at the last node"),
+    named("first_moment=a", Takes::Point, "what ends says", "the second derivative at the first node"),
+    named("last_moment=b", Takes::Point, "what ends says", "the second derivative at the last node"),
+];
+
 const METHOD: Parameter = named(
     "method=moments",
     Takes::Word(&["moments", "slopes"]),
@@ -42,6 +50,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "cubic_spline",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD, RESULT_VARIABLE],
+        common: &ONE_END,
         summary: "the cubic spline; ends are natural, clamped (with slopes), periodic or not_a_knot",
         example: "cubic_spline([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
@@ -58,6 +67,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "spline_system",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
+        common: &ONE_END,
         summary: "the tridiagonal system of a cubic spline for its moments M_i or slopes m_i, solved",
         example: "spline_system([0, 1, 3, 4], [0, 1, -1, 2])",
         call: |_, args| {
@@ -69,6 +79,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "spline_moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
+        common: &ONE_END,
         summary: "the second derivatives M_0, ..., M_n of a cubic spline at its nodes",
         example: "spline_moments([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
@@ -80,6 +91,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "spline_slopes",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS, METHOD],
+        common: &ONE_END,
         summary: "the first derivatives m_0, ..., m_n of a cubic spline at its nodes",
         example: "spline_slopes([0, 1, 2], [0, 1, 0])",
         call: |_, args| {
@@ -91,6 +103,7 @@ pub(crate) const TABLE: &[Builtin] = &[
     Builtin {
         name: "bending_energy",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
+        common: &ONE_END,
         summary: "the integral of |S''|^2, which no interpolant makes smaller than the natural spline",
         example: "bending_energy([0, 1, 2], [0, 1, 0])",
         call: |_, args| Ok(Value::Scalar(Given::read(args)?.spline(args)?.bending_energy())),
@@ -133,8 +146,34 @@ impl Given {
     }
 }
 
-/// The ends by their word, or by the slopes or moments that are given.
+/// The ends by their word, or by the slopes or moments that are given, each end for itself if something is said of it.
 pub(crate) fn ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
+    let mut ends = both_ends(args, form)?;
+    for (at_last, name, slope) in [
+        (false, "first_slope", true),
+        (true, "last_slope", true),
+        (false, "first_moment", false),
+        (true, "last_moment", false),
+    ] {
+        let Some((value, span)) = args.named(name) else { continue };
+        let datum = datum(value, form, span)?;
+        let Ends::Each { first, last } = &mut ends else {
+            let error = Diagnostic::error(Code::Arity, "periodic ends take no slope or moment of their own");
+            return Err(error.at(span).hint("leave out ends=periodic"));
+        };
+        let end = if slope { End::Slope(datum) } else { End::SecondDerivative(datum) };
+        let place = if at_last { last } else { first };
+        if matches!(place, End::Slope(_) | End::SecondDerivative(_)) {
+            let error = Diagnostic::error(Code::Arity, "two things are said of one end").at(span);
+            return Err(error.hint("give a slope or a second derivative for each end"));
+        }
+        *place = end;
+    }
+    Ok(ends)
+}
+
+/// The ends by their word, or by the slopes or moments that are given.
+fn both_ends(args: &Arguments, form: Form) -> Result<Ends<Datum>> {
     let slopes = args.named("slopes");
     let moments = args.named("moments");
     let unwanted = |what: &str, span: Span, hint: &str| {
