@@ -136,11 +136,17 @@ impl Session {
         if let Some(answers) = self.run_unknown(file, whole, equals)? {
             return Ok(answers);
         }
+        if let Some(answers) = self.run_continued(file, whole, equals)? {
+            return Ok(answers);
+        }
         if let Some(formula) = self.spoken(file, whole)? {
             let read = read_as(&formula, whole);
             let mut answer = self.evaluated(file, formula, equals, false)?;
             answer.outcome.notes.insert(0, read);
             return Ok(vec![answer]);
+        }
+        if let Some(answers) = self.run_asked(file, whole, equals)? {
+            return Ok(answers);
         }
         let known = |word: &str| defines(&self.env, word);
         if let Some(sentence) = syntax::sentence(file.slice(whole), &known)

@@ -36,7 +36,7 @@ pub(crate) fn refined(
         Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
             if claim.judgements.iter().any(is_open) =>
         {
-            let findings = findings(statement);
+            let findings = findings(statement, &[]);
             let judged = claim.judgements.iter().zip(&findings).map(|(judgement, finding)| {
                 match verdict(finding).filter(|_| is_open(judgement)) {
                     Some(verdict @ (Verdict::Proved | Verdict::Sampled)) => {
@@ -50,7 +50,7 @@ pub(crate) fn refined(
             Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
         }
         Err(error) if may_be_family(&error) || has_dots(statement) => {
-            let findings = findings(statement);
+            let findings = findings(statement, &[]);
             let side = |expr: &Expr| Value::Text(write::text(expr));
             let lefts = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
             let judged: Option<Vec<Judgement>> = findings
@@ -78,6 +78,27 @@ pub(crate) fn refined(
         }
         outcome => outcome,
     }
+}
+
+/// The verdicts on a claim under conditions, with those that a page would give where the others are open.
+pub(crate) fn under_conditions(statement: &Expr, conditions: &[Expr], env: &Env, claim: Claim) -> Claim {
+    let named = std::iter::once(statement).chain(conditions).flat_map(bases);
+    let defined = named.into_iter().any(|base| env.get(&Symbol::new(base)).is_some());
+    if defined || conditions.is_empty() || !claim.judgements.iter().any(is_open) {
+        return claim;
+    }
+    let findings = findings(statement, conditions);
+    if findings.len() != claim.judgements.len() {
+        return claim;
+    }
+    let judged =
+        claim.judgements.into_iter().zip(&findings).map(|(judgement, finding)| match verdict(finding) {
+            Some(verdict @ (Verdict::Proved | Verdict::Sampled)) if is_open(&judgement) => {
+                Judgement { verdict, reasons: reasons(finding), witness: None, ..judgement }
+            }
+            _ => judgement,
+        });
+    Claim { judgements: judged.collect() }
 }
 
 /// π is a number: a claim that fails for some value of the letter is not refuted.
@@ -133,13 +154,17 @@ fn reasons(finding: &Finding) -> Vec<String> {
     [&finding.reason, &finding.instances, &finding.witness].into_iter().flatten().cloned().collect()
 }
 
-/// What a page would say of a claim.
-fn findings(claim: &Expr) -> Vec<Finding> {
+/// What a page would say of a claim under conditions.
+fn findings(claim: &Expr, conditions: &[Expr]) -> Vec<Finding> {
     let Kind::Chain(first, links) = &claim.kind else { return Vec::new() };
     let side = |expr: &Expr| Side { expr: expr.clone(), latex: write::latex(expr) };
     let sides = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
     let relations = links.iter().map(|link| (link.rel, link.span)).collect();
-    let chain = Chain { universal: true, ..Chain::new(sides.map(side).collect(), relations) };
+    let chain = Chain {
+        universal: conditions.is_empty(),
+        conditions: conditions.to_vec(),
+        ..Chain::new(sides.map(side).collect(), relations)
+    };
     let place = Place { scope: Vec::new(), group: 0, formula: 1, blocks: Vec::new() };
     let statement = Statement { role: Some(Role::Claimed), ..Statement::new(Said::Chain(chain), place) };
     let limits = Limits { steps: Some(STEPS), ..Limits::default() };

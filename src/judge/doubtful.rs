@@ -23,6 +23,20 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                     .at(pair[0].span.to(pair[1].span)),
                 );
             }
+            // [0,1,2]x^2
+            if let (Kind::List(items), [_, _], true) = (&pair[0].kind, factors.as_slice(), touches)
+                && items.len() > 1
+                && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
+            {
+                notes.push(
+                    Diagnostic::note(
+                        Code::AmbiguousProduct,
+                        "the list is read as a factor of what follows it",
+                    )
+                    .hint("a divided difference is written F[0, 1, 2] for a function F")
+                    .at(pair[0].span.to(pair[1].span)),
+                );
+            }
             let Kind::Div(above, below, Quotient::Slash) = &pair[0].kind else { continue };
             let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
             let doubtful = match latex {

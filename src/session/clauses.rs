@@ -1,6 +1,6 @@
 //! Definitions in words: `let f be the polar form of t^2`, `f = derivative of t^3; f(2)`.
 
-use super::{Answer, Failure, Session};
+use super::{Answer, Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Rel};
 use crate::language::eval::Equals;
@@ -22,9 +22,9 @@ impl Session {
             let span = name.span.to(body);
             Expr { span, ..Expr::relation(name, Rel::Define, formula) }
         };
-        for (end, rest) in syntax::continuations(file.slice(body)) {
-            let head = Span::new(body.start, body.start + end);
-            let rest = rest.shifted(body.start);
+        for found in syntax::continuations(file.slice(body)) {
+            let head = Span::new(body.start, body.start + found.end);
+            let rest = found.rest.shifted(body.start);
             if !mentions(file.slice(rest), clause.name) {
                 continue;
             }
@@ -44,6 +44,47 @@ impl Session {
         let mut answer = self.evaluated(file, definition, Equals::DefinesUnbound, false)?;
         answer.outcome.notes.insert(0, note);
         Ok(Some(vec![answer]))
+    }
+}
+
+impl Session {
+    /// Runs definitions by formulas, and what words ask for after them: `F(t) = t^2, what is F(2)?`.
+    pub(super) fn run_continued(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        for found in syntax::continuations(file.slice(whole)).into_iter().filter(|found| found.asked) {
+            let head = Span::new(whole.start, whole.start + found.end);
+            let mut there = self.clone();
+            let Ok(mut answers) = there.run_part(file, Some(head), Equals::DefinesUnbound) else { continue };
+            if answers.iter().any(|answer| answer.outcome.defined.is_none()) {
+                continue;
+            }
+            let equals = if found.claims { Equals::Claims } else { equals };
+            answers.extend(there.run_part(file, Some(found.rest.shifted(whole.start)), equals)?);
+            self.env = there.env;
+            return Ok(Some(answers));
+        }
+        Ok(None)
+    }
+
+    /// Runs what is asked for with words such as "compute" and "show that".
+    pub(super) fn run_asked(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let text = file.slice(whole);
+        let Some((rest, claims)) = syntax::asked(text) else { return Ok(None) };
+        let word: String = text.trim_start().chars().take_while(|c| c.is_alphabetic()).collect();
+        if defines(&self.env, &word) {
+            return Ok(None);
+        }
+        let equals = if claims { Equals::Claims } else { equals };
+        self.run_part(file, Some(rest.shifted(whole.start)), equals).map(Some)
     }
 }
 

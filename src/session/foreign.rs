@@ -11,6 +11,15 @@ pub(super) fn with_calls(mut expr: Expr, known: &dyn Fn(&str) -> bool) -> Expr {
 
 fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     expr.for_each_child_mut(&mut |child| rewrite(child, known));
+    // Rational(1, 3)
+    if let Kind::Apply(callee, groups) = &expr.kind
+        && let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice())
+        && let ("Rational", [above, below], false) = (name.as_str(), arguments.as_slice(), known(name))
+    {
+        let quotient = above.clone().grouped().over(below.clone().grouped());
+        expr.kind = Kind::Group(Box::new(quotient));
+        return;
+    }
     // sum(k^2, (k, 1, 5))
     if let Kind::Apply(callee, groups) = &expr.kind
         && let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice())
@@ -31,6 +40,12 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
     }
     if let Some(op) = big_operator(name) {
         if let Some(kind) = over_ranges(op, arguments) {
+            expr.kind = kind;
+        }
+        return;
+    }
+    if name == "Table" {
+        if let Some(kind) = listed(arguments) {
             expr.kind = kind;
         }
         return;
@@ -88,6 +103,25 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
         *letter = named("variable", letter.clone());
     }
     expr.kind = applied(callee(function), own, expr.span).kind;
+}
+
+/// Table[f, {i, a, b}], a list.
+fn listed(arguments: &[Expr]) -> Option<Kind> {
+    let [body, range] = arguments else { return None };
+    let Kind::Set(items, None) = &range.kind else { return None };
+    let one = Expr { span: range.span, ..Expr::int(1) };
+    let (name, from, to) = match items.as_slice() {
+        [name, to] => (name, &one, to),
+        [name, from, to] => (name, from, to),
+        _ => return None,
+    };
+    if !matches!(name.kind, Kind::Name(_)) {
+        return None;
+    }
+    let function = Kind::Lambda(vec![name.clone()], Box::new(body.clone()));
+    let values = Kind::Range(Box::new(from.clone()), Box::new(to.clone()));
+    let arguments = vec![Expr::new(function, body.span), Expr::new(values, range.span)];
+    Some(applied(Expr { span: body.span, ..Expr::name("map") }, arguments, range.span).kind)
 }
 
 fn big_operator(name: &str) -> Option<BigOp> {

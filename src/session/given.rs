@@ -9,11 +9,13 @@ use std::sync::Arc;
 
 use super::{Answer, Failure, Session, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Link, Rel, call, named};
+use crate::judge::asked;
 use crate::judge::inequality::{decided_in, interval, positive};
 use crate::judge::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals};
+use crate::language::lexicon::letters;
 use crate::language::syntax::{self, Sentence};
 use crate::language::value::{Claim, Judgement, Value, Verdict};
 use crate::language::write;
@@ -177,19 +179,27 @@ impl Session {
             }
         }
         let formula = self.read(file, sentence.formula)?;
-        uses_all(&formula, &given).map_err(fail)?;
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
-        if sentence.asked && !asks(&formula) {
+        let several = matches!(&formula.kind, Kind::Sequence(items)
+            if items.iter().all(|item| asks(item) || matches!(item.kind, Kind::Text(_))));
+        if sentence.asked && !asks(&formula) && !several {
             return Ok(None);
         }
+        let late = self.late(&formula, &mut given);
+        uses_all(&formula, &given).map_err(fail)?;
         let mut there = self.clone();
         let conditions = there.take(&in_order(given))?;
         let equals = if sentence.asked { Equals::Claims } else { equals };
-        let mut answers = there.run_part(file, Some(sentence.formula), equals)?;
+        let mut answers = match late {
+            None => there.run_part(file, Some(sentence.formula), equals)?,
+            Some(formula) => vec![there.evaluated(file, formula, equals, false)?],
+        };
         for answer in &mut answers {
             match &answer.outcome.value {
                 Value::Claim(claim) => {
                     let claim = conditions.applied(&there, claim);
+                    let said: Vec<Expr> = conditions.claims.iter().map(|one| one.statement.clone()).collect();
+                    let claim = asked::under_conditions(&answer.statement, &said, &self.env, claim);
                     answer.outcome.value = Value::Claim(Arc::new(claim));
                 }
                 _ => conditions.are_for_claims().map_err(fail)?,
@@ -206,13 +216,42 @@ impl Session {
     }
 }
 
+impl Session {
+    /// The formula with the values put in that are given for symbols of functions defined before: G(3) with a = 1/2 after
+    /// G(t) = t^2 + a. These are no longer among what is given.
+    fn late(&self, formula: &Expr, given: &mut Vec<Given>) -> Option<Expr> {
+        let used = bases(formula);
+        let own = |one: &Given| one.definition().map(|(name, _)| name).filter(|name| !used.contains(name));
+        if matches!(formula.kind, Kind::Chain(..)) || !given.iter().any(|one| own(one).is_some()) {
+            return None;
+        }
+        let outcome = self.clone().evaluate(&mut formula.clone(), Equals::Claims).ok()?;
+        let symbols = match &outcome.value {
+            Value::Scalar(formula) => formula.variables(),
+            _ => return None,
+        };
+        let is_late = |one: &Given| {
+            own(one)
+                .is_some_and(|name| symbols.iter().any(|symbol| symbol.is_plain() && symbol.base() == name))
+        };
+        let mut arguments = vec![formula.clone()];
+        arguments.extend(given.extract_if(.., |one| is_late(one)).filter_map(|one| {
+            let (name, value) = one.definition()?;
+            Some(named(&name, value.clone()))
+        }));
+        (arguments.len() > 1).then(|| call("subs", arguments, formula.span))
+    }
+}
+
 /// Refuses a value for a name that occurs nowhere: a curve at t = 1/2.
 fn uses_all(formula: &Expr, given: &[Given]) -> Result<(), Diagnostic> {
     for (at, one) in given.iter().enumerate() {
         let Some((name, _)) = one.definition() else { continue };
         let others =
             given.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, other)| &other.statement);
-        if !std::iter::once(formula).chain(others).any(|part| bases(part).contains(&name)) {
+        // f(0, 1) for F(t) = t^2
+        let names = |base: &String| *base == name || letters::capital(base).as_ref() == Some(&name);
+        if !std::iter::once(formula).chain(others).any(|part| bases(part).iter().any(names)) {
             return Err(Diagnostic::error(Code::Usage, format!("{name} does not occur in the formula"))
                 .at(one.statement.span)
                 .reason("this value changes nothing")

@@ -11,14 +11,16 @@ use self::draft::Draft;
 use super::foreign::as_list;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::eval::{self, Equals};
+use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_called};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
-use crate::language::syntax::{self, Asked, Call, Request, Said, What};
+use crate::language::syntax::{self, Asked, Call, Request, Said, Total, What};
+use crate::language::value::{Value, symbol_expr};
+use crate::math::poly::Symbol;
 
 /// Something that a label says, read.
 struct Read {
@@ -52,10 +54,16 @@ impl Reader<'_> {
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
             let (labels, phrase) = match *request {
-                Request::Call(Call { function, phrase, subject, labels }) => {
+                Request::Call(Call { function, phrase, subject, labels, part }) => {
                     let Some(builtin) = builtin(function) else { return Ok(None) };
                     let phrase = phrase.shifted(self.start);
-                    drafts.push(Draft::new(builtin, phrase));
+                    let mut draft = Draft::new(builtin, phrase);
+                    draft.part = match part {
+                        Some(What::Formula(span)) => Some(self.one(span)?),
+                        Some(What::Degree(number)) => Some(Expr { span: phrase, ..Expr::int(number) }),
+                        _ => None,
+                    };
+                    drafts.push(draft);
                     rest = subject;
                     (labels, phrase)
                 }
@@ -65,11 +73,19 @@ impl Reader<'_> {
                     }
                     (labels, Span::default())
                 }
+                Request::Total(total) => {
+                    items.push(self.total(&total)?);
+                    (Vec::new(), Span::default())
+                }
             };
             for Said { label, what } in labels {
                 let items = match what {
                     What::Formula(span) => self.items(span)?,
                     What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
+                    What::Basis(function) => match basis_of(function) {
+                        Some(basis) => vec![Expr { span: phrase, ..Expr::name(basis) }],
+                        None => return Ok(None),
+                    },
                 };
                 // in t = 1
                 let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
@@ -107,16 +123,19 @@ impl Reader<'_> {
         if let [one] = items.as_slice()
             && let Some(read) = notations::with_values(one, &mut said)
         {
-            // the B-spline N_{0,2}
-            if drafts.first().is_some_and(|draft| draft.builtin.name == read.function) {
+            // the B-spline N_{0,2}, the Lagrange polynomial L_1
+            let same =
+                |name: &str| name == read.function || name == "lagrange" && read.function == "lagrange_basis";
+            if drafts.first().is_some_and(|draft| same(draft.builtin.name)) {
                 drafts.remove(0);
             }
             formula = Some(read.formula);
             items.clear();
         } else if drafts.is_empty() {
             // compute 3 + 4
-            return Ok(match items.as_slice() {
-                [one] if said.is_empty() => Some(one.clone()),
+            return Ok(match (items.as_slice(), said.as_slice()) {
+                ([one], []) => Some(one.clone()),
+                ([one], [read]) => self.value_at(one, read),
                 _ => None,
             });
         }
@@ -130,6 +149,22 @@ impl Reader<'_> {
                 let phrase = innermost.phrase;
                 drafts.insert(0, Draft::new(bezier, phrase));
             }
+        }
+        // the divided difference of x^3 at 1, 2, 4
+        if let ([Draft { builtin, .. }], [function], [read]) =
+            (drafts.as_slice(), items.as_slice(), said.as_slice())
+            && builtin.name == "divided_differences"
+            && matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over)
+            && let Some(difference) = self.divided_difference(function, read)
+        {
+            return Ok(Some(difference));
+        }
+        // the tensor polar form of u^2 v
+        if let ([Draft { builtin, .. }], [of]) = (drafts.as_slice(), items.as_slice())
+            && builtin.name == "polar_tensor"
+            && let [u, v] = self.variables(of).as_slice()
+        {
+            items.extend([u, v].map(|letter| Expr { span: items[0].span, ..symbol_expr(letter) }));
         }
         if let (None, Some(innermost)) = (&formula, drafts.first_mut())
             && !innermost.is_about(items, &mut said)
@@ -194,6 +229,87 @@ impl Reader<'_> {
             (Some(left), Some(right)) => Some(equation(left, right)),
             (formula, _) => formula,
         })
+    }
+
+    /// The sum or product that is asked for in words.
+    fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
+        let (range, body) = (self.one(total.range)?, self.one(total.body)?);
+        let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
+        let wrong = || {
+            let problem =
+                Diagnostic::error(Code::Usage, "a sum needs the first and the last value of its index")
+                    .at(range.span)
+                    .hint("write sum(k=1..4, k^2)");
+            Box::new(Failure { problem, file: self.file.clone() })
+        };
+        let Kind::Chain(name, links) = &range.kind else { return Err(wrong()) };
+        let [link] = links.as_slice() else { return Err(wrong()) };
+        let (from, to) = match (&link.expr.kind, total.end) {
+            (Kind::Range(from, to), None) => ((**from).clone(), (**to).clone()),
+            (_, Some(end)) => (link.expr.clone(), self.one(end)?),
+            _ => return Err(wrong()),
+        };
+        let lower = vec![Expr { span: range.span, ..Expr::relation((**name).clone(), Rel::Eq, from) }];
+        let body = Box::new(body.grouped());
+        Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(to)), body }, span))
+    }
+
+    /// A formula at what stands behind "at" or "for": a function called, or values put in for names.
+    fn value_at(&self, formula: &Expr, read: &Read) -> Option<Expr> {
+        let equations = read.items.iter().all(|item| eval::named(item).is_some());
+        let claim = |expr: &Expr| matches!(expr.kind, Kind::Chain(..) | Kind::Name(_));
+        if claim(formula) || !equations && (read.label != Label::At || read.items.iter().any(claim)) {
+            return None;
+        }
+        if equations {
+            return value_of(formula, read, &|_| false);
+        }
+        let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims).ok()?;
+        let span = formula.span;
+        match (&outcome.value, read.items.as_slice()) {
+            (Value::Scalar(value), [at]) => match value.variables().as_slice() {
+                [variable] => {
+                    let value = named(&variable.to_string(), at.clone());
+                    Some(call("subs", vec![formula.clone(), value], span))
+                }
+                _ => None,
+            },
+            (Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_), _) => {
+                value_of(formula, read, &|_| false)
+            }
+            _ => None,
+        }
+    }
+
+    /// The symbols in the value of a formula.
+    fn variables(&self, formula: &Expr) -> Vec<Symbol> {
+        match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
+            Ok(Outcome { value: Value::Scalar(formula), .. }) => formula.variables(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// F[x_0, x_1, …] of a formula in one variable, or of a function.
+    fn divided_difference(&self, function: &Expr, read: &Read) -> Option<Expr> {
+        let nodes = match read.items.as_slice() {
+            [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
+            nodes => nodes.to_vec(),
+        };
+        let outcome = self.session.clone().evaluate(&mut function.clone(), Equals::Claims).ok()?;
+        let span = function.span;
+        let function = match &outcome.value {
+            Value::Function(_) => function.clone(),
+            Value::Scalar(formula) => match formula.variables().as_slice() {
+                [variable] => {
+                    let letter = Expr { span, ..symbol_expr(variable) };
+                    Expr::new(Kind::Lambda(vec![letter], Box::new(function.clone())), span).grouped()
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let nodes = vec![draft::list(nodes)];
+        (nodes.len() == 1).then(|| Expr::new(Kind::Subscript(Box::new(function), nodes), span))
     }
 
     /// The error for something that is said and that nothing takes.
@@ -264,6 +380,15 @@ impl Reader<'_> {
             .map(|items| items.into_iter().map(|item| as_list(of_definition(item))).collect())
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
+}
+
+/// What a basis is called in which a function gives coefficients.
+fn basis_of(function: &str) -> Option<&'static str> {
+    Some(match function {
+        "in_bernstein" | "bernstein" | "bezier" => "bernstein",
+        "expand" | "in_powers" | "power" => "power",
+        _ => return None,
+    })
 }
 
 /// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.

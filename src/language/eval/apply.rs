@@ -7,6 +7,7 @@ use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::{name_of, spread, stands_for_itself};
 use super::products::without_power;
+use super::stand_ins::first_is_the_number;
 use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind};
@@ -41,7 +42,13 @@ impl Machine {
         {
             return self.eval(&derivative);
         }
-        match self.callee(callee)? {
+        let decimal = self.with_decimal(callee, groups).map(|number| vec![vec![number]]);
+        let groups = decimal.as_deref().unwrap_or(groups);
+        let callee_value = match self.stand_in(callee, groups)? {
+            Some(value) => Callee::Value(value),
+            None => self.callee(callee)?,
+        };
+        match callee_value {
             Callee::Value(value) => match value {
                 Value::Builtin(name) => {
                     let function = self.function(name)?;
@@ -370,6 +377,9 @@ impl Machine {
                 let mut values = Vec::with_capacity(places.len());
                 for &place in places {
                     values.push((self.eval(indices[place])?, indices[place].span));
+                }
+                if upper.is_none() && function == "bernstein" {
+                    first_is_the_number(&values, callee)?;
                 }
                 Ok(Some(Callee::Family(function, values)))
             }

@@ -9,7 +9,7 @@ use super::names::{indices_in_brackets, letters_side_by_side, name_of};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::lexicon::roles;
+use crate::language::lexicon::{families, roles};
 use crate::language::value::{Clause, Function, Parameter, Shape, Value, Verdict};
 use crate::math::poly::Symbol;
 
@@ -76,6 +76,14 @@ impl Machine {
             _ => return false,
         };
         // B_i^n(t): the base and the indices count.
+        // B_{i,n}(t) = B_{n-i,n}(1-t) is about one family.
+        if let (Kind::Subscript(letter, lower), Kind::Apply(..)) = (&head.kind, &left.kind)
+            && let Kind::Name(letter) = &letter.kind
+            && families::notation(letter, lower.len(), 0).is_some_and(|notation| notation.function.is_some())
+            && has_member(right, letter)
+        {
+            return false;
+        }
         let (head, indices): (&Expr, Vec<&Expr>) = match &head.kind {
             Kind::Pow(inner, upper) => match &inner.kind {
                 Kind::Subscript(base, lower) => (base, lower.iter().chain([upper.as_ref()]).collect()),
@@ -372,4 +380,16 @@ fn calls(expr: &Expr, name: &Symbol, family: bool, machine: &mut Machine) -> boo
     let mut children = Vec::new();
     expr.for_each_child(&mut |child| children.push(child));
     children.into_iter().any(|child| calls(child, name, family, machine))
+}
+
+/// Whether a member of the family with a letter stands in a formula: B_{n-i,n}.
+fn has_member(expr: &Expr, family: &str) -> bool {
+    if let Kind::Subscript(letter, _) = &expr.kind
+        && matches!(&letter.kind, Kind::Name(name) if name == family)
+    {
+        return true;
+    }
+    let mut found = false;
+    expr.for_each_child(&mut |child| found = found || has_member(child, family));
+    found
 }

@@ -1,8 +1,8 @@
 //! Divided differences of a function, as they are written: f[x_0, x_1, x_2].
 
 use super::machine::{Evaluated, Machine};
-use crate::formula::Expr;
 use crate::formula::source::Span;
+use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
@@ -11,6 +11,22 @@ use crate::math::interpolate::DividedDifferences;
 use crate::math::poly::Fraction;
 
 impl Machine {
+    /// (x -> x^3)[1, 2, 4]
+    pub(super) fn difference_of_lambda(&mut self, expr: &Expr) -> Result<Option<Value>, Diagnostic> {
+        let Kind::Subscript(base, indices) = &expr.kind else { return Ok(None) };
+        let (Kind::Group(inner), [Expr { kind: Kind::List(nodes), .. }]) = (&base.kind, indices.as_slice())
+        else {
+            return Ok(None);
+        };
+        match inner.kind {
+            Kind::Lambda(..) => match self.eval(inner)? {
+                Value::Function(function) => self.divided_difference(&function, nodes, expr.span).map(Some),
+                _ => Ok(None),
+            },
+            _ => Ok(None),
+        }
+    }
+
     /// f[x_0, …, x_n] by the scheme of the values; where nodes are equal, derivatives stand for them.
     pub(super) fn divided_difference(
         &mut self,

@@ -32,7 +32,10 @@ impl Machine {
                 crate::budget::charge_bits(q.numer().bits().max(q.denom().bits()));
                 Ok(Value::number(q.clone()))
             }
-            Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => self.eval_name(expr),
+            Kind::Name(_) | Kind::Subscript(..) | Kind::Upper(..) => match self.difference_of_lambda(expr)? {
+                Some(difference) => Ok(difference),
+                None => self.eval_name(expr),
+            },
             Kind::Accent(accent, body) => self.eval_accent(*accent, body, expr),
             Kind::Group(body) => self.eval(body),
             Kind::Add(terms) if terms.iter().any(|term| term.expr.kind == Kind::Ellipsis) => {

@@ -6,8 +6,27 @@
 use super::machine::Machine;
 use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
-use crate::language::lexicon::words;
+use crate::language::lexicon::{phrases, words};
 use crate::math::poly::Symbol;
+
+/// The phrase that two words side by side may be meant for.
+fn misspelled_in(expr: &Expr) -> Option<&'static str> {
+    if let Kind::Mul(factors) = &expr.kind {
+        let word = |factor: &Expr| match &factor.kind {
+            Kind::Name(word) => word.to_lowercase(),
+            _ => String::new(),
+        };
+        let pairs = factors.windows(2).map(|pair| (word(&pair[0]), word(&pair[1])));
+        if let Some(found) =
+            pairs.into_iter().find_map(|(first, second)| phrases::misspelled(&first, &second))
+        {
+            return Some(found.trim_end_matches('~'));
+        }
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().find_map(misspelled_in)
+}
 
 impl Machine {
     /// Refuses a statement with a word of prose in it.
@@ -20,6 +39,9 @@ impl Machine {
         let mut error = Diagnostic::error(Code::UnknownName, format!("'{text}' is a word, not a formula"))
             .at(word.span)
             .reason("words are not read");
+        if let Some(phrase) = misspelled_in(statement) {
+            return Err(error.hint(format!("did you mean '{phrase}'?")));
+        }
         let mut forms = Vec::new();
         self.forms_named_in(statement, &mut forms);
         // What the word itself asks for goes first: f(t) where t = 2.

@@ -362,7 +362,9 @@ fn has_other_powers(expr: &Expr, member: &Expr) -> bool {
 fn is_no_decimal_defined(statement: &Expr) -> Result<(), Diagnostic> {
     let Kind::Sequence(items) = &statement.kind else { return Ok(()) };
     let claims = |pair: &&[Expr]| {
-        let either = items.len() == 2 || matches!(pair[0].kind, Kind::Chain(..));
+        // 1,5 + 2,25
+        let summed = || items.iter().any(|item| !matches!(item.kind, Kind::Number(_)));
+        let either = items.len() == 2 || matches!(pair[0].kind, Kind::Chain(..)) || summed();
         either && is_decimal_comma(&pair[0], &pair[1])
     };
     let Some(pair) = items.windows(2).find(claims) else { return Ok(()) };

@@ -40,13 +40,13 @@ pub(super) const EQUATIONS: Option<Variant> = Variant::noting(PARAMETERS, solve)
 /// The solutions of F = 0, where F stands by itself.
 pub(super) fn zeros_of(machine: &mut Machine, args: &Arguments, formula: &Fraction) -> Evaluated {
     let equations = vec![formula.numerator().clone()];
-    let (unknowns, _) = match args.given(1) {
+    let (unknowns, single) = match args.given(1) {
         Some((value, span)) => symbols(value, span)?,
         None => all_symbols(&equations),
     };
     match unknowns.as_slice() {
         [unknown] if formula.numerator().degree_in(unknown) > 0 => {
-            in_one_unknown(machine, args, &equations, unknown)
+            solved(machine, args, &equations, &unknowns, single)
         }
         _ => Err(Diagnostic::error(Code::AmbiguousVariable, "for which variable is this to be solved?")
             .at(args.span(0))

@@ -80,7 +80,7 @@ const NOTATIONS: &[Notation] = &[
         upper: 0,
         family: Family::Bernstein,
         meaning: "B_{i,n} is the Bernstein polynomial",
-        function: None,
+        function: Some(("bernstein", &[1, 0])),
     },
     Notation {
         letter: "B",

@@ -184,6 +184,12 @@ pub fn of_mathematical(sign: char) -> Option<(char, bool)> {
     None
 }
 
+/// The capital of a small letter, also by its name: F of f, Phi of phi.
+pub(crate) fn capital(letter: &str) -> Option<String> {
+    let first = letter.chars().next().filter(char::is_ascii_lowercase)?;
+    Some(first.to_ascii_uppercase().to_string() + letter.get(1..)?)
+}
+
 /// A character of Chinese, Japanese or Korean.
 pub fn is_ideograph(c: char) -> bool {
     matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{ac00}'..='\u{d7af}' | '\u{f900}'..='\u{faff}')

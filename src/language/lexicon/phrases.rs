@@ -4,6 +4,8 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::letters::is_ideograph;
+use crate::formula::BigOp;
+use crate::language::diagnostic::nearest;
 
 /// What a phrase of a request says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +14,10 @@ pub(crate) enum Phrase {
     Function(&'static str),
     /// A function, by a word that commands it: expand.
     Command(&'static str),
+    /// One of the things that a function gives: left part.
+    Part(&'static str, i64),
+    /// A sum or product.
+    Total(BigOp),
     /// A degree: cubic.
     Degree(i64),
     /// How often: second.
@@ -24,6 +30,8 @@ pub(crate) enum Phrase {
     Of,
     /// Two of a kind.
     And,
+    /// One of two.
+    Or,
     /// With weights: rational.
     Rational,
     /// A question, or what is claimed: is.
@@ -128,7 +136,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Command("integrate"), "integrate | integriere~ | intègre | intégrer | 求积分 | integrar | integra"),
     (
         Command("expand"),
-        "expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
+        "which polynomial has | what polynomial has | welches polynom hat | quel polynôme a | expand | multiply out | multipliziere | développe~ | développer | 展开 | desarrolla | \
          desarrollar | espandi",
     ),
     (
@@ -218,16 +226,49 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
     (Function("part"), "restriction | einschränkung | restricción"),
     (Command("reverse"), "reverse"),
+    (Command("part"), "restrict | beschränke | einschränken | restreindre"),
+    (
+        Phrase::Part("subdivide", 0),
+        "left part | left half | first half | linker teil | linke hälfte | partie gauche",
+    ),
+    (
+        Phrase::Part("subdivide", 1),
+        "right part | right half | second half | rechter teil | rechte hälfte | partie droite",
+    ),
+    (Phrase::Total(BigOp::Sum), "sum | summe | somme | suma | somma"),
+    (Phrase::Total(BigOp::Product), "product | produkt | produit"),
+    (
+        Command("max"),
+        "which is bigger | which is larger | which is greater | was ist größer | lequel est plus grand | \
+         larger | bigger | greater",
+    ),
+    (Command("min"), "which is smaller | which is less | was ist kleiner | smaller"),
+    (
+        Function("raising"),
+        "matrix of degree elevation | degree elevation matrix | elevation matrix | degree raising matrix | \
+         matrix for degree elevation | graderhöhungsmatrix | matrix der graderhöhung | matrice d'élévation",
+    ),
+    (
+        Function("change_of_basis"),
+        "conversion matrix | basis conversion matrix | change of basis matrix | matrix of change of basis | \
+         basis change | basis change matrix | transformation matrix | matrix for conversion | basiswechsel | \
+         basiswechselmatrix | transformationsmatrix | matrice de passage",
+    ),
+    (
+        Function("polar_tensor"),
+        "tensor polar form~ | tensor product polar form~ | tensor product blossom | tensor blossom | \
+         tensorprodukt polarform",
+    ),
     (Function("hodograph"), "hodograph | hodographe"),
     (Function("curvature"), "krümmung | courbure | 曲率"),
     (
         Function("bspline_basis"),
-        "b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
+        "cox de boor | b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
          basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条",
     ),
     (
         Function("bspline"),
-        "spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
+        "nurbs | nurbs curve~ | rational b spline | spline~ | b spline curve~ | spline curve~ | b spline kurve~ | splinekurve~ | courbe b spline | \
          b样条曲线",
     ),
     (
@@ -295,7 +336,10 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Function("symmetrize"), "symmetrization"),
     (Command("symmetrize"), "symmetrise | symmetrize | symmetrisiere | symétriser | 对称化"),
     (Degree(1), "linear~ | linéaire~ | 线性"),
-    (Degree(2), "quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次"),
+    (
+        Degree(2),
+        "parabola | parabel | parabole | quadratic~ | quadratisch~ | quadratique~ | cuadrátic~ | cuadratic~ | 二次",
+    ),
     (Degree(3), "cubic~ | kubisch~ | cubique~ | cúbic~ | 三次"),
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
@@ -320,6 +364,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (And, "and | und | et | 和"),
+    (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
         "at | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
@@ -378,7 +423,7 @@ const PHRASES: &[(Phrase, &str)] = &[
          determine | write | express | convert | transform | rewrite | evaluate | value | \
          value of | point | point on | exactly | exact | polynomial | function | curve | curve with | funktion | kurve | \
          polynom | was ist | berechne | bestimme | finde | gib | wandle | schreibe | um | die | \
-         das | den | dem | calcule | calculer | calculez | donne | donner | détermine | \
+         das | den | dem | calcule | calculer | calculez | donne | donner | donnez | trouvez | déterminez | détermine | \
          déterminer | trouve | trouver | la | le | les | l' | un | une | convertir | convertis | \
          écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
          求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
@@ -445,6 +490,8 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         let rest = text.get(at..)?;
         let separator: usize =
             rest.chars().take_while(|c| c.is_whitespace() || *c == '-').map(char::len_utf8).sum();
+        // w.r.t.
+        let separator = if separator == 0 && number > 0 && rest.starts_with('.') { 1 } else { separator };
         if (separator == 0) != (number == 0) || rest.get(..separator)?.contains('\n') {
             break;
         }
@@ -489,6 +536,39 @@ pub(crate) fn phrase(text: &str, function: &dyn Fn(&str) -> Option<&'static str>
         (start == *article).then_some((of, article.len()))
     })
 }
+
+/// The function that a word names by itself, also at its end where no blanks stand between words.
+pub(crate) fn function_named(word: &str) -> Option<&'static str> {
+    let joined = word.chars().any(is_ideograph);
+    let starts = word.char_indices().map(|(at, _)| at).take(if joined { word.len() } else { 1 });
+    starts.filter_map(|at| word.get(at..)).find_map(|rest| match phrase(rest, &|_| None)? {
+        (_, length) if length < rest.len() => None,
+        (Function(function) | Command(function) | Between(function), _) => Some(function),
+        (Phrase::Label(label), _) => label.function(),
+        _ => None,
+    })
+}
+
+/// The phrase of one or two words that somebody may have misspelled with these.
+pub(crate) fn misspelled(word: &str, next: &str) -> Option<&'static str> {
+    let known = |word: &str| phrase(word, &|_| None).is_some_and(|(_, length)| length == word.len());
+    if known(word) {
+        return None;
+    }
+    let named = |phrase: &Phrase| matches!(phrase, Function(_) | Command(_));
+    let mut close =
+        PHRASES.iter().filter(|(phrase, _)| named(phrase)).flat_map(|(_, names)| names.split(" | "));
+    close.find(|name| {
+        let stem = name.trim_end_matches('~');
+        match stem.split_once(' ') {
+            Some((first, second)) => second == next && first != word && nearest(word, [first]).is_some(),
+            None => word.len() > SHORTEST_MISSPELLED && stem != word && nearest(word, [stem]).is_some(),
+        }
+    })
+}
+
+/// Shorter words are close to many.
+const SHORTEST_MISSPELLED: usize = 5;
 
 /// The word at the start of a text: letters, and apostrophes between them.
 fn word(text: &str) -> &str {

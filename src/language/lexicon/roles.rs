@@ -46,6 +46,9 @@ const OTHER_VARIABLES: &[&str] = &["u", "v", "w", "x", "y", "z", "s", "tau"];
 const FACTORS: &[&str] =
     &["n", "i", "j", "k", "m", "d", "alpha", "beta", "gamma", "lambda", "mu", "t", "u", "v", "pi"];
 
+/// Control points when they have indices.
+const CONTROL_POINTS: &[&str] = &["b", "p", "P"];
+
 /// Barycentric coordinates, and parameters in [0, 1].
 const BARYCENTRIC: &[&str] = &["u", "v", "w", "r", "s", "t", "alpha", "beta", "gamma"];
 
@@ -92,6 +95,11 @@ pub(crate) fn is_barycentric(letter: &str) -> bool {
 /// Whether it usually takes an argument.
 pub(crate) fn is_function(letter: &str) -> bool {
     FUNCTIONS.contains(&letter) || POLYNOMIALS.contains(&letter) || families::is_family(letter)
+}
+
+/// Whether its members with the indices 0, 1, … usually are the control points of a curve of that name.
+pub(crate) fn is_control_point(letter: &str) -> bool {
+    CONTROL_POINTS.contains(&letter)
 }
 
 /// Whether it usually is a parameter or coordinate.

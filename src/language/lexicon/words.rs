@@ -1,5 +1,7 @@
 //! Words that mean something in other systems or in prose, and what to write for them here.
 
+use super::phrases;
+
 /// Functions that somebody may expect that have no exact rational values.
 const TRANSCENDENTAL: &[&str] = &[
     "sqrt", "root", "sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "ln", "lg", "sinh", "cosh",
@@ -72,6 +74,10 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("inner", "the scalar product is dot([1, 2], [3, 4])"),
     ("mean", "the mean of two points is (a + b)/2"),
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
+    ("polyval", "a value of a polynomial is written t^3 - 2t + 5 at t = 3"),
+    ("conv", "a product of polynomials is written (t + 2)(t + 3); coefficients(F) lists its coefficients"),
+    ("odd", "a claim says the same: F(-t) = -F(t)"),
+    ("even", "a claim says the same: F(-t) = F(t)"),
     ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
 ];
 
@@ -115,38 +121,17 @@ const PROSE: &[(&str, &str)] = &[
     ("sur", ""),
 ];
 
-/// What a word of a question is about, as a function.
+/// What a word of a question is about, as a function, if it is no phrase of requests.
 const TOPICS: &[(&str, &str)] = &[
     ("symmetric", "laws"),
     ("affine", "laws"),
     ("multiaffine", "laws"),
     ("value", "subs"),
-    ("choose", "binomial"),
     ("curve", "bezier"),
     ("basis", "bernstein"),
     ("interpolation", "lagrange"),
     ("elevation", "elevate"),
-    ("subdivision", "subdivide"),
     ("insertion", "insert_knots"),
-    ("points", "control_points"),
-    ("ableitung", "derivative"),
-    ("dérivée", "derivative"),
-    ("stammfunktion", "integrate"),
-    ("primitive", "integrate"),
-    ("nullstellen", "roots"),
-    ("racines", "roots"),
-    ("kontrollpunkte", "control_points"),
-    ("bézierpunkte", "bezier_points"),
-    ("knoten", "knots"),
-    ("basiswechsel", "change_of_basis"),
-    ("determinante", "det"),
-    ("déterminant", "det"),
-    ("degré", "degree"),
-    ("极形式", "polar"),
-    ("导数", "derivative"),
-    ("积分", "integrate"),
-    ("行列式", "det"),
-    ("次数", "degree"),
 ];
 
 /// What to write instead of a word of prose; empty if the words beside it have to tell.
@@ -228,17 +213,8 @@ pub(crate) fn is_text_command(command: &str) -> bool {
 /// The function that a word of a question is about.
 pub(crate) fn topic(word: &str) -> Option<&'static str> {
     let lower = word.to_lowercase();
-    // In Chinese no blank stands between words.
-    let names = |known: &str| {
-        lower == known
-            || !known.is_ascii() && known.chars().count() > 1 && !is_latin(known) && lower.ends_with(known)
-    };
-    TOPICS.iter().find(|(known, _)| names(known)).map(|(_, function)| *function)
-}
-
-/// Whether the letters of a word are Latin ones, perhaps with accents.
-fn is_latin(word: &str) -> bool {
-    word.chars().all(|letter| letter < '\u{250}')
+    let listed = TOPICS.iter().find(|(known, _)| *known == lower).map(|(_, function)| *function);
+    listed.or_else(|| phrases::function_named(&lower))
 }
 
 /// Names whose calls have a form of their own.
@@ -378,8 +354,23 @@ const CONTINUATIONS: &[&str] = &[
     "allora",
     "calcola",
     "quanto vale",
+    "calculez",
+    "déterminer",
+    "déterminez",
+    "trouver",
+    "trouvez",
+    "donner",
+    "donnez",
+    "quelle est",
+    "quel est",
+    "halla",
+    "trova",
+    "give",
+    "gib",
+    "wie lautet",
     "和",
     "求",
+    "计算",
     "and",
 ];
 
@@ -397,9 +388,45 @@ pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
     }
 }
 
-/// The length of the words with which a text begins, if they say that something is asked now.
-pub(crate) fn goes_on(text: &str) -> Option<usize> {
-    starts_with_one_of(text, CONTINUATIONS)
+/// Words before what is to be shown.
+const TASKS: &[&str] = &[
+    "show that",
+    "prove that",
+    "verify that",
+    "check that",
+    "check whether",
+    "is it true that",
+    "zeige, dass",
+    "zeigen sie, dass",
+    "beweise, dass",
+    "prüfe, ob",
+    "stimmt es, dass",
+    "montrer que",
+    "montre que",
+    "montrez que",
+    "démontrer que",
+    "vérifier que",
+    "est-ce que",
+    "demuestra que",
+    "muestra que",
+    "dimostra che",
+    "证明",
+    "验证",
+];
+
+/// What is asked with the words with which a text begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Asking {
+    /// The length of the words.
+    pub length: usize,
+    /// Whether what follows is a claim: show that.
+    pub claims: bool,
+}
+
+/// The words with which a text begins, if they say that something is asked now.
+pub(crate) fn asks(text: &str) -> Option<Asking> {
+    let task = starts_with_one_of(text, TASKS).map(|length| Asking { length, claims: true });
+    task.or_else(|| starts_with_one_of(text, CONTINUATIONS).map(|length| Asking { length, claims: false }))
 }
 
 /// Whether a word belongs to sentences: no name is called so.

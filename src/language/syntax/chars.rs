@@ -50,6 +50,9 @@ pub(super) fn accent(c: char) -> Option<Accent> {
     })
 }
 
+/// Signs between groups of three digits, as in Switzerland: 1'000'000.
+pub(super) const APOSTROPHES: [char; 2] = ['\'', '’'];
+
 /// Numerator and denominator of a fraction in one character: ½.
 pub(super) fn fraction(c: char) -> Option<[i64; 2]> {
     Some(match c {

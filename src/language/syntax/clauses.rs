@@ -49,8 +49,21 @@ pub(crate) fn clause(text: &str) -> Option<Clause<'_>> {
     Some(Clause { name, place, rest: Span::new(rest, text.len()), introduced })
 }
 
-/// Where the text after a definition may go on, the last place first: each with the end of the definition.
-pub(crate) fn continuations(text: &str) -> Vec<(usize, Span)> {
+/// A place at which a text may go on after a definition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Continuation {
+    /// The end of the definition.
+    pub end: usize,
+    /// What follows, without the words that ask for it.
+    pub rest: Span,
+    /// Whether words ask for it.
+    pub asked: bool,
+    /// Whether they say that it is a claim.
+    pub claims: bool,
+}
+
+/// Where the text after a definition may go on, the last place first.
+pub(crate) fn continuations(text: &str) -> Vec<Continuation> {
     let mut depth = 0_i32;
     let mut found = Vec::new();
     for (at, c) in text.char_indices() {
@@ -60,12 +73,9 @@ pub(crate) fn continuations(text: &str) -> Vec<(usize, Span)> {
             ',' | '.' | ';' | ':' if depth == 0 => {
                 let after = at + c.len_utf8();
                 if c != '.' || text.piece(after..).starts_with(char::is_whitespace) {
-                    let mut start = skip(text, after);
-                    while let Some(length) = words::goes_on(text.piece(start..)) {
-                        start = skip(text, start + length);
-                    }
-                    if let Some(span) = trimmed(text, start) {
-                        found.push((at, span));
+                    let (start, asked, claims) = after_asking(text, skip(text, after));
+                    if let Some(rest) = trimmed(text, start) {
+                        found.push(Continuation { end: at, rest, asked, claims });
                     }
                 }
             }
@@ -74,6 +84,32 @@ pub(crate) fn continuations(text: &str) -> Vec<(usize, Span)> {
     }
     found.reverse();
     found
+}
+
+/// What a text asks for that begins with words such as "compute" and "show that", and whether it is a claim.
+///
+/// Shorter words may be products of letters: `so t`.
+pub(crate) fn asked(text: &str) -> Option<(Span, bool)> {
+    const SHORT: usize = 3;
+    let start = skip(text, 0);
+    let first = words::asks(text.piece(start..))?;
+    let word = text.piece(start..start + first.length);
+    if word.is_ascii() && word.len() <= SHORT {
+        return None;
+    }
+    let (start, _, claims) = after_asking(text, start);
+    trimmed(text, start).map(|span| (span, claims))
+}
+
+/// The place after words that ask, whether there are some, and whether they say that a claim follows.
+fn after_asking(text: &str, mut start: usize) -> (usize, bool, bool) {
+    let (mut asked, mut claims) = (false, false);
+    while let Some(words) = words::asks(text.piece(start..)) {
+        start = skip(text, start + words.length);
+        asked = true;
+        claims |= words.claims;
+    }
+    (start, asked, claims)
 }
 
 /// From a place to the end, without the signs of a question: `$f(0, 1) =$`.
@@ -109,7 +145,18 @@ mod tests {
     #[test]
     fn what_goes_on_stands_after_a_stop() {
         let text = "the polar form of (t, 1), then what is f(0)?";
-        let (end, rest) = continuations(text)[0];
-        assert_eq!((text.piece(..end), text.piece(rest.range())), ("the polar form of (t, 1)", "f(0)"));
+        let found = continuations(text)[0];
+        assert_eq!(
+            (text.piece(..found.end), text.piece(found.rest.range())),
+            ("the polar form of (t, 1)", "f(0)")
+        );
+    }
+
+    #[test]
+    fn what_is_asked_follows_words() {
+        let of = |text: &'static str| asked(text).map(|(span, claims)| (text.piece(span.range()), claims));
+        assert_eq!(of("Compute g(3)."), Some(("g(3)", false)));
+        assert_eq!(of("zeige, dass a = a"), Some(("a = a", true)));
+        assert_eq!(of("so t"), None);
     }
 }

@@ -153,6 +153,23 @@ impl Lexer<'_> {
 
     fn number(&mut self, start: usize) -> Lexed {
         self.skip(is_digit);
+        // 1'000'000
+        while self.text.piece(start..self.at).len() <= 3
+            || self.text.piece(start..self.at).contains(chars::APOSTROPHES)
+        {
+            let group = self.text.piece(self.at..);
+            let digits = group.trim_start_matches(chars::APOSTROPHES);
+            let three = digits.chars().take_while(char::is_ascii_digit).count() == 3;
+            if group.len() - digits.len() == 0 || !three || digits.piece(3..).starts_with(chars::is_letter) {
+                break;
+            }
+            self.at += group.len() - digits.len() + 3;
+        }
+        // 3½
+        if self.peek().and_then(chars::fraction).is_some() {
+            self.at += self.peek().map_or(0, char::len_utf8);
+            return self.push(TokenKind::Number, start);
+        }
         let point = self.peek().is_some_and(|c| chars::ordinary(c) == '.')
             && self.nth(1).is_none_or(|c| chars::ordinary(c) != '.');
         if point {

@@ -34,12 +34,12 @@ mod unknown;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use clauses::{clause, continuations};
+pub(crate) use clauses::{asked, clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};
 pub(crate) use sentence::{Sentence, sentence};
-pub(crate) use spoken::{Asked, Call, Request, Said, What, request};
+pub(crate) use spoken::{Asked, Call, Request, Said, Total, What, request};
 pub use token::MAX_TOKENS;
 pub(crate) use unknown::{Unknown, unknown};
 

@@ -53,18 +53,30 @@ pub(crate) fn sentence(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Sente
     let mut words = 0;
     // For n = 3, sum(…)
     if parts.first() == Some(&Part::Word(Aside::Condition)) {
-        let end = parts.iter().rposition(|part| *part == Part::Stop)?;
+        let end = parts.iter().rposition(Part::is_stop)?;
+        let before: Vec<Part> = parts.drain(..=end).collect();
+        pieces.extend(conditions(before));
+        words += 1;
+    } else if let Some(end) = parts.iter().position(|part| *part == Part::Colon)
+        && parts[..end]
+            .iter()
+            .all(|part| matches!(part, Part::Piece(_) | Part::Stop | Part::Word(Aside::Joint)))
+        && end > 0
+    {
+        // a = 2, b = 3: a + b
         let before: Vec<Part> = parts.drain(..=end).collect();
         pieces.extend(conditions(before));
         words += 1;
     }
-    let mut rest = parts.into_iter().skip_while(|part| *part == Part::Stop).peekable();
+    let mut rest = parts.into_iter().skip_while(Part::is_stop).peekable();
     let mut formula = rest.next()?.piece()?;
     while let Some(part) = rest.next_if(|part| !matches!(part, Part::Word(Aside::Condition | Aside::ForAll)))
     {
         match part {
             Part::Piece(more) => formula = formula.to(more),
-            Part::Stop => {}
+            Part::Stop | Part::Colon => {}
+            // let a = 1 and b = 2; is a = b and b = c?
+            Part::Word(Aside::Joint) if introduced || asked => {}
             Part::Word(_) => return None,
         }
     }
@@ -82,7 +94,7 @@ fn conditions(parts: impl IntoIterator<Item = Part>) -> Vec<(Span, bool)> {
             Part::Piece(span) => found.push((span, all)),
             Part::Word(Aside::Every | Aside::ForAll) => all = true,
             Part::Word(Aside::Condition) => all = false,
-            Part::Word(_) | Part::Stop => {}
+            Part::Word(_) | Part::Stop | Part::Colon => {}
         }
     }
     found
@@ -92,11 +104,17 @@ fn conditions(parts: impl IntoIterator<Item = Part>) -> Vec<(Span, bool)> {
 enum Part {
     Piece(Span),
     Word(Aside),
-    /// A comma or a colon between pieces.
+    /// A comma between pieces.
     Stop,
+    /// A colon between them.
+    Colon,
 }
 
 impl Part {
+    fn is_stop(&self) -> bool {
+        matches!(self, Part::Stop | Part::Colon)
+    }
+
     fn piece(self) -> Option<Span> {
         match self {
             Part::Piece(span) => Some(span),
@@ -140,7 +158,8 @@ fn parts(text: &str, tokens: &[Token], known: &dyn Fn(&str) -> bool) -> Option<V
                 at += length;
                 continue;
             }
-            (_, TokenKind::Comma | TokenKind::Colon) if outside => found.push(Part::Stop),
+            (_, TokenKind::Comma) if outside => found.push(Part::Stop),
+            (_, TokenKind::Colon) if outside => found.push(Part::Colon),
             _ if outside && is_space(text, token) => {}
             _ => match found.last_mut() {
                 Some(Part::Piece(piece)) => *piece = piece.to(token.span()),
@@ -207,6 +226,8 @@ mod tests {
         assert_eq!(taken_apart("t^2, for t = 3"), Some(("t^2", vec!["t = 3"], false)));
         assert_eq!(taken_apart("is a = b for all a and b?"), Some(("a = b", vec!["a", "b"], true)));
         assert_eq!(taken_apart("For n = 2, k = 1: B_k^n"), Some(("B_k^n", vec!["n = 2", "k = 1"], false)));
+        assert_eq!(taken_apart("a = 2, b = 3: a b"), Some(("a b", vec!["a = 2", "b = 3"], false)));
+        assert_eq!(taken_apart("let a = 1 and b = 2"), Some(("a = 1 and b = 2", vec![], false)));
         assert_eq!(taken_apart("let F(t) = t^2"), Some(("F(t) = t^2", vec![], false)));
         assert_eq!(taken_apart(r"$t \text{ for all } t \ge 0$"), Some(("t", vec![r"t \ge 0"], false)));
         assert_eq!(taken_apart(r"$a$ where $a = 1$"), Some(("$a$", vec!["$a = 1$"], false)));

@@ -5,6 +5,7 @@
 //! it, where functions are known.
 
 use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_text_commands};
+use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
 
@@ -24,6 +25,8 @@ pub(crate) enum Request {
     Formula(Vec<Span>, Vec<Said>),
     /// A function of something.
     Call(Call),
+    /// A sum or product.
+    Total(Total),
 }
 
 /// A function, and what is said of its arguments.
@@ -37,6 +40,23 @@ pub(crate) struct Call {
     pub subject: Option<Box<Request>>,
     /// What is said besides.
     pub labels: Vec<Said>,
+    /// Which of the things it gives is wanted.
+    pub part: Option<What>,
+}
+
+/// A sum or product in words.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Total {
+    /// Which of the two.
+    pub op: BigOp,
+    /// Where its phrase stands.
+    pub phrase: Span,
+    /// What is added up.
+    pub body: Span,
+    /// The range of its index: `i = 0..5`, or `i = 0` before its end.
+    pub range: Span,
+    /// The end of the range, if it is said apart.
+    pub end: Option<Span>,
 }
 
 /// Something said of the arguments.
@@ -55,6 +75,8 @@ pub(crate) enum What {
     Formula(Span),
     /// cubic
     Degree(i64),
+    /// A basis, by the function that gives coefficients in it.
+    Basis(&'static str),
 }
 
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
@@ -71,7 +93,12 @@ pub(crate) fn request(
     let parts = parts(text, known, function);
     let named = |part: &Part| {
         let names = |phrase: &Phrase| match phrase {
-            Phrase::Function(_) | Phrase::Command(_) | Phrase::Between(_) | Phrase::Which => true,
+            Phrase::Function(_)
+            | Phrase::Command(_)
+            | Phrase::Part(..)
+            | Phrase::Total(_)
+            | Phrase::Between(_)
+            | Phrase::Which => true,
             // N_{0,2}(1/2) for the knots 0, 1, 2, 3
             Phrase::Label(label) => label.names_values(),
             _ => false,
@@ -84,7 +111,11 @@ pub(crate) fn request(
         parts.windows(2).any(|pair| label(&pair[0]) && matches!(pair[1], Part::Phrase(Phrase::Of, _)));
     let polite = matches!(parts.first(), Some(Part::Phrase(Phrase::Filler, _)))
         || matches!(parts.last(), Some(Part::Phrase(Phrase::Filler, _)));
-    if !parts.iter().any(named) && !polite && !labelled {
+    // bspline(2, [0, 0, 0, 1, 1, 1], [1, 2, 3]) at 1/2
+    let valued = matches!(parts.as_slice(),
+        [Part::Piece(_), Part::Phrase(Phrase::Label(Label::At), _), Part::Piece(at)]
+            if !text.piece(at.range()).contains('='));
+    if !parts.iter().any(named) && !polite && !labelled && !valued {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -139,7 +170,7 @@ impl Reader<'_> {
             self.at += 1;
             let labels = vec![Said { label: Label::With, what: What::Formula(name) }];
             let subject = Some(Box::new(Request::Formula(vec![equation], Vec::new())));
-            let call = Call { function: "solve", phrase: name, subject, labels };
+            let call = Call { function: "solve", phrase: name, subject, labels, part: None };
             return Some(Asked { request: Request::Call(call), equals: None });
         }
         let asks = self.take(Phrase::Is);
@@ -176,7 +207,7 @@ impl Reader<'_> {
                 // a spline with control points 0, 1, 3
                 Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
                     let said = self.said()?;
-                    request.labels().extend(said);
+                    request.labels()?.extend(said);
                 }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
@@ -186,6 +217,7 @@ impl Reader<'_> {
                         phrase,
                         subject: Some(Box::new(request)),
                         labels: Vec::new(),
+                        part: None,
                     });
                 }
                 // 7 choose 3
@@ -201,7 +233,8 @@ impl Reader<'_> {
                         return None;
                     }
                     let subject = Some(Box::new(Request::Formula(spans, Vec::new())));
-                    request = Request::Call(Call { function, phrase, subject, labels: Vec::new() });
+                    request =
+                        Request::Call(Call { function, phrase, subject, labels: Vec::new(), part: None });
                 }
                 // t^3 的导数
                 Part::Phrase(Phrase::Of, _)
@@ -226,7 +259,7 @@ impl Reader<'_> {
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
                 _ => {
                     let said = self.said()?;
-                    request.labels().extend(said);
+                    request.labels()?.extend(said);
                 }
             }
         }
@@ -306,25 +339,128 @@ impl Reader<'_> {
                 self.at += 1;
                 Some(Request::Formula(vec![span], labels))
             }
+            Part::Phrase(Phrase::Total(op), phrase) if labels.is_empty() => {
+                self.at += 1;
+                self.total(op, phrase).map(Request::Total)
+            }
             Part::Phrase(word, phrase) => {
                 let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
                 let function = match word {
-                    Phrase::Function(function) | Phrase::Command(function) => function,
+                    Phrase::Function(function) | Phrase::Command(function) | Phrase::Part(function, _) => {
+                        function
+                    }
                     // the degree of t^3, the knots of a spline
                     Phrase::Label(label) if of => label.function()?,
                     _ => return None,
                 };
                 self.at += 1;
+                let part = match word {
+                    Phrase::Part(_, number) => Some(What::Degree(number)),
+                    _ => self.member().map(What::Formula),
+                };
+                self.bases(function, &mut labels);
                 let subject = self.argument(&mut labels)?;
-                Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels }))
+                Some(Request::Call(Call { function, phrase, subject: subject.map(Box::new), labels, part }))
             }
         }
+    }
+
+    /// The member of a family that is wanted: the Bézier point b_1 of t^2.
+    fn member(&mut self) -> Option<Span> {
+        let [Part::Piece(span), Part::Phrase(Phrase::Of, _)] = self.parts.get(self.at..self.at + 2)? else {
+            return None;
+        };
+        let piece = self.text.piece(span.range());
+        let (letter, index) = piece.split_once('_')?;
+        let number = index.trim_start_matches('{').trim_end_matches('}');
+        let named = letter.chars().all(char::is_alphabetic) && letter.chars().count() == 1;
+        if !named || number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+        self.at += 1;
+        let start = span.end - index.len() + index.find(number)?;
+        Some(Span::new(start, start + number.len()))
+    }
+
+    /// The bases between which coefficients are converted: from Bernstein to powers.
+    fn bases(&mut self, function: &str, labels: &mut Vec<Said>) {
+        // Bernstein to power is the name of a function.
+        if let (
+            "change_of_basis",
+            Some([Part::Phrase(Phrase::Label(Label::From), _), Part::Phrase(Phrase::Function(both), _)]),
+        ) = (function, self.parts.get(self.at..self.at + 2))
+            && let Some((from, to)) = both.split_once("_to_")
+        {
+            labels.push(Said { label: Label::From, what: What::Basis(from) });
+            labels.push(Said { label: Label::To, what: What::Basis(to) });
+            self.at += 2;
+        }
+        while function == "change_of_basis"
+            && let Some(
+                [
+                    Part::Phrase(Phrase::Label(label @ (Label::From | Label::To)), _),
+                    Part::Phrase(Phrase::Function(basis), _),
+                ],
+            ) = self.parts.get(self.at..self.at + 2)
+        {
+            labels.push(Said { label: *label, what: What::Basis(basis) });
+            self.at += 2;
+            // to_bernstein is the name of a function
+            if let Some(Part::Phrase(Phrase::Function(basis), _)) = self.next() {
+                labels.push(Said { label: Label::To, what: What::Basis(basis) });
+                self.at += 1;
+            }
+        }
+    }
+
+    /// What is added up: sum i = 0..5 of i^2, sum of i^2 for i = 0..5, sum of i from i = 0 to 5.
+    fn total(&mut self, op: BigOp, phrase: Span) -> Option<Total> {
+        let piece = |reader: &mut Self| {
+            let Some(Part::Piece(span)) = reader.next() else { return None };
+            reader.at += 1;
+            Some(span)
+        };
+        while self.take(Phrase::Of) {}
+        let first = piece(self)?;
+        let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
+        let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
+        let mut end = None;
+        while let Some(next) = self.phrase() {
+            match next {
+                Phrase::Of if body.is_none() => {
+                    self.at += 1;
+                    body = Some(piece(self)?);
+                }
+                Phrase::Label(Label::With | Label::From | Label::Over) if range.is_none() => {
+                    self.at += 1;
+                    range = Some(piece(self)?);
+                }
+                // for i from 1
+                Phrase::Label(Label::From)
+                    if end.is_none() && range.is_some_and(|range| !is_range(range)) =>
+                {
+                    return None;
+                }
+                Phrase::Label(Label::To) if range.is_some() && end.is_none() => {
+                    self.at += 1;
+                    end = Some(piece(self)?);
+                }
+                _ => return None,
+            }
+        }
+        let range = range.filter(|range| begins_equation(self.text.piece(range.range())))?;
+        Some(Total { op, phrase, body: body?, range, end })
     }
 
     /// The formulas that go on with "and".
     fn others(&mut self) -> Vec<Span> {
         let mut found = Vec::new();
-        while self.phrase() == Some(Phrase::And)
+        // the larger of 3/7 or 2/5
+        let choice = |part: &Part| {
+            matches!(part, Part::Phrase(Phrase::Command("max" | "min") | Phrase::Function("max" | "min"), _))
+        };
+        let or = self.parts.iter().any(choice);
+        while (self.phrase() == Some(Phrase::And) || or && self.phrase() == Some(Phrase::Or))
             && let Some(Part::Piece(span)) = self.parts.get(self.at + 1)
         {
             found.push(*span);
@@ -432,10 +568,11 @@ impl Reader<'_> {
 
 impl Request {
     /// What is said besides.
-    fn labels(&mut self) -> &mut Vec<Said> {
+    fn labels(&mut self) -> Option<&mut Vec<Said>> {
         match self {
-            Request::Formula(_, labels) => labels,
-            Request::Call(call) => &mut call.labels,
+            Request::Formula(_, labels) => Some(labels),
+            Request::Call(call) => Some(&mut call.labels),
+            Request::Total(_) => None,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Cutting a text into statements.
 //!
-//! Statements end at `;` and at line ends. A line end inside brackets, after an
+//! Statements end at `;`, at line ends and at full stops of sentences. A line end inside brackets, after an
 //! operator that needs a right side, or before one that needs a left side, does not
 //! count. Here any closing bracket closes any opening one: which kinds belong
 //! together is the readers' business (LaTeX has half-open intervals `[0,1)`).
@@ -8,6 +8,9 @@
 use std::ops::Range;
 
 use super::token::{Token, TokenKind};
+use crate::formula::source::Pieces;
+use crate::language::lexicon::letters::is_ideograph;
+use crate::language::lexicon::words;
 
 /// The token ranges of the statements; none is empty, line ends at their ends are cut off.
 pub(super) fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
@@ -29,9 +32,14 @@ pub(super) fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
                     !last.is_some_and(|at: usize| needs_right(tokens[at].kind))
                         && !next_in_text(tokens, i).is_some_and(needs_left)
                 }
-                _ => false,
+                _ => ends_sentence(text, token),
             };
         if ends {
+            // t^2.
+            if token.kind == TokenKind::Number {
+                start = last.map_or(i, |_| start);
+                last = Some(i);
+            }
             ranges.extend(last.take().map(|last| start..last + 1));
         } else if token.kind != TokenKind::Newline {
             if last.is_none() {
@@ -42,6 +50,24 @@ pub(super) fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
     }
     ranges.extend(last.map(|last| start..last + 1));
     ranges
+}
+
+/// Whether a full stop ends a sentence here, `t^2.` with it: the text ends or goes on with a capital letter. What is asked
+/// of a definition, `. Find f(2)`, belongs to its statement.
+fn ends_sentence(text: &str, token: &Token) -> bool {
+    let written = token.text(text);
+    let stop = match token.kind {
+        TokenKind::Unknown => matches!(written, "." | "。"),
+        TokenKind::Number => written.ends_with('.'),
+        _ => false,
+    };
+    let rest = text.piece(token.span().end..);
+    let next = rest.trim_start_matches([' ', '\t']);
+    let sentence =
+        next.starts_with(|c: char| c.is_uppercase() || is_ideograph(c)) && words::asks(next).is_none();
+    stop && (next.is_empty()
+        || next.starts_with(['\n', '#'])
+        || sentence && (rest != next || written == "。"))
 }
 
 /// Whether the last statement needs another line.

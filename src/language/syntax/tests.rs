@@ -362,6 +362,19 @@ fn programs() {
 }
 
 #[test]
+fn sentences_are_statements() {
+    let pieces = |text: &'static str| -> Vec<&str> {
+        super::statements(text).unwrap().into_iter().map(|span| &text[span.range()]).collect()
+    };
+    assert_eq!(pieces("Let F(t) = t^2. Let G(t) = t."), ["Let F(t) = t^2.", "Let G(t) = t"]);
+    assert_eq!(pieces("F(1)。 G(2)"), ["F(1)", "G(2)"]);
+    // What is asked of a definition belongs to it, and these points end no sentence.
+    for text in ["F(t) = t^2. Find F(2)", "t^2 w.r.t. t", "[1. 2]", "t^2 .. 3", "1.5", "a.b"] {
+        assert_eq!(pieces(text).len(), 1, "{text}");
+    }
+}
+
+#[test]
 fn statements_of_mixed_notation() {
     let cut = |text| -> Vec<String> {
         statements(text).unwrap().into_iter().map(|span| text[span.range()].to_owned()).collect()

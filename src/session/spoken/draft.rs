@@ -15,6 +15,8 @@ pub(super) struct Draft {
     pub(super) phrase: Span,
     pub(super) placed: Vec<Expr>,
     pub(super) named: Vec<(&'static str, Expr)>,
+    /// Which of the things it gives is wanted.
+    pub(super) part: Option<Expr>,
     /// The degree that an elevation or reduction leads to.
     degree: Option<Expr>,
 }
@@ -55,7 +57,7 @@ fn is_list(kind: Takes) -> bool {
 
 impl Draft {
     pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
-        Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), degree: None }
+        Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), part: None, degree: None }
     }
 
     /// What the function is applied to, where a label says it: bezier with control points 0, 1, 3.
@@ -231,7 +233,8 @@ impl Draft {
                 Some("b")
             }
             Label::To | Label::With | Label::Over if number => return self.take_degree(read, first),
-            Label::From => single(&["a"]),
+            Label::From => single(&["a", "m", "from"]),
+            Label::To if self.builtin.name == "change_of_basis" => single(&["to"]),
             Label::In | Label::To | Label::With | Label::Over if name => {
                 let variable = self.builtin.parameters.iter().find(|p| p.kind == Takes::Variable);
                 variable.map(|p| p.name)
@@ -317,6 +320,13 @@ impl Draft {
     fn take_interval(&mut self, read: Read) -> Option<Read> {
         let ends = match read.items.as_slice() {
             [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] => ends.clone(),
+            // [0;1]
+            [Expr { kind: Kind::Matrix(rows, _), .. }] if rows.iter().all(|row| row.len() == 1) => {
+                match rows.iter().flatten().cloned().collect::<Option<Vec<_>>>() {
+                    Some(ends) => ends,
+                    None => return Some(read),
+                }
+            }
             [Expr { kind: Kind::Chain(_, links), .. }] => match links.as_slice() {
                 [link] if link.rel == Rel::In => link.expr.items().unwrap_or_default().to_vec(),
                 _ => return Some(read),
@@ -355,6 +365,18 @@ impl Draft {
             (matches!(p.need, Need::Many(..)) || p.need == Need::Required && !given)
                 && matches!(p.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList | Takes::Any)
         });
+        // Neville's scheme at 2
+        let last = self
+            .builtin
+            .parameters
+            .iter()
+            .skip(2)
+            .find(|p| p.kind == Takes::Scalar && matches!(p.need, Need::Optional(_)));
+        if let ([item], Some(_), 2) = (read.items.as_slice(), last, self.placed.len()) {
+            let value = eval::named(item).map_or(item, |(_, value)| value);
+            self.named.push(("", value.clone()));
+            return None;
+        }
         if !takes || self.placed.len() > 1 {
             return Some(read);
         }
@@ -429,6 +451,10 @@ impl Draft {
             _ => named(name, value),
         });
         let arguments = self.placed.into_iter().chain(others).collect();
-        Some(call(self.builtin.name, arguments))
+        let whole = call(self.builtin.name, arguments);
+        Some(match self.part {
+            Some(part) => Expr::new(Kind::Subscript(Box::new(whole), vec![list(vec![part])]), span),
+            None => whole,
+        })
     }
 }

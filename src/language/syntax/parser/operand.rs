@@ -190,10 +190,16 @@ impl Parser<'_> {
             self.digits_left =
                 self.digits_left.checked_sub(digits).ok_or_else(|| self.too_many_digits(token))?;
         }
-        let value = if text.is_ascii() {
+        let value = if text.contains(chars::APOSTROPHES) {
+            parse_decimal(&text.replace(chars::APOSTROPHES, ""))
+        } else if text.is_ascii() {
             parse_decimal(text)
-        } else if let Some([numerator, denominator]) = text.chars().next().and_then(chars::fraction) {
-            return Ok(Rational::new(numerator.into(), denominator.into()));
+        } else if let Some([numerator, denominator]) = text.chars().last().and_then(chars::fraction) {
+            let part = Rational::new(numerator.into(), denominator.into());
+            let digits: String = text.chars().map(chars::ordinary).filter(char::is_ascii_digit).collect();
+            let whole =
+                if digits.is_empty() { Ok(Rational::from_integer(0.into())) } else { parse_decimal(&digits) };
+            whole.map(|whole| whole + part)
         } else {
             parse_decimal(&text.chars().map(chars::ordinary).collect::<String>())
         };
