@@ -24,7 +24,8 @@ impl Session {
         };
         for found in syntax::continuations(file.slice(body)) {
             let head = Span::new(body.start, body.start + found.end);
-            let rest = found.rest.shifted(body.start);
+            let Some(rest) = found.rest(file.slice(body)) else { continue };
+            let rest = rest.shifted(body.start);
             if !mentions(file.slice(rest), clause.name) {
                 continue;
             }
@@ -56,6 +57,7 @@ impl Session {
         equals: Equals,
     ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
         for found in syntax::continuations(file.slice(whole)).into_iter().filter(|found| found.asked) {
+            let Some(rest) = found.rest(file.slice(whole)) else { continue };
             let head = Span::new(whole.start, whole.start + found.end);
             let mut there = self.clone();
             let Ok(mut answers) = there.run_part(file, Some(head), Equals::DefinesUnbound) else { continue };
@@ -63,7 +65,7 @@ impl Session {
                 continue;
             }
             let equals = if found.claims { Equals::Claims } else { equals };
-            answers.extend(there.run_part(file, Some(found.rest.shifted(whole.start)), equals)?);
+            answers.extend(there.run_part(file, Some(rest.shifted(whole.start)), equals)?);
             self.env = there.env;
             return Ok(Some(answers));
         }

@@ -54,12 +54,19 @@ pub(crate) fn clause(text: &str) -> Option<Clause<'_>> {
 pub(crate) struct Continuation {
     /// The end of the definition.
     pub end: usize,
-    /// What follows, without the words that ask for it.
-    pub rest: Span,
+    /// Where the rest begins, behind the words that ask for it.
+    start: usize,
     /// Whether words ask for it.
     pub asked: bool,
     /// Whether they say that it is a claim.
     pub claims: bool,
+}
+
+impl Continuation {
+    /// What follows, without the signs of a question; `None` if that is nothing.
+    pub(crate) fn rest(&self, text: &str) -> Option<Span> {
+        trimmed(text, self.start)
+    }
 }
 
 /// Where the text after a definition may go on, the last place first.
@@ -74,9 +81,7 @@ pub(crate) fn continuations(text: &str) -> Vec<Continuation> {
                 let after = at + c.len_utf8();
                 if c != '.' || text.piece(after..).starts_with(char::is_whitespace) {
                     let (start, asked, claims) = after_asking(text, skip(text, after));
-                    if let Some(rest) = trimmed(text, start) {
-                        found.push(Continuation { end: at, rest, asked, claims });
-                    }
+                    found.push(Continuation { end: at, start, asked, claims });
                 }
             }
             _ => {}
@@ -104,6 +109,9 @@ pub(crate) fn asked(text: &str) -> Option<(Span, bool)> {
 /// The place after words that ask, whether there are some, and whether they say that a claim follows.
 fn after_asking(text: &str, mut start: usize) -> (usize, bool, bool) {
     let (mut asked, mut claims) = (false, false);
+    if !text.piece(start..).starts_with(char::is_alphabetic) {
+        return (start, asked, claims);
+    }
     while let Some(words) = words::asks(text.piece(start..)) {
         start = skip(text, start + words.length);
         asked = true;
@@ -147,7 +155,7 @@ mod tests {
         let text = "the polar form of (t, 1), then what is f(0)?";
         let found = continuations(text)[0];
         assert_eq!(
-            (text.piece(..found.end), text.piece(found.rest.range())),
+            (text.piece(..found.end), text.piece(found.rest(text).unwrap().range())),
             ("the polar form of (t, 1)", "f(0)")
         );
     }
