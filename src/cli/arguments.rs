@@ -543,6 +543,9 @@ pub(super) struct Weave {
     /// Be a preprocessor of mdBook: read a book from standard input and write it woven
     #[arg(long, conflicts_with_all = ["output", "check", "write_style"])]
     pub mdbook: bool,
+    /// With --mdbook: set formulas as MathML, which mdBook cannot break, and which needs no script
+    #[arg(long, requires = "mdbook")]
+    pub mathml: bool,
 }
 
 /// Two polynomials.

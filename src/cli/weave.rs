@@ -18,6 +18,7 @@ use crate::document::{Container, read_bytes, read_stream, standing, utf8};
 use crate::formula::source::{SourceFile, Span};
 use crate::language::diagnostic::{Code, Diagnostic, harmless};
 use crate::language::write::Format;
+use crate::notes::report::mathml_within;
 use crate::session::Failure;
 use crate::weave::{
     BlockOptions, Input, Mode, Options, PACKAGE, Woven, copy_is_fresh, pictures_in, read_input, replace_file,
@@ -39,7 +40,8 @@ pub(super) fn run(arguments: &Weave, global: &Global, output: &Output) -> Ran {
         ..BlockOptions::default()
     };
     let limits = global.limits();
-    let options = Options { mode, limits, blocks, fresh: arguments.fresh, pictures: None };
+    let set: Option<fn(&str, bool) -> Option<String>> = arguments.mathml.then_some(mathml_within);
+    let options = Options { mode, limits, blocks, fresh: arguments.fresh, pictures: None, set };
     let weaver = Weaver { arguments, options, output };
     if arguments.mdbook {
         return weaver.book();

@@ -9,7 +9,10 @@ use std::fmt;
 use serde_json::Value;
 
 use super::{Mode, Options, Woven, weave_markdown};
-use crate::formula::source::SourceFile;
+use crate::document::{PartKind, Style, markdown_parts};
+use crate::formula::source::{Pieces, SourceFile, Span, replaced};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::session::Failure;
 
 /// Why there is no book.
 #[derive(Debug)]
@@ -57,8 +60,17 @@ pub fn weave_book(text: &str, options: &Options) -> Result<Woven, BookError> {
         let name = ["source_path", "path", "name"].iter().find_map(|key| chapter.get(*key)?.as_str());
         let name = name.unwrap_or("<chapter>").to_owned();
         if let Some(Value::String(content)) = chapter.get_mut("content") {
+            let result_name = name.clone();
             let result = weave_markdown(&SourceFile::new(name, content.as_str()), &options);
             content.clone_from(&result.text);
+            if let Some(set) = options.set {
+                let file = SourceFile::new(result_name, content.as_str());
+                let (text, unset) = with_formulas(content, set);
+                woven
+                    .problems
+                    .extend(unset.into_iter().map(|problem| Failure { problem, file: file.clone() }));
+                *content = text;
+            }
             woven.failed |= result.failed;
             woven.refuted += result.refuted;
             woven.results += result.results;
@@ -70,4 +82,66 @@ pub fn weave_book(text: &str, options: &Options) -> Result<Woven, BookError> {
     }
     woven.text = book.to_string();
     Ok(woven)
+}
+
+/// A page with its formulas as HTML, which no renderer of Markdown takes apart, and those that stay as they are.
+fn with_formulas(text: &str, set: fn(&str, bool) -> Option<String>) -> (String, Vec<Diagnostic>) {
+    let mut made: Vec<(Span, String)> = Vec::new();
+    let mut unset = Vec::new();
+    for part in markdown_parts(text).0 {
+        let PartKind::Formula { style, inner } = &part.kind else { continue };
+        if *style == Style::Plain {
+            continue;
+        }
+        match set(part.text.piece(inner.clone()), *style != Style::Inline) {
+            Some(html) => made.push((part.span, unmarked(&html))),
+            None => {
+                let message = "this formula cannot be set as MathML and stays as it is";
+                unset.push(Diagnostic::warning(Code::UnsupportedLatex, message).at(part.span));
+            }
+        }
+    }
+    (replaced(text, made.iter().map(|(span, html)| (*span, html.as_str()))), unset)
+}
+
+/// HTML within a line of Markdown, of which no sign is one of Markdown.
+fn unmarked(html: &str) -> String {
+    let mut out = String::with_capacity(html.len());
+    let mut tag = false;
+    for c in html.chars() {
+        match c {
+            '<' => tag = true,
+            '>' => tag = false,
+            _ => {}
+        }
+        match c {
+            '\n' | '\r' => out.push(' '),
+            '*' | '_' | '`' | '[' | ']' | '\\' | '~' | '$' | '!' if !tag => {
+                out.push_str(&format!("&#{};", u32::from(c)));
+            }
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_are_safe_from_markdown() {
+        let set: fn(&str, bool) -> Option<String> = |latex, display| {
+            (latex != "?").then(|| format!("<math a=\"_\">\n<mi>{}*_</mi>{display}</math>", latex.trim()))
+        };
+        let page = "In $a_1 * b$ and $?$:\n\n> $$\n> c\n> $$\n\n`$d$` costs 3$ or 4$.\n";
+        let (text, unset) = with_formulas(page, set);
+        assert_eq!(
+            text,
+            "In <math a=\"_\"> <mi>a&#95;1 &#42; b&#42;&#95;</mi>false</math> and $?$:\n\n\
+             > <math a=\"_\"> <mi>c&#42;&#95;</mi>true</math>\n\n`$d$` costs 3$ or 4$.\n"
+        );
+        assert_eq!(unset.len(), 1);
+        assert_eq!(unset[0].span, Some(Span::new(page.find("$?$").unwrap(), page.find("$?$").unwrap() + 3)));
+    }
 }

@@ -78,6 +78,8 @@ pub struct Options {
     pub pictures: Option<String>,
     /// Run the queries even if the stamp says that nothing changed.
     pub fresh: bool,
+    /// How formulas of books become HTML, if they shall: their LaTeX, and whether they stand on a line of their own.
+    pub set: Option<fn(&str, bool) -> Option<String>>,
 }
 
 /// What came of weaving.

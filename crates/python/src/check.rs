@@ -229,6 +229,12 @@ impl Report {
         self.render("text", false, false)
     }
 
+    /// For notebooks: what is wrong, with its places, and the counts.
+    fn _repr_html_(&self) -> PyResult<String> {
+        let text = self.__str__()?.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        Ok(format!("<pre>{}</pre>", text.trim_end()))
+    }
+
     fn __repr__(&self) -> String {
         let told = Verdict::ALL.iter().filter(|verdict| self.report.count(**verdict) > 0);
         let counts: Vec<String> =

@@ -246,7 +246,7 @@ impl Value {
             {
                 None
             }
-            Native::Derivation(_) => self.latex(py, "grouped", None, "en").ok(),
+            Native::Derivation(_) => Some(format!("$$\n{}\n$$", self.latex(py, "grouped", None, "en")?)),
             _ => Some(format!("$\\displaystyle {}$", self.latex(py, "grouped", None, "en")?)),
         })
     }

@@ -42,6 +42,8 @@ def test_formats_context_and_renderings(tmp_path):
     assert json.loads(report.render("sarif"))["version"] == "2.1.0" and "::error" in report.render("github")
     with pytest.raises(ValueError):
         report.render("pdf")
+    shown = pf.check("$1 < 2$ and $2 + 2 = 5$", name="<b>&")._repr_html_()
+    assert shown.startswith("<pre>") and shown.count("<") == 2 and "&lt;b&gt;&amp;:1:" in shown and "refuted" in shown
     (tmp_path / "part.tex").write_text(r"\(1 + 1 = 3\)")
     (tmp_path / "main.tex").write_text("\\documentclass{article}\\begin{document}\\input{part}\\(1 + 1 = 2\\)\\end{document}")
     reports = pf.check_file(tmp_path / "main.tex")

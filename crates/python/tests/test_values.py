@@ -104,6 +104,8 @@ def test_text_latex_svg_json():
     assert f.text("unicode") == "f(t₁, t₂) = t₁t₂ + (t₁ + t₂)"
     assert f.text("sympy", notation="expanded") == "t1*t2 + t1 + t2"
     assert pf.eval("1/2").json()["kind"] == "number"
+    shown = pf.derive("polar", "t^2 + 2t")._repr_latex_()
+    assert shown.startswith("$$\n\\begin{aligned}") and shown.endswith("\\end{aligned}\n$$")
     picture = pf.figure_casteljau([[0, 0], [1, 1], [2, 0]], "1/2")
     assert picture._repr_svg_().startswith("<svg") and picture._repr_latex_() is None
     assert "\\begin{tikzpicture}" in picture.tikz() and "\\documentclass" in picture.tikz(standalone=True)

@@ -37,6 +37,20 @@ const NUMBERING: [&str; 2] = ["label", "tag"];
 
 /// The formula as a `<math>` element, all text in it escaped; `None` if it cannot be rendered.
 pub(super) fn mathml(latex: &str) -> Option<String> {
+    mathml_within(latex, true)
+}
+
+/// The formula as a `<math>` element for a page of HTML, in a line or on one of its own; `None` if it cannot be rendered.
+///
+/// Cost: linear in its length.
+///
+/// ```
+/// use polarform::notes::report::mathml_within;
+/// let math = mathml_within("t_1^2", false).unwrap();
+/// assert!(math.starts_with("<math") && math.contains("<msubsup>"));
+/// assert_eq!(mathml_within(r"\nonsense{", true), None);
+/// ```
+pub fn mathml_within(latex: &str, display: bool) -> Option<String> {
     let levels = latex.bytes().filter(|b| matches!(b, b'\\' | b'{' | b'^' | b'_')).count();
     if levels > LEVELS {
         return None;
@@ -44,6 +58,7 @@ pub(super) fn mathml(latex: &str) -> Option<String> {
     let stack = (levels + 16) * STACK_PER_LEVEL;
     stacker::maybe_grow(stack, stack, || {
         let latex = prepared(latex);
+        let rendered = |latex: &str| rendered(latex, display);
         rendered(&latex).or_else(|| {
             let rows = latex.trim_end().trim_end_matches("\\\\");
             rendered(rows).or_else(|| rendered(&format!("\\begin{{aligned}}{rows}\\end{{aligned}}")))
@@ -51,7 +66,7 @@ pub(super) fn mathml(latex: &str) -> Option<String> {
     })
 }
 
-fn rendered(latex: &str) -> Option<String> {
+fn rendered(latex: &str, display: bool) -> Option<String> {
     let storage = Storage::new();
     // An error is rendered as a message within the formula; here it ends the attempt instead.
     let events: Vec<_> = Parser::new(latex, &storage).collect::<Result<_, _>>().ok()?;
@@ -59,9 +74,11 @@ fn rendered(latex: &str) -> Option<String> {
         return None;
     }
     let mut out = String::new();
-    let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
+    let display_mode = if display { DisplayMode::Block } else { DisplayMode::Inline };
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
     push_mathml(&mut out, events.into_iter().map(Ok::<_, Infallible>), config).ok()?;
-    let math = escaped(&out);
+    // The one is no entity of XML, the other no blank before the next attribute.
+    let math = escaped(&out.replace("&nbsp;", "\u{a0}").replace("\"minsize=", "\" minsize="));
     is_well_formed(&math).then_some(math)
 }
 
@@ -196,6 +213,18 @@ mod tests {
         ] {
             assert!(mathml(latex).is_some(), "{latex}");
         }
+    }
+
+    #[test]
+    fn blanks_and_large_brackets_are_well_formed() {
+        let math = mathml(r"2 F\Bigl(\frac{1}{2}\Bigr)~\text{for } n").expect("it can be rendered");
+        let parsed = roxmltree::Document::parse(&math).unwrap_or_else(|error| panic!("{error}: {math}"));
+        let sizes = parsed.descendants().filter(|node| node.has_attribute("minsize")).count();
+        assert_eq!(sizes, 2, "{math}");
+        assert!(
+            parsed.descendants().filter_map(|node| node.text()).any(|text| text == "for\u{a0}"),
+            "{math}"
+        );
     }
 
     #[test]

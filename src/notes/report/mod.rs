@@ -31,6 +31,7 @@ pub use html::render_html;
 pub use json::render_json;
 pub use junit::render_junit;
 pub use listing::{render_listing, render_listing_json};
+pub use mathml::mathml_within;
 pub use sarif::render_sarif;
 pub use table::render_summary;
 pub use terminal::{TextOptions, render_text};
