@@ -10,7 +10,7 @@ use super::names::{Head, bases, is_index_letter, is_range, own_names, walk};
 use super::statement::{Chain, Place};
 use super::tally::{Outcomes, Tally};
 use super::trial::{Facts, Setting, Trial};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
 
 /// An attempt to judge a chain under one way of reading it.
 pub struct Attempt {
@@ -107,6 +107,19 @@ impl Checker {
             }
             if bad(&best) == 0 {
                 break;
+            }
+        }
+        // Σ 2i − 1, where the sign is meant for all that follows.
+        if bad(&best) > 0 {
+            let wide: Vec<Expr> = sides.iter().map(|side| reaching_on(side)).collect();
+            let changed = wide.iter().zip(sides).any(|(wide, side)| !wide.same_as(side));
+            if changed {
+                let wide: Vec<&Expr> = wide.iter().collect();
+                let outcomes = self.trial(setting, &wide, relations, best.choices).run();
+                let attempt = Attempt { outcomes, choices: best.choices, curve: setting.curve.clone() };
+                if bad(&attempt) == 0 && good(&attempt) > 0 {
+                    return attempt;
+                }
             }
         }
         best
@@ -262,4 +275,22 @@ pub fn restricted(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<&
         .iter()
         .all(|failure| failure.outside || zero(&failure.integers))
         .then_some("true for positive integers")
+}
+
+/// The side with the terms after a sum that is not closed taken into it: Σ (2i − 1) for Σ 2i − 1.
+fn reaching_on(side: &Expr) -> Expr {
+    let Kind::Add(terms) = &side.kind else { return side.clone() };
+    let sums =
+        |term: &Term| term.sign == Sign::Plus && matches!(&term.expr.kind, Kind::Big { op: BigOp::Sum, .. });
+    let Some(at) = terms.iter().position(sums).filter(|&at| at + 1 < terms.len()) else {
+        return side.clone();
+    };
+    let mut sum = terms[at].expr.clone();
+    if let Kind::Big { body, .. } = &mut sum.kind {
+        let first = Term { sign: Sign::Plus, expr: body.as_ref().clone() };
+        let all = std::iter::once(first).chain(terms[at + 1..].iter().cloned()).collect();
+        **body = Expr::sum(all);
+    }
+    let sum = Term { sign: terms[at].sign, expr: sum };
+    Expr::sum(terms[..at].iter().cloned().chain([sum]).collect())
 }

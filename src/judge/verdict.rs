@@ -170,7 +170,7 @@ impl Checker {
                 let suspect = Suspect { checker: self, tally, chain, at, statement, failure: &failure };
                 let doubt = suspect.doubt().or_else(|| {
                     let repair = repair::find(self, setting, at, attempt.choices, tally);
-                    finding.suggestion = repair.as_ref().map(Repair::latex);
+                    finding.suggestion = repair.as_ref().and_then(Repair::latex);
                     finding.evidence = suspect.evidence(repair.as_ref());
                     finding.evidence.is_empty().then(|| {
                         let mut found = wrong(&finding, &failure, reasons.clone());
@@ -205,7 +205,7 @@ impl Checker {
                     let suspect = Suspect { checker: self, tally, chain, at, statement, failure };
                     suspect.is_slip(|| {
                         let repair = repair::find(self, setting, at, attempt.choices, tally)?;
-                        finding.suggestion = Some(repair.latex());
+                        finding.suggestion = repair.latex();
                         Some(repair)
                     })
                 });

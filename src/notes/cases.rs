@@ -1,7 +1,7 @@
-//! Conditions in words inside of a formula: the cases "n even", "falls n gerade ist".
+//! Conditions in words inside of a formula: the cases "n even", "falls n gerade ist", sums over odd or even indices.
 
 use super::speech::{self, Around};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
 use crate::judge::names::Head;
 use crate::judge::statement::{Role, Said, Statement};
 use crate::language::latex;
@@ -23,7 +23,48 @@ pub fn read_conditions(expr: &mut Expr) {
             }
         }
     }
+    if let Kind::Big { op: BigOp::Sum, lower, body, .. } = &mut expr.kind
+        && let Some((index, odd)) = parity_below(lower)
+    {
+        // Every other term: those with (1 ± (−1)^i)/2 = 1.
+        let sign = if odd { Sign::Minus } else { Sign::Plus };
+        let power = Expr::int(-1).grouped().power(index);
+        let terms = [(Sign::Plus, Expr::int(1)), (sign, power)].map(|(sign, expr)| Term { sign, expr });
+        let half = Expr::from(Kind::Add(terms.into())).over(Expr::int(2));
+        **body = Expr::new(Kind::Mul(vec![half, std::mem::replace(body, Expr::int(1))]), body.span);
+    }
     expr.for_each_child_mut(&mut read_conditions);
+}
+
+/// The index of a sum that is said to be odd or even below its sign: `\sum_{i \text{ odd}}`,
+/// `\sum_{i=0,\ i \text{ even}}^n`. The words are taken away.
+fn parity_below(lower: &mut Vec<Expr>) -> Option<(Expr, bool)> {
+    *lower = std::mem::take(lower)
+        .into_iter()
+        .flat_map(|piece| match piece.kind {
+            Kind::Sequence(items) => items,
+            _ => vec![piece],
+        })
+        .collect();
+    let at = lower.iter().position(|piece| matches!(piece.kind, Kind::Text(_))).filter(|&at| at > 0)?;
+    let (index, Kind::Text(words)) = (&lower[at - 1], &lower[at].kind) else { return None };
+    let name = match &index.kind {
+        Kind::Name(_) => index.clone(),
+        Kind::Chain(left, _) if matches!(left.kind, Kind::Name(_)) => left.as_ref().clone(),
+        _ => return None,
+    };
+    let around = Around { right: words.clone(), ..Around::default() };
+    let odd = match speech::role(&around, false)? {
+        Role::Odd => true,
+        Role::Even => false,
+        _ => return None,
+    };
+    let bounded = |piece: &Expr| matches!(&piece.kind, Kind::Chain(left, _) if left.same_as(&name));
+    lower.remove(at);
+    if matches!(lower[at - 1].kind, Kind::Name(_)) && lower.iter().any(bounded) {
+        lower.remove(at - 1);
+    }
+    Some((name, odd))
 }
 
 fn in_words(condition: &Expr) -> Option<Expr> {

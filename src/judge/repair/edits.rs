@@ -1,6 +1,7 @@
 //! Small edits of a formula: an index moved, a letter exchanged, a sign, a factor.
 
-use crate::formula::{Expr, Kind, Sign, Term};
+use super::exchanges::exchanges;
+use crate::formula::{BinomialStyle, Expr, Kind, Rel, Sign, Term};
 use crate::judge::model::Curve;
 use crate::judge::names::{bases, integer_names, is_index_letter, own_names, walk};
 use crate::math::number::{Rational, integer};
@@ -25,11 +26,17 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
                 binomials.iter().any(|span| span.start <= node.span.start && node.span.end <= span.end);
             let cost = cost + if within { 3 } else { 0 };
             // The same slip may have been made wherever the name stands.
-            let exchanged = matches!(replacement.kind, Kind::Subscript(..) | Kind::Name(_) | Kind::Add(_));
+            let exchanged = matches!(
+                replacement.kind,
+                Kind::Subscript(..) | Kind::Name(_) | Kind::Add(_) | Kind::Group(_)
+            );
             if exchanged && matches!(node.kind, Kind::Subscript(..) | Kind::Name(_)) {
                 let mut all = expr.clone();
-                if replace_all(&mut all, node, &replacement) > 1 {
-                    found.push((cost, all));
+                let places = replace_all(&mut all, node, &replacement);
+                if places > 1 {
+                    // Many of the same slip are another formula.
+                    let more = if places > MANY { LESS } else { 0 };
+                    found.push((cost + more, all));
                 }
             }
             found.push((cost, rebuild(replacement)));
@@ -37,7 +44,7 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
     });
     // Two members of a family exchanged in a sum: the weights of b_{i-1} and b_i.
     at_every_node(expr, false, &mut |node, _, rebuild| {
-        if !matches!(node.kind, Kind::Add(_)) {
+        if !matches!(node.kind, Kind::Add(_) | Kind::Div(..)) {
             return;
         }
         for (at, first) in pool.siblings.iter().enumerate() {
@@ -58,15 +65,71 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
         let point = Expr::from(Kind::Subscript(Box::new(Expr::name(&curve.points)), vec![Expr::name("i")]));
         within_sums(expr, &point, 0, &mut found);
     }
+    found.extend(exchanges(expr, other));
+    // What speaks of less than before is seldom meant.
+    let names = bases(expr);
+    let elsewhere = bases(other);
+    let says_less = |edit: &Expr| {
+        let kept = bases(edit);
+        names.iter().any(|name| !kept.contains(name) && !elsewhere.contains(name))
+    };
+    found.retain(|(_, edit)| !has_power_zero(edit) || has_power_zero(expr));
+    found.iter_mut().filter(|(_, edit)| says_less(edit)).for_each(|(cost, _)| *cost += LESS);
     found.sort_by_key(|(cost, _)| *cost);
     let mut edits: Vec<Expr> = found.into_iter().map(|(_, edit)| edit).collect();
-    edits.iter_mut().for_each(drop_zeros);
+    edits.iter_mut().for_each(tidy);
     edits
 }
 
-/// N(2x) for N(2x + 0)
+/// What an edit costs more if a name is gone with it.
+const LESS: u32 = 4;
+
+/// The same slip is made in no more places.
+const MANY: usize = 4;
+
+fn has_power_zero(expr: &Expr) -> bool {
+    let mut found = false;
+    walk(expr, &mut |part| {
+        if let Kind::Pow(_, exponent) = &part.kind {
+            found |= is_zero(exponent);
+        }
+    });
+    found
+}
+
+/// N(2x) for N(2x + 0), i + 2 for (i + 1) + 1
+fn tidy(edit: &mut Expr) {
+    edit.for_each_child_mut(&mut tidy);
+    let Kind::Add(terms) = &mut edit.kind else { return };
+    let number = |term: &Term| matches!(term.expr.kind, Kind::Number(_));
+    let inner = |expr: &Expr| match &expr.kind {
+        Kind::Add(inner) => Some(inner.clone()),
+        Kind::Group(group) => match &group.kind {
+            Kind::Add(inner) if inner.iter().any(number) => Some(inner.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let first = terms.first().filter(|first| first.sign == Sign::Plus).and_then(|first| inner(&first.expr));
+    if let Some(inner) = first
+        && (matches!(terms[0].expr.kind, Kind::Add(_)) || terms[1..].iter().any(number))
+    {
+        terms.splice(..1, inner);
+        let sum: Rational = terms.iter().fold(Rational::zero(), |sum, term| match &term.expr.kind {
+            Kind::Number(q) if term.sign == Sign::Plus => sum + q,
+            Kind::Number(q) => sum - q,
+            _ => sum,
+        });
+        if terms.iter().filter(|term| number(term)).count() > 1 && !terms.iter().all(number) {
+            terms.retain(|term| !number(term));
+            let sign = if sum.is_negative() { Sign::Minus } else { Sign::Plus };
+            terms.push(Term { sign, expr: Expr::number(&sum.abs()) });
+        }
+    }
+    drop_zeros(edit);
+}
+
 fn drop_zeros(edit: &mut Expr) {
-    edit.for_each_child_mut(&mut drop_zeros);
     if let Kind::Add(terms) = &mut edit.kind
         && terms.len() > 1
         && terms.iter().any(|term| is_zero(&term.expr))
@@ -118,7 +181,7 @@ fn has_coefficient(term: &Expr) -> bool {
     }
 }
 
-fn grouped(expr: &Expr) -> Expr {
+pub(super) fn grouped(expr: &Expr) -> Expr {
     match expr.kind {
         Kind::Add(_) => expr.clone().grouped(),
         _ => expr.clone(),
@@ -180,6 +243,9 @@ fn factors(pool: &Pool, expr: &Expr) -> Vec<(u32, Expr)> {
                 list.push((4, sign.clone()));
                 list.push((5, sign.over(factorial.clone())));
             }
+            // Means of products have binomials.
+            let binomial = Kind::Binomial(upper.clone(), Box::new(Expr::name(i)), BinomialStyle::Stacked);
+            list.push((5, one_over(binomial.into())));
         }
     });
     list
@@ -245,8 +311,7 @@ fn node_edits(node: &Expr, in_index: bool, pool: &Pool) -> Vec<(u32, Expr)> {
                 ]);
             }
             for value in near {
-                let usable = if in_index { value.is_positive() } else { !value.is_negative() };
-                if usable {
+                if !value.is_negative() {
                     list.push((if in_index { 0 } else { 1 }, with_span(Expr::number(&value), node)));
                 }
             }
@@ -485,7 +550,12 @@ fn descend(whole: &Expr, node: &Expr, in_index: bool, path: &mut Vec<usize>, vis
     });
     let mut children = Vec::new();
     node.for_each_child(&mut |child| children.push(child));
-    for (i, child) in children.into_iter().enumerate() {
+    // What is repeated is one thing: only how often may be wrong.
+    let repeated = match &node.kind {
+        Kind::Brace(list, Some(_)) if list.len() > 1 => list.len(),
+        _ => 0,
+    };
+    for (i, child) in children.into_iter().enumerate().skip(repeated) {
         let index = match &node.kind {
             // i − 1 is edited as a whole
             Kind::Subscript(..) | Kind::Upper(..) | Kind::Pow(..) => i > 0 || in_index,
@@ -493,6 +563,11 @@ fn descend(whole: &Expr, node: &Expr, in_index: bool, path: &mut Vec<usize>, vis
             Kind::Big { lower, upper, .. } => i < lower.len() + usize::from(upper.is_some()),
             _ => in_index,
         };
+        // k ≠ i: what is left out is no slip of an index.
+        if matches!((&node.kind, &child.kind), (Kind::Big { .. }, Kind::Chain(_, links)) if links[0].rel == Rel::Ne)
+        {
+            continue;
+        }
         path.push(i);
         descend(whole, child, index, path, visit);
         path.pop();

@@ -7,6 +7,7 @@
 //! for single edits and stops after a share of the steps. Where none is found, each number is solved for.
 
 mod edits;
+mod exchanges;
 mod number;
 
 pub(super) use self::edits::edits;
@@ -30,12 +31,14 @@ pub struct Repair {
     right: Expr,
     /// Whether it is a small edit of the wrong one, and says something: it is no a = a, and not 0 = 0 only.
     pub near: bool,
+    /// Whether it was confirmed as well as the wrong one was refuted.
+    sure: bool,
 }
 
 impl Repair {
-    /// As LaTeX that can be pasted over the relation.
-    pub fn latex(&self) -> String {
-        write::latex(&Expr::relation(self.left.clone(), self.rel, self.right.clone()))
+    /// As LaTeX that can be pasted over the relation, if it was confirmed as well as the relation was refuted.
+    pub fn latex(&self) -> Option<String> {
+        self.sure.then(|| write::latex(&Expr::relation(self.left.clone(), self.rel, self.right.clone())))
     }
 }
 
@@ -90,22 +93,26 @@ pub fn find(
         let Some(holds) = try_out(&left, &right, false) else { continue };
         let repair = Repair {
             near: rel == Rel::Eq && !value && holds.nonzero > 0 && 2 * holds.holds >= tried,
+            sure: 2 * holds.holds >= tried && confirms(&holds),
             left,
             rel,
             right,
         };
         // One that mends the rest of the chain, too, is surely meant.
         let last = next.is_none_or(|next| next.same_as(&repair.right));
-        if last || next.is_some_and(|next| try_out(&repair.right, next, false).is_some()) {
+        let mends = last || next.is_some_and(|next| try_out(&repair.right, next, false).is_some());
+        if mends && repair.sure {
             return Some(repair);
         }
-        best.get_or_insert(repair);
+        if best.as_ref().is_none_or(|best| repair.sure && !best.sure) {
+            best = Some(Repair { near: repair.near || best.is_some_and(|best| best.near), ..repair });
+        }
     }
     best.or_else(|| {
         let (left, right) = number::candidates(checker, setting, at, choices)
             .into_iter()
             .find(|(left, right)| try_out(left, right, false).is_some())?;
-        Some(Repair { near: rel == Rel::Eq && !value, left, rel, right })
+        Some(Repair { near: rel == Rel::Eq && !value, sure: true, left, rel, right })
     })
     .or_else(|| written_out(checker, setting, at, choices))
 }
@@ -117,6 +124,12 @@ pub(super) fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
     let enough = if !ranged || quick { tally.holds > 0 } else { tally.holds_inner >= 1 || tally.holds >= 4 };
     let fails = tally.fails.iter().filter(|failure| !failure.outside && (failure.inner || !ranged)).count();
     fails == 0 && enough && tally.mismatches.is_empty()
+}
+
+/// Whether what fails, in extreme instances only, is so little that it may be a case that the page leaves out.
+fn confirms(tally: &Tally) -> bool {
+    let fails = tally.fails.iter().filter(|failure| !failure.outside).count();
+    5 * fails <= 2 * tally.holds
 }
 
 /// f(t) = … in t_1, …, t_n: the arguments written out.
@@ -160,5 +173,5 @@ fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices
     let rel = chain.relations[at].0;
     let near = rel == Rel::Eq
         && matches!((&chain.sides[at + 1].expr.kind, &right.kind), (Kind::Number(wrong), Kind::Number(value)) if misprinted(wrong, value));
-    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near })
+    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near, sure: true })
 }
