@@ -29,6 +29,7 @@ mod solve;
 mod splines;
 mod subdivision;
 mod surface_joins;
+mod surface_schemes;
 mod surfaces;
 mod symmetric;
 mod table;

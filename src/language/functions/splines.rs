@@ -293,6 +293,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let (scheme, _) = de_boor(args, &s)?;
             Ok(super::curves::scheme(&scheme.tableau, &scheme.ratios, form))
         },
+        on_surface: super::surface_schemes::DEBOOR,
         ..NEW
     },
     Builtin {

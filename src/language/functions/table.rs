@@ -7,7 +7,7 @@ use super::record::Builtin;
 use super::{
     arrange, blends, blossoms, curves, derive, differential, figures, geometric, interpolation,
     intersections, joins, matrices, measure, numbers, polar, polynomials, rational, regions, roots, solve,
-    splines, subdivision, surfaces, symmetric, triangulations,
+    splines, subdivision, surface_schemes, surfaces, symmetric, triangulations,
 };
 
 /// All functions, by topic.
@@ -50,6 +50,7 @@ pub static BUILTINS: &[&Builtin] = &{
         subdivision::TABLE,
         rational::TABLE,
         intersections::TABLE,
+        surface_schemes::TABLE,
         differential::TABLE,
         measure::TABLE,
         surfaces::TABLE,

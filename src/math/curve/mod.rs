@@ -36,6 +36,7 @@ mod rational_surface;
 mod region;
 mod revolve;
 mod sphere;
+mod surface_equation;
 mod traits;
 mod triangle;
 mod triangulation;
@@ -68,6 +69,7 @@ pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, checks, positivity_on};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
+pub use surface_equation::surface_equation;
 pub(in crate::math) use traits::quartered;
 #[cfg(test)]
 pub(in crate::math) use traits::tests::check as check_surface;

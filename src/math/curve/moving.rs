@@ -81,7 +81,10 @@ fn of_degree(curve: &[Poly; 3], n: usize, k: usize) -> Vec<MovingLine> {
         let scale = list
             .iter()
             .fold(crate::math::number::Int::ONE, |scale, q| num_integer::Integer::lcm(&scale, q.denom()));
-        let scale = Rational::from_integer(scale);
+        let content = list.iter().fold(crate::math::number::Int::ZERO, |content, q| {
+            num_integer::Integer::gcd(&content, &(q.numer() * &scale.div_exact(q.denom())))
+        });
+        let scale = Rational::new(scale, content);
         std::array::from_fn(|which| {
             list[which * (k + 1)..(which + 1) * (k + 1)].iter().map(|q| q * &scale).collect()
         })

@@ -8,6 +8,8 @@
 //! L. González-Vega, M. El Kahoui, "An improved upper complexity bound for the topology computation of a real algebraic
 //! plane curve", J. Complexity 12 (1996).
 
+use std::cell::LazyCell;
+
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 
@@ -127,11 +129,9 @@ fn along(
         let found = f.real_roots(lower.as_ref(), upper.as_ref()).unwrap_or_default();
         found.into_iter().map(|(root, _)| root).collect()
     };
-    let second = roots_of(univariate(&p.resultant(q, x), y)?, &bounds[1]);
-    let first = match k {
-        0 => Vec::new(),
-        _ => roots_of(univariate(&p.resultant(q, y), x)?, &bounds[0]),
-    };
+    // Only looked for if a zero lies within the bounds.
+    let second = LazyCell::new(|| univariate(&p.resultant(q, x), y).map(|f| roots_of(f, &bounds[1])));
+    let first = LazyCell::new(|| univariate(&p.resultant(q, y), x).map(|f| roots_of(f, &bounds[0])));
     // y = −B/A and x = u − k y = (u A + k B)/A
     let above = [Poly::variable() * &a + b.scale(&integer(k)), -b.clone()];
     let mut zeros = Vec::new();
@@ -161,8 +161,8 @@ fn along(
             }
             RealRoot::Irrational(number) => {
                 let of = |n: &Poly, from: &[RealRoot]| selected(number, n, &a, from.to_vec());
-                let first = if k == 0 { u.clone() } else { of(&above[0], &first) };
-                vec![first, of(&above[1], &second)]
+                let first = if k == 0 { u.clone() } else { of(&above[0], LazyCell::force(&first).as_ref()?) };
+                vec![first, of(&above[1], LazyCell::force(&second).as_ref()?)]
             }
         };
         zeros.push(RealZero {
