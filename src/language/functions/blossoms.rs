@@ -82,7 +82,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "apolar",
         parameters: &[POLYNOMIAL, required("G", Takes::Polynomial, "another one"), DEGREE, VARIABLE],
-        summary: "the apolar product, c f(r_1, ..., r_n) for G = c (t - r_1) ... (t - r_n); F and G are apolar if 0",
+        summary: "the apolar product: c f(r_1, ..., r_n) for G = c (t - r_1) ... (t - r_n)",
         example: "apolar(t^2 - 1, t^2 + 1)",
         call: |_, args| {
             let (f, g) = (args.univariate(0)?.coefficients, args.univariate(1)?.coefficients);

@@ -41,7 +41,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("other", Takes::Any, "another curve, or the left side of F(x, y) = 0").shown("d"),
             POINTS,
         ],
-        summary: "where a plane curve meets another one, or a curve F(x, y) = 0: parameters and points, exactly",
+        summary: "where a plane curve meets another one or F(x, y) = 0: parameters and points, exactly",
         example: "intersections([t, t^2], x^2 + y^2 - 2)",
         call: intersections,
         ..NEW
@@ -70,7 +70,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "moving_lines",
         parameters: &[PLANE_CURVE],
-        summary: "two lines that follow a plane curve, of least degrees in t; their resultant is its equation",
+        summary: "two lines that follow a plane curve, of least degree; their resultant is its equation",
         example: "moving_lines([t^2, t^3])",
         call: |_, args| {
             let coordinates = numbers(args, 0)?.0;

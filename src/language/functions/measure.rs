@@ -62,7 +62,7 @@ pub(super) const TABLE: &[Builtin] = &[
             CURVE,
             named("width=1/1000", Takes::Number, "1/1000", "how far the bounds may be apart"),
         ],
-        summary: "the length of a polynomial curve: exactly where |c'| is a polynomial, else bounds [lower, upper]",
+        summary: "the length of a curve: exactly where |c'| is a polynomial, else bounds [lower, upper]",
         example: "arc_length(bezier([[0, 0], [1, 1], [2, 0]]), width=1/50)",
         call: |_, args| {
             let curve = numbers(args)?;
@@ -99,7 +99,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("V", Takes::Polynomial, "another one"),
             optional("p", Takes::Point, "[0, 0]", "where the curve starts"),
         ],
-        summary: "the curve over [0, 1] with the derivative (U^2 - V^2, 2 U V), whose length is a polynomial",
+        summary: "the curve over [0, 1] with the derivative (U^2 - V^2, 2 U V) and |c'| = U^2 + V^2",
         example: "pythagorean_curve(1, t)",
         call: |_, args| pythagorean(args),
         ..NEW

@@ -296,7 +296,7 @@ pub(super) const TABLE: &[Builtin] = &[
             .shown("c"),
             named("axis=[p, q]", Takes::Points, "the z axis", "two points of the axis"),
         ],
-        summary: "the surface of revolution of a profile (x, z) about the z axis, or about any axis: four patches",
+        summary: "the surface of revolution of a profile (x, z) about the z axis, or any axis: four patches",
         example: "revolve(bezier([[2, 0], [0, 1]]))",
         call: |_, args| revolve(args),
         ..NEW

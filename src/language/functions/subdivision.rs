@@ -194,7 +194,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
             size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
         ],
-        summary: "the weights of the points around a vertex in its limit point, in the order of vertex_matrix",
+        summary: "the weights of the points around a vertex in its limit, in the order of vertex_matrix",
         example: "vertex_limit(catmull_clark, 5)",
         call: |_, args| {
             let weights = vertex_limit(mesh_scheme(args)?, args.size(1)?);
@@ -217,7 +217,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "eigenvalues",
         parameters: &[MATRIX, LETTER],
-        summary: "the rational eigenvalues with their multiplicities, the others by their equations and isolated",
+        summary: "the eigenvalues with multiplicities; those that are not rational by equations, isolated",
         example: "eigenvalues(local_matrix(four_point))",
         call: |_, args| {
             let lambda = letter(args, "lambda")?;

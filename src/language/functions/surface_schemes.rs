@@ -28,7 +28,7 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
     parameters: &[
         required("surface", Takes::Any, "a patch, or three coordinates as formulas in u and v").shown("s")
     ],
-    summary: "the polynomial in x, y and z that vanishes on a polynomial or rational surface of low degree",
+    summary: "the polynomial in x, y and z that is 0 on a surface of low degree, also a rational one",
     example: "implicit_surface([u, v, u v])",
     call: |_, args| equation(args),
     ..Builtin::about("Intersections")
@@ -84,7 +84,9 @@ fn equation(args: &Arguments) -> Evaluated {
             items.iter().map(formula).collect::<Result<_, _>>()?
         }
         other => {
-            return Err(wrong_kind("a surface", other).at(args.span(0)).hint("implicit_surface([u, v, u v])"));
+            return Err(wrong_kind("a surface", other)
+                .at(args.span(0))
+                .hint("implicit_surface([u, v, u v])"));
         }
     };
     let [x, y, z] = <[Fraction; 3]>::try_from(coordinates).map_err(|list| {

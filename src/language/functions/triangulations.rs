@@ -49,10 +49,10 @@ pub(super) const TABLE: &[Builtin] = &[
                 "normals=[a, b, c]",
                 Takes::Scalars,
                 "means of those at the ends",
-                "derivatives at the midpoints of the edges p q, q r, r p, along the edge turned to the left",
+                "derivatives at the midpoints of p q, q r, r p, along the edge turned to the left",
             ),
         ],
-        summary: "Clough and Tocher's element: three cubic patches that meet C^1, over the triangle split at its centroid",
+        summary: "Clough and Tocher's element: three cubic patches that meet C^1 around the centroid",
         example: "clough_tocher([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
             let (triangle, data) = (args.triangle(0)?, data(args)?);
@@ -75,7 +75,7 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "powell_sabin",
         parameters: &[CORNERS, DATA],
-        summary: "Powell and Sabin's element: six quadratic patches that meet C^1, by centroid and midpoints",
+        summary: "Powell and Sabin's element: six quadratic patches that meet C^1 around the centroid",
         example: "powell_sabin([[0, 0], [1, 0], [0, 1]], [[0, 0, 0], [1, 2, 0], [0, 0, 0]])",
         call: |_, args| {
             let patches = powell_sabin(&args.triangle(0)?, &data(args)?);
