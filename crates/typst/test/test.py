@@ -25,7 +25,7 @@ with tempfile.NamedTemporaryFile("w", suffix=".typ", dir=package) as file:
     file.write(source)
     file.flush()
     found = json.loads(typst.query(file.name, "<results>", root=str(package)))[0]["value"]
-expected = {"value": "2", "verdict": "refuted", "limit": "1", "full": "proved"}
+expected = {"value": "3/2", "verdict": "refuted", "deep": "55", "full": "proved"}
 assert expected.items() <= found.items(), found
 # A limit that is passed inside is no end of the document.
 assert found["stopped"] in ("undecided", "sampled"), found
@@ -33,7 +33,7 @@ picture = compiled(source, format="png", ppi=110)
 if len(sys.argv) > 2:
     pathlib.Path(sys.argv[2]).write_bytes(picture)
 
-for wrong, words in [('#pf("1 + * 2")', "operators in a row"), ('#claim("1 = 2", strict: true)', "refuted"), ('#pf("2^(10^9)")', "bits")]:
+for wrong, words in [('#pf("1 + * 2")', "operators in a row"), ('#claim("1 = 2", strict: true)', "refuted"), ('#pf("2^(10^9)")', "bits"), ('#pf("g(n) := g(n-1)", "g(3)")', "nested more than 60 deep")]:
     try:
         compiled(f'#import "/lib.typ": claim, pf\n{wrong}')
         raise SystemExit(f"{wrong} should not compile")

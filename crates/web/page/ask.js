@@ -99,7 +99,7 @@ const Ask = {
     const input = box.value;
     if (input.trim() === "") return;
     if (!Ask.engine.busy && input.length <= LONGEST_INPUT) {
-      const { incomplete } = await Ask.engine.call({ do: "incomplete", input }).catch(() => ({}));
+      const { incomplete } = await Ask.engine.call({ do: "incomplete", input }).catch(Ask.aside);
       if (incomplete && box.value === input) {
         box.setRangeText("\n", box.selectionStart, box.selectionEnd, "end");
         Ask.grow();
@@ -120,7 +120,7 @@ const Ask = {
     if (Ask.engine.busy || before.length > LONGEST_INPUT || !(asked || /[\p{L}\\][\w\\]+$/u.test(before))) return Ask.close();
     Ask.completing = true;
     Ask.again = false;
-    const { from, candidates } = await Ask.engine.call({ do: "complete", before }).catch(() => ({ candidates: [] }));
+    const { from, candidates } = await Ask.engine.call({ do: "complete", before }).catch(Ask.aside);
     Ask.completing = false;
     if (Ask.again) return Ask.complete(asked);
     if (box.value.slice(0, box.selectionStart) !== before || document.activeElement !== box) return;
@@ -128,6 +128,12 @@ const Ask = {
     if (candidates.length === 0 || (candidates.length === 1 && candidates[0].put === word)) return Ask.close();
     if (asked && candidates.length === 1) return Ask.put(from, candidates[0].put);
     Ask.open(from, candidates.slice(0, 12));
+  },
+
+  /** A question beside the input that was lost: the input goes on without its answer. */
+  aside(error) {
+    if (error.kind === "trapped") notice(lost(error));
+    return { candidates: [] };
   },
 
   open(from, candidates) {
@@ -239,7 +245,7 @@ const Ask = {
       node.append(make("table", { class: "steps" }, make("tbody", {}, ...lines)));
       tools.append(copier("copy_text", answer.text));
     } else if (answer.kind === "claim") {
-      const rest = answer.text.split("\n").slice(1).join("\n");
+      const rest = answer.text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n");
       node.append(
         make("div", { class: "claimed" }, badge(answer.verdict), answer.latex === null ? null : formula(answer.latex, true)),
         rest === "" ? null : make("pre", { class: "because" }, rest),

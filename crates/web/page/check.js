@@ -103,7 +103,7 @@ const Check = {
       Check.say(Check.checked === "" || byId("page").value === "" ? say("empty_check") : "");
     } else {
       const problems = Check.report.problems.map((one) => one.message);
-      const words = Check.formulas.length === 0 ? [say("no_formula")] : [say("summary", Check.report.claims, Check.report.summary.definitions)];
+      const words = Check.formulas.length === 0 ? [say("no_formula")] : [say("summary", Check.report)];
       Check.say([...words, ...problems].join(" "));
       byId("apply-all").hidden = !all.some((one) => one.verdict === "refuted" && one.fixes.length > 0);
       if (report) announce(byId("summary").textContent);
@@ -129,7 +129,7 @@ const Check = {
       make("div", { class: "head" }, badge(one.verdict), place),
       formula(one.reading || one.latex, true, one.latex),
       one.reason ? make("p", { class: "reason" }, one.reason) : null,
-      details && !loud ? make("details", {}, make("summary", {}, "…"), details) : details);
+      details && !loud ? make("details", {}, make("summary", {}, say("details")), details) : details);
   },
 
   /** Selects a formula in the text. */

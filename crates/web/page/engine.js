@@ -14,11 +14,12 @@ let compiled = null;
 
 function unpacked() {
   compiled ??= (async () => {
-    const text = document.getElementById("module").textContent;
-    const raw = atob(text.trim());
-    const packed = Uint8Array.from(raw, (c) => c.charCodeAt(0));
+    const raw = atob(document.getElementById("module").textContent);
+    const packed = new Uint8Array(raw.length);
+    for (let i = 0; i < raw.length; i++) packed[i] = raw.charCodeAt(i);
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return WebAssembly.compile(await new Response(stream).arrayBuffer());
+    // What is unpacked is compiled while the rest is unpacked.
+    return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
   })();
   return compiled;
 }

@@ -14,7 +14,7 @@ const isNumber = (value) => isText(value, 60);
 const FIELDS = {
   v: (value) => value === 1,
   lang: (value) => value in WORDS,
-  ask: (value) => isList(value, 200, (input) => isText(input, LONGEST_INPUT)),
+  ask: (value) => isList(value, 1000, (input) => isText(input, LONGEST_INPUT)),
   page: (value) => isText(value, LONGEST_PAGE),
   format: (value) => ["markdown", "latex", "rst"].includes(value),
   play: (value) =>
@@ -76,7 +76,7 @@ const Link = {
   state() {
     const page = byId("page").value;
     return {
-      v: 1, lang, ask: Ask.inputs.slice(-200),
+      v: 1, lang, ask: Ask.inputs.slice(-1000),
       ...(page !== "" && page.length <= LONGEST_PAGE ? { page, format: byId("format").value } : {}),
       play: Play.state,
     };

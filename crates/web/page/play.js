@@ -81,16 +81,14 @@ const Play = {
       try {
         const answer = await Play.engine.call(request);
         byId("play-problem").textContent = answer.refused ?? "";
-        if (!answer.refused) {
-          Play.answer = answer;
-          // Lowest terms, as the module writes them; what was moved meanwhile stays.
-          if (!Play.dirty) {
-            Play.state.points = answer.control.map((point) => [point.x, point.y]);
-            Play.state.t = answer.t.text;
-            if (kind === "bspline") Play.state.knots = answer.knots.map((knot) => knot.text);
-          }
-          Play.show();
+        if (!answer.refused) Play.answer = answer;
+        // Lowest terms, as the module writes them, or what was before; what was moved meanwhile stays.
+        if (!Play.dirty && Play.answer) {
+          Play.state.points = Play.answer.control.map((point) => [point.x, point.y]);
+          Play.state.t = Play.answer.t.text;
+          if (kind === "bspline") Play.state.knots = Play.answer.knots.map((knot) => knot.text);
         }
+        if (!answer.refused) Play.show();
       } catch (error) {
         byId("play-problem").textContent = lost(error);
       }

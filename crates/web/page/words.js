@@ -17,16 +17,11 @@ const WORDS = {
     proved: "proved", sampled: "holds in all instances tried", refuted: "refuted", undecided: "undecided",
     unread: "not read", definition: "definition", none: "no claim",
     counterexample: "Counterexample", suggestion: "Suggestion", tried: "Tried", assumed: "Assumed", read_as: "Read as",
-    suspicious: "Suspicious", line: "line",
+    suspicious: "Suspicious", details: "Details", line: "line",
     empty_check: "Nothing here yet. Paste a page, or take the example.",
     paste_here: "# Lecture notes\n\nPaste a page here: formulas stand between $ … $ or $$ … $$.",
     no_formula: "No formula was found. Formulas stand between $ … $ or \\( … \\).",
-    summary: (claims, definitions) => {
-      const count = Object.values(claims).reduce((sum, one) => sum + one, 0);
-      const parts = Object.entries(claims).filter(([, one]) => one > 0).map(([verdict, one]) => `${one} ${verdict}`);
-      const facts = definitions === 0 ? "" : definitions === 1 ? "; 1 definition or condition" : `; ${definitions} definitions and conditions`;
-      return `${count} ${count === 1 ? "claim" : "claims"}${parts.length ? `: ${parts.join(", ")}` : ""}${facts}.`;
-    },
+    summary: (report) => `${report.words}.`,
     bezier: "Bézier", bspline: "B-spline", curve_kind: "Kind of curve", grid: "Grid", parameter: "Parameter t",
     more: "Add a point", less: "Remove a point", degree: "Degree", knots: "Knots", reset: "Start again",
     picture: "Curve with its control points", pyramid: "Every level", values: "Value and derivative",
@@ -58,14 +53,15 @@ const WORDS = {
     proved: "已证明", sampled: "所试各例均成立", refuted: "不成立", undecided: "未定",
     unread: "未能读懂", definition: "定义", none: "非论断",
     counterexample: "反例", suggestion: "建议", tried: "试过", assumed: "假定", read_as: "读作",
-    suspicious: "可疑", line: "行",
+    suspicious: "可疑", details: "细节", line: "行",
     empty_check: "这里还是空的。请粘贴一页讲义,或打开示例。",
     paste_here: "# 讲义\n\n把一页讲义粘贴到这里:公式写在 $ … $ 或 $$ … $$ 之间。",
     no_formula: "没有找到公式。公式写在 $ … $ 或 \\( … \\) 之间。",
-    summary: (claims, definitions) => {
+    summary: ({ counts: { definition, silent, ...claims } }) => {
       const count = Object.values(claims).reduce((sum, one) => sum + one, 0);
       const parts = Object.entries(claims).filter(([, one]) => one > 0).map(([verdict, one]) => `${one} 个${WORDS.zh[verdict]}`);
-      return `${count} 个论断${parts.length ? `:${parts.join(",")}` : ""}${definitions ? `;${definitions} 个定义与条件` : ""}。`;
+      const rest = [[definition, "个定义或条件"], [silent, "个未作论断的公式"]].filter(([one]) => one > 0).map(([one, words]) => `${one} ${words}`);
+      return `${count} 个论断${parts.length ? `:${parts.join(",")}` : ""}${rest.map((one) => `;${one}`).join("")}。`;
     },
     bezier: "Bézier", bspline: "B 样条", curve_kind: "曲线类型", grid: "网格", parameter: "参数 t",
     more: "增加一点", less: "减少一点", degree: "次数", knots: "节点", reset: "重新开始",

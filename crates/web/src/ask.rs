@@ -9,7 +9,7 @@ use polarform::weave::{BlockOptions, Piece, render};
 use polarform::write::{Format, Manner, write_answer};
 use serde_json::{Value, json};
 
-use super::{Refusal, Request, bounded, field, optional, told, typst::typst};
+use super::{Refusal, Request, bounded, depth, field, optional, told, typst::typst};
 
 /// A statement takes at most so many steps, some tens of seconds.
 const STEPS: u64 = 40_000_000;
@@ -26,14 +26,14 @@ const LONGEST_FORMULA: usize = 24 << 10;
 /// Longer answers are not shown.
 const LONGEST_TEXT: usize = 512 << 10;
 
-pub(crate) fn session() -> Session {
-    Session::new(Limits { steps: Some(STEPS), terms: TERMS, ..Limits::default() })
+pub(crate) fn session(depth: usize) -> Session {
+    Session::new(Limits { steps: Some(STEPS), terms: TERMS, depth, ..Limits::default() })
 }
 
 /// The session after the inputs that a request brings, if it brings any.
 pub(crate) fn earlier(request: &Request) -> Result<Option<Session>, Refusal> {
     let Some(inputs) = request.get("session").and_then(Value::as_array) else { return Ok(None) };
-    let mut session = session();
+    let mut session = session(depth(request));
     for input in inputs {
         let input = bounded(input.as_str().ok_or("an input is a text")?, LONGEST, "the input")?;
         // One that failed then fails now, and changed nothing.

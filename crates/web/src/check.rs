@@ -3,13 +3,13 @@
 use polarform::budget::Limits;
 use polarform::document::{Container, document};
 use polarform::judge::finding::{FileReport, Verdict};
-use polarform::notes::report::{fixes, render_json};
+use polarform::notes::report::{Tally, fixes, render_json};
 use polarform::notes::{Options, check_document};
 use polarform::source::SourceFile;
 use serde_json::{Map, Value, json};
 
 use super::told::{self, Places};
-use super::{Refusal, Request, bounded, field, optional, typst::typst};
+use super::{Refusal, Request, bounded, depth, field, optional, typst::typst};
 
 /// Longer pages are not checked.
 const LONGEST: usize = 512 << 10;
@@ -26,7 +26,8 @@ pub(crate) fn report(request: &Request) -> Result<Value, Refusal> {
     };
     let name = optional(request, "name").unwrap_or("page");
     let document = document(SourceFile::new(name, text), kind);
-    let limits = Limits { steps: request.get("steps").and_then(Value::as_u64), ..Limits::default() };
+    let steps = request.get("steps").and_then(Value::as_u64);
+    let limits = Limits { steps, depth: depth(request), ..Limits::default() };
     let context = optional(request, "context").map(str::to_owned);
     let report = check_document(&document, &Options { limits, context });
     let told: Value = serde_json::from_str(&render_json(std::slice::from_ref(&report)))
@@ -44,20 +45,18 @@ pub(crate) fn report(request: &Request) -> Result<Value, Refusal> {
             json!({"from": from, "to": to, "text": fix.text})
         };
         formula["typst"] = json!(typst(&finding.reading));
+        formula["suggestion_typst"] = json!(finding.suggestion.as_deref().and_then(typst));
         formula["fixes"] = fixes(&document, &alone).into_iter().map(&mut place).collect();
     }
-    // The summary of the report counts formulas that state nothing, too.
-    let claims = |word: &str| {
-        formulas.iter().filter(|formula| formula["kind"] == "claim" && formula["verdict"] == word).count()
-    };
-    let counts: Map<String, Value> = Verdict::ALL
-        .into_iter()
-        .filter(|verdict| *verdict != Verdict::Definition)
-        .map(|verdict| (verdict.word().to_owned(), claims(verdict.word()).into()))
-        .collect();
+    let tally = Tally::of(std::slice::from_ref(&report));
+    let verdicts =
+        Verdict::ALL.into_iter().map(|verdict| (verdict.word().to_owned(), tally.count(verdict).into()));
+    let counts: Map<String, Value> = verdicts.chain([("silent".to_owned(), tally.silent().into())]).collect();
     let problems: Vec<Value> =
         report.problems.iter().map(|problem| told::problem(problem, &report.file)).collect();
-    Ok(json!({"formulas": formulas, "problems": problems, "claims": counts, "summary": told["summary"]}))
+    Ok(
+        json!({"formulas": formulas, "problems": problems, "counts": counts, "words": tally.words(), "summary": told["summary"]}),
+    )
 }
 
 #[cfg(test)]
@@ -87,10 +86,9 @@ mod tests {
             (cut(&formulas[0]["fixes"][0]), &formulas[0]["fixes"][0]["text"]),
             ("3".to_owned(), &json!("2"))
         );
-        assert_eq!(
-            report["claims"],
-            json!({"proved": 1, "sampled": 0, "refuted": 1, "undecided": 0, "unread": 0})
-        );
+        assert_eq!(formulas[0]["suggestion_typst"], "1 + 1 = 2");
+        assert_eq!(report["words"], "2 claims: 1 refuted, 1 proved");
+        assert_eq!(report["counts"]["refuted"], 1);
     }
 
     #[test]

@@ -9,6 +9,8 @@ mod check;
 #[cfg(target_family = "wasm")]
 mod exports;
 mod play;
+#[cfg(any(target_family = "wasm", test))]
+mod pool;
 mod told;
 mod typst;
 
@@ -18,6 +20,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use polarform::session::{Session, completions};
 use serde_json::{Map, Value, json};
 
+#[cfg(target_family = "wasm")]
+#[global_allocator]
+static POOL: pool::Pool = pool::Pool::new();
+
+/// Functions may call each other so deeply: each call takes a part of the stack, and that of a worker is small.
+const DEPTH: usize = 150;
+
 /// The fields of a request.
 type Request = Map<String, Value>;
 
@@ -26,15 +35,15 @@ type Refusal = String;
 
 thread_local! {
     /// The session of requests that bring none.
-    static SESSION: RefCell<Session> = RefCell::new(ask::session());
+    static SESSION: RefCell<Session> = RefCell::new(ask::session(DEPTH));
 }
 
 /// The answer to a request, both as JSON. A request says in `do` what it wants:
 ///
 /// | `do` | further fields | answer |
 /// | --- | --- | --- |
-/// | `ask` | `input`; `session`: earlier inputs, in place of those asked before; `lang`, `notation` | `answers`, `problem`, `names` |
-/// | `check` | `text`, `as`: markdown, latex, rst; `name`, `context`, `steps` | the report of `notes check` with places |
+/// | `ask` | `input`; `session`: earlier inputs, in place of those asked before; `lang`, `notation`, `depth` | `answers`, `problem`, `names` |
+/// | `check` | `text`, `as`: markdown, latex, rst; `name`, `context`, `steps`, `depth` | the report of `notes check` with places |
 /// | `complete` | `before`: the line up to the caret | `from`, `candidates` |
 /// | `incomplete` | `input` | `incomplete`: whether a bracket is open or a side is missing |
 /// | `play` | `kind`: bezier or bspline; `points`, `t`, `ends` or `knots` and `degree` | every level, labelled |
@@ -85,7 +94,7 @@ fn answered(request: &str) -> Result<Value, Refusal> {
         }
         "play" => play::scheme(request),
         "reset" => {
-            SESSION.set(ask::session());
+            SESSION.set(ask::session(DEPTH));
             Ok(json!({}))
         }
         other => Err(format!("there is nothing to do called {other}")),
@@ -100,6 +109,12 @@ fn field<'a>(request: &'a Request, name: &str) -> Result<&'a str, Refusal> {
 /// A text that it may have.
 fn optional<'a>(request: &'a Request, name: &str) -> Option<&'a str> {
     request.get(name).and_then(Value::as_str)
+}
+
+/// How deeply functions may call each other: a host with a smaller stack says so.
+fn depth(request: &Request) -> usize {
+    let asked = request.get("depth").and_then(Value::as_u64).and_then(|depth| usize::try_from(depth).ok());
+    asked.unwrap_or(DEPTH).min(DEPTH)
 }
 
 /// A text of at most so many bytes.

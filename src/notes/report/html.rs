@@ -6,7 +6,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::mathml::mathml;
 use super::place::Locator;
-use super::{Tally, further_words, states_something, verdict_words};
+use super::{Tally, states_something};
 use crate::judge::finding::{FileReport, Finding, Verdict};
 use crate::language::diagnostic::Severity;
 
@@ -30,7 +30,7 @@ const ORDER: [Verdict; 6] = [
 /// buttons that show only some of them.
 pub fn render_html(reports: &[FileReport]) -> String {
     let tally = Tally::of(reports);
-    let title = headline(&tally);
+    let title = tally.words();
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -67,12 +67,6 @@ pub fn render_html(reports: &[FileReport]) -> String {
     text
 }
 
-fn headline(tally: &Tally) -> String {
-    let further = further_words(tally);
-    let words = std::iter::once(verdict_words(tally)).chain(further);
-    words.collect::<Vec<_>>().join("; ")
-}
-
 /// A button for everything and for each kind of finding that occurs.
 fn filters(tally: &Tally) -> Markup {
     let button = |kind: &str, label: &str, count: usize, pressed: bool| {
@@ -105,7 +99,7 @@ fn section(number: usize, report: &FileReport, several: bool) -> Markup {
     html! {
         section {
             h2 { (clean(report.file.name())) }
-            @if several { p class="faint" { (headline(&tally)) } }
+            @if several { p class="faint" { (tally.words()) } }
             @for problem in &report.problems {
                 p class=[(problem.severity == Severity::Error).then_some("problem")] {
                     @if let Some(span) = problem.span {

@@ -127,6 +127,12 @@ impl Tally {
     pub fn unseen(&self) -> usize {
         self.unseen
     }
+
+    /// All of it in one line: `3 claims: 1 refuted, 2 proved; 1 warning`.
+    pub fn words(&self) -> String {
+        let words = std::iter::once(verdict_words(self)).chain(further_words(self));
+        words.collect::<Vec<_>>().join("; ")
+    }
 }
 
 impl AddAssign for Tally {
