@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""polarform beside python-flint, PARI (cypari) and SymPy: the table of docs/benchmarks.md.
+"""polarform beside python-flint, PARI (cypari), SymPy and Symbolica: the table of docs/benchmarks.md.
 
-    python3 -m venv venv && venv/bin/pip install python-flint cypari sympy
+    python3 -m venv venv && venv/bin/pip install python-flint cypari sympy symbolica
     venv/bin/python benches/peers.py
 
 Each figure is the least CPU time of a run, of several runs in each of several fresh processes, ours and
@@ -9,7 +9,7 @@ the peers' in turn, on the same inputs (benches/inputs, benches/peers.rs). All c
 """
 import json, subprocess, sys, time
 from fractions import Fraction
-from math import comb, factorial, gcd
+from math import comb, factorial, gcd, lcm
 
 P = (1 << 61) - 1
 ROUNDS = 2
@@ -136,6 +136,51 @@ def interpolation(n):
     return list(range(n)), [lcg.num(100) for _ in range(n)]
 
 
+def polar(n):
+    lcg = Lcg(300 + n)
+    return [lcg.rat(100, 100) for _ in range(n + 1)], [lcg.rat(1000, 1000) for _ in range(n)]
+
+
+def knots():
+    lcg = Lcg(900)
+    t = [Fraction(0)]
+    while len(t) < 50:
+        step = lcg.below(9) + 1
+        t.append(t[-1] + Fraction(step, lcg.below(9) + 1))
+    return t
+
+
+def tree(factors):
+    while len(factors) > 1:
+        factors = [a * b for a, b in zip(factors[::2], factors[1::2])] + factors[len(factors) & ~1 :]
+    return factors[0]
+
+
+def basis(n, t, linear):
+    """The recurrence of Cox and de Boor: for each function its polynomials by knot intervals."""
+    level = [{i: linear(1, 0)} for i in range(len(t) - 1)]
+    for k in range(1, n + 1):
+        following = []
+        for i in range(len(level) - 1):
+            d, e = t[i + k] - t[i], t[i + k + 1] - t[i + 1]
+            rise, fall = linear(-t[i] / d, 1 / d), linear(t[i + k + 1] / e, -1 / e)
+            pieces = {j: f * rise for j, f in level[i].items()}
+            for j, f in level[i + 1].items():
+                f = f * fall
+                pieces[j] = pieces[j] + f if j in pieces else f
+            following.append(pieces)
+        level = following
+    return [f[j] for f in level for j in sorted(f)]
+
+
+def identities(count, power="^"):
+    """B_i^n = (1 - t) B_i^{n-1} + t B_{i-1}^{n-1}, both sides as text."""
+    pairs = [(n, i) for n in range(1, 21) for i in range(n + 1)]
+    b = lambda n, i: f"{comb(n, i)}*t{power}{i}*(1-t){power}{n - i}" if 0 <= i <= n else "0"
+    pairs = [pairs[k % len(pairs)] for k in range(count)]
+    return [(b(n, i), f"(1-t)*({b(n - 1, i)})+t*({b(n - 1, i - 1)})") for n, i in pairs]
+
+
 # Each gives what is timed and the checksum of its result; None where the peer has no such operation.
 
 
@@ -157,6 +202,28 @@ def flint(name, sizes):
         if name == "gcd":
             return lambda: x.gcd(y), lambda g: ck_terms((e, Fraction(c)) for e, c in primitive(g.to_dict().items()))
         return lambda: x / f, lambda g: ck_terms((e, Fraction(int(c))) for e, c in g.to_dict().items())
+    if name == "sparse product":
+        ctx = fl.fmpz_mpoly_ctx.get(["x", "y", "z", "w"], "lex")
+        x, y = (ctx.from_dict(p) for p in in_gcd(4, n, 100)[:2])
+        return lambda: x * y, lambda g: ck_terms((e, Fraction(int(c))) for e, c in g.to_dict().items())
+    if name == "polar value":
+        f, u = polar(n)
+        weights = [fl.fmpq(c.numerator, c.denominator * comb(n, k)) for k, c in enumerate(f)]
+        common = fl.fmpz(1)
+        for w in weights:
+            common = common.lcm(w.q)
+        weights = [w.p * (common // w.q) for w in weights]
+
+        def value():
+            e = tree([fl.fmpz_poly([x.denominator, x.numerator]) for x in u])
+            total = sum((w * e[k] for k, w in enumerate(weights)), fl.fmpz(0))
+            return fl.fmpq(total, common * tree([fl.fmpz(x.denominator) for x in u]))
+
+        return value, lambda v: modp(back(v))
+    if name == "spline basis":
+        t = [q(x) for x in knots()]
+        linear = lambda a, b: fl.fmpq_poly([a, b])
+        return lambda: basis(n, t, linear), lambda r: residues(ck_poly(coefficients(f)) for f in r)
     if name == "product":
         lcg = Lcg(400 + n)
         f, g = (fl.fmpq_poly([q(lcg.bigrat(64, 16)) for _ in range(n + 1)]) for _ in range(2))
@@ -249,6 +316,16 @@ def pari(name, sizes):
         a, b, c = (poly(p) for p in polynomials(5000, 3 * [n]))
         x, y = a * c, b * c
         return lambda: x.gcd(y), lambda h: ck_poly(coefficients(h / h.pollead()))
+    if name == "polar value":
+        f, u = polar(n)
+        value = g("(a, u) -> my(n = #u, D = vecprod([denominator(c) | c <- u]),"
+                  "e = Vecrev(vecprod([denominator(c) + numerator(c) * 'x | c <- u]), n + 1));"
+                  "sum(k = 0, n, a[k + 1] * e[k + 1] / binomial(n, k)) / D")
+        f, u = row(f), row(u)
+        return lambda: value(f, u), lambda v: modp(back(v))
+    if name == "identities":
+        texts = identities(n)
+        return lambda: sum(bool(g(l) == g(r)) for l, r in texts), int
     if name == "interpolation":
         nodes, values = (row(r) for r in interpolation(n))
         through = g("(nodes, values) -> polinterpolate(nodes, values)")
@@ -277,6 +354,9 @@ def sympy(name, sizes):
         if name == "gcd":
             return lambda: x.gcd(y), lambda g: ck_terms((e, Fraction(c)) for e, c in primitive(g.terms()))
         return lambda: x.exquo(f), lambda g: ck_terms((e, Fraction(int(c))) for e, c in g.terms())
+    if name == "identities":
+        texts = identities(n, "**")
+        return lambda: sum(sp.expand(sp.sympify(l) - sp.sympify(r)) == 0 for l, r in texts), int
     back = lambda x: Fraction(int(x.numerator), int(x.denominator))
     if name in ("solve", "determinant") and n <= 50:
         a, b = system(n)
@@ -287,7 +367,101 @@ def sympy(name, sizes):
         return lambda: a.lu_solve(b), lambda x: ck_list([back(v) for r in x.to_list() for v in r])
 
 
-PEERS = {"FLINT": flint, "PARI": pari, "SymPy": sympy}
+def symbolica(name, sizes):
+    import symbolica as sy
+
+    n = sizes[0]
+    E = lambda x: sy.E(str(x))
+    plain = lambda e: e.format_plain().replace(" ", "")
+    number = lambda c: Fraction(plain(c))
+    variables = [sy.S(v) for v in "xyzw"]
+    t = sy.S("t")
+
+    def formula(p):
+        return E("+".join("(%d)*" % c + "*".join("%s^%d" % (v, e) for v, e in zip("xyzw", es)) for es, c in p.items()))
+
+    def terms(p):
+        # A polynomial knows the variables that it has.
+        places = ["xyzw".index(plain(v).split("::")[-1]) for v in p.get_variables()]
+        for exponents, c in p.coefficient_list():
+            full = [0, 0, 0, 0]
+            for place, e in zip(places, exponents):
+                full[place] = e
+            yield tuple(full), number(c)
+
+    poly = lambda c: E("+".join("(%s)*t^%d" % (x, k) for k, x in enumerate(c))).to_polynomial(vars=[t])
+
+    def coefficients(f):
+        out = {}
+        for exponents, c in f.coefficient_list():
+            out[exponents[0] if exponents else 0] = number(c)
+        return [out.get(k, Fraction(0)) for k in range(max(out, default=-1) + 1)]
+
+    if name in ("gcd", "exact division"):
+        a, b, c = in_gcd(*sizes)
+        x, y, f = (formula(p).to_polynomial(vars=variables[:n]) for p in (times(a, c), times(b, c), c))
+        if name == "gcd":
+
+            def value(h):
+                h = list(terms(h))
+                scale = lcm(*(c.denominator for _, c in h))
+                return ck_terms((e, Fraction(c)) for e, c in primitive((e, scale * c) for e, c in h))
+
+            return lambda: x.gcd(y), value
+        return lambda: x.quot_rem(f)[0], lambda g: ck_terms(terms(g))
+    if name == "sparse product":
+        x, y = (formula(p).to_polynomial(vars=variables) for p in in_gcd(4, n, 100)[:2])
+        return lambda: x * y, lambda g: ck_terms(terms(g))
+    if name == "product":
+        lcg = Lcg(400 + n)
+        f, h = (poly([lcg.bigrat(64, 16) for _ in range(n + 1)]) for _ in range(2))
+        return lambda: f * h, lambda r: ck_poly(coefficients(r))
+    if name == "division":
+        f, h = (poly(p) for p in polynomials(4000, sizes))
+        return lambda: f.quot_rem(h), lambda r: residues(ck_poly(coefficients(x)) for x in r)
+    if name == "gcd in t":
+        a, b, c = (poly(p) for p in polynomials(5000, 3 * [n]))
+        x, y = a * c, b * c
+        return lambda: x.gcd(y), lambda h: ck_poly([c / coefficients(h)[-1] for c in coefficients(h)])
+    if name == "interpolation":
+        nodes, values = interpolation(n)
+        values = [E(v).to_polynomial() for v in values]
+        return lambda: sy.Polynomial.interpolate(t, nodes, values), lambda r: ck_list((coefficients(r) + n * [Fraction(0)])[:n])
+    if name == "polar value":
+        f, u = polar(n)
+        factors = [poly([x.denominator, x.numerator]) for x in u]
+        weights = [E(c / comb(n, k)) for k, c in enumerate(f)]
+        common = tree([x.denominator for x in u])
+
+        def value():
+            total = E(0)
+            for exponents, c in tree(factors).coefficient_list():
+                total = total + c.to_expression() * weights[exponents[0]]
+            return total / common
+
+        return value, lambda v: modp(number(v))
+    if name == "spline basis":
+        moments = knots()
+        linear = lambda a, b: poly([a, b])
+        return lambda: basis(n, moments, linear), lambda r: residues(ck_poly(coefficients(f)) for f in r)
+    if name in ("solve", "determinant"):
+        a, b = system(n)
+        a = sy.Matrix.from_nested([[E(x) for x in r] for r in a])
+        scalar = lambda x: number(x.to_expression() if hasattr(x, "to_expression") else x)
+        if name == "determinant":
+            return lambda: a.det(), lambda d: modp(scalar(d))
+        b = sy.Matrix.from_nested([[E(x)] for x in b])
+        return lambda: a.solve(b), lambda x: ck_list([scalar(x[i, 0]) for i in range(n)])
+    if name == "inverse A_n":
+        a = sy.Matrix.from_nested([[E(x) for x in r] for r in a_n(n)])
+        scalar = lambda x: number(x.to_expression() if hasattr(x, "to_expression") else x)
+        return lambda: a.inv(), lambda m: ck_list([scalar(m[i, j]) for i in range(n + 1) for j in range(n + 1)])
+    if name == "identities":
+        texts, zero = identities(n), E(0)
+        return lambda: sum((sy.E(l) - sy.E(r)).expand() == zero for l, r in texts), int
+
+
+PEERS = {"FLINT": flint, "PARI": pari, "SymPy": sympy, "Symbolica": symbolica}
 
 
 def run_peer(peer, case):

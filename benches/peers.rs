@@ -13,13 +13,17 @@ use inputs::*;
 use nalgebra::DMatrix;
 use num_integer::Integer;
 use polarform::basis::bernstein_to_power;
+use polarform::blossom::PolarForm;
 use polarform::curve::{BezierCurve, Interval};
 use polarform::interpolate::polynomial_through;
 use polarform::linalg::{determinant, inverse as inverse_of, solve};
-use polarform::number::{Int, Rational, integer, rational};
+use polarform::number::{Int, Rational, binomial, integer, rational};
+use polarform::piecewise::Piecewise;
 use polarform::poly::{MonomialOrder, MultiPoly, Poly, Symbol};
 use polarform::ring::Ring;
+use polarform::session::Session;
 use polarform::spline::{BSpline, KnotVector};
+use polarform::value::{Value, Verdict};
 
 const CASES: &[&str] = &[
     "integer gcd/3000",
@@ -29,6 +33,7 @@ const CASES: &[&str] = &[
     "gcd/3,20,10",
     "gcd/4,20,10",
     "exact division/4,20,10",
+    "sparse product/2000",
     "product/1000",
     "division/400,200",
     "gcd in t/200",
@@ -37,11 +42,16 @@ const CASES: &[&str] = &[
     "elevation/100",
     "subdivision/200",
     "spline values/1000",
+    "spline basis/10",
+    "polar value/1000",
+    "polar value/2000",
+    "polar value/3000",
     "solve/50",
     "solve/100",
     "determinant/50",
     "inverse A_n/50",
     "inverse A_n/100",
+    "identities/1000",
 ];
 
 /// CPU time of this thread in seconds, where the system tells it; else the time of the clock.
@@ -101,6 +111,19 @@ fn curve(seed: u64, n: usize) -> BezierCurve<Rational> {
     BezierCurve::new(points, Interval::unit()).expect("points of the plane")
 }
 
+/// B_i^n = (1 − t) B_i^{n−1} + t B_{i−1}^{n−1} as text.
+fn identities(count: usize) -> Vec<String> {
+    let pairs: Vec<(usize, usize)> = (1..=20).flat_map(|n| (0..=n).map(move |i| (n, i))).collect();
+    let b = |n: usize, i: usize| match i <= n {
+        true => format!("{}*t^{i}*(1-t)^{}", binomial(n, i), n - i),
+        false => "0".to_owned(),
+    };
+    let text = |(n, i): &(usize, usize)| {
+        format!("{} = (1-t)*({})+t*({})", b(*n, *i), b(n - 1, *i), b(n - 1, i.wrapping_sub(1)))
+    };
+    pairs.iter().cycle().take(count).map(text).collect()
+}
+
 fn by_rows(m: &DMatrix<Rational>) -> u64 {
     ck_residues(m.transpose().iter().map(modp))
 }
@@ -130,6 +153,34 @@ fn main() {
                 "gcd" => measure(|| x.gcd(&y), |g| ck_multi(&g)),
                 _ => measure(|| x.div_exact(&c).expect("a factor"), |q| ck_multi(&q)),
             }
+        }
+        "sparse product" => {
+            let [a, b, _] = in_gcd(4, n, 100);
+            measure(|| a.times(&b), |c| ck_multi(&c));
+        }
+        "spline basis" => {
+            let knots = KnotVector::new(n, in_w9_knots()).expect("increasing knots");
+            let checksum = |list: Vec<Piecewise<Rational>>| {
+                ck_residues(list.iter().flat_map(Piecewise::pieces).map(|piece| ck_poly(piece)))
+            };
+            measure(|| knots.basis_functions(), checksum);
+        }
+        "polar value" => {
+            let (coefficients, arguments) = in_w3(n);
+            let form = PolarForm::new(coefficients);
+            measure(|| form.value(&arguments).expect("as many as the degree"), |value| modp(&value));
+        }
+        "identities" => {
+            let texts = identities(n);
+            let run = || {
+                let mut session = Session::default();
+                let holds = |text: &&String| {
+                    let answer = session.run(text).expect("a claim");
+                    matches!(answer.outcome.value, Value::Claim(claim) if claim.verdict() == Verdict::Proved)
+                };
+                texts.iter().filter(holds).count()
+            };
+            measure(run, |count| count as u64);
         }
         "product" => {
             let (f, g) = in_w4(n);

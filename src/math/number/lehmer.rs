@@ -9,7 +9,8 @@
 //! J. Sorenson, "An analysis of Lehmer's Euclidean GCD algorithm", ISSAC 1995, for the condition.
 
 use num_bigint::BigUint;
-use num_integer::Integer;
+
+use super::gcd_word;
 
 /// The greatest common divisor.
 pub(super) fn gcd(x: &BigUint, y: &BigUint) -> BigUint {
@@ -20,7 +21,7 @@ pub(super) fn gcd(x: &BigUint, y: &BigUint) -> BigUint {
             std::mem::swap(&mut a, &mut b);
         }
         if a.len() <= 2 {
-            return BigUint::from(double(&a).gcd(&double(&b)));
+            return BigUint::from(gcd_of_doubles(double(&a), double(&b)));
         }
         if b.is_empty() {
             return from_words(&a);
@@ -53,6 +54,17 @@ fn double(words: &[u64]) -> u128 {
     word(0) | word(1) << 64
 }
 
+/// gcd(x, y) for x ≥ y: Euclid's algorithm down to a word, where the binary one goes on.
+fn gcd_of_doubles(mut x: u128, mut y: u128) -> u128 {
+    while y >> 64 != 0 {
+        (x, y) = (y, quotient(x, y).1);
+    }
+    match u64::try_from(y) {
+        Ok(y) if y != 0 => u128::from(gcd_word(y, (x % u128::from(y)) as u64)),
+        _ => x,
+    }
+}
+
 /// Steps of Euclid's algorithm: (a, b) becomes (±(u0 a − v0 b), ±(v1 b − u1 a)), + if `even`.
 struct Steps {
     u0: u64,
@@ -73,26 +85,23 @@ fn steps_of_leading_digits(a: &[u64], b: &[u64]) -> Option<Steps> {
         if shift == 0 { top } else { top << shift | u128::from(word(n - 3) >> (64 - shift)) }
     };
     let (mut x, mut y) = (leading(a), leading(b));
-    // Signs of the cofactors alternate; these are their sizes. All but the last stay below 2^64.
-    let (mut u0, mut u1, mut u2) = (0u128, 1u128, 0u128);
-    let (mut v0, mut v1, mut v2) = (0u128, 0u128, 1u128);
+    // Signs of the cofactors alternate; these are their sizes.
+    let (mut u0, mut u1, mut u2) = (0u64, 1u64, 0u64);
+    let (mut v0, mut v1, mut v2) = (0u64, 0u64, 1u64);
     let mut even = false;
-    while y >= v2 && x - y >= v1 + v2 {
+    while y >= u128::from(v2) && x - y >= u128::from(v1) + u128::from(v2) {
         let (q, rest) = quotient(x, y);
+        let next = |c1: u64, c2: u64| match q {
+            1 => c1.checked_add(c2),
+            _ => c2.checked_mul(u64::try_from(q).ok()?)?.checked_add(c1),
+        };
+        let (Some(u), Some(v)) = (next(u1, u2), next(v1, v2)) else { break };
         (x, y) = (y, rest);
-        if q == 1 {
-            (u0, u1, u2) = (u1, u2, u1 + u2);
-            (v0, v1, v2) = (v1, v2, v1 + v2);
-        } else {
-            let (Some(u), Some(v)) = (q.checked_mul(u2), q.checked_mul(v2)) else { break };
-            (u0, u1, u2) = (u1, u2, u1.checked_add(u)?);
-            (v0, v1, v2) = (v1, v2, v1.checked_add(v)?);
-        }
+        (u0, u1, u2) = (u1, u2, u);
+        (v0, v1, v2) = (v1, v2, v);
         even = !even;
     }
-    let word = |c: u128| u64::try_from(c).ok();
-    (v0 != 0).then_some(())?;
-    Some(Steps { u0: word(u0)?, v0: word(v0)?, u1: word(u1)?, v1: word(v1)?, even })
+    (v0 != 0).then_some(Steps { u0, v0, u1, v1, even })
 }
 
 /// x / y and the remainder for x ≥ y; most quotients are small.
