@@ -441,7 +441,11 @@ fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
     };
     let begins = |word: &&&str| {
         text.get(..word.len()).is_some_and(|start| {
-            start.to_lowercase() == **word && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
+            let same = match start.is_ascii() {
+                true => start.bytes().map(|byte| byte.to_ascii_lowercase()).eq(word.bytes()),
+                false => start.to_lowercase() == **word,
+            };
+            same && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
         })
     };
     words.iter().filter(begins).map(|word| word.len()).max()

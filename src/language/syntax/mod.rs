@@ -154,7 +154,7 @@ pub fn looks_like_latex(text: &str) -> bool {
     let bytes = text.as_bytes();
     // ∫₀²
     let below = |(before, after): (char, char)| "∑∏∫".contains(before) && ('₀'..='₎').contains(&after);
-    let unicode = text.chars().zip(text.chars().skip(1)).any(below);
+    let unicode = !text.is_ascii() && text.chars().zip(text.chars().skip(1)).any(below);
     unicode
         || bytes.iter().enumerate().any(|(at, &byte)| match byte {
             b'$' => true,
