@@ -66,7 +66,7 @@ pub use point::{Point, PolarValue, Vector, combination, lerp};
 pub(in crate::math) use projective::{check_weight, lifted, lifted_net, parted, projected};
 pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
-pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, checks, positivity_on};
+pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, positivity_on};
 pub use revolve::{revolve, revolve_along};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub use surface_equation::surface_equation;

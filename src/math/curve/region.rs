@@ -14,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::{Direction, Interval, Point, TensorPatch, Triangle, TrianglePatch, indices};
 use crate::budget;
-use crate::math::number::{Rational, integer, multinomial, rational};
+use crate::math::number::{Rational, integer, rational};
 use crate::math::poly::{MultiPoly, Poly, RealRoot, Symbol};
 use crate::math::ring::Ring;
 use crate::math::system::{Bounds, RealZero, SystemError, common_zeros};
@@ -386,10 +386,9 @@ fn near(zero: &RealZero, holds: impl Fn(&[Rational; 2]) -> bool) -> [Rational; 2
     }
 }
 
-/// Whether the coefficients are those of F over the part, by values: for whoever checks a certificate.
-///
-/// Cost: one value for each coefficient.
-pub fn checks(part: &RegionPart, f: &MultiPoly, unknowns: &[Symbol; 2]) -> bool {
+/// Whether the coefficients are those of F over the part: Σ of Bernstein polynomials.
+#[cfg(test)]
+fn checks(part: &RegionPart, f: &MultiPoly, unknowns: &[Symbol; 2]) -> bool {
     let [u, v] = unknowns.clone().map(MultiPoly::symbol);
     let number = |q: &Rational| MultiPoly::constant(q.clone());
     let mut sum = MultiPoly::zero();
@@ -419,7 +418,7 @@ pub fn checks(part: &RegionPart, f: &MultiPoly, unknowns: &[Symbol; 2]) -> bool 
             let barycentric = [turn(q, r), turn(r, p), turn(p, q)].map(|form| form.scaled(&area.recip()));
             for ([i, j, k], c) in indices(n).into_iter().zip(&part.coefficients[0]) {
                 let [a, b, d] = &barycentric;
-                let scale = c * Rational::from_integer(multinomial(&[i, j, k]));
+                let scale = c * Rational::from_integer(crate::math::number::multinomial(&[i, j, k]));
                 sum += (a.pow(i as u32) * b.pow(j as u32) * d.pow(k as u32)).scaled(&scale);
             }
         }
