@@ -249,11 +249,15 @@ impl Session {
     /// A remark on an answer with a symbol that has got a value since: y = 2x, x = 3, y.
     fn symbols_of_before(&self, outcome: &mut Outcome, span: Span) {
         let (Value::Scalar(formula), None) = (&outcome.value, &outcome.defined) else { return };
-        let value = |name: &Symbol| self.env.get(name).and_then(Value::as_rational);
+        let value = |name: &Symbol| self.env.get(name).map(Value::as_rational);
         let Some((name, value)) =
             formula.variables().into_iter().find_map(|name| value(&name).map(|value| (name, value)))
         else {
             return;
+        };
+        let hint = match value {
+            Some(value) => format!("put the value in with subs(..., {name}={value})"),
+            None => format!("define {name} before what is made of it"),
         };
         outcome.notes.push(
             Diagnostic::note(
@@ -261,7 +265,7 @@ impl Session {
                 format!("{name} is a symbol here, from before it got a value"),
             )
             .at(span)
-            .hint(format!("put the value in with subs(..., {name}={value})")),
+            .hint(hint),
         );
     }
 

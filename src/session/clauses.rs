@@ -58,7 +58,14 @@ impl Session {
     ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
         for found in syntax::continuations(file.slice(whole)).into_iter().filter(|found| found.asked) {
             let Some(rest) = found.rest(file.slice(whole)) else { continue };
-            let head = Span::new(whole.start, whole.start + found.end);
+            // Given x = 1 and y = 2, compute x + y: values for all that follows.
+            let head = file.slice(whole).get(..found.end).map_or(0, syntax::after_introduction);
+            let head = Span::new(whole.start + head, whole.start + found.end);
+            let known = |word: &str| defines(&self.env, word);
+            // What a condition gives ends with its sentence.
+            if syntax::sentence(file.slice(head), &known).is_some_and(|said| !said.conditions.is_empty()) {
+                continue;
+            }
             let mut there = self.clone();
             let Ok(mut answers) = there.run_part(file, Some(head), Equals::DefinesUnbound) else { continue };
             if answers.iter().any(|answer| answer.outcome.defined.is_none()) {

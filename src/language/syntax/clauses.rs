@@ -91,6 +91,15 @@ pub(crate) fn continuations(text: &str) -> Vec<Continuation> {
     found
 }
 
+/// The place after words such as "given" that introduce definitions.
+pub(crate) fn after_introduction(text: &str) -> usize {
+    let mut at = skip(text, 0);
+    while let Some(length) = words::introduces(text.piece(at..)) {
+        at = skip(text, at + length);
+    }
+    at
+}
+
 /// What a text asks for that begins with words such as "compute" and "show that", and whether it is a claim.
 ///
 /// Shorter words may be products of letters: `so t`.

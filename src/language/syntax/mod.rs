@@ -34,7 +34,7 @@ mod unknown;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use clauses::{asked, clause, continuations};
+pub(crate) use clauses::{after_introduction, asked, clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, special_call};
