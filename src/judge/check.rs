@@ -189,6 +189,7 @@ impl Checker {
         self.by_the_field(chain, statement, &mut findings, before);
         self.by_description(chain, statement, &mut findings, before);
         self.by_scheme(chain, statement, &mut findings);
+        self.by_insertion(chain, statement, &mut findings, before);
         Ok(findings)
     }
 
@@ -197,6 +198,12 @@ impl Checker {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
+        if let [name] = object.names.as_slice() {
+            for (x, y) in &object.data {
+                let value = Expr::apply(name.clone(), vec![x.clone()]);
+                self.condition(Expr::relation(value, Rel::Eq, y.clone()), name.span, false, place);
+            }
+        }
         if object.natural {
             self.natural(object, place);
         }

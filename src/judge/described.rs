@@ -250,7 +250,8 @@ impl Checker {
         let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are.
         let known = compare::symbols(&failure.left);
-        if !compare::symbols(&failure.right).iter().all(|symbol| known.contains(symbol)) {
+        let alike = |symbol: &Symbol| known.iter().any(|other| other.base() == symbol.base());
+        if !compare::symbols(&failure.right).iter().all(alike) {
             return None;
         }
         // P(t) is on the curve with the points P_i.
@@ -274,7 +275,7 @@ impl Checker {
         })
     }
 
-    /// Whether a small edit of the formula holds with a meaning that is a curve in words.
+    /// Whether a small edit of the formula holds with a meaning.
     fn is_one_slip_from(
         &mut self,
         new: &New,
@@ -282,12 +283,11 @@ impl Checker {
         chain: &Chain,
         statement: &Statement,
     ) -> bool {
-        if !matches!(meaning.made, Made::Itself) {
-            return false;
-        }
         let right = &chain.sides[1].expr;
         let start = budget::spent();
-        repair::edits(right, &new.side, &None).into_iter().any(|edit| {
+        let points = meaning.curve.points.as_deref().unwrap_or_default();
+        let moved = [-1, 1].map(|by| with_indices_moved(right, points, by));
+        repair::edits(right, &new.side, &None).into_iter().chain(moved).any(|edit| {
             if budget::spent() - start > trial::share(&self.limits, 4) {
                 return false;
             }
@@ -384,7 +384,7 @@ impl Checker {
     }
 
     /// The parameter that the section speaks of: 1/2, t = 1/2, λ.
-    fn parameter_heard(&self, place: &Place) -> Option<Expr> {
+    pub(super) fn parameter_heard(&self, place: &Place) -> Option<Expr> {
         let number = |expr: &Expr| {
             let value = match &expr.kind {
                 Kind::Chain(left, links) if Head::of(left).is_some() => &links.last()?.expr,
@@ -554,7 +554,25 @@ impl Meaning {
     }
 }
 
-fn member(letter: &str, index: i64) -> Expr {
+/// A formula with all numbers of a letter moved: b_1, b_2 for b_0, b_1.
+fn with_indices_moved(expr: &Expr, letter: &str, by: i64) -> Expr {
+    fn moved(expr: &mut Expr, letter: &str, by: i64) {
+        if let Kind::Subscript(base, lower) = &mut expr.kind
+            && base.has(&|part| matches!(&part.kind, Kind::Name(own) if own == letter))
+            && let [index] = lower.as_mut_slice()
+            && let Some(number) = index.as_int()
+        {
+            *index = Expr::int(number + by);
+        } else {
+            expr.for_each_child_mut(&mut |child| moved(child, letter, by));
+        }
+    }
+    let mut copy = expr.clone();
+    moved(&mut copy, letter, by);
+    copy
+}
+
+pub(super) fn member(letter: &str, index: i64) -> Expr {
     Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(index)]).into()
 }
 

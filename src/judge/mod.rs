@@ -32,6 +32,7 @@ mod features;
 pub mod finding;
 mod hypotheses;
 pub mod inequality;
+mod insertion;
 mod integers;
 mod known;
 mod lint;

@@ -99,6 +99,8 @@ pub struct Object {
     pub interval: Option<(Expr, Expr)>,
     /// Whether its knots are equally spaced.
     pub uniform: bool,
+    /// Where it has which values: it interpolates (0, 1), (1, 3).
+    pub data: Vec<(Expr, Expr)>,
     /// Whether the second derivatives of a spline vanish at its ends.
     pub natural: bool,
 }
@@ -117,6 +119,7 @@ impl Object {
             values: Vec::new(),
             interval: None,
             uniform: false,
+            data: Vec::new(),
             natural: false,
         }
     }
@@ -314,7 +317,7 @@ impl Context {
                 if let (true, Some(Expr { kind: Kind::Name(index), .. }), Body::Formula(body)) =
                     (near && definition.head.lower.len() == 1, definition.head.index(), &definition.body)
                     && bases(body).iter().all(|name| name == index)
-                    && definition.conditions.is_empty()
+                    && definition.conditions.iter().all(of_integers)
                 {
                     for j in FORMULA_KNOTS {
                         if let Some(value) = value_at(body, index, j) {
@@ -400,6 +403,12 @@ impl Context {
     pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
         self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
     }
+}
+
+/// i ∈ ℤ
+fn of_integers(condition: &Expr) -> bool {
+    matches!(&condition.kind, Kind::Chain(_, links)
+        if matches!(links.as_slice(), [link] if link.rel == Rel::In && matches!(link.expr.kind, Kind::Accent(..))))
 }
 
 /// The value of a formula in an index that adds, multiplies and divides.

@@ -32,6 +32,8 @@ pub enum Topic {
     Casteljau,
     /// Divided differences.
     DividedDifference,
+    /// A knot that is inserted.
+    Insertion,
 }
 
 /// The topics of a section, and the degrees that it names by words: "cubic".

@@ -31,14 +31,16 @@ impl Model {
             });
             Some((names.collect::<Option<Vec<String>>>()?, body.clone()))
         };
-        let (definition, (names, mut body)) = context
-            .visible(&head.base, &self.place)
-            .find_map(|(number, definition, _)| Some(((number, definition), fits(definition)?)))?;
+        let plain = Head { arguments: None, ..head.clone() };
+        let found = context.visible(&head.base, &self.place).find_map(|(number, definition, near)| {
+            let (names, body) = fits(definition)?;
+            let (bound, _) = self.matches(machine, definition, &plain, None)?;
+            Some((number, near, names, body, bound))
+        });
+        let (number, near, names, mut body, bound) = found?;
         if !given.iter().all(|function| Head::of(function).is_some() && self.is_function(machine, function)) {
             return None;
         }
-        let plain = Head { arguments: None, ..head };
-        let (bound, _) = self.matches(machine, definition.1, &plain, None)?;
         for (name, function) in names.iter().zip(given) {
             let mut function = function.clone();
             for index in integer_names(&function) {
@@ -48,7 +50,7 @@ impl Model {
             }
             body = body.with_name(name, &function);
         }
-        self.record.borrow_mut().definitions.insert((definition.0, true));
+        self.record.borrow_mut().definitions.insert((number, near));
         Some(machine.with_locals(bound, |machine| machine.eval(&body)))
     }
 }

@@ -19,6 +19,7 @@ mod polynomials;
 mod spline;
 mod steps;
 mod symmetric;
+mod tensor;
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};

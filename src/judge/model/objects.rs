@@ -102,6 +102,9 @@ impl Model {
     ) -> Option<Evaluated> {
         let (object, line) = self.declared(head)?;
         let bound = self.indices(machine, &object, head);
+        if let (Sort::PolarForm, Some(of), [u, v]) = (&object.sort, &object.of, values) {
+            return Some(self.tensor_of(machine, of, u, v, expr));
+        }
         let [arguments] = values else { return None };
         if let Sort::Symmetric(kind) = object.sort {
             return self.symmetric(machine, &object, kind, head, Some(arguments));
@@ -517,7 +520,13 @@ impl Model {
     }
 
     /// The value of a function, a product or sum of functions, or a formula in a variable, at symbols.
-    fn at_place(&self, machine: &mut Machine, of: &Expr, symbols: Vec<Value>, expr: &Expr) -> Evaluated {
+    pub(super) fn at_place(
+        &self,
+        machine: &mut Machine,
+        of: &Expr,
+        symbols: Vec<Value>,
+        expr: &Expr,
+    ) -> Evaluated {
         let group = Expr::new(Kind::Group(Box::new(of.clone())), of.span);
         let function = match &of.kind {
             Kind::Mul(_) | Kind::Add(_) | Kind::Compose(_) => group,
@@ -568,7 +577,11 @@ fn pair(value: &Value) -> Option<(Fraction, Fraction)> {
     }
 }
 
-fn coefficients_in(formula: &Fraction, place: &Symbol, expr: &Expr) -> Result<Vec<Fraction>, Diagnostic> {
+pub(super) fn coefficients_in(
+    formula: &Fraction,
+    place: &Symbol,
+    expr: &Expr,
+) -> Result<Vec<Fraction>, Diagnostic> {
     let not = || Diagnostic::error(Code::Type, "this is not a polynomial").at(expr.span);
     let denominator = formula.denominator();
     if denominator.variables().contains(place) {

@@ -70,7 +70,17 @@ impl Model {
                 }
                 self.polar(machine, &capital, head, arguments, expr)
             }
-            [u, v] if head.lower.is_empty() => self.tensor(head, u, v, expr),
+            [u, v] if head.lower.is_empty() => {
+                let of = capital_of(&head.base);
+                let surface =
+                    |own: &Head| own.flat().len() == 2 && own.lower.is_empty() && own.upper.is_empty();
+                let known =
+                    self.context.visible(&of, &self.place).any(|(_, d, near)| near && surface(&d.head));
+                match known && of != head.base {
+                    true => self.tensor_of(machine, &Expr::name(of), u, v, expr),
+                    false => self.tensor(head, u, v, expr),
+                }
+            }
             _ => Err(unclear("what this function is", expr)),
         }
     }
@@ -301,26 +311,6 @@ impl Model {
         Some(end.and_then(|end| arithmetic::add(end, arithmetic::negate(start?)?)))
     }
 
-    /// An unknown tensor-product form: symmetric and affine in each group.
-    fn tensor(&self, head: &Head, u: &[Value], v: &[Value], expr: &Expr) -> Evaluated {
-        self.record.borrow_mut().unknown.insert(capital_of(&head.base));
-        let scalars = |values: &[Value]| -> Option<Vec<Fraction>> {
-            values.iter().map(|value| value.as_scalar().cloned()).collect()
-        };
-        let (Some(u), Some(v)) = (scalars(u), scalars(v)) else {
-            return Err(unclear("what these arguments are", expr));
-        };
-        let name = Symbol::new(format!("[{}]", capital_of(&head.base)));
-        let (su, sv) = (means(&u), means(&v));
-        let mut sum = zero();
-        for (i, a) in su.iter().enumerate() {
-            for (j, b) in sv.iter().enumerate() {
-                sum = sum.plus(&variable(name.numbered(i as i64).numbered(j as i64)).times(a).times(b));
-            }
-        }
-        Ok(Value::Scalar(sum))
-    }
-
     /// P_n(b_0, …, b_n; t): the Bézier curve with these control points.
     fn bezier(
         &self,
@@ -405,20 +395,4 @@ impl Model {
 
 fn zero() -> Fraction {
     Fraction::from(MultiPoly::zero())
-}
-
-/// The means σ_{i,n} of the elementary symmetric functions, for all i.
-fn means(values: &[Fraction]) -> Vec<Fraction> {
-    let one = Fraction::from_rational(&Rational::from_integer(1.into()));
-    let mut sums = vec![one];
-    for value in values {
-        let mut next = sums.clone();
-        next.push(zero());
-        for (i, sum) in sums.iter().enumerate() {
-            next[i + 1] = next[i + 1].plus(&sum.times(value));
-        }
-        sums = next;
-    }
-    let row = crate::math::number::binomial_row(values.len());
-    sums.into_iter().zip(row).map(|(sum, count)| sum.scaled(&Rational::new(1.into(), count))).collect()
 }

@@ -95,7 +95,10 @@ impl Machine {
                 arithmetic::binomial(&n, &k).at(span)
             }
             Kind::Factorial(body) => self.eval_factorial(body),
-            Kind::Enclosed(enclosure, body) => self.eval_enclosed(*enclosure, body),
+            Kind::Enclosed(enclosure, body) => match self.size_of_part(body) {
+                Some(size) => Ok(Value::int(size as i64)),
+                None => self.eval_enclosed(*enclosure, body),
+            },
             Kind::Big { op, lower, upper, body } => self.eval_big(*op, lower, upper.as_deref(), body, span),
             Kind::Integral { lower, upper, body, variable } => {
                 self.eval_integral(lower.as_deref(), upper.as_deref(), body, variable)

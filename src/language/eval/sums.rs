@@ -350,6 +350,18 @@ impl Machine {
     }
 }
 
+impl Machine {
+    /// How many elements a set has that runs through the parts of another one.
+    pub(super) fn size_of_part(&mut self, expr: &Expr) -> Option<usize> {
+        let name = name_of(expr, self)?;
+        self.lookup(&outside(&name))?;
+        match self.lookup(&name)? {
+            Value::List(items) => Some(items.len()),
+            _ => None,
+        }
+    }
+}
+
 /// The name of what is not in a set that runs through the parts of another one.
 fn outside(set: &Symbol) -> Symbol {
     set.clone().with_accent("outside")

@@ -18,6 +18,12 @@ fn up_to_index(body: Expr, lower: &[Expr]) -> (Expr, Vec<Expr>) {
     });
     let (Kind::Mul(factors), Some(index)) = (&body.kind, index) else { return (body, Vec::new()) };
     fn occurs(expr: &Expr, index: &Expr) -> bool {
+        // Π_{j ∈ S} t_j Π_{j ∉ S} (1 - t_j): the second j is another one.
+        if let Kind::Big { lower, .. } = &expr.kind
+            && lower.iter().any(|piece| matches!(&piece.kind, Kind::Chain(left, _) if left.same_as(index)))
+        {
+            return false;
+        }
         let mut found = expr.same_as(index);
         expr.for_each_child(&mut |child| found = found || occurs(child, index));
         found

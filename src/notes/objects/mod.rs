@@ -7,6 +7,7 @@
 
 mod phrase;
 mod subject;
+mod tables;
 #[cfg(test)]
 mod tests;
 mod tokens;
@@ -15,6 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::phrase::{Phrase, is_call};
 use self::subject::{ends, left_side, name_in, named};
+use self::tables::Row;
 use self::tokens::{Token, tokens};
 use super::sentence::Piece;
 use super::speech::Word;
@@ -30,7 +32,15 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let formulas = formulas(statements);
     let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
     let mut topic: Vec<Expr> = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     for sentence in sentences {
+        match tables::row(sentence, &formulas) {
+            Some(row) => rows.push(row),
+            None => rows.clear(),
+        }
+        if let [xs, ys] = rows.as_slice() {
+            tables::tell(xs, ys, &topic, &mut found);
+        }
         let tokens = tokens(sentence);
         let mut reader =
             Reader { tokens, formulas: &formulas, topic, listed: Vec::new(), taken: 0, found: &mut found };
@@ -148,6 +158,7 @@ impl<'a> Reader<'a> {
                     at += 1;
                 }
                 Token::Word(Word::Support) => at = self.support_of(at),
+                Token::Word(Word::Through) => at = self.interpolated(at),
                 _ => at += 1,
             }
         }
@@ -301,6 +312,38 @@ impl<'a> Reader<'a> {
         object.names = names;
         object.of = of.into_iter().next();
         self.found.entry(number).or_default().push(object);
+    }
+
+    /// "p interpolates (0, 1), (1, 3)": data of the function that was spoken of last. Gives the token after them.
+    fn interpolated(&mut self, at: usize) -> usize {
+        let noun = |token: &Token| {
+            matches!(
+                token,
+                Token::Word(
+                    Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Nodes)
+                )
+            )
+        };
+        let start = (at + 1..self.tokens.len()).find(|&next| !noun(&self.tokens[next])).unwrap_or(at + 1);
+        let (items, end) = self.list(start);
+        let pair = |item: &Expr| match item.items() {
+            Some([x, y]) => Some((x.clone(), y.clone())),
+            _ => None,
+        };
+        let data: Option<Vec<(Expr, Expr)>> = items.iter().map(pair).collect();
+        let (Some(data), [name]) = (data.filter(|data| data.len() > 1), self.topic.as_slice()) else {
+            return at + 1;
+        };
+        let function = |object: &&mut Object| {
+            matches!(object.sort, Sort::Polynomial | Sort::SplineCurve)
+                && object.points.is_empty()
+                && object.names.iter().any(|known| known.same_as(name))
+        };
+        let known = self.found.values_mut().rev().flat_map(|list| list.iter_mut().rev()).find(function);
+        if let Some(object) = known {
+            object.data = data;
+        }
+        end
     }
 
     /// "N_{i,3} has the support [u_i, u_{i+4}]": a B-spline over these knots. Gives the token after it.

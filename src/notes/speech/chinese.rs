@@ -127,6 +127,12 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("通过", Through),
+    ("经过", Through),
+    ("插值", Through),
+    ("插值于", Through),
+    ("积", Filler),
+    ("乘积", Filler),
     ("从", Preposition),
     ("到", Preposition),
     ("由", Preposition),
@@ -309,6 +315,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("插入", Topic::Insertion),
     ("casteljau", Topic::Casteljau),
     ("德卡斯特里奥", Topic::Casteljau),
     ("德卡斯特罗", Topic::Casteljau),

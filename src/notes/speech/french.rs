@@ -144,6 +144,14 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("qui interpole", Through),
+    ("qui passe par", Through),
+    ("passe par", Through),
+    ("passant par", Through),
+    ("interpolant", Through),
+    ("interpole", Through),
+    ("somme", Filler),
+    ("produit", Filler),
     ("arc de bézier", Noun(Sort::BezierCurve)),
     ("arcs de bézier", Noun(Sort::BezierCurve)),
     ("à savoir", Be),
@@ -359,6 +367,10 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("insère", Topic::Insertion),
+    ("insér", Topic::Insertion),
+    ("insertion", Topic::Insertion),
+    ("boehm", Topic::Insertion),
     ("casteljau", Topic::Casteljau),
     ("différence divisée", Topic::DividedDifference),
     ("différences divisées", Topic::DividedDifference),

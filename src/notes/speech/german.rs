@@ -164,6 +164,15 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
 ];
 
 pub(super) const WORDS: &[(&str, Word)] = &[
+    ("durch die punkte", Through),
+    ("das durch", Through),
+    ("verläuft durch", Through),
+    ("geht durch", Through),
+    ("interpoliert", Through),
+    ("summe", Filler),
+    ("produkt", Filler),
+    ("produktes", Filler),
+    ("produkts", Filler),
     ("bézierkurvensegment", Noun(Sort::BezierCurve)),
     ("bézier-segment", Noun(Sort::BezierCurve)),
     ("bézier-segmente", Noun(Sort::BezierCurve)),
@@ -443,6 +452,12 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 
 /// How words begin that tell what a section is on.
 pub(super) const TOPICS: &[(&str, Topic)] = &[
+    ("einfüg", Topic::Insertion),
+    ("eingefügt", Topic::Insertion),
+    ("fügen", Topic::Insertion),
+    ("fügt", Topic::Insertion),
+    ("neuen knoten", Topic::Insertion),
+    ("boehm", Topic::Insertion),
     ("casteljau", Topic::Casteljau),
     ("dividierte differenz", Topic::DividedDifference),
     ("dividierten differenz", Topic::DividedDifference),

@@ -59,6 +59,8 @@ pub enum Word {
     Count(i64),
     /// "natural": of a spline without curvature at its ends.
     Natural,
+    /// "interpolates": the points after it are values of the function before it.
+    Through,
     /// "rational": with weights.
     Rational,
     /// "weights", after "with".

@@ -4,6 +4,9 @@ use crate::judge::topic::Topic;
 
 /// How words begin that tell what a section is on.
 pub const TOPICS: &[(&str, Topic)] = &[
+    ("insert", Topic::Insertion),
+    ("new knot", Topic::Insertion),
+    ("boehm", Topic::Insertion),
     ("casteljau", Topic::Casteljau),
     ("divided difference", Topic::DividedDifference),
     ("neville", Topic::Neville),

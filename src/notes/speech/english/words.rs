@@ -5,6 +5,15 @@ use crate::notes::speech::PRIME;
 use crate::notes::speech::Word::{self, *};
 
 pub const WORDS: &[(&str, Word)] = &[
+    ("goes through", Through),
+    ("passing through", Through),
+    ("passes through", Through),
+    ("which interpolates", Through),
+    ("that interpolates", Through),
+    ("interpolating", Through),
+    ("interpolates", Through),
+    ("sum", Filler),
+    ("product", Filler),
     ("bezier segment", Noun(Sort::BezierCurve)),
     ("bézier segment", Noun(Sort::BezierCurve)),
     ("bezier segments", Noun(Sort::BezierCurve)),

@@ -1,0 +1,179 @@
+//! New control points after a knot was inserted, by numbers.
+//!
+//! **Formula** (Boehm). Inserting x between the knots t_k ≤ x < t_{k+1} of a spline of degree n gives the control points
+//! (1 - α_i) d_{i-1} + α_i d_i with α_i = (x - t_i)/(t_{i+n} - t_i), cut off at 0 and 1.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use super::check::Checker;
+use super::context::{Body, Mark};
+use super::described::member;
+use super::finding::{Finding, Verdict};
+use super::model::Choices;
+use super::names::{Head, walk};
+use super::object::{Object, Sort};
+use super::repair;
+use super::statement::{Chain, Place, Statement};
+use super::topic::Topic;
+use super::trial;
+use super::witness;
+use crate::budget;
+use crate::formula::{Expr, Kind, Rel, Sign, Term};
+use crate::language::lexicon::families;
+use crate::language::write;
+use crate::math::number::{Rational, integer};
+
+/// A spline with its knots by number.
+struct Spline {
+    degree: i64,
+    points: String,
+    knots: BTreeMap<i64, Rational>,
+}
+
+impl Checker {
+    /// Judges a formula for a new control point, where the section speaks of a spline and of a knot to be inserted.
+    pub(super) fn by_insertion(
+        &mut self,
+        chain: &Chain,
+        statement: &Statement,
+        findings: &mut [Finding],
+        before: Mark,
+    ) {
+        let [(Rel::Eq, _)] = chain.relations.as_slice() else { return };
+        let open = findings[0].verdict == Verdict::Definition && !chain.blocked;
+        if !open || !statement.topics.has(Topic::Insertion) {
+            return;
+        }
+        let limits = self.limits.clone();
+        let Ok(Some(found)) = budget::run(&limits, || self.inserted(chain, statement, &findings[0])) else {
+            return;
+        };
+        if found.verdict == Verdict::Refuted {
+            Rc::make_mut(&mut self.context).forget(before);
+        }
+        findings[0] = found;
+    }
+
+    fn inserted(&self, chain: &Chain, statement: &Statement, finding: &Finding) -> Option<Finding> {
+        let place = &statement.place;
+        let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr);
+        let head = Head::of(left).filter(|head| head.arguments.is_none())?;
+        let [index] = head.lower.as_slice() else { return None };
+        let i = index.as_int()?;
+        let spline = self.spline_of(place, &head.base)?;
+        // The new knot \bar u = 7/2, or a number in passing.
+        let named = self.context.definitions.iter().rev().find_map(|definition| match &definition.body {
+            Body::Formula(body) if place.knows(&definition.place, definition.assumed) => {
+                let head = &definition.head;
+                let plain = head.lower.is_empty() && head.arguments.is_none();
+                Some(body.clone()).filter(|_| plain && (head.base.contains(' ') || !head.upper.is_empty()))
+            }
+            _ => None,
+        });
+        let number = |x: &Expr| x.as_number().cloned().or_else(|| fraction(x));
+        let x = named.as_ref().and_then(number).or_else(|| number(&self.parameter_heard(place)?))?;
+        let (from, to) = (spline.knots.get(&i)?, spline.knots.get(&(i + spline.degree))?);
+        let ratio = match from < to {
+            true => (&x - from) / (to - from),
+            false => integer(i64::from(*to <= x)),
+        };
+        let ratio = ratio.clamp(integer(0), integer(1));
+        let terms = [(integer(1) - &ratio, i - 1), (ratio, i)]
+            .into_iter()
+            .filter(|(weight, _)| *weight != integer(0));
+        let term = |(weight, at): (Rational, i64)| Term {
+            sign: Sign::Plus,
+            expr: Expr::product(vec![Expr::number(&weight), member(&spline.points, at)]),
+        };
+        let wanted = Expr::sum(terms.map(term).collect());
+        let setting = self.setting(chain, place, None).without_equations();
+        let tried = |formula: &Expr| {
+            let mut outcomes =
+                self.trial(&setting, &[formula, &wanted], &[Rel::Eq], Choices::default()).run();
+            outcomes.tallies.remove(0)
+        };
+        let tally = tried(right);
+        if !tally.errors.is_empty() || !tally.unclear.is_empty() {
+            return None;
+        }
+        let Some(failure) = tally.fails.first() else {
+            return (tally.holds > 0).then(|| Finding {
+                verdict: Verdict::Proved,
+                reason: Some("the control point after knot insertion".to_owned()),
+                witness: None,
+                suggestion: None,
+                ..finding.clone()
+            });
+        };
+        let start = budget::spent();
+        let repaired = repair::edits(right, left, &None)
+            .into_iter()
+            .take_while(|_| budget::spent() - start < trial::share(&self.limits, 4))
+            .find(|edit| {
+                let tally = tried(edit);
+                tally.fails.is_empty() && tally.holds > 0
+            })?;
+        Some(Finding {
+            verdict: Verdict::Refuted,
+            reason: Some("it differs from the control point after knot insertion".to_owned()),
+            witness: witness::counterexample(failure),
+            suggestion: Some(write::latex(&Expr::relation(left.clone(), Rel::Eq, repaired))),
+            ..finding.clone()
+        })
+    }
+
+    /// The latest spline of the section with knots by number, whose control points have another letter.
+    fn spline_of(&self, place: &Place, new: &str) -> Option<Spline> {
+        let curves = self
+            .context
+            .objects
+            .iter()
+            .rev()
+            .filter(|told| told.object.sort == Sort::SplineCurve && place.knows(&told.place, false));
+        let of = |object: &Object| {
+            let degree = object.degree.as_ref()?.as_int()?;
+            let points = object.points.first().and_then(Head::of).map(|head| head.base);
+            let points =
+                points.or_else(|| self.points_of_sum(&Head::of(object.names.first()?)?.base, place))?;
+            let numbers: Option<Vec<Rational>> =
+                object.knots.iter().map(|knot| knot.as_number().cloned()).collect();
+            let knots: BTreeMap<i64, Rational> = match numbers.filter(|knots| !knots.is_empty()) {
+                Some(knots) => (0..).zip(knots).collect(),
+                None => {
+                    let letter = object.knots.first().and_then(Head::of).map(|head| head.base);
+                    let letters =
+                        letter.map_or_else(|| self.context.knot_letters(place, &[]), |own| vec![own]);
+                    self.context.given_knots(&letters, place)
+                }
+            };
+            (points != new && !knots.is_empty()).then_some(Spline { degree, points, knots })
+        };
+        curves.filter_map(|told| of(&told.object)).next()
+    }
+
+    /// The letter of the control points in s(x) = Σ d_i N_{i,n}(x).
+    fn points_of_sum(&self, curve: &str, place: &Place) -> Option<String> {
+        self.context.visible(curve, place).find_map(|(_, definition, _)| {
+            let Body::Formula(body) = &definition.body else { return None };
+            let mut found = None;
+            walk(body, &mut |part| {
+                if let Kind::Subscript(base, _) = &part.kind
+                    && let Kind::Name(letter) = &base.kind
+                    && !families::is_family(letter)
+                    && found.is_none()
+                {
+                    found = Some(letter.clone());
+                }
+            });
+            found
+        })
+    }
+}
+
+/// The value of a fraction of two numbers.
+fn fraction(expr: &Expr) -> Option<Rational> {
+    let Kind::Div(above, below, _) = &expr.kind else { return None };
+    let (above, below) = (above.as_number()?, below.as_number()?);
+    (*below != integer(0)).then(|| above / below)
+}
