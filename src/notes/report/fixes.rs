@@ -142,8 +142,9 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
             continue;
         }
         for brace in [false, true] {
-            let text = |expr: &Expr| {
+            let text = |span: Span, expr: &Expr| {
                 let text = notation.write(expr);
+                let brace = brace || !plain && signs(&text).len() > 1 && is_bare_argument(source, span.start);
                 match (brace, plain) {
                     (false, _) => text,
                     (true, false) => format!("{{{text}}}"),
@@ -151,7 +152,7 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
                 }
             };
             let mut found: Vec<Fix> =
-                places.iter().map(|(span, expr)| Fix { span: *span, text: text(expr) }).collect();
+                places.iter().map(|(span, expr)| Fix { span: *span, text: text(*span, expr) }).collect();
             found.sort_by_key(|fix| fix.span.start);
             let apart = found.windows(2).all(|pair| pair[0].span.end <= pair[1].span.start);
             if apart && is_right(&found) {
@@ -161,6 +162,19 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
         }
     }
     if plain { Vec::new() } else { whole(suggestion.to_owned()) }
+}
+
+/// Whether an argument of `\frac`, `\binom` or `\sqrt` without braces begins at `at`: TeX takes one sign only.
+fn is_bare_argument(source: &str, at: usize) -> bool {
+    let takes = |before: &str| {
+        let before = before.trim_end();
+        let letters = before.bytes().rev().take_while(u8::is_ascii_alphabetic).count();
+        let (rest, name) = before.split_at(before.len() - letters);
+        rest.ends_with('\\') && (name.ends_with("frac") || name.ends_with("binom") || name == "sqrt")
+    };
+    let before = source.piece(..at);
+    let first = signs(before).last().map(|sign| before.piece(..sign.start));
+    takes(before) || first.is_some_and(takes)
 }
 
 /// The fix without the signs that its text and what it replaces have in common at both ends, whatever the spaces
@@ -278,6 +292,7 @@ mod tests {
             (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
             (r"d = b_2 -  2b_1 - b_0", r"d = b_2 - 2 b_1 + b_0", r"d = b_2 -  2b_1 + b_0"),
             (r"c = a^2 + ab+b^2", r"c = a^2 + 2 a b + b^2", r"c = a^2 + 2 ab+b^2"),
+            (r"c = \frac 1 n", r"c = \frac{1}{(n + 1)}", r"c = \frac 1 {(n + 1)}"),
             (r"c = a\alpha + b", r"c = a\beta + b", r"c = a\beta + b"),
         ] {
             let read = |text: &str| latex::read(&without_columns(text)).unwrap();
