@@ -468,7 +468,6 @@ fn error_messages() {
         "cases(1, 2)",
         "cases(1 if)",
         "√",
-        "2½",
         "\"abc",
         "a \"b\" c $",
         "F\"",
