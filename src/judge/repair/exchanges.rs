@@ -28,13 +28,6 @@ pub(super) fn exchanges(expr: &Expr, other: &Expr) -> Vec<(u32, Expr)> {
                         edits.push((2, new(Kind::Div(above.clone(), Box::new(moved), *style))));
                     }
                 }
-                // a/(6h) for a/h
-                if !starts_with_number(below) {
-                    for lost in [2, 3, 6] {
-                        let below = Expr::product(vec![Expr::int(lost), super::edits::grouped(below)]);
-                        edits.push((4, new(Kind::Div(above.clone(), Box::new(below), *style))));
-                    }
-                }
             }
             Kind::Mul(factors) if !in_index => {
                 if let [number, name, ..] = factors.as_slice()
@@ -76,14 +69,6 @@ pub(super) fn exchanges(expr: &Expr, other: &Expr) -> Vec<(u32, Expr)> {
         found.extend(edits.into_iter().map(|(cost, edit)| (cost, rebuild(edit))));
     });
     found
-}
-
-fn starts_with_number(expr: &Expr) -> bool {
-    match &expr.kind {
-        Kind::Number(_) => true,
-        Kind::Mul(factors) => factors.first().is_some_and(|first| matches!(first.kind, Kind::Number(_))),
-        _ => false,
-    }
 }
 
 /// The callees of a formula, each with an argument that stands alone.
