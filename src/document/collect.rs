@@ -68,7 +68,7 @@ impl Collector {
         match item {
             Item::Words(_) | Item::Formula(_) | Item::Heading { .. } => self.said = true,
             Item::Break | Item::Enter(_) | Item::Leave(_) => self.said = false,
-            Item::Declaration { .. } => {}
+            Item::Declaration { .. } | Item::Title { .. } => {}
         }
         self.items.push(item);
     }

@@ -48,6 +48,13 @@ pub enum Item {
     Enter(Enclosure),
     /// It ends.
     Leave(Enclosure),
+    /// What the environment is that has just begun.
+    Title {
+        /// What it is called: example, Beispiel.
+        kind: String,
+        /// Its label, by which others speak of it.
+        label: Option<String>,
+    },
 }
 
 /// What may enclose formulas.

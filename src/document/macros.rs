@@ -11,7 +11,7 @@
 //!
 //! Reference: Knuth, *The TeXbook*, chapter 20; for `\NewDocumentCommand` the LaTeX manual `usrguide`.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::arguments::{
@@ -39,7 +39,7 @@ struct Macro {
 pub struct Macros {
     table: HashMap<String, Macro>,
     /// Environments of the kind of theorems: `\newtheorem{name}{Title}`.
-    pub(super) theorems: HashSet<String>,
+    pub(super) theorems: HashMap<String, String>,
     /// Whether a group had no end.
     failed: bool,
 }

@@ -40,6 +40,7 @@ mod tex;
 mod tex_parts;
 mod text;
 mod vocabulary;
+mod words;
 
 pub use files::{Reading, read_files, read_macros, read_text};
 pub use input::{MAX_BYTES, read_bytes, read_stream, read_string, standing, utf8};

@@ -198,6 +198,6 @@ fn lead_back(item: Item, places: &Places) -> Item {
             formula.places = formula.places.through(formula.text.len(), places);
             Item::Formula(formula)
         }
-        other @ (Item::Break | Item::Enter(_) | Item::Leave(_)) => other,
+        other @ (Item::Break | Item::Enter(_) | Item::Leave(_) | Item::Title { .. }) => other,
     }
 }

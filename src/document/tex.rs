@@ -13,6 +13,7 @@ use super::inline::nearby;
 use super::macros::{half_definition, is_definer};
 use super::signs::{braced_name, display_end, formula_end, is_math_environment, line_at};
 use super::vocabulary::{HEADINGS, LISTS, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
+use super::words::{label_after, without_accents};
 use crate::document::{Enclosure, Item, Style};
 use crate::formula::source::{Pieces, Span};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -158,8 +159,10 @@ impl<'a> Latex<'a, '_> {
             }
             "newtheorem" => {
                 let name = after + usize::from(self.text.piece(after..).starts_with('*'));
-                if let Some((name, _)) = braced_name(self.text, name) {
-                    self.out.macros.theorems.insert(name.to_owned());
+                if let Some((name, end)) = braced_name(self.text, name) {
+                    let title = self.brackets(end);
+                    let title = braces_end(self.text, title).map_or("", |end| self.inside(title, end));
+                    self.out.macros.theorems.insert(name.to_owned(), title.to_owned());
                 }
                 return self.silent(at, name);
             }
@@ -308,7 +311,7 @@ impl<'a> Latex<'a, '_> {
         let theorem = THEOREMS.contains(&plain.to_ascii_lowercase().as_str());
         let kind = if QUOTATIONS.contains(&plain) {
             Kind::Enclosure(Enclosure::Quotation)
-        } else if theorem || self.out.macros.theorems.contains(plain) {
+        } else if theorem || self.out.macros.theorems.contains_key(plain) {
             Kind::Enclosure(Enclosure::Environment)
         } else if LISTS.contains(&plain) {
             Kind::List(false)
@@ -320,6 +323,11 @@ impl<'a> Latex<'a, '_> {
         let to = match &kind {
             Kind::Enclosure(what) => {
                 self.out.enter(*what);
+                if *what == Enclosure::Environment {
+                    let kind = self.out.macros.theorems.get(plain).filter(|title| !title.is_empty());
+                    let kind = without_accents(kind.map_or(plain, String::as_str)).into_owned();
+                    self.out.push(Item::Title { kind, label: label_after(self.text, end) });
+                }
                 end
             }
             Kind::Table => {

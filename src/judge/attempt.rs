@@ -22,11 +22,44 @@ pub struct Attempt {
 impl Checker {
     /// Tries the readings of ambiguous notations until one makes everything true; else the first.
     pub(super) fn attempts(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
+        let best = self.best_reading(setting, sides, relations);
+        self.settle_readings(&best, setting, sides, relations);
+        best
+    }
+
+    /// A notation that makes a formula true in one reading only is meant so on the whole page: N_0^2 is of degree 2
+    /// or of order 2.
+    fn settle_readings(&self, best: &Attempt, setting: &Setting, sides: &[&Expr], relations: &[Rel]) {
+        let held = |tally: &Tally| tally.fails.is_empty() && tally.nonzero > 0;
+        let mut found: BTreeSet<Ambiguity> =
+            best.outcomes.tallies.iter().flat_map(|tally| tally.record.ambiguous.iter().copied()).collect();
+        found.retain(|ambiguity| {
+            *ambiguity == Ambiguity::Spline && !self.settled.borrow().contains_key(ambiguity)
+        });
+        if found.is_empty() || !best.outcomes.tallies.iter().all(held) {
+            return;
+        }
+        for ambiguity in found {
+            let mut other = best.choices;
+            let reading = *other.reading(ambiguity);
+            *other.reading(ambiguity) = !reading;
+            let outcomes = self.trial(setting, sides, relations, other).first(4);
+            if outcomes.tallies.iter().any(|tally| !tally.fails.is_empty()) {
+                self.settled.borrow_mut().insert(ambiguity, reading);
+            }
+        }
+    }
+
+    fn best_reading(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
+        let mut usual = Choices::default();
+        for (ambiguity, reading) in &*self.settled.borrow() {
+            *usual.reading(*ambiguity) = *reading;
+        }
         let run = |choices: Choices| -> Attempt {
             let outcomes = self.trial(setting, sides, relations, choices).run();
             Attempt { outcomes, choices, curve: setting.curve.clone() }
         };
-        let first = run(Choices::default());
+        let first = run(usual);
         let bad =
             |attempt: &Attempt| attempt.outcomes.tallies.iter().map(|tally| tally.fails.len()).sum::<usize>();
         let good =
@@ -48,19 +81,14 @@ impl Checker {
         if bodies.chain(sides.iter().copied()).any(sums_over_first) {
             ambiguous.remove(&Ambiguity::Bernstein);
         }
-        let mut options = vec![Choices::default()];
+        ambiguous.retain(|ambiguity| !self.settled.borrow().contains_key(ambiguity));
+        let mut options = vec![usual];
         for ambiguity in ambiguous {
             let more: Vec<Choices> = options
                 .iter()
                 .map(|choices| {
                     let mut other = *choices;
-                    match ambiguity {
-                        Ambiguity::Binomial => other.total_above = true,
-                        Ambiguity::Bernstein => other.degree_first = true,
-                        Ambiguity::Power => other.powers = true,
-                        Ambiguity::Spline => other.spline_degree = true,
-                        Ambiguity::Dots => other.all_products = true,
-                    }
+                    *other.reading(ambiguity) = true;
                     other
                 })
                 .collect();
@@ -79,7 +107,7 @@ impl Checker {
         };
         let mut best = first;
         if general && examples(&best) {
-            let attempt = run(Choices { general: true, ..Choices::default() });
+            let attempt = run(Choices { general: true, ..usual });
             if good(&attempt) + bad(&attempt) > 0 {
                 best = attempt;
                 for choices in &mut options {
@@ -123,6 +151,21 @@ impl Checker {
             }
         }
         best
+    }
+
+    /// Tries relations by themselves that were not reached because another side is too large.
+    pub(super) fn retry(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel], best: &mut Attempt) {
+        for at in 0..relations.len() {
+            let tally = &best.outcomes.tallies[at];
+            let open = tally.holds == 0 && tally.fails.is_empty() && !tally.unclear.is_empty();
+            if open && relations.len() > 1 {
+                let mut alone = self.attempts(setting, &sides[at..at + 2], &relations[at..=at]);
+                let tally = alone.outcomes.tallies.remove(0);
+                if tally.holds > 0 || !tally.fails.is_empty() {
+                    best.outcomes.tallies[at] = tally;
+                }
+            }
+        }
     }
 
     /// What surrounds a chain: the facts that it may rest on.
@@ -293,4 +336,20 @@ fn reaching_on(side: &Expr) -> Expr {
     }
     let sum = Term { sign: terms[at].sign, expr: sum };
     Expr::sum(terms[..at].iter().cloned().chain([sum]).collect())
+}
+
+/// A relation about members with numbers, such as x_2, that fails only for degrees so small that there are none.
+pub fn beyond_degree(tally: &Tally, outcomes: &Outcomes, left: &Expr, right: &Expr) -> Option<&'static str> {
+    let mut largest = 0;
+    for side in [left, right] {
+        walk(side, &mut |part| {
+            if let Kind::Subscript(_, lower) = &part.kind {
+                largest = lower.iter().filter_map(Expr::as_int).chain([largest]).max().unwrap_or(0);
+            }
+        });
+    }
+    let small = |degree: Option<usize>| degree.is_some_and(|degree| (degree as i64) < largest);
+    let failed = !tally.fails.is_empty() && tally.fails.iter().all(|failure| small(failure.degree));
+    (outcomes.degrees && outcomes.integers.is_empty() && largest < 3 && failed && tally.holds > 2)
+        .then_some("true for all degrees for which there are these members")
 }

@@ -37,6 +37,23 @@ pub(super) fn only_commutes(left: &Expr, right: &Expr) -> bool {
         && one.iter().chain(&other).any(|(name, _)| *name != one[0].0)
 }
 
+/// Whether a product of powers of letters has a letter again after another one: r s r s. Of numbers nobody writes that.
+pub(super) fn is_word(expr: &Expr) -> bool {
+    let Kind::Mul(factors) = &expr.kind else { return false };
+    let letter = |factor: &Expr| match &factor.kind {
+        Kind::Name(name) => Some(name.clone()),
+        Kind::Pow(base, _) => match &base.kind {
+            Kind::Name(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let Some(mut word) = factors.iter().map(letter).collect::<Option<Vec<String>>>() else { return false };
+    word.dedup();
+    let own: std::collections::BTreeSet<&String> = word.iter().collect();
+    own.len() < word.len()
+}
+
 /// The letters of a product with their powers.
 fn powers<'a>(letters: &[(&'a str, i64)]) -> BTreeMap<&'a str, i64> {
     let mut sum = BTreeMap::new();
@@ -184,6 +201,15 @@ mod tests {
         }
         for (left, right) in [("abc", "a(bc)"), ("aab", "a^2 b"), ("2a", "a 2"), ("a b", "a c")] {
             assert!(!only_commutes(&read(left), &read(right)), "{left} = {right}");
+        }
+    }
+
+    #[test]
+    fn words_of_a_group() {
+        for (text, wanted) in
+            [("r^k s r^k s", true), ("a b a^{-1}", true), ("a a b", false), ("2 x y x", false)]
+        {
+            assert_eq!(is_word(&read(text)), wanted, "{text}");
         }
     }
 

@@ -10,7 +10,7 @@ use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
 use super::names::{Head, bases, contains, is_index_letter, symbol_of};
-use super::object::Sort;
+use super::object::{Declared, Sort};
 use super::refute;
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::Tally;
@@ -20,6 +20,7 @@ use super::verdict::Judged;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Index;
+use num_traits::Zero;
 
 impl Checker {
     pub(super) fn chain(&mut self, chain: &Chain, statement: &Statement) -> Vec<Finding> {
@@ -177,11 +178,24 @@ impl Checker {
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
                         claimed && (given || around)
                             || tried[0].determined
+                            || self
+                                .agreed
+                                .iter()
+                                .any(|(letter, other)| *letter == head.base && place.knows(other, false))
                             || head.arguments.is_none() && !self.is_open(&symbol, &curve)
                     }
                     _ => false,
                 };
                 if settled {
+                    // Others of the control points that words speak of are told by one that agrees.
+                    let points = |declared: &Declared| declared.object.sort == Sort::ControlPoints;
+                    let value = !matches!(&chain.sides[1].expr.kind, Kind::Number(q) if q.is_zero());
+                    if tried[0].verdict == Verdict::Proved
+                        && value
+                        && self.context.object(head, place).is_some_and(points)
+                    {
+                        self.agreed.push((head.base.clone(), place.clone()));
+                    }
                     return tried;
                 }
                 Rc::make_mut(&mut self.context).forget(before);
@@ -394,7 +408,8 @@ impl Checker {
         let sides: Vec<&Expr> = chain.sides[start..].iter().map(|side| &side.expr).collect();
         let relations: Vec<Rel> = chain.relations[start..].iter().map(|(rel, _)| *rel).collect();
         let setting = self.setting(chain, place, curve);
-        let best = self.attempts(&setting, &sides, &relations);
+        let mut best = self.attempts(&setting, &sides, &relations);
+        self.retry(&setting, &sides, &relations, &mut best);
         if let (Some(head), 0) = (head, start) {
             findings[0].warning = lint::definition(head, &chain.sides[1].expr, &chain.conditions);
         }

@@ -1,6 +1,7 @@
 //! Judging statements one after the other: what they define is known to those after them.
 
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::{Body, Condition, Context, Definition, Letters, Mark, Source, is_variable};
@@ -8,6 +9,7 @@ use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
 use super::lint;
+use super::model::Ambiguity;
 use super::names::{Head, bases, is_range};
 use super::object::{Declared, Object};
 use super::reach::whole_sums;
@@ -42,6 +44,10 @@ pub struct Checker {
     pub(super) schemes: Vec<Scheme>,
     /// The letters that occurred so far.
     pub(super) seen: BTreeSet<String>,
+    /// Letters of control points that words speak of, of which one agreed.
+    pub(super) agreed: Vec<(String, Place)>,
+    /// How ambiguous notations were found to be meant: true is the second reading.
+    pub(super) settled: RefCell<BTreeMap<Ambiguity, bool>>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -62,6 +68,8 @@ impl Checker {
             taken: Vec::new(),
             schemes: Vec::new(),
             seen: BTreeSet::new(),
+            agreed: Vec::new(),
+            settled: RefCell::default(),
             findings: Vec::new(),
             problems: Vec::new(),
         }

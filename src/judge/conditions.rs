@@ -48,7 +48,10 @@ impl Conditions<'_> {
         }
         let mut solved: Vec<(Symbol, crate::math::poly::Fraction)> = Vec::new();
         let mut plain = plain;
-        for (at, condition) in self.own.iter().chain(self.earlier).enumerate() {
+        // Numbers stay what they are, whatever was said before.
+        let constant = compare::symbols(left).is_empty() && compare::symbols(right).is_empty();
+        let earlier = if constant { &[] } else { self.earlier };
+        for (at, condition) in self.own.iter().chain(earlier).enumerate() {
             let values = match weights(condition) {
                 None => trial.condition_values(condition, bound, degree),
                 // A sum of weights runs as far as the weights do that occur.
@@ -65,6 +68,15 @@ impl Conditions<'_> {
             let Some((a, b)) = values else { continue };
             if compare::contradicts(&a, &b) && at < self.own.len() + 3 {
                 return Outcome::Unclear(CANNOT_HOLD.to_owned());
+            }
+            // f(0) = 2 and f(1) = 3, where f is tried as a constant
+            if degree.is_some()
+                && let (Some(a), Some(b)) =
+                    (compare::substituted(&a, &solved), compare::substituted(&b, &solved))
+                && !solved.is_empty()
+                && compare::contradicts(&a, &b)
+            {
+                return Outcome::Unclear("nothing of this degree fits the data".to_owned());
             }
             let Some((symbol, value)) = compare::solved(&a, &b, &solved, left, right) else { continue };
             // w_0 = w_2 = 1: what is solved later stands in what was solved before.
@@ -89,6 +101,9 @@ impl Conditions<'_> {
                     plain = outcome;
                 }
             }
+        }
+        if constant {
+            return plain;
         }
         // Data determine a function only within a class that the page names: for all that is known, S may be a spline.
         let supposed = tally.record.unknown.iter().any(|base| {

@@ -306,6 +306,11 @@ impl Letters {
         self.polar_forms || self.is_function(capital)
     }
 
+    /// Whether the page speaks of polar forms.
+    pub fn speaks_of_polar_forms(&self) -> bool {
+        self.polar_forms
+    }
+
     /// Whether a letter is applied like a function.
     pub fn is_function(&self, base: &str) -> bool {
         self.functions.contains(base)

@@ -12,7 +12,7 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::compare;
-use super::context::{Body, Mark, is_variable};
+use super::context::{Body, Definition, Mark, is_variable};
 use super::evaluator::evaluate_reading;
 use super::finding::{Evidence, Finding, Verdict};
 use super::inequality::interval;
@@ -20,7 +20,7 @@ use super::model::Model;
 use super::names::{Head, bases};
 use super::object::{Declared, Object, Sort};
 use super::repair;
-use super::statement::{Chain, Place, Side, Statement};
+use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
 use super::trial;
@@ -344,6 +344,12 @@ impl Checker {
             if more.is_some_and(|more| more != 0) {
                 continue;
             }
+            let named = statement.near.has(Topic::ControlPoints) && statement.role != Some(Role::Introduced);
+            if named && curve.object.is_none() && !curve.segment && !topics.has(Topic::Subdivision) {
+                let part = self.interval_heard(&curve, &statement.place);
+                let (from, to) = part.unwrap_or_else(|| curve.interval.clone());
+                add(Made::Part(from, to));
+            }
             if curve.segment {
                 add(Made::Part(curve.interval.0.clone(), curve.interval.1.clone()));
             } else if topics.has(Topic::Subdivision) {
@@ -404,9 +410,17 @@ impl Checker {
     fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
         let place = &statement.place;
         let mut found = self.curves_in_words(new, place);
-        found.extend(self.curves_by_formula(new, right, place));
-        let spline = statement.topics.has(Topic::Spline);
-        if !spline || statement.topics.has(Topic::Bernstein) {
+        found.extend(self.curves_by_formula(new, right, statement));
+        let (spline, bernstein) =
+            (statement.topics.has(Topic::Spline), statement.topics.has(Topic::Bernstein));
+        let bezier = [
+            Topic::BezierCurve,
+            Topic::ControlPoints,
+            Topic::Casteljau,
+            Topic::Elevation,
+            Topic::Subdivision,
+        ];
+        if bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)) {
             found.extend(self.curves_by_points(new, place));
         }
         found.truncate(MOST_CURVES);
@@ -450,9 +464,14 @@ impl Checker {
     }
 
     /// x(t) = (1 - t)^2 b_0 + …; "for a quadratic (1 - t)^2 b_0 + …"
-    fn curves_by_formula(&self, new: &New, right: &Expr, place: &Place) -> Vec<Curve> {
+    fn curves_by_formula(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
+        let place = &statement.place;
         let used = bases(right);
         let shares = |body: &Expr| bases(body).iter().any(|name| !is_variable(name) && used.contains(name));
+        // "p(t) = 2t^3 - 3t has the control points": numbers on both sides
+        let named = |definition: &Definition| {
+            statement.near.has(Topic::ControlPoints) && definition.place.group == place.group
+        };
         let defined = self.context.definitions.iter().rev().filter_map(|definition| {
             let head = &definition.head;
             let arguments = head.flat();
@@ -463,7 +482,8 @@ impl Checker {
             };
             let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
             let here = place.knows(&definition.place, definition.assumed);
-            (plain && here && shares(body)).then(|| (Expr::name(&head.base), body, variable.clone()))
+            (plain && here && (shares(body) || named(definition)))
+                .then(|| (Expr::name(&head.base), body, variable.clone()))
         });
         let heard = self.heard(place).filter_map(|expr| {
             let variables: Vec<String> = bases(expr).into_iter().filter(|name| is_variable(name)).collect();

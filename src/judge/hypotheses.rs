@@ -173,6 +173,13 @@ fn solved(all: &[MultiPoly], symbols: Vec<Symbol>) -> Option<Solution> {
         return None;
     }
     let zero = || Fraction::from(MultiPoly::zero());
+    // w_0 (P_0 - Q) = 0, for any P_0 and Q: that all are 0 is no solution that anybody means.
+    let homogeneous = (0..matrix.nrows()).all(|row| matrix[(row, symbols.len())] == zero());
+    let alone =
+        |row: usize, pivot: usize| (pivot + 1..symbols.len()).all(|column| matrix[(row, column)] == zero());
+    if homogeneous && pivots.iter().enumerate().any(|(row, &pivot)| alone(row, pivot)) {
+        return None;
+    }
     let solution = pivots.iter().enumerate().map(|(row, &pivot)| {
         let mut value = zero().minus(&matrix[(row, symbols.len())]);
         for (column, symbol) in symbols.iter().enumerate().skip(pivot + 1) {

@@ -5,8 +5,8 @@ use super::check::Checker;
 use super::context::{Body, Condition, Definition, Source, is_variable};
 use super::model::Curve;
 use super::names::{
-    Head, base_of, bases, capital_of, has_members, integer_names, is_index_letter, is_range, polar_names,
-    walk,
+    Head, base_of, bases, capital_of, has_members, integer_names, is_capital, is_index_letter, is_range,
+    polar_names, walk,
 };
 use super::refute::calls;
 use super::statement::{Chain, Place};
@@ -56,7 +56,8 @@ pub fn definable(expr: &Expr) -> Option<Head> {
         .flat()
         .iter()
         .filter_map(|argument| {
-            let own = Head::of(argument)?;
+            // K_3 in P(K_3, k) is a thing.
+            let own = Head::of(argument).filter(|own| !is_capital(&own.base))?;
             let index = own.index()?.as_int()?;
             Some((own.base, index))
         })
@@ -82,6 +83,18 @@ pub fn definable(expr: &Expr) -> Option<Head> {
     let dots = arguments.iter().any(|argument| argument.kind == Kind::Ellipsis);
     for argument in arguments {
         if argument.kind == Kind::Ellipsis {
+            continue;
+        }
+        // f((x_1, y_1), (x_2, y_2))
+        if let Some(coordinates) = argument.items() {
+            for coordinate in coordinates {
+                Head::of(coordinate).filter(|own| own.arguments.is_none() && own.upper.is_empty())?;
+                let text = write::text(coordinate);
+                if names.contains(&text) {
+                    return None;
+                }
+                names.push(text);
+            }
             continue;
         }
         let own = Head::of(argument)?;
@@ -247,7 +260,7 @@ impl Checker {
             && head.arguments.is_some()
         {
             let letters = bases(index);
-            let partial = letters.iter().all(|letter| is_variable(letter))
+            let partial = !letters.is_empty()
                 && self.context.visible(&head.base, place).any(|(_, d, near)| {
                     let own: Vec<String> =
                         d.head.flat().iter().filter_map(|e| Head::of(e)).map(|h| h.base).collect();

@@ -49,8 +49,10 @@ pub fn declares(chain: &Chain) -> Option<&'static str> {
     if ordered && names && chain.relations.len() > 1 {
         return Some("orders names");
     }
-    // M_0 = M_n = 0
+    // M_0 = M_n = 0, but w = 2 + 1 = 3 calculates.
+    let values = chain.sides.iter().filter(|side| constant(side)).count();
     let set = names
+        && values < 2
         && chain.relations.len() > 1
         && chain.relations.iter().all(|(rel, _)| *rel == Rel::Eq)
         && (chain.sides.last().is_some_and(constant)

@@ -21,6 +21,7 @@ mod claim;
 mod compare;
 mod conditions;
 mod context;
+mod data;
 mod declare;
 mod derivation;
 mod described;

@@ -1,5 +1,7 @@
 //! What is judged: chains of relations with what is said of them, and where they stand.
 
+use std::rc::Rc;
+
 use super::model::Curve;
 use super::names::bases;
 use super::object::Object;
@@ -26,6 +28,8 @@ pub struct Place {
     pub formula: usize,
     /// The example, proof and case it stands in, whose facts end with them, outermost first.
     pub blocks: Vec<u32>,
+    /// The end of an earlier example that its paragraph goes back to: "in Example 2".
+    pub recalled: Option<Rc<Place>>,
 }
 
 impl Place {
@@ -39,6 +43,10 @@ impl Place {
     /// in an example, proof or case ends with it.
     pub fn in_reach(&self, earlier: &Place, assumed: bool) -> bool {
         self.blocks.starts_with(&earlier.blocks) && (!assumed || earlier.group == self.group)
+            || self
+                .recalled
+                .as_ref()
+                .is_some_and(|recalled| !earlier.blocks.is_empty() && recalled.knows(earlier, assumed))
     }
 
     /// Whether a fact from there is alive here.
@@ -49,6 +57,9 @@ impl Place {
     /// Whether what was said there holds here, as far as the layout tells.
     pub fn sees(&self, earlier: &Place) -> bool {
         self.scope.starts_with(&earlier.scope)
+            || self.recalled.as_ref().is_some_and(|recalled| {
+                !earlier.blocks.is_empty() && recalled.scope.starts_with(&earlier.scope)
+            })
     }
 }
 

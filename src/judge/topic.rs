@@ -12,6 +12,8 @@ pub enum Topic {
     Modular,
     /// Polar forms.
     PolarForm,
+    /// Control points of Bézier curves.
+    ControlPoints,
     /// The same curve with a higher degree.
     Elevation,
     /// Parts of a curve, refinement of its control points.
@@ -26,6 +28,8 @@ pub enum Topic {
     Join,
     /// Rational curves, conics.
     Rational,
+    /// Interpolation.
+    Interpolation,
     /// Interpolation by the schemes of Neville and Aitken.
     Neville,
     /// De Casteljau's algorithm.

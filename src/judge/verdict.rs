@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::attempt::{Attempt, restricted};
+use super::attempt::{Attempt, beyond_degree, restricted};
 use super::bare;
 use super::certainty::Suspect;
 use super::check::{Checker, blank};
@@ -102,7 +102,8 @@ impl Checker {
             }
             return Judged::Verdict(Box::new(finding));
         }
-        if let (Some(reason), None) = (restricted(tally, outcomes, chain), &tally.gap) {
+        let beyond = || beyond_degree(tally, outcomes, &chain.sides[at].expr, &chain.sides[at + 1].expr);
+        if let (Some(reason), None) = (restricted(tally, outcomes, chain).or_else(beyond), &tally.gap) {
             finding.verdict = Verdict::Sampled;
             finding.reason = Some(reason.to_owned());
             finding.instances = Some(format!("{} instances: {}", tally.holds, range()));

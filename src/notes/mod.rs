@@ -8,6 +8,7 @@
 #![cfg_attr(not(test), deny(clippy::string_slice))]
 
 mod again;
+mod blocks;
 mod brackets;
 mod cases;
 mod conditions;

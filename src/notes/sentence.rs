@@ -86,7 +86,8 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
     for item in &document.items {
         match item {
             Item::Words(span) => {
-                let mut words = document.file.slice(*span);
+                let read = document.words(*span);
+                let mut words = read.as_ref();
                 let goes_on =
                     words.trim_start().starts_with(|c: char| c.is_lowercase() || matches!(c, ',' | '，'));
                 // After a display a capital letter begins a sentence, with or without a full stop.
@@ -118,7 +119,7 @@ pub fn sentences(document: &Document) -> Vec<Vec<Piece>> {
                 end(&mut current);
                 paused = false;
             }
-            Item::Declaration { .. } => {}
+            Item::Declaration { .. } | Item::Title { .. } => {}
         }
     }
     end(&mut current);
@@ -220,6 +221,11 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
     let quantified = statements
         .iter()
         .any(|statement| role_of(statement).0 == Some(Role::All) && matches!(statement.said, Said::Bare(..)));
+    let members = statements.iter().filter(|statement| {
+        role_of(statement).0 == Some(Role::Case)
+            && matches!(&statement.said, Said::Chain(chain) if gives_member(chain))
+    });
+    let several = members.count() > 1;
     for statement in statements.iter_mut() {
         let (mut role, _) = role_of(statement);
         if let Said::Chain(chain) = &mut statement.said {
@@ -242,7 +248,13 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             }
             Some(Role::Odd | Role::Even) if !parity => None,
             // "For f(x) = x^3 we have": an example names a function, a case a value.
-            Some(Role::Case) if matches!(&statement.said, Said::Chain(chain) if names_a_function(chain)) => {
+            // In an example, "For the knots u_i = i" and "For b_0 = 1, b_1 = 2" are its data; elsewhere "for w_i = 1" is
+            // a special case.
+            Some(Role::Case)
+                if matches!(&statement.said, Said::Chain(chain) if names_a_function(chain)
+                    && (is_called(chain) || !statement.place.blocks.is_empty())
+                    || several && gives_member(chain) && !statement.place.blocks.is_empty()) =>
+            {
                 Some(Role::Introduced)
             }
             role if states || parity => role,
@@ -299,6 +311,23 @@ fn names_a_function(chain: &Chain) -> bool {
         head.upper.is_empty()
             && (head.arguments.is_some() || !head.lower.is_empty())
             && inside.into_iter().all(plain)
+    })
+}
+
+/// Whether the left side of a chain has arguments.
+fn is_called(chain: &Chain) -> bool {
+    Head::of(&chain.sides[0].expr).is_some_and(|head| head.arguments.is_some())
+}
+
+/// Whether a chain gives one member of a family its value: b_0 = 1.
+fn gives_member(chain: &Chain) -> bool {
+    let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
+    let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_));
+    Head::of(&chain.sides[0].expr).is_some_and(|head| {
+        head.upper.is_empty()
+            && head.arguments.is_none()
+            && !head.lower.is_empty()
+            && head.lower.iter().all(number)
     })
 }
 

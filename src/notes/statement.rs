@@ -4,13 +4,14 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
+use super::blocks::Blocks;
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word};
 use super::objects;
 use super::primes;
 use super::sentence;
-use super::speech::{self, Block};
+use super::speech;
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -33,7 +34,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         sections: Vec::new(),
         enclosures: Vec::new(),
         next_scope: 0,
-        blocks: Vec::new(),
+        blocks: Blocks::default(),
         group: 0,
         ended: false,
         begun: false,
@@ -63,8 +64,8 @@ struct Reader<'a> {
     sections: Vec<(u8, u32)>,
     enclosures: Vec<(Enclosure, u32)>,
     next_scope: u32,
-    /// The labelled examples, proofs and cases that are open, each with what it is.
-    blocks: Vec<(Block, u32)>,
+    /// The examples, proofs and cases.
+    blocks: Blocks,
     group: u32,
     /// A paragraph has ended: the next words begin a new one. A display belongs to the words before.
     ended: bool,
@@ -86,31 +87,34 @@ impl Reader<'_> {
                 self.sections.retain(|(known, _)| known < level);
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
-                self.blocks.clear();
+                self.blocks.heading();
                 self.new_group();
-                let title = self.document.file.slice(*span);
+                let title = &self.document.words(*span);
                 self.begun = true;
                 self.topics = Topics::default();
                 self.last.clear();
                 self.speak(title);
             }
             Item::Words(span) => {
-                let words = self.document.file.slice(*span);
+                let read = self.document.words(*span);
+                let words = read.as_ref();
                 if self.ended && !words.trim().is_empty() {
                     match speech::goes_on_from_before(words) {
                         true => self.ended = false,
                         false => self.new_group(),
                     }
                 }
+                if !words.trim().is_empty() {
+                    self.blocks.goes_on();
+                }
                 if !self.begun
                     && let Some(block) = speech::block(words)
                 {
                     self.next_scope += 1;
-                    // A proof goes on from what it proves, a case is within its proof.
-                    self.blocks.retain(|(open, _)| open.holds(block));
-                    if block != Block::Open {
-                        self.blocks.push((block, self.next_scope));
-                    }
+                    let place = self.place();
+                    self.blocks.label(block, self.next_scope, speech::number_of_block(words), &place);
+                } else if let Some(name) = speech::recalled(words) {
+                    self.blocks.recall(&name);
                 }
                 self.begun |= !words.trim().is_empty();
                 self.gap.push_str(words);
@@ -127,10 +131,22 @@ impl Reader<'_> {
             Item::Leave(enclosure) => {
                 if let Some(at) = self.enclosures.iter().rposition(|(known, _)| known == enclosure) {
                     self.enclosures.truncate(at);
+                    self.blocks.leave(at);
                 }
                 if matches!(enclosure, Enclosure::Quotation | Enclosure::Environment) {
                     self.new_group();
                 }
+            }
+            Item::Title { kind, label } => {
+                let own = self.enclosures.last().map_or(self.next_scope, |(_, scope)| *scope);
+                let place = self.place();
+                self.blocks.enter(
+                    speech::kind_of_block(kind),
+                    own,
+                    self.enclosures.len(),
+                    label.clone(),
+                    &place,
+                );
             }
             Item::Declaration { text, span, block } => {
                 let make = if *block { Said::Queries } else { Said::Declaration };
@@ -161,7 +177,7 @@ impl Reader<'_> {
         let mut near = Topics::default();
         // Nothing else is asked of the last words.
         let curve = self.topics.has(Topic::BezierCurve) && self.topics.has(Topic::PolarForm);
-        if curve || self.topics.has(Topic::Subdivision) {
+        if curve || self.topics.has(Topic::Subdivision) || self.topics.has(Topic::ControlPoints) {
             speech::topics(&self.last, &mut near);
             near.keep_side(speech::last_side(&self.last));
         }
@@ -172,23 +188,28 @@ impl Reader<'_> {
         self.group += 1;
         self.ended = false;
         self.begun = false;
+        self.blocks.recalled = None;
     }
 
     fn place(&self) -> Place {
         let enclosing = self
             .enclosures
             .iter()
-            .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment));
+            .filter(|(enclosure, _)| matches!(enclosure, Enclosure::Quotation | Enclosure::Environment))
+            .filter(|(_, scope)| !self.blocks.is_passing(*scope));
         let sections = self.sections.iter().map(|(_, scope)| *scope);
         Place {
             scope: sections.chain(enclosing.map(|(_, scope)| *scope)).collect(),
             group: self.group,
             formula: self.formula,
-            blocks: self.blocks.iter().map(|(_, scope)| *scope).collect(),
+            blocks: self.blocks.open(),
+            recalled: self.blocks.recalled.clone(),
         }
     }
 
     fn push(&mut self, said: Said) {
+        let place = self.place();
+        self.blocks.said(&place);
         let statement = Statement {
             topics: self.topics,
             near: self.near(),

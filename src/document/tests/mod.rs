@@ -36,6 +36,7 @@ fn shown(notes: &Document) -> Vec<String> {
             }
             Item::Enter(what) => format!("enter {}", mark(what)),
             Item::Leave(what) => format!("leave {}", mark(what)),
+            Item::Title { kind, label } => format!("title {kind} {}", label.as_deref().unwrap_or("-")),
         })
         .collect()
 }

@@ -251,7 +251,11 @@ impl Suspect<'_> {
         let known =
             |definition: &Definition| definition.is_recursive() && families::is_family(&definition.head.base);
         // f[0, 1] = 3, for the f of another exercise
-        let elsewhere = |definition: &Definition| definition.place.group != self.statement.place.group;
+        let here = &self.statement.place;
+        let elsewhere = |definition: &Definition| {
+            let example = !here.blocks.is_empty() && definition.place.blocks == here.blocks;
+            definition.place.group != here.group && !example
+        };
         if self.are_numbers() && !self.claimed() && !self.used().any(known) && self.used().any(elsewhere) {
             return false;
         }
@@ -290,15 +294,26 @@ impl Suspect<'_> {
         let number = |expr: &Expr| bases(expr).is_empty();
         let [left, right] = self.sides();
         let called = |side: &Expr| match &side.kind {
-            Kind::Apply(callee, groups) if groups.iter().flatten().all(number) => Head::of(callee),
+            Kind::Apply(callee, groups) if groups.iter().flatten().all(number) => match &callee.kind {
+                Kind::Prime(function, _) => Head::of(function),
+                _ => Head::of(callee),
+            },
             _ => None,
         };
         let Some(head) = called(left) else { return false };
         let place = &self.statement.place;
+        // Its formula stands around an example that gives what is in it.
+        let data = self.used().any(|definition| {
+            let block = &definition.place.blocks;
+            let own = *block == place.blocks
+                || place.recalled.as_ref().is_some_and(|recalled| *block == recalled.blocks);
+            !block.is_empty() && own && definition.head.base != head.base
+        });
         let own = |definition: &Definition| {
             definition.head.base == head.base
                 && definition.head.arguments.is_some()
-                && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+                && ((&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+                    || data && place.knows(&definition.place, definition.assumed))
         };
         let known = match self.symbols().is_empty() {
             true => number(right),
@@ -334,7 +349,9 @@ impl Suspect<'_> {
             && self.statement.role != Some(Role::Introduced)
             && (self.claimed() || !matches!(&left.kind, Kind::Name(name) if is_index_letter(name)));
         self.rel() == Rel::Approx && numbers
-            || self.claimed() && numbers && !(literal(left) && literal(right))
+            || (self.claimed() || self.chain.relations.len() > 1)
+                && numbers
+                && !(literal(left) && literal(right))
             || self.is_constant_apart() && !numbers && (circular || plain)
     }
 

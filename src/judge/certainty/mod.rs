@@ -43,7 +43,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 7] = [
+        let rules: [fn(&Self) -> Option<String>; 8] = [
             Self::new_function,
             Self::operator,
             Self::equation_to_be_solved,
@@ -51,6 +51,7 @@ impl Suspect<'_> {
             Self::inequality_without_range,
             Self::family_of_another_kind,
             Self::rounded_or_modular,
+            Self::word_of_a_group,
         ];
         rules.into_iter().find_map(|rule| rule(self))
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Accent, Expr, Kind};
+use crate::judge::bare::is_word;
 use crate::judge::context::{Body, Definition};
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
@@ -136,6 +137,11 @@ impl Suspect<'_> {
         });
         let named = self.symbols().iter().any(|symbol| symbol.base() == "Delta");
         (named || difference && !self.claimed()).then(|| "what Δ means is not said".to_owned())
+    }
+
+    /// r s r s = r^2 s^2: elements of a group.
+    pub(super) fn word_of_a_group(&self) -> Option<String> {
+        self.sides().into_iter().any(is_word).then(|| "its letters may be no numbers".to_owned())
     }
 
     /// A function of the page that stands in a sum or product without an argument, and with one elsewhere:

@@ -3,14 +3,14 @@
 use std::collections::BTreeSet;
 
 use super::{Bound, Evaluated, Model, holds};
-use crate::formula::{Expr, Kind, Sign};
-use crate::judge::context::{Body, Definition, Source};
-use crate::judge::names::{Head, bases, integer_names, is_index_letter};
+use crate::formula::{Expr, Kind, Rel, Sign};
+use crate::judge::context::{Body, Condition, Definition, Source};
+use crate::judge::names::{Head, bases, capital_of, integer_names, is_capital, is_index_letter};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::{families, roles};
 use crate::language::value::Value;
-use crate::math::poly::Symbol;
+use crate::math::poly::{Index, Symbol};
 
 /// A function is given by several formulas, and its argument is any number.
 pub(super) const OPEN_PIECE: &str = "which of several formulas counts here is open";
@@ -77,6 +77,12 @@ impl Model {
                 best = Some((number, exact, near, bound));
             }
         }
+        if let Some((number, ..)) = &best
+            && values.is_some()
+            && self.is_of_another_function(*number)
+        {
+            best = None;
+        }
         let Some((number, _, near, bound)) = best else {
             // C(t) = Σ …, for n ≥ 2: where n is 1, C is not any function.
             let function = values.is_some() && head.lower.is_empty() && head.upper.is_empty();
@@ -132,6 +138,30 @@ impl Model {
         body.has(&|part| fixed(part) == Some(own))
     }
 
+    /// Whether a formula for a polar form is one for functions in general, or for another one than the page last gave:
+    /// f(t_1, …, t_n) = Σ c_i σ_i, and in an example F(t) = t^2 - t.
+    fn is_of_another_function(&self, number: usize) -> bool {
+        let definition = &self.context.definitions[number];
+        let capital = capital_of(&definition.head.base);
+        let several = definition.head.flat().len() > 1;
+        if capital == definition.head.base
+            || !several
+            || definition.place.group == self.place.group
+            || !self.context.letters.speaks_of_polar_forms()
+        {
+            return false;
+        }
+        let latest = self.context.visible(&capital, &self.place).next();
+        latest.is_some_and(|(later, function, near)| {
+            let plain = function.head.lower.is_empty() && function.head.upper.is_empty();
+            let body = match &function.body {
+                Body::Formula(body) => integer_names(body).is_empty(),
+                Body::Value(_) => false,
+            };
+            near && later > number && plain && body && function.head.flat().len() == 1
+        })
+    }
+
     /// The item b_i of a list b that a query gives.
     pub(super) fn item_of_query(&self, machine: &mut Machine, head: &Head) -> Option<Value> {
         let [index] = head.lower.as_slice() else { return None };
@@ -174,6 +204,10 @@ impl Model {
                 && machine.lookup(&symbol).is_none()
                 && self.context.number_in(&name, &self.place).is_none()
             {
+                if let Some(size) = self.context.size_in_data(&name, body, &self.place) {
+                    bound.push((symbol, Value::int(size)));
+                    continue;
+                }
                 match self.degree {
                     Some(degree) => bound.push((symbol, Value::int(degree as i64))),
                     None => self.record.borrow_mut().wants_degree = true,
@@ -279,7 +313,12 @@ impl Model {
                     return None;
                 }
                 for (patterns, values) in groups.iter().zip(values) {
-                    exact += self.match_arguments(machine, patterns, values, &mut bound)?;
+                    // F(M) for a point M = (1/3, 1/3), where F(x, y) = …
+                    let values = match values.as_slice() {
+                        [Value::List(coordinates)] if patterns.len() > 1 => coordinates,
+                        values => values,
+                    };
+                    exact += self.match_arguments(machine, definition, patterns, values, &mut bound)?;
                 }
             }
             // The function itself: F for F(t) = …
@@ -335,9 +374,37 @@ impl Model {
         allowed
     }
 
-    pub(super) fn match_arguments(
+    /// Whether an argument is no variable of a formula, but a thing of which it is said: K_3 in P(K_3, k) = k(k-1)(k-2),
+    /// z in N(z) = a^2 + b^2, after z = a + bi.
+    fn stands_for_itself(&self, definition: &Definition, argument: &Head) -> bool {
+        let Body::Formula(body) = &definition.body else { return false };
+        let inside = bases(body);
+        if inside.is_empty() || inside.contains(&argument.base) {
+            return false;
+        }
+        let made_of_it = |(_, own, _): (usize, &Definition, bool)| matches!(&own.body, Body::Formula(other) if !bases(other).is_disjoint(&inside));
+        let equation = |condition: &Expr| match &condition.kind {
+            Kind::Chain(left, links) => {
+                matches!(&left.kind, Kind::Name(name) if *name == argument.base)
+                    && links.iter().any(|link| link.rel == Rel::Eq && !bases(&link.expr).is_disjoint(&inside))
+            }
+            _ => false,
+        };
+        let said = || {
+            let near = |condition: &&Condition| condition.place.group == definition.place.group;
+            self.context.conditions.iter().filter(near).any(|condition| equation(&condition.expr))
+        };
+        !argument.lower.is_empty()
+            || definition.conditions.iter().any(equation)
+            || said()
+            || is_capital(&argument.base)
+            || self.context.visible(&argument.base, &definition.place).any(made_of_it)
+    }
+
+    fn match_arguments(
         &self,
         machine: &mut Machine,
+        definition: &Definition,
         patterns: &[Expr],
         values: &[Value],
         bound: &mut Bound,
@@ -349,8 +416,17 @@ impl Model {
             }
             let mut exact = 0;
             for (pattern, value) in patterns.iter().zip(values) {
+                // f((x_1, y_1), (x_2, y_2))
+                if let (Some(names), Value::List(coordinates)) = (pattern.items(), value) {
+                    exact += self.match_arguments(machine, definition, names, coordinates, bound)?;
+                    continue;
+                }
                 match Head::of(pattern) {
                     Some(head) if head.arguments.is_none() => {
+                        if self.stands_for_itself(definition, &head) {
+                            exact += match_name(&head, value, bound)?;
+                            continue;
+                        }
                         let symbol = self.symbol_of(machine, &head)?;
                         if let Some((_, known)) = bound.iter().find(|(known, _)| *known == symbol) {
                             if known != value {
@@ -400,6 +476,31 @@ impl Model {
         }
         Some(0)
     }
+}
+
+/// Whether a value is a name: that of a pattern, or C_4 for C_n, where n gets its value.
+fn match_name(pattern: &Head, value: &Value, bound: &mut Bound) -> Option<usize> {
+    let symbols = crate::judge::values::symbols(value);
+    let [symbol] = symbols.iter().collect::<Vec<_>>()[..] else { return None };
+    if *value != Value::symbol(symbol.clone()) {
+        return None;
+    }
+    let alike = symbol.base() == pattern.base && symbol.upper().is_empty() && pattern.upper.is_empty();
+    if !alike || symbol.indices().len() != pattern.lower.len() {
+        return None;
+    }
+    let mut exact = 1;
+    for (wanted, index) in pattern.lower.iter().zip(symbol.indices().iter().cloned()) {
+        match (&wanted.kind, index) {
+            (Kind::Name(name), Index::Number(number)) => {
+                bound.push((Symbol::new(name), Value::int(number)));
+                exact = 0;
+            }
+            (Kind::Number(_), Index::Number(number)) if wanted.as_int() == Some(number) => {}
+            _ => return None,
+        }
+    }
+    Some(exact)
 }
 
 /// An index, its factor and a number: n + 1, n − 1, 2i, 2i + 1.

@@ -64,6 +64,19 @@ pub struct Choices {
     pub general: bool,
 }
 
+impl Choices {
+    /// The reading of a notation.
+    pub fn reading(&mut self, ambiguity: Ambiguity) -> &mut bool {
+        match ambiguity {
+            Ambiguity::Binomial => &mut self.total_above,
+            Ambiguity::Bernstein => &mut self.degree_first,
+            Ambiguity::Power => &mut self.powers,
+            Ambiguity::Spline => &mut self.spline_degree,
+            Ambiguity::Dots => &mut self.all_products,
+        }
+    }
+}
+
 /// What happened during an evaluation.
 #[derive(Clone, Debug, Default)]
 pub struct Record {

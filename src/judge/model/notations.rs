@@ -48,7 +48,7 @@ impl Model {
                 arithmetic::power(value, &exponent).map_err(|error| error.at(expr.span))
             }));
         }
-        let head = Head::of(expr)?;
+        let head = self.context.with_pairs_apart(Head::of(expr)?);
         if let Some(result) = self.defined(machine, &head, None) {
             return Some(result);
         }

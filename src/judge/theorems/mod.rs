@@ -489,7 +489,20 @@ fn put(expr: &Expr, letters: &Letters, left: &Expr) -> Expr {
     if raised {
         raise(&mut result, base_of(left));
     }
+    if Head::of(left).is_some_and(|head| head.parenthesized) {
+        parenthesize(&mut result);
+    }
     result.without_spans()
+}
+
+/// w_i^{r-1} as w_i^{(r-1)}.
+fn parenthesize(expr: &mut Expr) {
+    expr.for_each_child_mut(&mut |child| parenthesize(child));
+    if let Kind::Pow(base, upper) = &expr.kind
+        && matches!(base.kind, Kind::Subscript(..))
+    {
+        *expr = Expr::new(Kind::Upper(base.clone(), vec![upper.as_ref().clone()]), expr.span);
+    }
 }
 
 /// N_{i,k} as N_i^k.

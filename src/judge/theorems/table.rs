@@ -180,6 +180,18 @@ pub(super) const THEOREMS: &[Theorem] = &[
         r"p_{i,k}(x)",
         r"\frac{(x - x_i) p_{i+1,k-1}(x) - (x - x_{i+k}) p_{i,k-1}(x)}{x_{i+k} - x_i}",
     ),
+    known(
+        Topic::Rational,
+        "the rational algorithm of de Casteljau",
+        r"p_i^r",
+        r"\frac{(1-x) w_i^{r-1}}{w_i^r} p_i^{r-1} + \frac{x w_{i+1}^{r-1}}{w_i^r} p_{i+1}^{r-1}",
+    ),
+    known(
+        Topic::Interpolation,
+        "the form of Newton",
+        r"p(x)",
+        r"\sum_{\nu=0}^{n} f[x_0,\dots,x_\nu] \prod_{\mu=0}^{\nu-1} (x-x_\mu)",
+    ),
     known(Topic::Rational, "the shoulder point", r"s", r"\frac{b_0 + 2 w b_1 + b_2}{2 (1 + w)}"),
     known(Topic::Rational, "the implicit form of a conic", r"\tau_1^2", r"4 w^2 \tau_0 \tau_2"),
 ];

@@ -240,6 +240,11 @@ impl<'a> Reader<'a> {
             }
             return;
         };
+        // "Its control points are a_0 = 1, a_1 = 0, …": all that the formula gives
+        let names = match (&object.sort, names.as_slice()) {
+            (Sort::ControlPoints, [only]) => self.siblings(only, number),
+            _ => names,
+        };
         // "The control points are f(0, 1), f(1, 1)": values, no names.
         if !object.is_function() && self.said(number).iter().any(is_call) {
             return;
@@ -400,6 +405,20 @@ impl<'a> Reader<'a> {
         self.taken = end + 1;
         self.found.entry(name).or_default().push(object);
         end + 1
+    }
+
+    /// The members of the family of a name that a formula gives one by one.
+    fn siblings(&self, name: &Expr, number: usize) -> Vec<Expr> {
+        let member = |expr: &Expr| {
+            Head::of(expr)
+                .filter(|head| head.arguments.is_none() && head.lower.len() == 1 && head.upper.is_empty())
+        };
+        let Some(own) = member(left_side(name)) else { return vec![name.clone()] };
+        let given = |item: &&Expr| matches!(item.kind, Kind::Chain(..));
+        let alike = self.said(number).iter().filter(given).map(left_side);
+        let alike = alike.filter(|left| member(left).is_some_and(|head| head.base == own.base));
+        let found: Vec<Expr> = alike.cloned().collect();
+        if found.len() > 1 { found } else { vec![name.clone()] }
     }
 
     /// What was said last of a name.

@@ -439,7 +439,10 @@ impl Reader<'_> {
                             at += 1;
                         }
                         let (items, end) = self.list(at);
-                        if items.iter().any(is_call) {
+                        // "With the control points b_0 = 1, b_1 = 2": the formulas give them.
+                        let several =
+                            items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Chain(..)));
+                        if several || items.iter().any(is_call) {
                             return None;
                         }
                         // with the control points P_0 = (1, 0), P_1 = (2, 3), with the knots u_i = i

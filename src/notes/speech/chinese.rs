@@ -2,6 +2,7 @@
 
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
+use super::blocks::Recalls;
 use super::{Block, Cue, PRIME};
 use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
@@ -122,7 +123,7 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
     ("命题", Block::Open),
     ("推论", Block::Open),
     ("性质", Block::Open),
-    ("定义", Block::Open),
+    ("定义", Block::Definition),
     ("注", Block::Open),
 ];
 
@@ -364,6 +365,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("极形式", Topic::PolarForm),
     ("开花", Topic::PolarForm),
     ("升阶", Topic::Elevation),
+    ("插值", Topic::Interpolation),
     ("升次", Topic::Elevation),
     ("看成", Topic::Elevation),
     ("看作", Topic::Elevation),
@@ -382,3 +384,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("有理", Topic::Rational),
     ("圆锥曲线", Topic::Rational),
 ];
+
+/// What stands before an example that a sentence goes back to.
+pub(super) const RECALLS: Recalls =
+    Recalls { named: &["在", "对", "对于", "由"], last: &[], compared: &["如", "见"] };

@@ -2,6 +2,7 @@
 
 use super::Cue::{After, Before};
 use super::Word::{self, *};
+use super::blocks::Recalls;
 use super::{Block, Cue, PRIME};
 use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
@@ -139,7 +140,7 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
     ("lemme", Block::Open),
     ("corollaire", Block::Open),
     ("propriété", Block::Open),
-    ("définition", Block::Open),
+    ("définition", Block::Definition),
     ("remarque", Block::Open),
 ];
 
@@ -419,6 +420,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("formes polaires", Topic::PolarForm),
     ("floraison", Topic::PolarForm),
     ("élévation", Topic::Elevation),
+    ("interpol", Topic::Interpolation),
     ("élève", Topic::Elevation),
     ("élever", Topic::Elevation),
     ("comme carreau", Topic::Elevation),
@@ -441,3 +443,10 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("rationnel", Topic::Rational),
     ("conique", Topic::Rational),
 ];
+
+/// What stands before an example that a sentence goes back to.
+pub(super) const RECALLS: Recalls = Recalls {
+    named: &["dans", "pour", "de"],
+    last: &["dans l", "pour l", "de l", "dans notre"],
+    compared: &["comme", "voir"],
+};

@@ -2,6 +2,7 @@
 
 use super::Cue::{After, Before, Opening};
 use super::Word::{self, *};
+use super::blocks::Recalls;
 use super::{Block, Cue, PRIME};
 use crate::judge::object::{Sort, Symmetric};
 use crate::judge::statement::Role;
@@ -100,6 +101,10 @@ pub(super) const CUES: &[Cue] = &[
     Before("sonderfall", Role::Case),
     Before("außer für", Role::Except),
     Before("es sei denn", Role::Except),
+    After("so ist", Role::Case),
+    After("so gilt", Role::Case),
+    After("so folgt", Role::Case),
+    After("so hat", Role::Case),
     After("sonst", Role::Elsewhere),
     After("außerhalb", Role::Elsewhere),
     After("außerhalb von", Role::Elsewhere),
@@ -159,7 +164,7 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
     ("hilfssatz", Block::Open),
     ("folgerung", Block::Open),
     ("korollar", Block::Open),
-    ("definition", Block::Open),
+    ("definition", Block::Definition),
     ("bemerkung", Block::Open),
 ];
 
@@ -505,6 +510,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("bézierkurve", Topic::BezierCurve),
     ("polarform", Topic::PolarForm),
     ("graderhöh", Topic::Elevation),
+    ("interpol", Topic::Interpolation),
     ("gradanheb", Topic::Elevation),
     ("grad erhöh", Topic::Elevation),
     ("grad um eins", Topic::Elevation),
@@ -531,3 +537,10 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("kegelschnitt", Topic::Rational),
     ("schulterpunkt", Topic::Rational),
 ];
+
+/// What stands before an example that a sentence goes back to.
+pub(super) const RECALLS: Recalls = Recalls {
+    named: &["in", "für", "aus", "von"],
+    last: &["im", "für das", "aus dem", "des", "in unserem", "beim"],
+    compared: &["wie", "siehe", "vgl."],
+};

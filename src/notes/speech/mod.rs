@@ -4,13 +4,17 @@
 //! formula is said as. The cues are data, a file for each language. A formula without a cue has no
 //! role: its form and what is known decide.
 
+mod blocks;
 mod chinese;
 mod english;
 mod french;
 mod german;
 
+pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
+
 use std::borrow::Cow;
 
+use self::blocks::Recalls;
 use crate::formula::source::Pieces;
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
@@ -89,26 +93,6 @@ enum Cue {
     After(&'static str, Role),
 }
 
-/// What a labelled paragraph does to names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Block {
-    /// An example, an exercise: what is said of names there ends with it.
-    Closed,
-    /// A proof or a solution: it goes on from the example or exercise before.
-    Proof,
-    /// A case: it is within a proof.
-    Case,
-    /// A theorem, a definition: what is said of names there goes on.
-    Open,
-}
-
-impl Block {
-    /// Whether a block of another kind that begins in it is a part of it.
-    pub fn holds(self, other: Block) -> bool {
-        matches!((self, other), (Block::Closed, Block::Proof | Block::Case) | (Block::Proof, Block::Case))
-    }
-}
-
 /// "A prime": an integer of which nothing can be tried.
 const PRIME: Sort = Sort::Other(Cow::Borrowed("prime"));
 
@@ -126,6 +110,8 @@ struct Language {
     fillers: &'static [&'static str],
     /// Labels of paragraphs.
     blocks: &'static [(&'static str, Block)],
+    /// What stands before an example that a sentence goes back to.
+    recalls: Recalls,
     /// What phrases are in a sentence that says what names stand for.
     words: &'static [(&'static str, Word)],
     /// How words begin that tell what a section is on.
@@ -143,6 +129,7 @@ const LANGUAGES: &[Language] = &[
         conclusions: english::CONCLUSIONS,
         fillers: english::FILLERS,
         blocks: english::BLOCKS,
+        recalls: english::RECALLS,
         words: english::WORDS,
         topics: english::TOPICS,
         spaced: true,
@@ -155,6 +142,7 @@ const LANGUAGES: &[Language] = &[
         conclusions: german::CONCLUSIONS,
         fillers: german::FILLERS,
         blocks: german::BLOCKS,
+        recalls: german::RECALLS,
         words: german::WORDS,
         topics: german::TOPICS,
         spaced: true,
@@ -167,6 +155,7 @@ const LANGUAGES: &[Language] = &[
         conclusions: french::CONCLUSIONS,
         fillers: french::FILLERS,
         blocks: french::BLOCKS,
+        recalls: french::RECALLS,
         words: french::WORDS,
         topics: french::TOPICS,
         spaced: true,
@@ -179,6 +168,7 @@ const LANGUAGES: &[Language] = &[
         conclusions: chinese::CONCLUSIONS,
         fillers: chinese::FILLERS,
         blocks: chinese::BLOCKS,
+        recalls: chinese::RECALLS,
         words: chinese::WORDS,
         topics: chinese::TOPICS,
         spaced: false,
@@ -256,6 +246,13 @@ pub fn topics(words: &str, found: &mut Topics) {
                 && mentions(&text, phrase, true, language)
             {
                 found.add_degree(*degree);
+            }
+            if let Word::Noun(Sort::ControlPoints) = word
+                && !found.has(Topic::ControlPoints)
+                && !phrase.contains("boor")
+                && mentions(&text, phrase, true, language)
+            {
+                found.add(Topic::ControlPoints);
             }
         }
     }
@@ -503,30 +500,6 @@ pub fn goes_on_from_before(words: &str) -> bool {
     })
 }
 
-/// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with
-/// a number, a point or a colon.
-pub fn block(words: &str) -> Option<Block> {
-    let text = words.trim_start();
-    let marked = text.starts_with(['*', '_', '【', '[']);
-    let text = text.trim_start_matches(['*', '_', '【', '[', ' ']);
-    let label: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
-    let capital = label.chars().next().is_some_and(|c| !c.is_lowercase());
-    let rest = text.piece(label.len()..).trim_start();
-    let closed = rest.starts_with(['.', ':', '*', '_', '(', '：', '】', ']', '。', '（'])
-        || rest.starts_with(|c: char| c.is_ascii_digit())
-        || rest.is_empty();
-    let (low, spaced) = (label.to_lowercase(), label.is_ascii());
-    for language in LANGUAGES {
-        for (name, block) in language.blocks {
-            let same = if language.spaced { low == *name } else { low == *name && (marked || !spaced) };
-            if same && (marked || capital && closed) {
-                return Some(*block);
-            }
-        }
-    }
-    None
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -564,16 +537,5 @@ mod tests {
         ] {
             assert_eq!(said(left, right), wanted, "{left} … {right}");
         }
-    }
-
-    #[test]
-    fn labels() {
-        assert_eq!(block("**Example.** Let"), Some(Block::Closed));
-        assert_eq!(block("Proof. We"), Some(Block::Proof));
-        assert_eq!(block("Theorem 3. Let"), Some(Block::Open));
-        assert_eq!(block("例 2 设"), Some(Block::Closed));
-        assert_eq!(block("Case 1: "), Some(Block::Case));
-        assert_eq!(block("Examples of this kind abound"), None);
-        assert_eq!(block("The proof is easy."), None);
     }
 }

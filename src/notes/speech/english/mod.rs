@@ -4,6 +4,6 @@ mod roles;
 mod topics;
 mod words;
 
-pub(super) use roles::{BLOCKS, CONCLUSIONS, CUES, FILLERS, PROOFS, SUBJECTS, ZERO};
+pub(super) use roles::{BLOCKS, CONCLUSIONS, CUES, FILLERS, PROOFS, RECALLS, SUBJECTS, ZERO};
 pub(super) use topics::TOPICS;
 pub(super) use words::WORDS;

@@ -3,6 +3,7 @@
 use crate::judge::statement::Role;
 use crate::notes::speech::Block;
 use crate::notes::speech::Cue::{self, After, Before, Command};
+use crate::notes::speech::blocks::Recalls;
 
 pub const CUES: &[Cue] = &[
     After("which contradicts", Role::Asked),
@@ -254,8 +255,15 @@ pub const BLOCKS: &[(&str, Block)] = &[
     ("property", Block::Open),
     ("claim", Block::Open),
     ("fact", Block::Open),
-    ("definition", Block::Open),
-    ("notation", Block::Open),
+    ("definition", Block::Definition),
+    ("notation", Block::Definition),
     ("remark", Block::Open),
     ("note", Block::Open),
 ];
+
+/// What stands before an example that a sentence goes back to.
+pub(in crate::notes::speech) const RECALLS: Recalls = Recalls {
+    named: &["in", "for", "of", "from"],
+    last: &["in the", "for the", "of the", "in our", "for our", "of our"],
+    compared: &["as", "like", "see"],
+};

@@ -71,6 +71,7 @@ pub const TOPICS: &[(&str, Topic)] = &[
     ("polar form", Topic::PolarForm),
     ("blossom", Topic::PolarForm),
     ("elevat", Topic::Elevation),
+    ("interpol", Topic::Interpolation),
     ("degree raising", Topic::Elevation),
     ("raising the degree", Topic::Elevation),
     ("raise the degree", Topic::Elevation),

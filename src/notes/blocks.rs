@@ -1,0 +1,119 @@
+//! The examples, proofs and cases of a page, as labelled paragraphs and as environments, and the examples that words go
+//! back to.
+
+use std::rc::Rc;
+
+use super::speech::Block;
+use crate::judge::statement::Place;
+
+/// What is open at a place of the page.
+#[derive(Default)]
+pub(super) struct Blocks {
+    /// The labelled paragraphs that are open, each with what it is.
+    labelled: Vec<(Block, u32)>,
+    /// The environments that are open, each with how many enclosures it stands in.
+    inside: Vec<(usize, Block, u32)>,
+    /// The environments that define: what they say goes on after them.
+    passing: Vec<u32>,
+    /// The environment that has just ended: a solution goes on from its exercise.
+    left: Option<(Block, u32)>,
+    /// The examples so far.
+    examples: Vec<Example>,
+    /// The example that the paragraph goes back to.
+    pub(super) recalled: Option<Rc<Place>>,
+}
+
+/// An example that later words may go back to.
+struct Example {
+    block: u32,
+    /// "2", or a label.
+    name: Option<String>,
+    /// Where its last formula stands.
+    place: Rc<Place>,
+}
+
+impl Blocks {
+    /// The numbers of all that is open, outermost first.
+    pub(super) fn open(&self) -> Vec<u32> {
+        let labelled = self.labelled.iter().map(|(_, block)| *block);
+        labelled.chain(self.inside.iter().map(|(_, _, block)| *block)).collect()
+    }
+
+    /// Whether what an environment says goes on after it.
+    pub(super) fn is_passing(&self, environment: u32) -> bool {
+        self.passing.contains(&environment)
+    }
+
+    /// A heading ends what labels began.
+    pub(super) fn heading(&mut self) {
+        self.labelled.clear();
+    }
+
+    /// Words after an environment.
+    pub(super) fn goes_on(&mut self) {
+        self.left = None;
+    }
+
+    /// A labelled paragraph begins; a proof goes on from what it proves, a case is within its proof.
+    pub(super) fn label(&mut self, block: Block, own: u32, name: Option<String>, place: &Place) {
+        self.labelled.retain(|(open, _)| open.holds(block));
+        if !matches!(block, Block::Open | Block::Definition) {
+            self.labelled.push((block, own));
+        }
+        self.begin(block, own, name, place);
+    }
+
+    /// An environment begins.
+    pub(super) fn enter(
+        &mut self,
+        kind: Option<Block>,
+        own: u32,
+        depth: usize,
+        name: Option<String>,
+        place: &Place,
+    ) {
+        let before = self.left.take();
+        match kind {
+            None | Some(Block::Open) => {}
+            Some(Block::Definition) => self.passing.push(own),
+            Some(block) => {
+                if let Some((before, scope)) = before.filter(|(before, _)| before.holds(block)) {
+                    self.inside.push((depth, before, scope));
+                }
+                self.inside.push((depth, block, own));
+                self.begin(block, own, name, place);
+            }
+        }
+    }
+
+    /// An environment in so many enclosures ends.
+    pub(super) fn leave(&mut self, at: usize) {
+        while let Some((_, block, scope)) = self.inside.pop_if(|(depth, ..)| *depth > at) {
+            self.left = Some((block, scope));
+        }
+    }
+
+    fn begin(&mut self, block: Block, own: u32, name: Option<String>, place: &Place) {
+        if block == Block::Closed {
+            let place = Rc::new(Place { blocks: self.open(), ..place.clone() });
+            self.examples.push(Example { block: own, name, place });
+        }
+    }
+
+    /// A formula stands at a place.
+    pub(super) fn said(&mut self, place: &Place) {
+        if let Some(example) = self.examples.last_mut()
+            && place.blocks.contains(&example.block)
+        {
+            example.place = Rc::new(place.clone());
+        }
+    }
+
+    /// Goes back to an example: the one with this name, or the last one.
+    pub(super) fn recall(&mut self, name: &str) {
+        let open = self.open();
+        let named = |example: &&Example| name.is_empty() || example.name.as_deref() == Some(name);
+        let found = self.examples.iter().rev().filter(|example| !open.contains(&example.block)).find(named);
+        self.recalled = found.map(|example| example.place.clone());
+    }
+}

@@ -1,0 +1,187 @@
+//! Labelled paragraphs and environments: examples, proofs, theorems; and words that go back to an example.
+
+use super::LANGUAGES;
+use crate::formula::source::Pieces;
+
+/// What a labelled paragraph does to names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// An example, an exercise: what is said of names there ends with it.
+    Closed,
+    /// A proof or a solution: it goes on from the example or exercise before.
+    Proof,
+    /// A case: it is within a proof.
+    Case,
+    /// A theorem, a remark.
+    Open,
+    /// A definition: what is said of names there goes on.
+    Definition,
+}
+
+impl Block {
+    /// Whether a block of another kind that begins in it is a part of it.
+    pub fn holds(self, other: Block) -> bool {
+        matches!((self, other), (Block::Closed, Block::Proof | Block::Case) | (Block::Proof, Block::Case))
+    }
+}
+
+/// What stands before an example that a sentence goes back to.
+pub(super) struct Recalls {
+    /// Before its number: "in" of "in Example 2".
+    pub(super) named: &'static [&'static str],
+    /// Before the last one: "in the" of "in the example".
+    pub(super) last: &'static [&'static str],
+    /// Before that, if the sentence only compares: "as" of "as in Example 2".
+    pub(super) compared: &'static [&'static str],
+}
+
+/// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with
+/// a number, a point or a colon.
+pub fn block(words: &str) -> Option<Block> {
+    let text = words.trim_start();
+    let marked = text.starts_with(['*', '_', '【', '[']);
+    let text = text.trim_start_matches(['*', '_', '【', '[', ' ']);
+    let label: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
+    let capital = label.chars().next().is_some_and(|c| !c.is_lowercase());
+    let rest = text.piece(label.len()..).trim_start();
+    let closed = rest.starts_with(['.', ':', '*', '_', '(', '：', '】', ']', '。', '（'])
+        || rest.starts_with(|c: char| c.is_ascii_digit())
+        || rest.is_empty();
+    let (low, spaced) = (label.to_lowercase(), label.is_ascii());
+    for language in LANGUAGES {
+        for (name, block) in language.blocks {
+            let same = if language.spaced { low == *name } else { low == *name && (marked || !spaced) };
+            if same && (marked || capital && closed) {
+                return Some(*block);
+            }
+        }
+    }
+    is_run_in_heading(words).then_some(Block::Open)
+}
+
+/// Whether a paragraph begins with a heading of its own: "**Degree elevation.**", but not "**Step 1.**", "**Given:**".
+fn is_run_in_heading(words: &str) -> bool {
+    let Some(text) = words.trim_start().strip_prefix("**") else { return false };
+    let Some(end) = text.find("**") else { return false };
+    let (title, after) = (text.piece(..end), text.piece(end + 2..));
+    let closed = title.ends_with(['.', '。']) || after.starts_with(['.', '。']);
+    closed
+        && title.chars().filter(|c| c.is_alphabetic()).count() > 3
+        && !title.contains(|c: char| c.is_ascii_digit())
+}
+
+/// What an environment is that bears a name of a labelled paragraph.
+pub fn kind_of_block(name: &str) -> Option<Block> {
+    let name = name.trim().trim_end_matches(['*', '.', ':']).to_lowercase();
+    let mut blocks = LANGUAGES.iter().flat_map(|language| language.blocks);
+    blocks.find(|(known, _)| *known == name).map(|(_, block)| *block).or(match name.as_str() {
+        "ex" | "exm" | "eg" | "expl" | "exo" | "bsp" | "exampleblock" => Some(Block::Closed),
+        "pf" | "sol" | "bew" => Some(Block::Proof),
+        _ => None,
+    })
+}
+
+/// The number of a labelled paragraph: 2 of "**Example 2.**".
+pub fn number_of_block(words: &str) -> Option<String> {
+    let label = words.trim_start().trim_start_matches(['*', '_', '【', '[', ' ']);
+    let rest = label.trim_start_matches(char::is_alphabetic).trim_start_matches([' ', '~', '\u{a0}']);
+    name_at(rest)
+}
+
+/// A number such as 2 or 3.1, or the label of a reference.
+fn name_at(text: &str) -> Option<String> {
+    if let Some(label) = [r"\ref{", r"\cref{", r"\autoref{"].iter().find_map(|sign| text.strip_prefix(sign)) {
+        return Some(label.piece(..label.find('}')?).trim().to_owned());
+    }
+    let number: String = text.chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect();
+    let number = number.trim_end_matches('.');
+    (!number.is_empty()).then(|| number.to_owned())
+}
+
+/// The name of the example that words go back to, empty if it is the last one: "In Example 2 …", "for the example above".
+/// "As in Example 2" compares.
+pub fn recalled(words: &str) -> Option<String> {
+    let text = words.to_lowercase();
+    let text = text.replace(['~', '\u{a0}', '\n'], " ");
+    LANGUAGES.iter().find_map(|language| {
+        let examples = language.blocks.iter().filter(|(_, block)| *block == Block::Closed);
+        examples
+            .flat_map(|(name, _)| text.match_indices(name).map(|(at, name)| (at, at + name.len())))
+            .find_map(|(at, end)| {
+                let before = text.piece(..at).trim_end_matches([' ', '\'', '’']);
+                let after = text.piece(end..).trim_start();
+                let name = name_at(after);
+                let cue = |cue: &str| {
+                    before.strip_suffix(cue).is_some_and(|rest| {
+                        let apart = !language.spaced || !rest.ends_with(char::is_alphanumeric);
+                        let compared =
+                            language.recalls.compared.iter().any(|word| rest.trim_end().ends_with(word));
+                        apart && !compared
+                    })
+                };
+                // 例 1 中
+                let within = || {
+                    let rest =
+                        after.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.').trim_start();
+                    !language.spaced && rest.starts_with(['中', '的'])
+                };
+                match name {
+                    Some(name) => {
+                        let cues = || language.recalls.named.iter().chain(language.recalls.last);
+                        (cues().any(|word| cue(word)) || within()).then_some(name)
+                    }
+                    None => {
+                        let whole =
+                            !after.starts_with(char::is_alphanumeric) || text.piece(end..).starts_with(' ');
+                        (whole && language.recalls.last.iter().any(|word| cue(word))).then(String::new)
+                    }
+                }
+            })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels() {
+        assert_eq!(block("**Example.** Let"), Some(Block::Closed));
+        assert_eq!(block("Proof. We"), Some(Block::Proof));
+        assert_eq!(block("Theorem 3. Let"), Some(Block::Open));
+        assert_eq!(block("例 2 设"), Some(Block::Closed));
+        assert_eq!(block("Case 1: "), Some(Block::Case));
+        assert_eq!(block("Examples of this kind abound"), None);
+        assert_eq!(block("The proof is easy."), None);
+    }
+
+    #[test]
+    fn words_that_go_back_to_an_example() {
+        for (words, wanted) in [
+            ("In Example 2 we have", Some("2")),
+            (r"Dans l'exemple~\ref{un},", Some("un")),
+            (r"Im Beispiel~\ref{a:b} ist", Some("a:b")),
+            ("In the example,", Some("")),
+            ("im Beispiel", Some("")),
+            ("在例 1 中", Some("1")),
+            ("例 1 中三个控制点为", Some("1")),
+            ("As in Example 2,", None),
+            ("For example,", None),
+            ("zum Beispiel", None),
+            ("par exemple", None),
+            ("例如", None),
+        ] {
+            assert_eq!(recalled(words).as_deref(), wanted, "{words}");
+        }
+        assert_eq!(number_of_block("**Example 3.1.** Let").as_deref(), Some("3.1"));
+        assert_eq!(number_of_block("**例 2（双曲线）。**").as_deref(), Some("2"));
+        assert_eq!(kind_of_block("Beispiel"), Some(Block::Closed));
+    }
+
+    #[test]
+    fn headings_within_a_paragraph() {
+        assert_eq!(block("**Degree elevation.** The same"), Some(Block::Open));
+        assert_eq!(block("**Step 1.** We"), None);
+        assert_eq!(block("**Given:** the"), None);
+    }
+}
