@@ -205,7 +205,9 @@ fn give_first(statements: &mut [Statement]) {
             }
             _ => false,
         };
-        if defines && statements[at - 1].place.formula + 1 == formula {
+        // "With ⟨f, g⟩ = …" at the start of another section explains nothing before it.
+        let near = statements[at - 1].place.scope == statements[at].place.scope;
+        if defines && near && statements[at - 1].place.formula + 1 == formula {
             let start = (0..at).rev().take_while(|&i| statements[i].place.formula + 1 == formula).last();
             let end = (at..statements.len()).take_while(|&i| statements[i].place.formula == formula).last();
             if let (Some(start), Some(end)) = (start, end) {
