@@ -43,14 +43,14 @@ pub enum Topic {
 /// The topics of a section, and the degrees that it names by words: "cubic".
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Topics {
-    topics: u16,
+    topics: u32,
     degrees: u16,
 }
 
 impl Topics {
     /// Adds a topic.
     pub fn add(&mut self, topic: Topic) {
-        self.topics |= 1 << topic as u16;
+        self.topics |= 1u32 << topic as u32;
     }
 
     /// Adds a degree.
@@ -64,7 +64,7 @@ impl Topics {
     pub fn keep_side(&mut self, side: Option<Topic>) {
         for other in [Topic::First, Topic::Second] {
             if side.is_some_and(|side| side != other) {
-                self.topics &= !(1 << other as u16);
+                self.topics &= !(1u32 << other as u32);
             }
         }
     }
@@ -76,7 +76,7 @@ impl Topics {
 
     /// Whether it is spoken of.
     pub fn has(self, topic: Topic) -> bool {
-        self.topics & (1 << topic as u16) != 0
+        self.topics & (1u32 << topic as u32) != 0
     }
 
     /// The degrees, in increasing order.
