@@ -212,7 +212,7 @@ fn check(text: &str) -> Result<(), TestCaseError> {
                     prop_assert_eq!(open.pop(), Some(*what));
                     continue;
                 }
-                Item::Break => continue,
+                Item::Title { .. } | Item::Break => continue,
             };
             prop_assert!(inside(span), "{kind:?} {text:?} {item:?}");
             prop_assert!(span.start >= last, "{kind:?} {text:?}: {:?}", notes.items);

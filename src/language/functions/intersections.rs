@@ -87,7 +87,9 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 /// Homogeneous coordinates with numbers as coefficients, and the bounds of the parameter.
-fn numbers(args: &Arguments, i: usize) -> Result<([Poly; 3], (Option<Rational>, Option<Rational>))> {
+type Numeric = ([Poly; 3], (Option<Rational>, Option<Rational>));
+
+fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
     let (coordinates, interval) = homogeneous_coordinates(args, i)?;
     let of_plane: std::result::Result<[Vec<Fraction>; 3], _> = coordinates.try_into();
     let coordinates = of_plane.map_err(|list| {

@@ -371,11 +371,11 @@ fn form(args: &Arguments, words: &[&'static str]) -> Result<&'static str> {
     })
 }
 
+/// Homogeneous coordinates by powers, and the interval of the curve, if it has one.
+type Homogeneous = (Vec<Vec<Fraction>>, Option<Interval<Fraction>>);
+
 /// Homogeneous coordinates by powers, of a Bézier curve or of coordinates as formulas; and its interval, if it has one.
-pub(super) fn homogeneous_coordinates(
-    args: &Arguments,
-    i: usize,
-) -> Result<(Vec<Vec<Fraction>>, Option<Interval<Fraction>>)> {
+pub(super) fn homogeneous_coordinates(args: &Arguments, i: usize) -> Result<Homogeneous> {
     if let Value::List(items) = args.value(i)?
         && items.iter().all(|item| item.as_scalar().is_some())
     {

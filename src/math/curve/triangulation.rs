@@ -14,7 +14,7 @@
 //! "Piecewise quadratic approximations on triangles", ACM TOMS 3 (1977); M.-J. Lai, L. L. Schumaker, "Spline Functions on
 //! Triangulations" (2007).
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use nalgebra::DMatrix;
 use num_traits::{Signed, Zero};
@@ -25,13 +25,15 @@ use crate::math::linalg::rank;
 use crate::math::number::{Rational, multinomial, rational};
 use crate::math::ring::{Field, Ring};
 
+/// The corners of an edge, and its two triangles, each with its opposite corner.
+type InnerEdge = ([usize; 2], [(usize, usize); 2]);
+
 /// Triangles with common corners and edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangulation {
     points: Vec<[Rational; 2]>,
     triangles: Vec<[usize; 3]>,
-    /// The corners of each inner edge, and its two triangles with their opposite corners.
-    inner: Vec<([usize; 2], [(usize, usize); 2])>,
+    inner: Vec<InnerEdge>,
 }
 
 /// Twice the signed area.
@@ -48,7 +50,7 @@ impl Triangulation {
     /// [`CurveError::Degenerate`] for a triangle without an area, [`CurveError::Impossible`] for a number without a point, for
     /// triangles that overlap at a common edge, for an edge of three triangles and for a point inside of an edge.
     pub fn new(points: Vec<[Rational; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self, CurveError> {
-        let mut edges: HashMap<[usize; 2], Vec<(usize, usize)>> = HashMap::new();
+        let mut edges: BTreeMap<[usize; 2], Vec<(usize, usize)>> = BTreeMap::new();
         for (k, triangle) in triangles.iter().enumerate() {
             if triangle.iter().any(|&i| i >= points.len()) {
                 return Err(CurveError::Impossible {
@@ -101,7 +103,7 @@ impl Triangulation {
         let columns = count * self.triangles.len();
         budget::charge_terms((rows as u64).saturating_mul(columns as u64));
         let mut matrix = DMatrix::from_element(rows, columns, Rational::zero());
-        let places: HashMap<[usize; 3], usize> = indices(d).into_iter().zip(0..).collect();
+        let places: BTreeMap<[usize; 3], usize> = indices(d).into_iter().zip(0..).collect();
         let place = |k: usize, powers: &[(usize, usize)]| {
             let exponent =
                 |corner: usize| powers.iter().filter(|(x, _)| *x == corner).map(|(_, e)| e).sum::<usize>();

@@ -138,7 +138,7 @@ fn what_has_no_or_too_many_solutions() {
     let number = |k| MultiPoly::constant(integer(k));
     let circle = x.pow(2) + y.pow(2) + number(1);
     assert_eq!(common_zeros(&circle, &x, &unknowns, &Default::default()), Ok(Vec::new()));
-    assert_eq!(real_zeros(&[circle.clone()], &unknowns), Err(SystemError::Infinite));
+    assert_eq!(real_zeros(std::slice::from_ref(&circle), &unknowns), Err(SystemError::Infinite));
     assert_eq!(common_zeros(&x, &x, &unknowns, &Default::default()), Err(SystemError::Infinite));
     assert_eq!(real_zeros(&[x.pow(9), y.pow(9)], &unknowns), Err(SystemError::Many));
     // Two cusps: a point that is multiple in every direction.
