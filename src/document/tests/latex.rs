@@ -90,6 +90,7 @@ fn theorems_lists_tables() {
         "\\newtheorem{satzx}{Satz}\n\\begin{theorem}[Name]\nSo $a$.\n\\end{theorem}\n\\begin{satzx}x\\end{satzx}\n\\begin{quote}q\\end{quote}\n",
         &[
             "enter environment",
+            "title theorem -",
             "w 2:16 [Name]",
             "w 3:1 So",
             "Inline 3:5 a",
@@ -97,6 +98,7 @@ fn theorems_lists_tables() {
             "break",
             "leave environment",
             "enter environment",
+            "title Satz -",
             "w 5:14 x",
             "break",
             "leave environment",

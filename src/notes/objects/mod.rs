@@ -292,8 +292,9 @@ impl<'a> Reader<'a> {
         if function {
             self.topic = names.clone();
         }
-        // The monomial t^k is a polynomial: no name.
-        if function && names.iter().all(|name| matches!(name.kind, Kind::Pow(..))) {
+        // The monomial t^k is a polynomial: no name, as N_i^k is.
+        let power = |name: &Expr| matches!(&name.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Name(_)));
+        if function && names.iter().all(power) {
             return;
         }
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
