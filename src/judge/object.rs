@@ -317,7 +317,10 @@ impl Context {
                 if let (true, Some(Expr { kind: Kind::Name(index), .. }), Body::Formula(body)) =
                     (near && definition.head.lower.len() == 1, definition.head.index(), &definition.body)
                     && bases(body).iter().all(|name| name == index)
-                    && definition.conditions.iter().all(of_integers)
+                    // i ∈ ℤ; n = 2 beside it says nothing of the knots.
+                    && definition.conditions.iter().all(|condition| {
+                        of_integers(condition) || !bases(condition).contains(index)
+                    })
                 {
                     for j in FORMULA_KNOTS {
                         if let Some(value) = value_at(body, index, j) {

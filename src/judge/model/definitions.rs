@@ -154,8 +154,11 @@ impl Model {
         let latest = self.context.visible(&capital, &self.place).next();
         latest.is_some_and(|(later, function, near)| {
             let plain = function.head.lower.is_empty() && function.head.upper.is_empty();
+            // F(t) = f(t, …, t) leads back to f.
             let body = match &function.body {
-                Body::Formula(body) => integer_names(body).is_empty(),
+                Body::Formula(body) => {
+                    integer_names(body).is_empty() && !bases(body).contains(&definition.head.base)
+                }
                 Body::Value(_) => false,
             };
             near && later > number && plain && body && function.head.flat().len() == 1
