@@ -244,8 +244,7 @@ fn aligned(lines: &[StepLine]) -> Vec<String> {
     let last = lines.len().saturating_sub(1);
     let rows = lines.iter().enumerate().map(|(i, line)| {
         let (left, right) = &line.latex;
-        let repeated = i > 0 && lines[i - 1].latex.0 == *left;
-        let left = if repeated { "" } else { left };
+        let left = if line.repeats { "" } else { left };
         let end = if i < last { r" \\" } else { "" };
         format!("{left} &{right} && {}{end}", words_in_formula(&line.reason))
     });
@@ -267,8 +266,7 @@ fn over_pages(lines: &[StepLine], room: f64) -> Vec<String> {
     let margin = lines.iter().map(|line| measured(&line.latex.0)).fold(0.0, f64::max);
     let rows = lines.iter().enumerate().map(|(i, line)| {
         let (left, right) = &line.latex;
-        let repeated = i > 0 && lines[i - 1].latex.0 == *left;
-        let left = if repeated { "" } else { left };
+        let left = if line.repeats { "" } else { left };
         let end = if i < last { r"\\[0.5ex]" } else { "" };
         let right = lines_of(right, room - margin).join(r" \\* &");
         let reasons = in_lines(&line.reason, room - margin - 20.0);

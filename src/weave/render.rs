@@ -7,7 +7,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::syntax::parse;
 use crate::language::value::{Claim, Language, Line, Table, Value, Verdict, curve_expr, symbol_expr};
 use crate::language::write::{
-    latex, latex_table_within, split_at_relation, text, verdict_in_words, write_words,
+    latex, latex_table_within, repeats_left_side, split_at_relation, text, verdict_in_words, write_words,
 };
 use crate::session::Answer;
 
@@ -58,6 +58,8 @@ pub struct Shown {
 pub struct StepLine {
     /// LaTeX up to the sign at which lines are aligned, and from there on.
     pub latex: (String, String),
+    /// Whether that first part is the one of the line before and need not be written again.
+    pub repeats: bool,
     /// The formula in plain notation.
     pub text: String,
     /// Why it holds: words, with formulas in plain notation between backticks.
@@ -191,12 +193,13 @@ fn claimed(claim: &Claim, statement: &Expr) -> Shown {
 }
 
 fn steps(lines: &[Line], language: Language) -> Piece {
-    let line = |line: &Line| StepLine {
+    let line = |(i, line): (usize, &Line)| StepLine {
         latex: split_at_relation(&line.formula),
+        repeats: i > 0 && repeats_left_side(&lines[i - 1].formula, &line.formula),
         text: text(&line.formula),
         reason: line.reason.text(language).to_owned(),
     };
-    Piece::Steps(lines.iter().map(line).collect())
+    Piece::Steps(lines.iter().enumerate().map(line).collect())
 }
 
 /// Words with formulas between backticks, for math mode: `\text{the mean of } t_1^2`.

@@ -78,6 +78,14 @@ pub fn split_at_relation(formula: &Expr) -> (String, String) {
     }
 }
 
+/// Whether a line of a derivation has the left side of the one before, which then need not be written again. The
+/// first of several formulas keeps its own: they are read together, and the last of those before would be its left side.
+pub fn repeats_left_side(before: &Expr, formula: &Expr) -> bool {
+    let several = |expr: &Expr| matches!(expr.kind, Kind::Sequence(_));
+    let left = |expr| left_side(expr).map(latex);
+    !several(before) && !several(formula) && left(formula).is_some() && left(before) == left(formula)
+}
+
 fn aligned(lines: &[Line], language: Language, width: f64) -> String {
     let parts: Vec<(String, String, String)> = lines
         .iter()
@@ -89,12 +97,9 @@ fn aligned(lines: &[Line], language: Language, width: f64) -> String {
     let widest = |part: &dyn Fn(&(String, String, String)) -> f64| parts.iter().map(part).fold(0.0, f64::max);
     let (margin, reasons) = (widest(&|row| measured(&row.0)), widest(&|row| measured(&row.2)));
     let below = margin + widest(&|row| measured(&row.1)) + reasons > width;
-    let mut before = "";
-    let rows = parts.iter().zip(lines).map(|((left, right, reason), line)| {
-        // The first of several formulas keeps its left side: they are read together.
-        let several = matches!(line.formula.kind, Kind::Sequence(_));
-        let shown = if left == before && !several { "" } else { left };
-        before = left;
+    let rows = parts.iter().enumerate().map(|(i, (left, right, reason))| {
+        let repeats = i > 0 && repeats_left_side(&lines[i - 1].formula, &lines[i].formula);
+        let shown = if repeats { "" } else { left };
         let row = match below {
             false => format!("{shown} &{right} && {reason}"),
             true => {

@@ -47,7 +47,9 @@ mod words;
 mod tests;
 
 pub use answer::{Manner, verdict_in_words, write_answer};
-pub use derivation::{derivation_json, split_at_relation, write_derivation, write_derivation_within};
+pub use derivation::{
+    derivation_json, repeats_left_side, split_at_relation, write_derivation, write_derivation_within,
+};
 pub use expanded::{expanded_terms, write_expanded, write_grouped};
 pub use format::{Format, UnknownFormat};
 pub use json::{claim_json, value_json};

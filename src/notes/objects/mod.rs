@@ -293,7 +293,8 @@ impl<'a> Reader<'a> {
             self.topic = names.clone();
         }
         // The monomial t^k is a polynomial: no name, as N_i^k is.
-        let power = |name: &Expr| matches!(&name.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Name(_)));
+        let power =
+            |name: &Expr| matches!(&name.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Name(_)));
         if function && names.iter().all(power) {
             return;
         }
