@@ -124,7 +124,7 @@ impl RealZero {
 /// let t = Poly::variable();
 /// let (root, _) = (t.pow(2) - Poly::from(2)).real_roots(None, None).unwrap().remove(1);
 /// assert_eq!(image(&root, &t.pow(2), &Poly::one()).to_string(), "2");
-/// assert_eq!(image(&root, &(&t + Poly::one()), &t).to_string(), "2 t^2 - 4 t + 1 in (3/2, 2)");
+/// assert_eq!(image(&root, &(&t + Poly::one()), &t).to_string(), "2 t^2 - 4 t + 1 in (1, 2)");
 /// ```
 pub fn image(u: &RealRoot, numerator: &Poly, denominator: &Poly) -> RealRoot {
     let number = match u {
