@@ -4,7 +4,7 @@
 //! real numbers in isolating intervals, and the sign of any polynomial there is that of one polynomial at u.
 //!
 //! In two unknowns u is one of them, or x + k y, and m a resultant (`pair`); in any number of unknowns u is a linear
-//! form that tells all solutions apart, and m its minimal polynomial in the algebra Q[x]/I (`quotient`).
+//! form that tells all solutions apart, and m its minimal polynomial in the algebra Q\[x\]/I (`quotient`).
 //!
 //! F. Rouillier, "Solving zero-dimensional systems through the rational univariate representation", AAECC 9 (1999).
 
