@@ -226,8 +226,26 @@ impl Model {
         })
     }
 
-    /// The parameters of a definition for a call, and how many indices agree exactly.
+    /// The parameters of a definition for a call, and how many indices agree exactly. While it is compared, it gives
+    /// no value: p_α, where α is a ratio of areas between p_1, p_2, p_3.
     pub(super) fn matches(
+        &self,
+        machine: &mut Machine,
+        definition: &Definition,
+        head: &Head,
+        values: Option<&[Vec<Value>]>,
+    ) -> Option<(Bound, usize)> {
+        let own = std::ptr::from_ref(definition);
+        if self.matching.borrow().contains(&own) {
+            return None;
+        }
+        self.matching.borrow_mut().push(own);
+        let matched = self.compared(machine, definition, head, values);
+        self.matching.borrow_mut().pop();
+        matched
+    }
+
+    fn compared(
         &self,
         machine: &mut Machine,
         definition: &Definition,

@@ -25,7 +25,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use super::context::Context;
+use super::context::{Context, Definition};
 use super::inequality::interval;
 use super::names::{Head, symbol_of};
 use super::roots;
@@ -189,6 +189,8 @@ pub struct Model {
     place_of_derivative: RefCell<Option<Fraction>>,
     /// Whether conditions of a definition are being looked at.
     asking: Cell<bool>,
+    /// Definitions that are being compared with what is asked for.
+    matching: RefCell<Vec<*const Definition>>,
     record: RefCell<Record>,
 }
 
@@ -215,6 +217,7 @@ impl Model {
             depth: Cell::new(0),
             place_of_derivative: RefCell::default(),
             asking: Cell::new(false),
+            matching: RefCell::default(),
             record: RefCell::default(),
         }
     }
