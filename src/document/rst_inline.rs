@@ -134,13 +134,13 @@ impl Inline<'_> {
     }
 }
 
-/// The name of the role at the end: `see :py:func:`.
+/// The name of the role at the end: `see :py:func:`, `3-by-:math:`.
 fn role_before(before: &str) -> Option<&str> {
     let inner = before.strip_suffix(':')?;
     let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.' | ':' | '+');
     let start = inner
         .rfind(|c: char| !plain(c))
         .map_or(0, |at| at + inner.piece(at..).chars().next().map_or(1, char::len_utf8));
-    let name = inner.piece(start..).strip_prefix(':')?;
-    (!name.is_empty()).then_some(name)
+    let (_, name) = inner.piece(start..).split_once(':')?;
+    name.starts_with(|c: char| c.is_ascii_alphanumeric()).then_some(name)
 }

@@ -95,7 +95,7 @@ impl Checker {
         match &statement.said {
             Said::Chain(chain) => self.seen.extend(chain.sides.iter().flat_map(|side| bases(&side.expr))),
             Said::Condition(side) | Said::Bare(side, _) => self.seen.extend(bases(&side.expr)),
-            Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
+            Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
         }
     }
 
@@ -103,6 +103,7 @@ impl Checker {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
             Said::Object(object) => self.object(object, &statement.place),
+            Said::Triangles(readings, formulas) => self.triangle(readings, formulas, statement),
             Said::Queries(text, span) => self.queries(text, &statement.place, *span),
             Said::Condition(side) => {
                 let mut finding = of_side(side, Verdict::Definition, 1);
@@ -121,8 +122,7 @@ impl Checker {
                 }
             }
             Said::Bare(side, problems) => {
-                let mut finding = of_side(side, Verdict::Undecided, 0);
-                finding.reason = Some("it states nothing to check".to_owned());
+                let mut finding = without_statement(side);
                 if side.is_unread() {
                     finding.verdict = Verdict::Unread;
                     finding.reason = problems.first().map(|problem| problem.message.clone());
@@ -338,6 +338,12 @@ pub fn blank(chain: &Chain, at: usize) -> Finding {
     let latex = format!("{} {} {}", left.latex, sign_text, right.latex);
     let span = left.expr.span.to(sign).to(right.expr.span);
     Finding::new(span, sign, latex, write::latex(&reading), at + 1)
+}
+
+/// The finding for a formula that states nothing.
+pub(super) fn without_statement(side: &Side) -> Finding {
+    let reason = Some("it states nothing to check".to_owned());
+    Finding { reason, ..of_side(side, Verdict::Undecided, 0) }
 }
 
 /// A finding for a formula without a relation.

@@ -209,7 +209,7 @@ impl Letters {
                     sides().for_each(&mut look);
                 }
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Object(_) | Said::Declaration(..) | Said::Queries(..) => {}
+                Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
             }
         }
         letters.binomial_family = letters_seen;

@@ -58,6 +58,7 @@ mod tally;
 mod theorems;
 pub mod topic;
 mod trial;
+mod triangle;
 mod unfold;
 mod values;
 mod verdict;

@@ -20,10 +20,14 @@ use crate::judge::evaluator;
 use crate::math::basis::bernstein_all;
 use crate::math::number::Rational;
 
+/// So many numbers of a section are tried for the parameter.
+const MAX_PARAMETERS: usize = 8;
+
 /// A scheme of which a point agreed.
 #[derive(Clone)]
 pub(super) struct Scheme {
     letter: String,
+    parameter: Rational,
     place: Place,
 }
 
@@ -43,13 +47,12 @@ impl Checker {
             return;
         }
         let Some((letter, i, level)) = member(&left.expr).filter(|(.., level)| *level > 0) else { return };
-        let Some(t) = self.parameter_of_scheme(place) else { return };
         let count = (0..).take_while(|&j| self.has_point(&letter, j, place)).count() as i64;
         if i + level >= count {
             return;
         }
-        let scheme = |level: i64, from: i64| {
-            let weights = bernstein_all(level as usize, &t);
+        let scheme = |t: &Rational, level: i64, from: i64| {
+            let weights = bernstein_all(level as usize, t);
             let points = (0..=level).map(|j| point(&letter, i + j, from, &left.expr));
             let terms = points.zip(weights).map(|(point, weight)| Term {
                 sign: Sign::Plus,
@@ -57,20 +60,23 @@ impl Checker {
             });
             Expr::sum(terms.collect())
         };
-        let Some(failure) = self.differ(&scheme(level, 0), &right.expr, chain, statement) else {
-            self.schemes.push(Scheme { letter, place: place.clone() });
+        let differ = |value: &Expr| self.differ(value, &right.expr, chain, statement);
+        let parameters = self.parameters_of_scheme(place);
+        if let Some(t) = parameters.into_iter().find(|t| differ(&scheme(t, level, 0)).is_none()) {
             findings[0] = Finding {
                 verdict: Verdict::Proved,
                 reason: Some(format!("de Casteljau's scheme at {t}")),
                 warning: None,
                 ..findings[0].clone()
             };
+            self.schemes.push(Scheme { letter, parameter: t, place: place.clone() });
             return;
-        };
-        let known = |scheme: &Scheme| scheme.letter == letter && scheme.place.scope == place.scope;
-        let Some(failure) = failure.filter(|_| self.schemes.iter().any(known)) else { return };
+        }
+        let known = |scheme: &&Scheme| scheme.letter == letter && scheme.place.scope == place.scope;
+        let Some(t) = self.schemes.iter().rev().find(known).map(|scheme| &scheme.parameter) else { return };
+        let Some(Some(failure)) = differ(&scheme(t, level, 0)) else { return };
         // It goes on from a point that is wrong itself.
-        if level > 1 && self.differ(&scheme(1, level - 1), &right.expr, chain, statement).is_none() {
+        if level > 1 && differ(&scheme(t, 1, level - 1)).is_none() {
             return;
         }
         findings[0] = Finding {
@@ -111,8 +117,8 @@ impl Checker {
         }
     }
 
-    /// The number that the section says the parameter is: t = 1/4.
-    fn parameter_of_scheme(&self, place: &Place) -> Option<Rational> {
+    /// The numbers that the section says the parameter is, the last one first: t = 1/4.
+    pub(super) fn parameters_of_scheme(&self, place: &Place) -> Vec<Rational> {
         let number = |expr: &Expr| match &expr.kind {
             Kind::Chain(left, links) => {
                 let named = matches!(&left.kind, Kind::Name(name) if is_variable(name) || name == "lambda");
@@ -140,7 +146,15 @@ impl Checker {
             _ => None,
         });
         let numbers = said.chain(heard).filter_map(|(at, expr)| Some((at, number(expr)?)));
-        numbers.chain(defined).max_by_key(|(at, _)| *at).map(|(_, value)| value)
+        let mut all: Vec<(usize, Rational)> = numbers.chain(defined).collect();
+        all.sort_by_key(|(at, _)| std::cmp::Reverse(*at));
+        let mut found: Vec<Rational> = Vec::new();
+        for (_, value) in all {
+            if found.len() < MAX_PARAMETERS && !found.contains(&value) {
+                found.push(value);
+            }
+        }
+        found
     }
 
     /// Whether the section says what the control point of a number is.

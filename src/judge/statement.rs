@@ -187,6 +187,15 @@ impl Chain {
     }
 }
 
+/// A table of numbers or points with one less in each column than in the one before, as an algorithm fills it in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    /// As many numbers before the first column.
+    pub nodes: Option<Vec<Side>>,
+    /// At least three columns, each from the top.
+    pub columns: Vec<Vec<Side>>,
+}
+
 /// What a formula says.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Said {
@@ -198,6 +207,8 @@ pub enum Said {
     Bare(Side, Vec<Diagnostic>),
     /// What words say that names stand for.
     Object(Box<Object>),
+    /// A table of numbers in the shape of a triangle, by its columns or by its rows; the cells that are formulas.
+    Triangles(Vec<Triangle>, Vec<Side>),
     /// A declaration by comment.
     Declaration(String, Span),
     /// A block of queries, of which the definitions count.

@@ -36,6 +36,8 @@ pub enum Topic {
     Casteljau,
     /// Divided differences.
     DividedDifference,
+    /// Differences of values at equal distances.
+    Difference,
     /// A knot that is inserted.
     Insertion,
 }

@@ -70,6 +70,10 @@ fn start(said: &Said) -> usize {
         Said::Chain(chain) => chain.sides.first().map_or(0, |side| side.expr.span.start),
         Said::Condition(side) | Said::Bare(side, _) => side.expr.span.start,
         Said::Object(object) => object.names.first().map_or(0, |name| name.span.start),
+        Said::Triangles(readings, _) => {
+            let first = readings.first().and_then(|triangle| triangle.columns[0].first());
+            first.map_or(0, |side| side.expr.span.start)
+        }
         Said::Declaration(_, span) | Said::Queries(_, span) => span.start,
     }
 }

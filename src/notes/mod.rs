@@ -19,6 +19,7 @@ pub mod report;
 mod sentence;
 mod speech;
 mod statement;
+mod triangles;
 
 pub use again::{Memory, Progress, check_again};
 pub use page::{Options, check_document, listing};

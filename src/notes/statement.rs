@@ -12,6 +12,7 @@ use super::objects;
 use super::primes;
 use super::sentence;
 use super::speech;
+use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -43,10 +44,12 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         gap: String::new(),
         trailing: None,
         formula: 0,
+        table: Table::default(),
     };
     for item in &document.items {
         reader.item(item);
     }
+    reader.end_table();
     let mut statements = reader.statements;
     primes::as_marks(&mut statements);
     brackets::as_arguments(&mut statements);
@@ -78,12 +81,14 @@ struct Reader<'a> {
     /// The relation after which the last formula ends.
     trailing: Option<(Rel, Span)>,
     formula: usize,
+    table: Table,
 }
 
 impl Reader<'_> {
     fn item(&mut self, item: &Item) {
         match item {
             Item::Heading { level, span } => {
+                self.end_table();
                 self.sections.retain(|(known, _)| known < level);
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
@@ -98,6 +103,11 @@ impl Reader<'_> {
             Item::Words(span) => {
                 let read = self.document.words(*span);
                 let words = read.as_ref();
+                if self.table.is_inside() {
+                    self.table.words(self.document, *span);
+                } else if !words.trim().is_empty() {
+                    self.end_table();
+                }
                 if self.ended && !words.trim().is_empty() {
                     match speech::goes_on_from_before(words) {
                         true => self.ended = false,
@@ -124,11 +134,17 @@ impl Reader<'_> {
                 self.ended = true;
             }
             Item::Enter(enclosure) => {
+                if *enclosure == Enclosure::Row {
+                    self.table.begin_row(self.statements.len());
+                }
                 self.next_scope += 1;
                 self.enclosures.push((*enclosure, self.next_scope));
                 self.new_group();
             }
             Item::Leave(enclosure) => {
+                if *enclosure == Enclosure::Row {
+                    self.table.end_row();
+                }
                 if let Some(at) = self.enclosures.iter().rposition(|(known, _)| known == enclosure) {
                     self.enclosures.truncate(at);
                     self.blocks.leave(at);
@@ -155,12 +171,52 @@ impl Reader<'_> {
             }
             Item::Formula(formula) => {
                 self.formula += 1;
+                let first = self.statements.len();
                 if !is_end_of_proof(&formula.text) {
                     self.formula(formula);
                 }
+                self.in_table(first);
                 self.gap.clear();
             }
         }
+    }
+
+    /// The statements from `first` on stand in a cell of a table, or are a table themselves.
+    fn in_table(&mut self, first: usize) {
+        let only = match self.statements.get(first..) {
+            Some([Statement { said: Said::Bare(side, _), .. }]) => Some(side),
+            _ => None,
+        };
+        if self.table.is_inside() {
+            return self.table.formula(only);
+        }
+        let latex = |span: Span| clean(self.document.file.slice(span));
+        let found = only.map(|side| triangles::in_matrix(&side.expr, &latex)).unwrap_or_default();
+        self.end_table();
+        if !found.is_empty() {
+            self.push(Said::Triangles(found, Vec::new()));
+        }
+    }
+
+    /// A table ends; the formulas in the cells of a triangle are judged with it.
+    fn end_table(&mut self) {
+        let found = self.table.finish();
+        if found.is_empty() {
+            return;
+        }
+        let cells =
+            || found.iter().flat_map(|triangle| triangle.columns.iter().chain(&triangle.nodes).flatten());
+        let mut formulas = Vec::new();
+        let own = self.statements.split_off(self.table.first.min(self.statements.len()));
+        for statement in own {
+            match statement.said {
+                Said::Bare(side, _) if cells().any(|cell| cell.expr.span == side.expr.span) => {
+                    formulas.push(side);
+                }
+                _ => self.statements.push(statement),
+            }
+        }
+        self.push(Said::Triangles(found, formulas));
     }
 
     /// Notes what words speak of.

@@ -20,6 +20,7 @@ fn roles_and_literals() {
     let text = "See :math:`a = b`, `c`:math:, ``:math:`x```, :func:`f <g>`, `link`_ and |sub|,\n\
                 also :math:`d\n+ e`. A backslash: :math:`f\\,` ends it.\n";
     assert_eq!(found(text), ["a = b", "c", "d\n+ e", "f\\,"]);
+    assert_eq!(found("A :math:`m`-by-:math:`2 n` matrix, :py:class:`C`.\n"), ["m", "2 n"]);
     assert_eq!(found(".. default-role:: math\n\nLet `a` be ``b``.\n"), ["a"]);
     assert_eq!(found("Let `a` be $b$ and $$c$$, 5$.\n"), ["b", "c"]);
 }

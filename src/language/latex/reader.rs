@@ -447,20 +447,7 @@ pub(super) fn is_separator(kind: Tok) -> bool {
 
 /// Whether this token stands between two operands.
 fn joins(kind: Tok) -> bool {
-    matches!(
-        kind,
-        Tok::Rel(_)
-            | Tok::Plus
-            | Tok::Minus
-            | Tok::Dot
-            | Tok::Star
-            | Tok::Cross
-            | Tok::Circ
-            | Tok::Slash
-            | Tok::Binary(_)
-            | Tok::Sub
-            | Tok::Sup
-    )
+    kind.is_operator() || matches!(kind, Tok::Rel(_) | Tok::Circ | Tok::Binary(_) | Tok::Sub | Tok::Sup)
 }
 
 /// Whether an operand is still to come after this token.

@@ -1,10 +1,10 @@
 //! Sums, products, quotients, compositions.
 
 use super::commands::Role;
-use super::reader::{Reader, Result};
+use super::reader::{Reader, Result, is_separator};
 use super::token::{Fence, Tok};
 use crate::formula::source::Pieces;
-use crate::formula::{Enclosure, Expr, Kind, Quotient, Sign, Term};
+use crate::formula::{Enclosure, Expr, Kind, Quotient, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 
 impl Reader<'_> {
@@ -279,7 +279,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the words here are a name: one word, and a bracket follows.
+    /// Whether the words here are a name: one word, and a bracket follows, or it stands where an operand must stand:
+    /// `\text{size} = 6`, `k - \text{size}`.
     pub fn is_word_atom(&self) -> bool {
         let Some(Tok::Text(start, end)) = self.tokens.get(self.pos).map(|token| token.kind) else {
             return false;
@@ -288,14 +289,23 @@ impl Reader<'_> {
         let is_name = word.bytes().all(|byte| byte.is_ascii_alphanumeric())
             && word.starts_with(|c: char| c.is_ascii_alphabetic())
             && !super::commands::CONNECTIVES.contains(&word.to_ascii_lowercase().as_str());
-        is_name
-            && (!self.row
-                || matches!(
-                    self.look(self.pos + 1),
-                    Some((
-                        _,
-                        Tok::Open(Fence::Paren | Fence::Curly) | Tok::Left(Fence::Paren | Fence::Curly)
-                    ))
-                ))
+        if !is_name || !self.row {
+            return is_name;
+        }
+        let Some((_, next)) = self.look(self.pos + 1) else { return self.is_after(Tok::is_operator) };
+        match next {
+            Tok::Open(Fence::Paren | Fence::Curly) | Tok::Left(Fence::Paren | Fence::Curly) => true,
+            Tok::Rel(Rel::Colon) => false,
+            Tok::Rel(_) => !self.is_after(|kind| !kind.is_operator() && !is_separator(kind)),
+            _ if next.is_operator() => {
+                self.is_after(|kind| kind.is_operator() || matches!(kind, Tok::Rel(_)))
+            }
+            _ => self.is_after(Tok::is_operator),
+        }
+    }
+
+    /// Whether a token of that kind stands before the next one.
+    fn is_after(&self, test: impl Fn(Tok) -> bool) -> bool {
+        self.pos.checked_sub(1).is_some_and(|at| test(self.tokens[at].kind))
     }
 }

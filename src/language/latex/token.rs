@@ -90,6 +90,13 @@ pub(super) enum Tok {
     Bad(u32),
 }
 
+impl Tok {
+    /// Whether it joins two operands.
+    pub fn is_operator(self) -> bool {
+        matches!(self, Tok::Plus | Tok::Minus | Tok::Dot | Tok::Star | Tok::Cross | Tok::Slash)
+    }
+}
+
 /// "No partner".
 pub(super) const ALONE: u32 = u32::MAX;
 

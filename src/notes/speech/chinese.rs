@@ -318,6 +318,9 @@ pub(super) const WORDS: &[(&str, Word)] = &[
 pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("插入", Topic::Insertion),
     ("casteljau", Topic::Casteljau),
+    ("差商", Topic::DividedDifference),
+    ("均差", Topic::DividedDifference),
+    ("差分", Topic::Difference),
     ("德卡斯特里奥", Topic::Casteljau),
     ("德卡斯特罗", Topic::Casteljau),
     ("差商", Topic::DividedDifference),

@@ -492,6 +492,7 @@ fn signs_below() {
         (r"\text{err}_{i+1}", "(_ err (+ i 1))"),
         (r"\tilde{x^{(+)}} + x_i^{(-)}", "(+ (tilde (upper x plus)) (upper (_ x i) minus))"),
         (r"c =: d", "(c = d)"),
+        (r"\text{size} = n - \text{shift}", "(size = (+ n (- shift)))"),
     ]);
 }
 
