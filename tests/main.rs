@@ -29,5 +29,6 @@ mod notes_commands;
 mod notes_corpus;
 mod notes_repairs;
 mod roundtrip;
+mod small_pages;
 mod weave;
 mod worked_examples;

@@ -78,6 +78,14 @@ impl Expr {
         }
     }
 
+    /// The elements of a list, a tuple or a set that is written out.
+    pub(crate) fn elements(&self) -> Option<&[Expr]> {
+        match &self.kind {
+            Kind::Set(elements, None) => Some(elements),
+            _ => self.items(),
+        }
+    }
+
     /// A small integer.
     pub fn int(value: i64) -> Self {
         Expr::number(&Rational::from_integer(value.into()))

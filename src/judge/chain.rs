@@ -469,6 +469,7 @@ impl Checker {
                 && (!tally.record.unknown.is_empty()
                     || self.is_value_of_spline(&chain.sides[at].expr, place))
                 && head.is_none()
+                && !is_at_variable(&chain.sides[at].expr)
                 && self.is_datum(&chain.sides[at].expr, &chain.sides[at + 1].expr, place);
             let named = at == 0
                 && findings[at].verdict != Verdict::Proved
@@ -565,6 +566,12 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
     };
     let fixed = matches!(body.kind, Kind::Name(_));
     is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed
+}
+
+/// p(t): no value of p, but p itself.
+fn is_at_variable(side: &Expr) -> bool {
+    let Kind::Apply(_, groups) = &side.kind else { return false };
+    matches!(groups.concat().as_slice(), [Expr { kind: Kind::Name(name), .. }] if is_variable(name))
 }
 
 /// Whether a formula for a function of variables applies it to others: f(u, v, t) = (1 - s) f(u, v, a) + s f(u, v, b) is

@@ -1,14 +1,14 @@
 //! What names mean, and where: the definitions and conditions met so far.
 
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Place, Said, Statement};
 use super::topic::Topic;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
@@ -116,6 +116,10 @@ impl Mark {
 pub struct Letters {
     /// Letters that are applied to arguments like functions.
     pub functions: BTreeSet<String>,
+    /// Those of them of which the document shows it.
+    applied: BTreeSet<String>,
+    /// How often letters stand with an index and without arguments.
+    members: BTreeMap<String, i64>,
     /// Whether the document speaks of polar forms.
     polar_forms: bool,
     /// Letters whose index 10 means 1, 0, because there is an index 00 or 01 or 011, too.
@@ -129,7 +133,13 @@ pub struct Letters {
     /// Whether lengths or ratios of intervals have names: h_0, Δ_1, u_1 - u_0.
     ratios: bool,
     /// Whether some family is numbered from 0.
-    pub from_zero: bool,
+    from_zero: bool,
+    /// The least number of a B-spline in a sum over them: 1 in Σ_{i=1}^m d_i N_{i,2}.
+    first_spline: Option<i64>,
+    /// The first and last number and the degree, or order, of B-splines in sums over them.
+    pub spline_sums: BTreeSet<[i64; 3]>,
+    /// The degrees, or orders, of B-splines.
+    pub spline_sizes: BTreeSet<i64>,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
     degrees: [bool; 2],
 }
@@ -213,6 +223,9 @@ impl Letters {
             }
         }
         letters.binomial_family = letters_seen;
+        // p(0) = f_0: f is the letter of values, if it is applied to nothing.
+        let Letters { functions, applied, members, .. } = &mut letters;
+        functions.retain(|name| applied.contains(name) || !members.get(name).is_some_and(|count| *count > 0));
         letters
     }
 
@@ -220,8 +233,15 @@ impl Letters {
         match &expr.kind {
             Kind::Apply(callee, groups) => {
                 let Some(head) = Head::of(callee) else { return };
+                if head.is_a(Family::Spline) {
+                    let size = head.upper.last().or(head.lower.get(1));
+                    self.spline_sizes.extend(size.and_then(Expr::as_int));
+                }
                 if roles::is_factor(&head.base) && head.lower.is_empty() {
                     return;
+                }
+                if !head.lower.is_empty() {
+                    *self.members.entry(head.base.clone()).or_default() -= 1;
                 }
                 let flat: Vec<&Expr> = groups.iter().flatten().collect();
                 let variable = |expr: &Expr| {
@@ -231,6 +251,7 @@ impl Letters {
                 };
                 let number = |expr: &Expr| matches!(expr.kind, Kind::Number(_) | Kind::Div(..));
                 if flat.len() > 1 || flat.iter().any(|argument| variable(argument) || number(argument)) {
+                    self.applied.insert(head.base.clone());
                     self.functions.insert(head.base);
                 }
             }
@@ -242,6 +263,9 @@ impl Letters {
                 }
             }
             Kind::Subscript(base, lower) => {
+                if let Some(head) = Head::of(base) {
+                    *self.members.entry(head.base).or_default() += 1;
+                }
                 self.ratios |= matches!(&base.kind, Kind::Name(name)
                     if matches!(name.as_str(), "h" | "Delta" | "delta" | "u" | "t" | "tau" | "lambda"));
                 self.from_zero |= lower
@@ -270,6 +294,29 @@ impl Letters {
                     && let Some(head) = Head::of(base)
                 {
                     self.pairs.insert(head.base);
+                }
+            }
+            Kind::Big { lower, upper, body, .. } => {
+                if let [Expr { kind: Kind::Chain(index, links), .. }] = lower.as_slice()
+                    && let [Link { rel: Rel::Eq, expr: from, .. }] = links.as_slice()
+                    && let Some(from) = from.as_int()
+                {
+                    walk(body, &mut |part| {
+                        let Some(head) = Head::of(part).filter(|head| head.is_a(Family::Spline)) else {
+                            return;
+                        };
+                        let indices: Vec<&Expr> = head.lower.iter().chain(&head.upper).collect();
+                        let [own, size] = indices[..] else { return };
+                        if !own.same_as(index) {
+                            return;
+                        }
+                        self.first_spline = Some(self.first_spline.map_or(from, |first| first.min(from)));
+                        if let (Some(to), Some(size)) =
+                            (upper.as_ref().and_then(|to| to.as_int()), size.as_int())
+                        {
+                            self.spline_sums.insert([from, to, size]);
+                        }
+                    });
                 }
             }
             Kind::Pow(base, upper) => {
@@ -311,6 +358,11 @@ impl Letters {
         self.polar_forms
     }
 
+    /// The number of the first of some knots that are listed without names.
+    pub fn first_knot(&self) -> Option<i64> {
+        self.first_spline.or_else(|| self.from_zero.then_some(0))
+    }
+
     /// Whether a letter is applied like a function.
     pub fn is_function(&self, base: &str) -> bool {
         self.functions.contains(base)
@@ -329,10 +381,22 @@ impl Context {
         definition.number().filter(|_| definition.place.group == place.group)
     }
 
-    /// b_{10} is b_{1,0}, where the page has b_{00}, too.
+    /// b_{10} is b_{1,0}, where the page has b_{00}, too; B_{111}^3 is B_{1,1,1}^3.
     pub fn with_pairs_apart(&self, mut head: Head) -> Head {
+        let triangular = || {
+            let degree = head.upper.first().and_then(Expr::as_int);
+            families::notation(&head.base, 3, head.upper.len()).is_some()
+                && head
+                    .lower
+                    .first()
+                    .and_then(Expr::as_int)
+                    .filter(|index| (100..1000).contains(index))
+                    .is_some_and(|index| {
+                        degree.is_some_and(|degree| index / 100 + index / 10 % 10 + index % 10 == degree)
+                    })
+        };
         if let [Expr { kind: Kind::Number(q), span }] = head.lower.as_slice()
-            && self.letters.pairs.contains(&head.base)
+            && (self.letters.pairs.contains(&head.base) || triangular())
             && let Some(number) = q.is_integer().then(|| q.to_string()).filter(|digits| digits.len() > 1)
         {
             let digits = number.bytes().filter(u8::is_ascii_digit);
@@ -443,19 +507,6 @@ impl Context {
     /// Where words say that a letter is a degree or an order, the latest first.
     pub fn sizes_of(&self, base: &str) -> impl Iterator<Item = &Declared> {
         self.spoken(base).filter(|declared| declared.object.is_size())
-    }
-
-    /// Whether the second index of a B-spline N is its degree, which the page tells by where its recursion
-    /// begins: at N_{i,0}, or at N_i^1 with orders.
-    pub fn spline_has_degree(&self, place: &Place) -> Option<bool> {
-        self.visible("N", place).find_map(|(_, definition, _)| {
-            let last = definition.head.upper.last().or(definition.head.lower.get(1))?;
-            match &last.kind {
-                Kind::Number(q) if num_traits::Zero::is_zero(q) => Some(true),
-                Kind::Number(q) if num_traits::One::is_one(q) => Some(false),
-                _ => None,
-            }
-        })
     }
 
     /// The definitions of a letter visible from a place, the nearest and latest first: their numbers,

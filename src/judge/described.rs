@@ -28,6 +28,7 @@ use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
+use crate::math::number::integer;
 use crate::math::poly::Symbol;
 
 /// So many curves of a section are looked at, the latest first.
@@ -106,6 +107,8 @@ struct New {
     points: Option<i64>,
     /// How many arguments are given.
     arguments: usize,
+    /// The number at which a value is given.
+    point: Option<Expr>,
 }
 
 impl New {
@@ -128,6 +131,7 @@ impl New {
                 side: left.clone(),
                 points,
                 arguments: 0,
+                point: None,
             });
         }
         let head = Head::of(left).filter(|head| head.upper.is_empty())?;
@@ -139,6 +143,7 @@ impl New {
                 side: left.clone(),
                 points: None,
                 arguments: 0,
+                point: None,
             }),
             ([], Kind::Apply(callee, groups)) if groups.len() == 1 => Some(New {
                 letter: head.base,
@@ -146,12 +151,16 @@ impl New {
                 side: left.clone(),
                 points: None,
                 arguments,
+                point: match groups[0].as_slice() {
+                    [only] if bases(only).is_empty() => Some(only.clone()),
+                    _ => None,
+                },
             }),
             // q = (1, 5/2, 5/2, 1)
             ([], _) if head.arguments.is_none() => {
                 let names: Vec<Expr> = (0..points?).map(|i| member(POINTS, i)).collect();
                 let side = Expr::from(Kind::List(names.clone()));
-                Some(New { letter: head.base, names, side, points, arguments: 0 })
+                Some(New { letter: head.base, names, side, points, arguments: 0, point: None })
             }
             _ => None,
         }
@@ -255,13 +264,19 @@ impl Checker {
             return None;
         }
         // P(t) is on the curve with the points P_i.
-        let own = matches!(meaning.made, Made::Itself) && meaning.curve.points.as_ref() == Some(&new.letter);
-        let evidence = match (certain, own) {
+        let itself = matches!(meaning.made, Made::Itself);
+        let own = itself && meaning.curve.points.as_ref() == Some(&new.letter);
+        // "For t = 1/2 we get the point c(1/2) = (b_0 + 2 b_1 + b_2)/4": a point made of its control points
+        let point = itself
+            && statement.role != Some(Role::Introduced)
+            && new.point.is_some()
+            && is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default());
+        let evidence = match (certain, own || point) {
             (true, _) => Evidence::Names,
             (_, true) => Evidence::Field,
             _ => Evidence::Terms,
         };
-        let said = certain || own || compare::agree_in_most(&failure.left, &failure.right) || near();
+        let said = certain || own || point || compare::agree_in_most(&failure.left, &failure.right) || near();
         said.then(|| {
             let wrong = Finding {
                 verdict: Verdict::Refuted,
@@ -420,7 +435,10 @@ impl Checker {
             Topic::Elevation,
             Topic::Subdivision,
         ];
-        if bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)) {
+        // Without their weights the points of a rational curve say nothing of it.
+        let rational = statement.topics.has(Topic::Rational);
+        if !rational && (bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)))
+        {
             found.extend(self.curves_by_points(new, place));
         }
         found.truncate(MOST_CURVES);
@@ -446,7 +464,10 @@ impl Checker {
             };
             let degree = object.degree.clone().or_else(|| last_index(points))?;
             let own = match object.sort {
-                Sort::ControlPoints => Some(bezier_curve(points.clone(), &degree)),
+                Sort::ControlPoints => {
+                    let weights = object.weights.clone();
+                    Some(Object { weights, ..bezier_curve(points.clone(), &degree) })
+                }
                 _ if object.names.is_empty() => Some(Object {
                     names: vec![Expr::name(CURVE)],
                     degree: Some(degree.clone()),
@@ -572,6 +593,17 @@ impl Meaning {
             }
         }
     }
+}
+
+/// Whether a value is a sum of members of a letter, with numbers before them that have the sum 1.
+fn is_mean_of(value: &Value, letter: &str) -> bool {
+    let Value::Scalar(formula) = value else { return false };
+    let one = |symbol: &Symbol| (symbol.base() == letter).then(|| integer(1));
+    let Some(polynomial) = formula.as_polynomial() else { return false };
+    polynomial.total_degree() == Some(1)
+        && polynomial.variables().iter().all(|symbol| symbol.base() == letter)
+        && formula.value(&|_: &Symbol| Some(integer(0))) == Some(integer(0))
+        && formula.value(&one) == Some(integer(1))
 }
 
 /// A formula with all numbers of a letter moved: b_1, b_2 for b_0, b_1.

@@ -6,6 +6,7 @@ use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition};
 use super::features::{has_column, without_argument};
+use super::inequality::interval;
 use super::names::{Head, bases, is_range, walk};
 use super::object::Sort;
 use super::statement::{Chain, Statement};
@@ -122,6 +123,7 @@ fn is_understood(condition: &Expr) -> bool {
     }
     let Kind::Chain(_, links) = &condition.kind else { return false };
     links.iter().all(|link| match link.rel {
+        Rel::NotIn => interval(&link.expr).is_some(),
         Rel::In => match &link.expr.kind {
             Kind::List(_) | Kind::Tuple(_) | Kind::Apply(..) | Kind::Set(_, None) | Kind::Range(..) => true,
             // i ∈ ℤ, x ∈ ℝ, p ∈ ℝ^3

@@ -372,9 +372,17 @@ impl Checker {
         let letters = self.context.knot_letters(place, &[left, right]);
         let indexed = [left, right].iter().any(|side| has_members(side, &letters));
         let bases = bases(left).into_iter().chain(bases(right));
+        // s(1): between which knots 1 lies decides.
+        let at_number = [left, right].iter().any(|side| {
+            side.has(&|part| {
+                matches!(&part.kind, Kind::Apply(_, groups)
+                    if matches!(groups.concat().as_slice(), [only] if self::bases(only).is_empty()))
+            })
+        });
         let given = bases.into_iter().any(|base| {
             self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
-                || self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
+                || !at_number
+                    && self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
         });
         let listed = !self.context.given_knots(&letters, place).is_empty();
         !indexed && !given && !listed && self.context.stated_knots(place).is_empty()

@@ -99,6 +99,8 @@ pub struct Object {
     pub interval: Option<(Expr, Expr)>,
     /// Whether its knots are equally spaced.
     pub uniform: bool,
+    /// Whether it has weights, so that nothing is known of it without them.
+    pub rational: bool,
     /// Where it has which values: it interpolates (0, 1), (1, 3).
     pub data: Vec<(Expr, Expr)>,
     /// Whether the second derivatives of a spline vanish at its ends.
@@ -119,6 +121,7 @@ impl Object {
             values: Vec::new(),
             interval: None,
             uniform: false,
+            rational: false,
             data: Vec::new(),
             natural: false,
         }
@@ -334,24 +337,85 @@ impl Context {
                 }
             }
         }
-        if found.is_empty() && self.letters.from_zero {
-            found = self.unnamed_knots(place).into_iter().enumerate().map(|(at, q)| (at as i64, q)).collect();
+        if found.is_empty()
+            && let Some(first) = self.letters.first_knot()
+        {
+            found = (first..).zip(self.unnamed_knots(place)).collect();
         }
         let knots: Vec<(&i64, &Rational)> = found.iter().collect();
         let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
         if whole && knots.len() > 2 { found } else { BTreeMap::new() }
     }
 
-    /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1).
-    fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
-        let told =
-            |declared: &&Declared| declared.object.sort == Sort::Knots && place.knows(&declared.place, false);
-        let Some(declared) = self.objects.iter().rev().find(told) else { return Vec::new() };
-        let items = match declared.object.names.as_slice() {
-            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => inside,
-            names => names,
+    /// Whether the section gives knots that are not at equal distances.
+    pub fn has_uneven_knots(&self, place: &Place) -> bool {
+        let listed = self.unnamed_knots(place);
+        let given = self.given_knots(&self.stated_knots(place), place);
+        let uneven =
+            |knots: &[Rational]| knots.windows(3).any(|three| &three[1] - &three[0] != &three[2] - &three[1]);
+        uneven(&listed) || uneven(&given.into_values().collect::<Vec<_>>())
+    }
+
+    /// Whether the second index of a B-spline N is its degree. The page tells it by where its recursion begins, at
+    /// N_{i,0}, or at N_i^1 with orders; by as many knots as a sum of B-splines needs; by the degree of its splines.
+    pub fn spline_has_degree(&self, place: &Place) -> Option<bool> {
+        let begins = self.visible("N", place).find_map(|(_, definition, _)| {
+            let last = definition.head.upper.last().or(definition.head.lower.get(1))?;
+            match last.as_int() {
+                Some(0) => Some(true),
+                Some(1) => Some(false),
+                _ => None,
+            }
+        });
+        let counted = || {
+            let knots = self.unnamed_knots(place).len() as i64;
+            self.letters.spline_sums.iter().find_map(|[from, to, size]| {
+                match knots - (to - from + 1) - size {
+                    1 => Some(true),
+                    0 => Some(false),
+                    _ => None,
+                }
+            })
         };
-        items.iter().map(|item| item.as_number().cloned()).collect::<Option<Vec<_>>>().unwrap_or_default()
+        let said = || {
+            let here = self.objects.iter().rev().filter(|declared| place.knows(&declared.place, false));
+            let splines = here.filter(|d| matches!(d.object.sort, Sort::SplineCurve | Sort::BSpline));
+            splines.filter_map(|declared| declared.object.degree.as_ref()?.as_int()).find_map(|degree| {
+                let sizes = &self.letters.spline_sizes;
+                match (sizes.contains(&degree), sizes.contains(&(degree + 1))) {
+                    (true, false) => Some(true),
+                    (false, true) => Some(false),
+                    _ => None,
+                }
+            })
+        };
+        begins.or_else(counted).or_else(said)
+    }
+
+    /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1), perhaps by a name
+    /// for it, or the knots of its latest spline.
+    fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
+        let here = self.objects.iter().rev().filter(|declared| place.knows(&declared.place, false));
+        let lists = here.map(|declared| match declared.object.sort {
+            Sort::Knots => declared.object.names.as_slice(),
+            Sort::SplineCurve => declared.object.knots.as_slice(),
+            _ => &[],
+        });
+        let numbers = |items: &[Expr]| -> Option<Vec<Rational>> {
+            let items = match items {
+                [one @ Expr { kind: Kind::Name(name), .. }] => self
+                    .visible(name, place)
+                    .find_map(|(_, definition, near)| match &definition.body {
+                        Body::Formula(body) if near => body.elements(),
+                        _ => None,
+                    })
+                    .or_else(|| one.elements())?,
+                [one] => one.elements()?,
+                items => items,
+            };
+            items.iter().map(|item| item.as_number().cloned()).collect()
+        };
+        lists.filter(|items| !items.is_empty()).find_map(numbers).unwrap_or_default()
     }
 
     /// The letters that the page itself gives to knots.

@@ -113,6 +113,10 @@ impl Trial<'_> {
         let mentions_knots = |condition: &&Expr| has_members(condition, &self.facts.knot_letters);
         let conditions: Vec<&Expr> =
             self.conditions.iter().chain(self.hypotheses().iter().filter(mentions_knots)).collect();
+        // At t = 1
+        if let Some(place) = conditions.iter().find_map(|condition| number_of_variable(condition)) {
+            return vec![place];
+        }
         // Σ_{i=a}^b c_i N_{i,p} is meant where no other N_{i,p} lives, if nothing else is said.
         if !self.conditions.iter().any(|condition| mentions_knots(&condition)) {
             for [from, to, degree] in self.sums_of_splines(bound) {
@@ -188,6 +192,17 @@ impl Trial<'_> {
             Some(Body::Formula(body)) => !indexed(body) && !self.sides.iter().any(|side| indexed(side)),
             _ => false,
         }
+    }
+}
+
+/// The number that a condition gives to a variable: 1 in t = 1.
+fn number_of_variable(condition: &Expr) -> Option<Rational> {
+    let Kind::Chain(left, links) = &condition.kind else { return None };
+    match (&left.kind, links.as_slice()) {
+        (Kind::Name(name), [link]) if link.rel == Rel::Eq && is_variable(name) => {
+            evaluator::machine().eval(&link.expr).ok()?.as_rational()
+        }
+        _ => None,
     }
 }
 

@@ -11,7 +11,7 @@ use super::context::{Body, Definition, is_variable};
 use super::doubts;
 use super::features::{bare_values, has_structure, loose_index};
 use super::hypotheses::is_coefficient;
-use super::names::{Head, bases, integer_names, is_index_letter, walk};
+use super::names::{Head, bases, integer_names, is_index_letter, is_range, walk};
 use super::roots;
 use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Outcomes, Tally};
@@ -446,8 +446,11 @@ pub fn decide(
     let constant =
         |symbols: &BTreeSet<Symbol>, other: &BTreeSet<Symbol>| symbols.is_empty() && !other.is_empty();
     let only_standard = tally.record.definitions.is_empty() && unknown.is_empty();
+    // N_{i,p}(u) = 0 for u outside of an interval: for all i, p and u there
+    let for_all = !outcomes.integers.is_empty() && chain.conditions.iter().any(is_range);
     if (constant(&sr, &sl) || constant(&sl, &sr))
         && !only_standard
+        && !for_all
         && tally.record.unknown.is_empty()
         && at == 0
     {

@@ -12,9 +12,10 @@ use crate::language::write;
 /// such that the relation may be meant for a part of the range.
 pub(super) fn best_failure(tally: &Tally, outcomes: &Outcomes, chain: &Chain) -> Option<Failure> {
     let explicit = chain.conditions.iter().any(|condition| {
-        matches!(&condition.kind, Kind::Chain(_, links)
+        condition.alternatives().is_some()
+            || matches!(&condition.kind, Kind::Chain(_, links)
             if links.iter().any(|link| matches!(link.expr.kind, Kind::Range(..))
-                || matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt)))
+                || matches!(link.rel, Rel::Le | Rel::Lt | Rel::Ge | Rel::Gt | Rel::In | Rel::NotIn)))
     });
     if outcomes.integers.is_empty() {
         // Degrees only: the highest tells most.

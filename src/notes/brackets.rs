@@ -1,4 +1,4 @@
-//! Polar forms called with brackets: b\[t_1, t_2, t_3\] beside the curve b(t).
+//! Polar forms called with brackets: b\[t_1, t_2, t_3\] or b⟨t_1, t_2, t_3⟩ beside the curve b(t).
 
 use std::collections::BTreeSet;
 
@@ -41,9 +41,20 @@ pub(super) fn as_arguments(statements: &mut [Statement]) {
     }
 }
 
+/// What stands in a bracket of one of these kinds.
+fn inside(bracket: &Expr) -> Option<&[Expr]> {
+    match &bracket.kind {
+        Kind::List(items) => Some(items),
+        Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "inner") => {
+            groups.first().map(Vec::as_slice)
+        }
+        _ => None,
+    }
+}
+
 /// The letter before a bracket with several items.
 fn call(function: &Expr, bracket: &Expr) -> Option<Head> {
-    let several = matches!(&bracket.kind, Kind::List(items) if items.len() > 1);
+    let several = inside(bracket).is_some_and(|items| items.len() > 1);
     let plain = |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
     Head::of(function).filter(|head| several && plain(head))
 }
@@ -55,14 +66,14 @@ fn apply(expr: &mut Expr, letters: &BTreeSet<String>, called: &BTreeSet<String>)
     while at + 1 < factors.len() {
         if let Some(head) = call(&factors[at], &factors[at + 1])
             && letters.contains(&head.base)
-            && let Kind::List(items) = &factors[at + 1].kind
+            && let Some(items) = inside(&factors[at + 1])
         {
             let mut callee = factors[at].clone();
             if called.contains(&head.base) {
                 rename(&mut callee);
             }
             let span = callee.span.to(factors[at + 1].span);
-            let value = Expr::new(Kind::Apply(Box::new(callee), vec![items.clone()]), span);
+            let value = Expr::new(Kind::Apply(Box::new(callee), vec![items.to_vec()]), span);
             factors.splice(at..at + 2, [value]);
         }
         at += 1;

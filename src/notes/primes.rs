@@ -14,7 +14,10 @@ pub(super) fn as_marks(statements: &mut [Statement]) {
     for statement in statements.iter_mut() {
         each(statement, &mut |expr| {
             walk(expr, &mut |part| {
-                if let Kind::Apply(callee, _) = &part.kind {
+                // y_0'(t - 2t^2) may be a product.
+                if let Kind::Apply(callee, groups) = &part.kind
+                    && groups.iter().flatten().any(is_argument)
+                {
                     applied.extend(letter(callee));
                 }
             });
@@ -23,6 +26,11 @@ pub(super) fn as_marks(statements: &mut [Statement]) {
     for statement in statements {
         each(statement, &mut |expr| mark(expr, &applied));
     }
+}
+
+/// Whether it can be nothing but an argument, if it stands in brackets after a name.
+fn is_argument(expr: &Expr) -> bool {
+    !matches!(expr.kind, Kind::Add(_))
 }
 
 /// Works on every formula of a statement.

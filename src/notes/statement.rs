@@ -317,7 +317,7 @@ impl Reader<'_> {
                 }
                 _ => vec![expr],
             };
-            let items = regrouped(items);
+            let items = with_alternatives(regrouped(items));
             for (at, item) in items.into_iter().enumerate() {
                 let side = Side { latex: clean(&latex(item.span)), expr: item };
                 let text = matches!(side.expr.kind, Kind::Text(_));
@@ -330,6 +330,7 @@ impl Reader<'_> {
                             self.push(Said::Bare(side, row.problems.clone()));
                         }
                     }
+                    _ if side.expr.alternatives().is_some() => self.push(Said::Condition(side)),
                     _ if is_condition(&side.expr, words || at > 0 || announces_condition(&self.gap)) => {
                         self.push(Said::Condition(side));
                     }
@@ -535,6 +536,27 @@ fn listed_values(items: &[Expr]) -> Option<Expr> {
         let link = Link { rel: Rel::Eq, span: *span, expr: right };
         Expr::new(Kind::Chain(Box::new(left), vec![link]), whole)
     })
+}
+
+/// Two conditions with "or" between them as one.
+fn with_alternatives(items: Vec<Expr>) -> Vec<Expr> {
+    let mut result: Vec<Expr> = Vec::with_capacity(items.len());
+    for item in items {
+        if let [.., one, Expr { kind: Kind::Text(text), .. }] = result.as_slice()
+            && speech::goes_on(text) == Some(true)
+            && [one, &item].into_iter().all(|side| is_condition(side, true) || side.alternatives().is_some())
+        {
+            let one = one.clone();
+            result.truncate(result.len() - 2);
+            let both = one.alternatives().map_or_else(|| vec![one.clone()], <[Expr]>::to_vec);
+            let span = one.span.to(item.span);
+            let any = Expr::any(both.into_iter().chain([item]).collect());
+            result.push(Expr::new(any.kind, span));
+        } else {
+            result.push(item);
+        }
+    }
+    result
 }
 
 /// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.

@@ -1,6 +1,5 @@
 //! Calls: definitions, derivatives, standard families, polar forms, unknown functions.
 
-use super::definitions::OPEN_PIECE;
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::context::{Source, is_variable};
@@ -8,16 +7,12 @@ use crate::judge::names::{Head, is_index_letter};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
-use crate::language::lexicon::families;
+use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
-use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
-
-/// The variable in which functions are differentiated.
-const FRESH: &str = "\u{2022}";
 
 impl Model {
     /// `callee(groups)`; `None` if it is no call of a function.
@@ -29,7 +24,7 @@ impl Model {
         expr: &Expr,
     ) -> Option<Evaluated> {
         if !self.is_function(machine, callee) {
-            return None;
+            return self.as_product(machine, callee, groups, None, expr);
         }
         if let Some(result) = self.functional(machine, callee, groups) {
             return Some(result);
@@ -83,6 +78,28 @@ impl Model {
             }
         }
         Some(self.apply(machine, callee, &values, expr))
+    }
+
+    /// f_0(1 - t)^2, where the page applies f to nothing and says f_0 by itself: a product.
+    pub(super) fn as_product(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        groups: &[Vec<Expr>],
+        exponent: Option<&Expr>,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let [group] = groups else { return None };
+        let [factor @ Expr { kind: Kind::Add(_), .. }] = group.as_slice() else { return None };
+        let head = Head::of(callee).filter(|head| !head.lower.is_empty())?;
+        let member = roles::NAMED_FUNCTIONS.contains(&head.base.as_str())
+            && !self.context.letters.is_function(&head.base);
+        let factor = factor.clone().grouped();
+        let factor = match exponent {
+            Some(exponent) => factor.power(exponent.clone()),
+            None => factor,
+        };
+        member.then(|| machine.eval(&Expr::new(Kind::Mul(vec![callee.clone(), factor]), expr.span)))
     }
 
     /// Whether a query says what is called, so that the language knows how to call it: f := polar(…).
@@ -241,42 +258,6 @@ impl Model {
         }
     }
 
-    /// ∂F/∂u (a, b): the derivative at the function's own variables, then the arguments put in.
-    fn derivative_at(
-        &self,
-        machine: &mut Machine,
-        callee: &Expr,
-        function: &Expr,
-        values: &[Vec<Value>],
-        expr: &Expr,
-    ) -> Evaluated {
-        let arguments: Option<Vec<Fraction>> =
-            values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
-        let head = Head::of(function);
-        let own: Option<Vec<Symbol>> = head.and_then(|head| {
-            let (_, definition, _) = self.context.visible(&head.base, &self.place).next()?;
-            let name = |argument: &&Expr| match &argument.kind {
-                Kind::Name(name) => Some(Symbol::new(name)),
-                _ => None,
-            };
-            definition.head.flat().iter().map(name).collect()
-        });
-        let (Some(arguments), Some(own)) = (arguments, own) else {
-            return Err(unclear("what the value of this derivative is", expr));
-        };
-        if own.len() != arguments.len() {
-            return Err(unclear("what the value of this derivative is", expr));
-        }
-        let free: Vec<(Symbol, Value)> =
-            own.iter().map(|name| (name.clone(), Value::symbol(name.clone()))).collect();
-        let derivative = machine.with_locals(free, |machine| machine.eval(callee))?;
-        let Value::Scalar(formula) = derivative else {
-            return Err(unclear("what the value of this derivative is", expr));
-        };
-        let put: Vec<(Symbol, Fraction)> = own.into_iter().zip(arguments).collect();
-        formula.substitute(&put).map(Value::Scalar).map_err(|_| division_by_zero())
-    }
-
     /// As [`Model::apply`], with the first arguments only if the function takes fewer.
     fn apply_some(
         &self,
@@ -303,87 +284,6 @@ impl Model {
             }
         }
         self.apply(machine, callee, values, expr)
-    }
-
-    /// The derivative of a function of one variable, at a value.
-    fn derivative(
-        &self,
-        machine: &mut Machine,
-        function: &Expr,
-        order: usize,
-        values: &[Vec<Value>],
-        expr: &Expr,
-    ) -> Evaluated {
-        let [group] = values else {
-            return Err(unclear("the derivative of a function of two groups of arguments", expr));
-        };
-        let [argument] = group.as_slice() else {
-            return Err(unclear("in which variable this is differentiated", expr));
-        };
-        let Value::Scalar(argument) = argument else {
-            return Err(unclear("the derivative at something that is not a number", expr));
-        };
-        if order == 0 {
-            return self.apply(machine, function, values, expr);
-        }
-        let fresh = Symbol::new(FRESH);
-        let own = vec![vec![Value::symbol(fresh.clone())]];
-        // Near the argument it is a polynomial.
-        let around = if self.is_local() { self.number_here(argument) } else { None };
-        let derived = |value: Value| {
-            each(value, &|formula| {
-                let derived = nth_derivative(&formula, &fresh, order);
-                derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
-            })
-        };
-        let outer = self.place_of_derivative.replace(Some(argument.clone()));
-        let value = self.moved(around, || self.apply(machine, function, &own, expr));
-        self.place_of_derivative.replace(outer);
-        match (value, argument.as_rational()) {
-            // Given by several formulas: the derivatives from both sides have to agree.
-            (Err(error), Some(at)) if error.message == OPEN_PIECE => {
-                let near = Rational::new(1.into(), (1i64 << 40).into());
-                let mut side = |at: Rational| {
-                    let value = self.moved(Some(at), || self.apply(machine, function, &own, expr))?;
-                    derived(value)
-                };
-                let (left, right) = (side(&at - &near)?, side(&at + &near)?);
-                if left == right {
-                    Ok(left)
-                } else {
-                    Err(unclear("what the derivative at this knot is", expr))
-                }
-            }
-            (value, _) => derived(value?),
-        }
-    }
-
-    /// F' alone, as in F' = 3 t^2.
-    pub(super) fn derived_name(
-        &self,
-        machine: &mut Machine,
-        body: &Expr,
-        order: usize,
-        expr: &Expr,
-    ) -> Option<Evaluated> {
-        let head = Head::of(body)?;
-        if machine.lookup(&Symbol::new(&head.base)).is_some() {
-            return None;
-        }
-        let context = self.context.clone();
-        let definition = context.visible(&head.base, &self.place).find_map(|(_, definition, _)| {
-            let arguments = definition.head.flat();
-            match arguments.as_slice() {
-                [one] => Head::of(one).map(|own| own.base),
-                _ => None,
-            }
-        });
-        let Some(variable) = definition else {
-            return Some(Err(unclear("what is differentiated here", expr)));
-        };
-        let variable = Symbol::new(&variable);
-        let own = vec![vec![Value::symbol(variable)]];
-        Some(self.derivative(machine, body, order, &own, expr))
     }
 
     fn apply_head(

@@ -8,8 +8,10 @@
 mod arguments;
 mod calls;
 mod definitions;
+mod derivatives;
 mod dots;
 mod dotted_arguments;
+mod extremes;
 mod families;
 mod functionals;
 mod notations;
@@ -340,6 +342,9 @@ impl Reading for Model {
             Kind::At { body, lower, upper: None } => self.at(machine, body, lower, expr),
             Kind::List(items) | Kind::Tuple(items) if items.len() == 1 => Some(machine.eval(&items[0])),
             Kind::Compose(items) => self.composed(machine, items, expr),
+            Kind::Derivative { variables, body: Some(body), .. } => {
+                self.derivative_at_number(machine, variables, body, expr)
+            }
             Kind::Cases(cases) if self.is_local() => self.cases_here(machine, cases, expr),
             _ => None,
         }
@@ -521,10 +526,11 @@ pub fn holds(machine: &mut Machine, condition: &Expr) -> Option<bool> {
             }
             continue;
         }
-        if link.rel == Rel::In {
+        if matches!(link.rel, Rel::In | Rel::NotIn) {
             let ([from, to], [above, below]) = interval(&link.expr)?;
             let (from, to) = (number(machine, from)?, number(machine, to)?);
-            if value < from || value > to || above && value == from || below && value == to {
+            let outside = value < from || value > to || above && value == from || below && value == to;
+            if outside == (link.rel == Rel::In) {
                 return Some(false);
             }
             continue;

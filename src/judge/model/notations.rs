@@ -38,6 +38,11 @@ impl Model {
                 other => arithmetic::transpose(other).map_err(|error| error.at(expr.span)),
             }));
         }
+        if let Kind::Apply(callee, groups) = &base.kind
+            && let Some(product) = self.as_product(machine, callee, groups, Some(exponent), expr)
+        {
+            return Some(product);
+        }
         // x(t)^2 is the square of a value, if x is a function; x^i (1-x)^{n-i} is a product.
         if let Kind::Apply(callee, _) = &base.kind
             && Head::of(callee).is_none_or(|head| head.upper.is_empty())
@@ -126,8 +131,7 @@ impl Model {
     ) -> Option<Evaluated> {
         if matches!(op, BigOp::Max | BigOp::Min) {
             let over_reals = own_names(lower).iter().any(|name| !is_index_letter(name));
-            let message = "extreme values over real numbers are not computed";
-            return over_reals.then(|| Err(Diagnostic::error(Code::Undecided, message).at(expr.span)));
+            return over_reals.then(|| self.extreme(machine, op == BigOp::Max, lower, body, expr));
         }
         if !matches!(op, BigOp::Sum | BigOp::Product) {
             return None;

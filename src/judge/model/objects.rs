@@ -178,7 +178,7 @@ impl Model {
                 let weights: Result<Vec<Fraction>, Diagnostic> =
                     knots.windows(degree + 2).map(|window| self.local_spline(window, &x, expr)).collect();
                 match weights {
-                    Ok(weights) => combination(&points, &weights),
+                    Ok(basis) => combination(&points, &self.weighted(machine, &object, &bound, basis)?),
                     Err(error) => Err(error),
                 }
             }
@@ -195,21 +195,8 @@ impl Model {
                 let points = self.points(machine, &object.points, &bound, degree)?;
                 note("the Bézier curve");
                 let x = self.reparametrised(machine, &object, &x)?;
-                let mut weights: Vec<Fraction> =
-                    (0..=degree as i64).map(|i| self.bernstein_value(degree as i64, i, &x)).collect();
-                if !object.weights.is_empty() {
-                    let own = self.points(machine, &object.weights, &bound, degree)?;
-                    for (weight, own) in weights.iter_mut().zip(&own) {
-                        *weight = weight.times(own.as_scalar()?);
-                    }
-                    let sum = weights.iter().fold(Fraction::zero(), |sum, weight| sum.plus(weight));
-                    for weight in &mut weights {
-                        let share =
-                            arithmetic::divide(Value::Scalar(weight.clone()), Value::Scalar(sum.clone()));
-                        *weight = share.ok()?.as_scalar()?.clone();
-                    }
-                }
-                combination(&points, &weights)
+                let basis = (0..=degree as i64).map(|i| self.bernstein_value(degree as i64, i, &x)).collect();
+                combination(&points, &self.weighted(machine, &object, &bound, basis)?)
             }
             Sort::Lagrange => {
                 let x = one?;
@@ -255,6 +242,30 @@ impl Model {
             _ => return None,
         };
         Some(result)
+    }
+
+    /// The functions that the control points of a curve are multiplied by: those of the basis, or, with weights, the
+    /// quotients w_i B_i / Σ w_j B_j.
+    fn weighted(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        bound: &Bound,
+        mut basis: Vec<Fraction>,
+    ) -> Option<Vec<Fraction>> {
+        if object.weights.is_empty() {
+            return Some(basis);
+        }
+        let own = self.points(machine, &object.weights, bound, basis.len().checked_sub(1)?)?;
+        for (function, own) in basis.iter_mut().zip(&own) {
+            *function = function.times(own.as_scalar()?);
+        }
+        let sum = basis.iter().fold(Fraction::zero(), |sum, function| sum.plus(function));
+        for function in &mut basis {
+            let share = arithmetic::divide(Value::Scalar(function.clone()), Value::Scalar(sum.clone()));
+            *function = share.ok()?.as_scalar()?.clone();
+        }
+        Some(basis)
     }
 
     /// The value of a name without arguments that words introduced: a control point, a matrix.

@@ -120,15 +120,14 @@ impl Model {
         let mut value = number(machine, left);
         let mut unknown = false;
         for link in links {
-            if link.rel == Rel::In {
+            if matches!(link.rel, Rel::In | Rel::NotIn) {
                 let ([from, to], _) = interval(&link.expr)?;
                 let (from, to) = (number(machine, from), number(machine, to));
                 let value = value.as_ref()?;
-                if from.as_ref().is_some_and(|from| value < from) || to.as_ref().is_some_and(|to| value > to)
-                {
-                    return Some(false);
-                }
-                return (from.is_some() && to.is_some()).then_some(true);
+                let outside = from.as_ref().is_some_and(|from| value < from)
+                    || to.as_ref().is_some_and(|to| value > to);
+                let known = outside || from.is_some() && to.is_some();
+                return known.then_some(outside == (link.rel == Rel::NotIn));
             }
             let next = number(machine, &link.expr);
             match (&value, &next) {

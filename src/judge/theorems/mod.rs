@@ -116,7 +116,8 @@ impl Checker {
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
         let instances = READ.with(|known| {
-            let lengths = self.context.letters.has_one_length();
+            let lengths =
+                self.context.letters.has_one_length() && !self.context.has_uneven_knots(setting.place);
             let spoken = known.iter().filter(|read| {
                 statement.topics.has(read.theorem.topic) && (lengths || !read.theorem.equal_lengths)
             });

@@ -30,6 +30,11 @@ const fn even_join(name: &'static str, left: &'static str, right: &'static str) 
     Theorem { name, topic: Topic::Join, left, right, by_order: None, equal_lengths: true }
 }
 
+/// A segment between knots at equal distances.
+const fn even_segment(name: &'static str, left: &'static str, right: &'static str) -> Theorem {
+    Theorem { name, topic: Topic::Spline, left, right, by_order: None, equal_lengths: true }
+}
+
 const fn spline(
     name: &'static str,
     left: &'static str,
@@ -156,14 +161,12 @@ pub(super) const THEOREMS: &[Theorem] = &[
         r"p_{2i+1}^{k+1}",
         r"\left(\frac12 + w\right) \left(p_i^k + p_{i+1}^k\right) - w \left(p_{i-1}^k + p_{i+2}^k\right)",
     ),
-    known(
-        Topic::Spline,
+    even_segment(
         "the uniform quadratic segment",
         r"s(x)",
         r"\frac12 \left((1-x)^2 d_0 + (1 + 2x - 2x^2) d_1 + x^2 d_2\right)",
     ),
-    known(
-        Topic::Spline,
+    even_segment(
         "the uniform cubic segment",
         r"s(x)",
         r"\frac16 \left((1-x)^3 d_0 + (3x^3 - 6x^2 + 4) d_1 + (1 + 3x + 3x^2 - 3x^3) d_2 + x^3 d_3\right)",

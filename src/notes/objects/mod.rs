@@ -14,7 +14,7 @@ mod tokens;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::phrase::{Phrase, is_call};
+use self::phrase::{Phrase, is_call, listed};
 use self::subject::{ends, left_side, name_in, named};
 use self::tables::Row;
 use self::tokens::{Token, tokens};
@@ -46,6 +46,10 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
             Reader { tokens, formulas: &formulas, topic, listed: Vec::new(), taken: 0, found: &mut found };
         reader.read();
         topic = reader.topic;
+    }
+    // "A rational curve" of which no weights are given
+    for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
+        object.sort = Sort::Other("rational".into());
     }
     let mut all = Vec::with_capacity(statements.len() + found.len());
     for statement in statements.drain(..) {
@@ -158,6 +162,7 @@ impl<'a> Reader<'a> {
                     at += 1;
                 }
                 Token::Word(Word::Support) => at = self.support_of(at),
+                Token::Word(Word::Weights) => at = self.weights(at),
                 Token::Word(Word::Through) => at = self.interpolated(at),
                 _ => at += 1,
             }
@@ -249,14 +254,20 @@ impl<'a> Reader<'a> {
         if !object.is_function() && self.said(number).iter().any(is_call) {
             return;
         }
-        // "Let N be the B-spline of degree 3: its knots are …"
-        if let (Sort::Knots, [owner]) = (&object.sort, of.as_slice())
-            && let Some(known) = self.known(owner)
+        // "Let N be the B-spline of degree 3: its knots are …"; "p is a Bézier curve. Its control points are …"
+        if let (Sort::Knots | Sort::ControlPoints, [owner]) = (&object.sort, of.as_slice())
+            && let Some(mut known) = self.known(owner)
         {
-            self.taken = to;
-            let object = Object { knots: names.clone(), ..known };
-            self.found.entry(number).or_default().push(object);
-            return;
+            let (list, free) = match object.sort {
+                Sort::Knots => (&mut known.knots, true),
+                _ => (&mut known.points, !matches!(known.sort, Sort::BSpline)),
+            };
+            if free && (list.is_empty() || object.sort == Sort::Knots) {
+                *list = names.clone();
+                self.taken = to;
+                self.found.entry(number).or_default().push(known);
+                return;
+            }
         }
         let whole = |expr: &Expr| expr.kind != Kind::Ellipsis && name_in(expr).is_none();
         if names.iter().any(whole) && !matches!(object.sort, Sort::Knots | Sort::Nodes) {
@@ -353,6 +364,25 @@ impl<'a> Reader<'a> {
         end
     }
 
+    /// "The weights are w_0 = 1, w_1 = 2": those of the curve that was spoken of last. Gives the token after them.
+    fn weights(&mut self, at: usize) -> usize {
+        let mut start = at + 1;
+        while self.is(start, &Word::Be) || self.skip_fillers(start) > start {
+            start = self.skip_fillers(start) + usize::from(self.is(start, &Word::Be));
+        }
+        let (items, end) = self.list(start);
+        let weights = listed(items);
+        let curve = |object: &&mut Object| object.rational && object.weights.is_empty();
+        let curve = self.found.values_mut().rev().flat_map(|list| list.iter_mut().rev()).find(curve);
+        match curve.filter(|_| !weights.is_empty()) {
+            Some(curve) => {
+                curve.weights = in_order(weights);
+                end
+            }
+            None => at + 1,
+        }
+    }
+
     /// "N_{i,3} has the support [u_i, u_{i+4}]": a B-spline over these knots. Gives the token after it.
     fn support_of(&mut self, at: usize) -> usize {
         let joins = |token: &Token| {
@@ -426,8 +456,9 @@ impl<'a> Reader<'a> {
     /// What was said last of a name.
     fn known(&self, name: &Expr) -> Option<Object> {
         let own = |object: &&Object| object.names.iter().any(|known| known.same_as(name));
-        let splines = |object: &&Object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve);
-        self.found.values().rev().flat_map(|list| list.iter().rev()).filter(splines).find(own).cloned()
+        let curves =
+            |object: &&Object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve | Sort::BezierCurve);
+        self.found.values().rev().flat_map(|list| list.iter().rev()).filter(curves).find(own).cloned()
     }
 
     /// "Of degree n", "k is the order": which letter a size is.
@@ -478,6 +509,19 @@ impl<'a> Reader<'a> {
             self.found.entry(number).or_default().push(Object { names, ..Object::new(sort) });
         }
     }
+}
+
+/// Members of one family in the order of their numbers: w_0, w_2, w_1 are three weights.
+fn in_order(mut names: Vec<Expr>) -> Vec<Expr> {
+    let member = |name: &Expr| {
+        let head = Head::of(name)?;
+        Some((head.base.clone(), head.index()?.as_int()?))
+    };
+    let members: Option<Vec<(String, i64)>> = names.iter().map(member).collect();
+    if members.is_some_and(|all| all.windows(2).all(|pair| pair[0].0 == pair[1].0)) {
+        names.sort_by_key(|name| member(name).map(|(_, number)| number));
+    }
+    names
 }
 
 /// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.

@@ -1,9 +1,9 @@
 //! A noun with what belongs to it.
 
 use super::super::speech::Word;
-use super::Reader;
 use super::subject::{ends, left_side, name_in, named, subject};
 use super::tokens::Token;
+use super::{Reader, in_order};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::bases;
 use crate::judge::object::{Object, Sort};
@@ -115,7 +115,7 @@ impl Reader<'_> {
     pub(super) fn phrase(&self, noun: usize, sort: Sort) -> Phrase {
         let mut object = Object::new(sort);
         let mut phrase_of = Vec::new();
-        let (mut piece, mut rational, mut closed) = (false, false, false);
+        let (mut piece, mut closed) = (false, false);
         let mut from = noun;
         if let Token::Word(Word::OfDegree(degree)) = self.tokens[noun] {
             object.degree = Some(Expr::int(degree));
@@ -160,7 +160,7 @@ impl Reader<'_> {
                     object.degree = self.number_at(before);
                     from = before;
                 }
-                Token::Word(Word::Rational) => rational = true,
+                Token::Word(Word::Rational) => object.rational = true,
                 // A C^2 cubic spline
                 Token::Formula(number) if is_smoothness(self.said(*number)) => {}
                 // An adjective that is not known here may change everything.
@@ -192,7 +192,7 @@ impl Reader<'_> {
                 Word::OfDegree(degree) => object.degree = Some(Expr::int(*degree)),
                 Word::Uniform => object.uniform = true,
                 Word::Natural => object.natural = true,
-                Word::Rational => rational = true,
+                Word::Rational => object.rational = true,
                 Word::Piece => piece = true,
                 _ => {}
             }
@@ -294,9 +294,6 @@ impl Reader<'_> {
         if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
             object.sort = Sort::BezierCurve;
         }
-        if rational && object.weights.is_empty() {
-            object.sort = Sort::Other("rational".into());
-        }
         phrase
     }
 
@@ -367,7 +364,8 @@ impl Reader<'_> {
             }
             return Some(end);
         }
-        let own = matches!(self.tokens.get(at), Some(Token::Word(Word::Noun(Sort::ControlPoints))));
+        let own =
+            matches!(self.tokens.get(at), Some(Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)));
         let next = if own { at } else { self.skip_fillers(at + 1) };
         let word = match self.tokens.get(at)? {
             // with … and weights …
@@ -382,12 +380,19 @@ impl Reader<'_> {
                 &Word::With
             }
             Token::Word(Word::Der) => &Word::Of,
-            // …, the control points being b_0, …, b_3
-            Token::Word(Word::Noun(Sort::ControlPoints))
-                if object.sort == Sort::BezierCurve
-                    && object.points.is_empty()
+            // …, the control points being b_0, …, b_3 and the weights 1, 2, 1
+            Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)
+                if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
+                    && object.is_without(&self.tokens[at])
                     && self.is(at + 1, &Word::Be)
                     && self.formula_at(at + 2).is_some() =>
+            {
+                &Word::With
+            }
+            // 曲线的控制点为 b_0, b_1, b_2
+            Token::Word(Word::Owns)
+                if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
+                    && matches!(self.tokens.get(at + 1), Some(token @ Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)) if object.is_without(token)) =>
             {
                 &Word::With
             }
@@ -439,32 +444,10 @@ impl Reader<'_> {
                             at += 1;
                         }
                         let (items, end) = self.list(at);
-                        // "With the control points b_0 = 1, b_1 = 2": the formulas give them.
-                        let several =
-                            items.len() > 1 && items.iter().all(|item| matches!(item.kind, Kind::Chain(..)));
-                        if several || items.iter().any(is_call) {
+                        if items.iter().any(is_call) {
                             return None;
                         }
-                        // with the control points P_0 = (1, 0), P_1 = (2, 3), with the knots u_i = i
-                        let equation = |item: &&Expr| {
-                            matches!(&item.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq
-                                && links[0].expr.items().is_none_or(|_| items.len() > 1))
-                        };
-                        let items: Vec<Expr> = match items.first().filter(equation).and_then(name_in) {
-                            Some(_) => items.iter().filter(equation).filter_map(name_in).collect(),
-                            None => items,
-                        };
-                        // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
-                        *list = match items.as_slice() {
-                            [only] => {
-                                let list = match &only.kind {
-                                    Kind::Chain(_, links) => &links[0].expr,
-                                    _ => only,
-                                };
-                                list.items().map_or_else(|| items.clone(), <[Expr]>::to_vec)
-                            }
-                            _ => items,
-                        };
+                        *list = in_order(listed(items));
                         // "With uniform knots" gives none.
                         let given = !list.is_empty() || object.uniform && at == end;
                         given.then_some(end)
@@ -498,6 +481,7 @@ impl Reader<'_> {
                             *anonymous |= of.is_empty() && *word == Word::Of;
                         }
                         object.uniform |= inner.object.uniform;
+                        object.rational |= inner.object.rational;
                         object.knots.extend(inner.object.knots.iter().cloned());
                         object.points.extend(inner.object.points.iter().cloned());
                         object.interval = object.interval.take().or(inner.object.interval.clone());
@@ -518,6 +502,13 @@ impl Reader<'_> {
                     }
                     Token::Formula(_) if *word == Word::On => {
                         let (items, end) = self.list(next);
+                        // zum Knotenvektor (0, 0, 0, 1, 1, 1)
+                        if let [only] = items.as_slice()
+                            && let Some(knots) = only.elements().filter(|elements| elements.len() > 3)
+                        {
+                            object.knots = knots.to_vec();
+                            return Some(end);
+                        }
                         let all: Option<Vec<(Expr, Expr)>> =
                             items.iter().map(|item| ends(std::slice::from_ref(item))).collect();
                         let all = all.filter(|all| !all.is_empty())?;
@@ -536,6 +527,47 @@ impl Reader<'_> {
             _ => None,
         }
     }
+}
+
+impl Object {
+    /// Whether nothing is said yet of what a word speaks of: its control points, its weights.
+    fn is_without(&self, token: &Token) -> bool {
+        match token {
+            Token::Word(Word::Weights) => self.weights.is_empty(),
+            _ => self.points.is_empty(),
+        }
+    }
+}
+
+/// The items of a list of names, values or equations, which have their own formulas.
+pub(super) fn listed(items: Vec<Expr>) -> Vec<Expr> {
+    // with the control points P_0 = (1, 0), P_1 = (2, 3), with the weights w_0 = w_2 = 1, w_1 = 3, with the knots u_i = i
+    let equation = |item: &&Expr| {
+        matches!(&item.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq
+            && links[0].expr.items().is_none_or(|_| items.len() > 1))
+    };
+    let items: Vec<Expr> = match items.first().filter(equation).and_then(name_in) {
+        Some(_) => items.iter().filter(equation).flat_map(names_in).collect(),
+        None => items,
+    };
+    // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
+    match items.as_slice() {
+        [only] => {
+            let list = match &only.kind {
+                Kind::Chain(_, links) => &links[0].expr,
+                _ => only,
+            };
+            list.elements().map_or_else(|| items.clone(), <[Expr]>::to_vec)
+        }
+        _ => items,
+    }
+}
+
+/// The names in an equation that gives them one value: w_0 = w_2 = 1.
+fn names_in(equation: &Expr) -> Vec<Expr> {
+    let Kind::Chain(left, links) = &equation.kind else { return Vec::new() };
+    let between = links.iter().rev().skip(1).rev().map(|link| &link.expr);
+    std::iter::once(left.as_ref()).chain(between).filter_map(name_in).collect()
 }
 
 /// C^2, among adjectives.

@@ -248,6 +248,7 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("以", With),
     ("带有", With),
     ("具有", With),
+    ("有", With),
     ("上", On),
     ("在", On),
     ("作为", As),

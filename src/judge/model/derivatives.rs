@@ -1,0 +1,160 @@
+//! Derivatives of functions, at arguments.
+
+use super::calls::{each, unclear};
+use super::definitions::OPEN_PIECE;
+use super::{Evaluated, Model};
+use crate::formula::{Expr, Kind};
+use crate::judge::names::{Head, bases};
+use crate::language::eval::Machine;
+use crate::language::ops::calculus::nth_derivative;
+use crate::language::ops::errors::division_by_zero;
+use crate::language::value::Value;
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, Symbol};
+
+/// The variable in which functions are differentiated.
+const FRESH: &str = "\u{2022}";
+
+impl Model {
+    /// d^3/dt^3 F(0): the derivative of F, of which 0 is the argument.
+    pub(super) fn derivative_at_number(
+        &self,
+        machine: &mut Machine,
+        variables: &[(Expr, Option<Expr>)],
+        body: &Expr,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let ([(_, order)], Kind::Apply(callee, groups)) = (variables, &body.kind) else { return None };
+        let [argument] = groups.as_slice() else { return None };
+        let [number] = argument.as_slice() else { return None };
+        if !bases(number).is_empty() || !self.is_function(machine, callee) {
+            return None;
+        }
+        let order = match order {
+            Some(order) => usize::try_from(machine.eval_int(order).ok()?).ok()?,
+            None => 1,
+        };
+        let at = match machine.eval(number) {
+            Ok(value) => vec![vec![value]],
+            Err(error) => return Some(Err(error)),
+        };
+        Some(self.derivative(machine, callee, order, &at, expr))
+    }
+
+    /// ∂F/∂u (a, b): the derivative at the function's own variables, then the arguments put in.
+    pub(super) fn derivative_at(
+        &self,
+        machine: &mut Machine,
+        callee: &Expr,
+        function: &Expr,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        let arguments: Option<Vec<Fraction>> =
+            values.iter().flatten().map(|value| value.as_scalar().cloned()).collect();
+        let head = Head::of(function);
+        let own: Option<Vec<Symbol>> = head.and_then(|head| {
+            let (_, definition, _) = self.context.visible(&head.base, &self.place).next()?;
+            let name = |argument: &&Expr| match &argument.kind {
+                Kind::Name(name) => Some(Symbol::new(name)),
+                _ => None,
+            };
+            definition.head.flat().iter().map(name).collect()
+        });
+        let (Some(arguments), Some(own)) = (arguments, own) else {
+            return Err(unclear("what the value of this derivative is", expr));
+        };
+        if own.len() != arguments.len() {
+            return Err(unclear("what the value of this derivative is", expr));
+        }
+        let free: Vec<(Symbol, Value)> =
+            own.iter().map(|name| (name.clone(), Value::symbol(name.clone()))).collect();
+        let derivative = machine.with_locals(free, |machine| machine.eval(callee))?;
+        let Value::Scalar(formula) = derivative else {
+            return Err(unclear("what the value of this derivative is", expr));
+        };
+        let put: Vec<(Symbol, Fraction)> = own.into_iter().zip(arguments).collect();
+        formula.substitute(&put).map(Value::Scalar).map_err(|_| division_by_zero())
+    }
+
+    /// The derivative of a function of one variable, at a value.
+    pub(super) fn derivative(
+        &self,
+        machine: &mut Machine,
+        function: &Expr,
+        order: usize,
+        values: &[Vec<Value>],
+        expr: &Expr,
+    ) -> Evaluated {
+        let [group] = values else {
+            return Err(unclear("the derivative of a function of two groups of arguments", expr));
+        };
+        let [argument] = group.as_slice() else {
+            return Err(unclear("in which variable this is differentiated", expr));
+        };
+        let Value::Scalar(argument) = argument else {
+            return Err(unclear("the derivative at something that is not a number", expr));
+        };
+        if order == 0 {
+            return self.apply(machine, function, values, expr);
+        }
+        let fresh = Symbol::new(FRESH);
+        let own = vec![vec![Value::symbol(fresh.clone())]];
+        // Near the argument it is a polynomial.
+        let around = if self.is_local() { self.number_here(argument) } else { None };
+        let derived = |value: Value| {
+            each(value, &|formula| {
+                let derived = nth_derivative(&formula, &fresh, order);
+                derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
+            })
+        };
+        let outer = self.place_of_derivative.replace(Some(argument.clone()));
+        let value = self.moved(around, || self.apply(machine, function, &own, expr));
+        self.place_of_derivative.replace(outer);
+        match (value, argument.as_rational()) {
+            // Given by several formulas: the derivatives from both sides have to agree.
+            (Err(error), Some(at)) if error.message == OPEN_PIECE => {
+                let near = Rational::new(1.into(), (1i64 << 40).into());
+                let mut side = |at: Rational| {
+                    let value = self.moved(Some(at), || self.apply(machine, function, &own, expr))?;
+                    derived(value)
+                };
+                let (left, right) = (side(&at - &near)?, side(&at + &near)?);
+                if left == right {
+                    Ok(left)
+                } else {
+                    Err(unclear("what the derivative at this knot is", expr))
+                }
+            }
+            (value, _) => derived(value?),
+        }
+    }
+
+    /// F' alone, as in F' = 3 t^2.
+    pub(super) fn derived_name(
+        &self,
+        machine: &mut Machine,
+        body: &Expr,
+        order: usize,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let head = Head::of(body)?;
+        if machine.lookup(&Symbol::new(&head.base)).is_some() {
+            return None;
+        }
+        let context = self.context.clone();
+        let definition = context.visible(&head.base, &self.place).find_map(|(_, definition, _)| {
+            let arguments = definition.head.flat();
+            match arguments.as_slice() {
+                [one] => Head::of(one).map(|own| own.base),
+                _ => None,
+            }
+        });
+        let Some(variable) = definition else {
+            return Some(Err(unclear("what is differentiated here", expr)));
+        };
+        let variable = Symbol::new(&variable);
+        let own = vec![vec![Value::symbol(variable)]];
+        Some(self.derivative(machine, body, order, &own, expr))
+    }
+}

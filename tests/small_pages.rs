@@ -1,0 +1,73 @@
+//! Small pages, each with one claim: the last relations of the page, with the verdict that they must get.
+//!
+//! A line `=== true` or `=== false` begins a page. What is wrong must be refuted; nothing else on any page may be.
+//! Pages are added for what a lecturer writes: the same thing in several words and languages, true and false.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use polarform::document::{Container, document};
+use polarform::formula::source::SourceFile;
+use polarform::judge::finding::{Finding, Verdict};
+use polarform::notes::{Options, check_document};
+
+/// The pages of a file: the line where each begins, whether its claim is true, and its text.
+fn pages(text: &str) -> Vec<(usize, bool, String)> {
+    let mut found: Vec<(usize, bool, String)> = Vec::new();
+    for (line, words) in text.lines().enumerate() {
+        match (words.strip_prefix("=== "), found.last_mut()) {
+            (Some(truth), _) => found.push((line + 1, truth.starts_with("true"), String::new())),
+            (None, Some((_, _, page))) => {
+                page.push_str(words);
+                page.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    found
+}
+
+/// The findings on the last formula of a page that states something: those after the last formula but one.
+fn last<'a>(findings: &'a [Finding], page: &str) -> Vec<&'a Finding> {
+    let display = page.rfind("$$").map(|end| page[..end].rfind("$$").unwrap_or(end));
+    let start = display.or_else(|| findings.iter().filter(|f| f.relation > 0).map(|f| f.span.start).max());
+    let inside = |finding: &&Finding| start.is_some_and(|start| finding.span.end > start);
+    findings.iter().filter(|finding| finding.relation > 0).filter(inside).collect()
+}
+
+#[test]
+fn every_page_gets_its_verdict() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/pages");
+    let mut wrong = String::new();
+    let mut count = 0;
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    for file in files {
+        let name = file.file_name().unwrap().to_string_lossy().into_owned();
+        for (line, truth, page) in pages(&fs::read_to_string(&file).unwrap()) {
+            count += 1;
+            let document = document(SourceFile::new("page.md", page.as_str()), Container::Markdown);
+            let report = check_document(&document, &Options::default());
+            let claim = last(&report.findings, &page);
+            let confirmed = |f: &&Finding| matches!(f.verdict, Verdict::Proved | Verdict::Sampled);
+            let right = match truth {
+                true => claim.iter().any(confirmed),
+                false => claim.iter().any(|finding| finding.is_suspicious()),
+            };
+            if !right {
+                let verdicts: Vec<&str> = claim.iter().map(|finding| finding.verdict.word()).collect();
+                let _ = writeln!(wrong, "{name}:{line}: {truth}, but it is {verdicts:?}");
+            }
+            let alarms = report.findings.iter().filter(|finding| {
+                finding.verdict == Verdict::Refuted
+                    && (truth || !claim.iter().any(|own| own.span == finding.span))
+            });
+            for alarm in alarms {
+                let _ = writeln!(wrong, "{name}:{line}: a false alarm: {}", alarm.latex);
+            }
+        }
+    }
+    assert!(count > 50, "only {count} pages");
+    assert!(wrong.is_empty(), "{wrong}");
+}
