@@ -297,7 +297,14 @@ impl Checker {
                 .object_called(&argument.base, place)
                 .is_some_and(|declared| matches!(declared.object.sort, Sort::Other(_)))
         });
-        if derivative || pieces || restricted || lint::missing_argument(head, &body.expr).is_some() {
+        // N_j^p = 0 for j < 0 or j > n
+        let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
+        if derivative
+            || pieces
+            || vanishes
+            || restricted
+            || lint::missing_argument(head, &body.expr).is_some()
+        {
             return;
         }
         self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);

@@ -96,7 +96,7 @@ fn other_shapes(left: &Value, right: &Value) -> Option<String> {
 }
 
 /// A one-by-one matrix is its entry, a list of one its item; a column is a list.
-fn plain(value: &Value) -> Value {
+pub fn plain(value: &Value) -> Value {
     match value {
         Value::Matrix(matrix) if matrix.shape() == (1, 1) => Value::Scalar(matrix[(0, 0)].clone()),
         Value::List(items) if items.len() == 1 => plain(&items[0]),

@@ -180,6 +180,7 @@ impl Checker {
         let (left, right) = (&chain.sides[0], &chain.sides[1]);
         if !matches!(findings[0].verdict, Verdict::Definition | Verdict::Undecided)
             || chain.blocked
+            || statement.is_case()
             || !statement.topics.any()
             || chain.relations[0].0 != Rel::Eq
             || left.is_unread()
@@ -255,7 +256,11 @@ impl Checker {
             let tells = !certain && Head::of(right).is_none();
             return Some((held, tells.then_some(meaning)));
         }
+        // "For P(t) = …": data of an example
         let [(failure, meaning)] = failures.as_slice() else { return None };
+        if statement.role == Some(Role::Introduced) {
+            return None;
+        }
         let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are.
         let known = compare::symbols(&failure.left);

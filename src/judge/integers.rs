@@ -118,7 +118,7 @@ impl Trial<'_> {
 }
 
 /// The index that a condition gives a value: n = 2.
-fn equated_index(condition: &Expr) -> Option<&String> {
+pub(super) fn equated_index(condition: &Expr) -> Option<&String> {
     match &condition.kind {
         Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => match &left.kind {
             Kind::Name(name) if is_index_letter(name) => Some(name),

@@ -110,6 +110,7 @@ impl Trial<'_> {
         if let (false, [first, .., last]) = (breaks.is_empty(), knots.as_slice()) {
             places.extend([first - integer(1), last + integer(1)]);
         }
+        self.keep_the_segments_meant(&knots, &mut places);
         let mentions_knots = |condition: &&Expr| has_members(condition, &self.facts.knot_letters);
         let conditions: Vec<&Expr> =
             self.conditions.iter().chain(self.hypotheses().iter().filter(mentions_knots)).collect();
@@ -138,6 +139,36 @@ impl Trial<'_> {
             })
         });
         places
+    }
+
+    /// x(0, 0) on the knots 0, 0, 0, 1, 2, 2, 2 is a value of the polar form of a segment that touches these arguments.
+    fn keep_the_segments_meant(&self, knots: &[Rational], places: &mut Vec<Rational>) {
+        let mut hulls: Vec<(Rational, Rational)> = Vec::new();
+        for side in &self.sides {
+            walk(side, &mut |part| {
+                let Kind::Apply(callee, groups) = &part.kind else { return };
+                let ([arguments], Kind::Name(_)) = (groups.as_slice(), &callee.kind) else { return };
+                let number = |argument: &Expr| match evaluator::machine().eval(argument) {
+                    Ok(value) => value.as_rational(),
+                    Err(_) => None,
+                };
+                let numbers: Option<Vec<Rational>> = arguments.iter().map(number).collect();
+                let Some(numbers) = numbers.filter(|numbers| numbers.len() > 1) else { return };
+                hulls.extend(numbers.iter().min().cloned().zip(numbers.iter().max().cloned()));
+            });
+        }
+        let meant = |place: &Rational| {
+            let start = knots.iter().filter(|knot| *knot <= place).max();
+            let end = knots.iter().filter(|knot| *knot > place).min();
+            let (Some(start), Some(end)) = (start, end) else { return false };
+            hulls.iter().all(|(least, most)| match least == most {
+                true => start <= least && least <= end,
+                false => start < most && least < end,
+            })
+        };
+        if !hulls.is_empty() && places.iter().any(&meant) {
+            places.retain(meant);
+        }
     }
 
     /// The bounds and the degree of each sum of B-splines in the sides, for some values of the integers.

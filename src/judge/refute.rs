@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 
 use super::check::Checker;
-use super::compare;
+use super::compare::{self, Outcome};
 use super::context::{Body, Definition, is_variable};
 use super::doubts;
 use super::features::{bare_values, has_structure, loose_index};
@@ -20,8 +20,9 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families;
 use crate::language::value::Value;
 use crate::language::write;
-use crate::math::poly::{Index, Symbol};
+use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::Ring;
+use num_traits::Zero;
 
 /// What a failing relation is taken for.
 pub enum Decision {
@@ -63,7 +64,11 @@ pub fn calls(expr: &Expr, base: &str) -> bool {
 
 /// Whether the head is that of a family with a standard meaning.
 pub fn is_standard(head: Option<&Head>) -> bool {
-    head.is_some_and(|head| families::has_values(&head.base))
+    let word = |index: &Expr| matches!(&index.kind, Kind::Text(_));
+    head.is_some_and(|head| {
+        let indices = || head.lower.iter().chain(&head.upper);
+        families::has_values(&head.base) && indices().next().is_some() && !indices().any(word)
+    })
 }
 
 /// What a failing relation is, before anything raises a doubt.
@@ -93,6 +98,10 @@ pub fn decide(
     // The hypotheses say what the left side is.
     let inner = tally.fails.iter().find(|failure| failure.inner).or(tally.fails.first());
     let asserted = statement.role != Some(Role::Introduced);
+    // c(t) = a (1 - t) + b t, then c(t) = q_1 (1 - t) + q_2 t: it says what a and b are here.
+    if inner.is_some_and(renames_its_letters) {
+        return Decision::Condition("it may say what its letters stand for here".to_owned());
+    }
     if let (true, Some(failure)) =
         (asserted && tally.determined > 0 && tally.determined + tally.beyond == tally.fails.len(), inner)
     {
@@ -289,6 +298,18 @@ pub fn decide(
         }
     }
     let (sl, sr) = (visible(&failure.left), visible(&failure.right));
+    // f(t, t, 0) = t^2 - 4t said what c_0, c_1, c_2 are, and not what c_3 is.
+    let in_part = tally
+        .record
+        .definitions
+        .iter()
+        .any(|(number, _)| matches!(checker.context.definitions[*number].body, Body::Value(_)));
+    let coefficient = |value: &Value| compare::symbols(value).into_iter().find(is_coefficient);
+    if let (true, Some(symbol), None) | (true, None, Some(symbol)) =
+        (in_part, coefficient(&failure.left), coefficient(&failure.right))
+    {
+        return Decision::Condition(format!("what {symbol} is is not said"));
+    }
     // b_{2,0} beside b_{2,0,0} is a misreading.
     let others = |a: &Symbol| {
         sr.iter().any(|b| {
@@ -488,6 +509,33 @@ pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -
     } else {
         Decision::Condition(reason.to_owned())
     }
+}
+
+/// Whether the sides are equal if letters that only one of them has are renamed to members of a family.
+fn renames_its_letters(failure: &Failure) -> bool {
+    let Outcome::Fails(judgement) = &failure.outcome else { return false };
+    let Some(difference) = &judgement.difference else { return false };
+    let symbols = visible(difference);
+    let open = |symbol: &&Symbol| symbol.is_plain() && !is_variable(symbol.base());
+    let letters: Vec<&Symbol> = symbols.iter().filter(open).collect();
+    let members: Vec<&Symbol> = symbols.iter().filter(|symbol| !symbol.is_plain()).collect();
+    if letters.is_empty() || letters.len() > 3 || members.is_empty() || members.len() > 6 {
+        return false;
+    }
+    let ways = members.len().pow(letters.len() as u32);
+    (0..ways).any(|way| {
+        let mut rest = way;
+        let by: Vec<(Symbol, Fraction)> = letters
+            .iter()
+            .map(|letter| {
+                let member = members[rest % members.len()].clone();
+                rest /= members.len();
+                ((*letter).clone(), Fraction::from(MultiPoly::symbol(member)))
+            })
+            .collect();
+        let zero = |value: Value| compare::plain(&value).as_rational().is_some_and(|q| q.is_zero());
+        compare::substituted(difference, &by).is_some_and(zero)
+    })
 }
 
 fn is_constant(value: &Value) -> bool {

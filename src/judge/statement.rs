@@ -108,6 +108,8 @@ pub enum Role {
     Sought,
     /// If and only if …: a condition that means the same as something else.
     Equivalent,
+    /// For some …, there is …: a name of which something holds for one value.
+    Exists,
 }
 
 /// One side of a relation.
@@ -151,6 +153,8 @@ pub struct Chain {
     pub universal: bool,
     /// Whether a condition beside it could not be read.
     pub blocked: bool,
+    /// Names of which its sentence says that they exist: no instance refutes what is claimed of them.
+    pub exists: Vec<String>,
     /// Why parts could not be read.
     pub problems: Vec<Diagnostic>,
 }
@@ -166,6 +170,7 @@ impl Chain {
             partial: false,
             universal: false,
             blocked: false,
+            exists: Vec::new(),
             problems: Vec::new(),
         }
     }

@@ -14,7 +14,7 @@ use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs};
-use super::integers::{advance, as_values, is_inner, is_outside};
+use super::integers::{advance, as_values, equated_index, is_inner, is_outside};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{integer_names, is_index_letter, is_range};
 use super::statement::{Chain, Place};
@@ -152,6 +152,13 @@ impl<'a> Trial<'a> {
         self.sides.iter().map(|side| highest_derivative(side) + 1).fold(LARGEST_DEGREE, usize::max)
     }
 
+    /// The integers that no condition gives by others: "where k = n + 1".
+    fn free(&self, bound: &[(String, i64)]) -> Vec<(String, i64)> {
+        let given =
+            |name: &String| self.conditions.iter().any(|condition| equated_index(condition) == Some(name));
+        bound.iter().filter(|(name, _)| !given(name)).cloned().collect()
+    }
+
     /// Tries all small instances.
     pub fn run(&self) -> Outcomes {
         self.run_some(None)
@@ -196,7 +203,8 @@ impl<'a> Trial<'a> {
         let named = |values: &Vec<i64>| -> Vec<(String, i64)> {
             integers.iter().cloned().zip(values.iter().copied()).collect()
         };
-        let (inner, outer): (Vec<_>, Vec<_>) = all.into_iter().partition(|values| is_inner(&named(values)));
+        let (inner, outer): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|values| is_inner(&self.free(&named(values))));
         let (mut inner, mut outer) = (inner.into_iter(), outer.into_iter());
         let turns = std::iter::from_fn(|| match (inner.next(), outer.next()) {
             (None, None) => None,
@@ -207,7 +215,7 @@ impl<'a> Trial<'a> {
         let mut tried = 0;
         for values in all {
             let bound: Vec<(String, i64)> = integers.iter().cloned().zip(values).collect();
-            if count.is_some() && !is_inner(&bound) || !self.allows(&bound) {
+            if count.is_some() && !is_inner(&self.free(&bound)) || !self.allows(&bound) {
                 continue;
             }
             if count.is_some_and(|count| tried >= count) {
@@ -366,7 +374,8 @@ impl<'a> Trial<'a> {
         records: &[Record],
         outcomes: &mut Outcomes,
     ) -> bool {
-        let inner = is_inner(bound) && degree != Some(0);
+        let free = self.free(bound);
+        let inner = is_inner(&free) && degree != Some(0);
         let mut valid = false;
         for (at, rel) in self.relations.iter().enumerate() {
             let tally = &mut outcomes.tallies[at];
@@ -432,9 +441,9 @@ impl<'a> Trial<'a> {
                         degree,
                         around: around.clone(),
                         inner,
-                        outside: is_outside(bound)
+                        outside: is_outside(&free)
                             || degree
-                                .is_some_and(|degree| bound.iter().any(|(_, value)| *value > degree as i64)),
+                                .is_some_and(|degree| free.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,
                         left: left.clone(),
                         right: right.clone(),

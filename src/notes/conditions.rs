@@ -3,7 +3,7 @@
 use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel};
 use crate::judge::inequality::interval;
-use crate::judge::names::{Head, is_range, walk};
+use crate::judge::names::{Head, bases, is_index_letter, is_range, walk};
 use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
 use crate::language::lexicon::roles::is_variable;
 
@@ -57,6 +57,7 @@ pub(super) fn announces_condition(gap: &str) -> bool {
 pub(super) fn attach(statements: &mut [Statement]) {
     give_first(statements);
     give_intervals(statements);
+    give_what_exists(statements);
     for at in 0..statements.len() {
         let unread = match &statements[at].said {
             Said::Bare(side, _) | Said::Condition(side) => side.is_unread(),
@@ -121,6 +122,33 @@ pub(super) fn attach(statements: &mut [Statement]) {
         // The range of one formula is not that of the next.
         if attached && range && !unread {
             statements[at].role = Some(Role::Case);
+        }
+    }
+}
+
+/// "f(b) - f(a) = f'(c)(b - a) for some c in (a, b)", "there is a c with …".
+fn give_what_exists(statements: &mut [Statement]) {
+    for at in 0..statements.len() {
+        if statements[at].role != Some(Role::Exists) {
+            continue;
+        }
+        let names = match &statements[at].said {
+            Said::Bare(side, _) => bases(&side.expr),
+            Said::Condition(side) => match &side.expr.kind {
+                Kind::Chain(left, _) => bases(left),
+                _ => continue,
+            },
+            _ => continue,
+        };
+        let (group, formula) = (statements[at].place.group, statements[at].place.formula);
+        let reach = formula.saturating_sub(2)..=formula + 3;
+        for other in statements.iter_mut() {
+            if let Said::Chain(chain) = &mut other.said
+                && other.place.group == group
+                && reach.contains(&other.place.formula)
+            {
+                chain.exists.extend(names.iter().cloned());
+            }
         }
     }
 }
@@ -252,7 +280,14 @@ pub(super) fn is_condition(expr: &Expr, follows: bool) -> bool {
                 if matches!(body.kind, Kind::Subscript(..)) && bare(body)
                     || lower.is_empty() && matches!(body.kind, Kind::Name(_)));
             let one = matches!(&expr.kind, Kind::Number(_));
-            (names && (one || follows && bare(expr))) || (weights && one)
+            // "where k = n + 1"
+            let index = |name: &String| is_index_letter(name);
+            let sizes = follows
+                && matches!(&left.kind, Kind::Name(name) if is_index_letter(name))
+                && matches!(&expr.kind, Kind::Add(_))
+                && bases(expr).iter().all(index)
+                && !bases(expr).is_empty();
+            (names && (one || follows && bare(expr))) || (weights && one) || sizes
         }
         _ => false,
     }

@@ -175,7 +175,8 @@ impl Suspect<'_> {
         let [left, right] = self.sides();
         let place_of_mean = |name: &String| {
             let integer = self.failure.integers.iter().any(|(own, _)| own == name) || is_index_letter(name);
-            !integer && self.is_only_argument(name) && open(name)
+            let unknown = |base: &str| self.tally.record.unknown.contains(base);
+            !integer && self.is_only_argument(name, &unknown) && open(name)
         };
         let alone = own.symmetric_difference(&others).any(|name| open(name))
             || bases(left).symmetric_difference(&bases(right)).any(place_of_mean);
@@ -207,14 +208,12 @@ impl Suspect<'_> {
         alone || family
     }
 
-    /// Whether a name stands only as the argument of functions that nobody introduced.
-    fn is_only_argument(&self, name: &str) -> bool {
+    /// Whether a name stands only as the argument of such functions.
+    pub(super) fn is_only_argument(&self, name: &str, of: &dyn Fn(&str) -> bool) -> bool {
         let (mut within, mut all) = (0, 0);
         self.any(&mut |part| {
             match &part.kind {
-                Kind::Apply(callee, groups)
-                    if bases(callee).iter().any(|base| self.tally.record.unknown.contains(base)) =>
-                {
+                Kind::Apply(callee, groups) if bases(callee).iter().any(|base| of(base)) => {
                     within += groups.iter().flatten().filter(|argument| is_name(argument, name)).count();
                 }
                 _ => all += usize::from(is_name(part, name)),

@@ -20,6 +20,7 @@ use super::statement::{Chain, Role, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::roles::is_intermediate;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 use crate::math::ring::Ring;
@@ -43,7 +44,8 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 8] = [
+        let rules: [fn(&Self) -> Option<String>; 9] = [
+            Self::of_one_that_exists,
             Self::new_function,
             Self::operator,
             Self::equation_to_be_solved,
@@ -54,6 +56,17 @@ impl Suspect<'_> {
             Self::word_of_a_group,
         ];
         rules.into_iter().find_map(|rule| rule(self))
+    }
+
+    /// f(b) - f(a) = f'(ξ)(b - a): there is such a ξ.
+    fn of_one_that_exists(&self) -> Option<String> {
+        let written: Vec<BTreeSet<String>> = self.sides().into_iter().map(bases).collect();
+        let said = self.chain.exists.iter().find(|name| written.iter().any(|side| side.contains(*name)));
+        let between = || {
+            let mut names = written[0].symmetric_difference(&written[1]);
+            names.find(|name| is_intermediate(name) && self.is_only_argument(name, &|_| true))
+        };
+        said.or_else(between).map(|name| format!("it may be said of one {name} that exists"))
     }
 
     fn sides(&self) -> [&Expr; 2] {

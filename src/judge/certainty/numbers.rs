@@ -46,13 +46,14 @@ impl Suspect<'_> {
         if self.rel() == Rel::Equiv {
             return Some("it may be a congruence".to_owned());
         }
+        let written = self.sides().into_iter().all(|side| bases(side).is_empty());
         if self.statement.role == Some(Role::Introduced)
+            && !written
             && self.tally.record.definitions.is_empty()
             && self.tally.record.standard.is_empty()
         {
             return Some("a condition".to_owned());
         }
-        let written = self.sides().into_iter().all(|side| bases(side).is_empty());
         if self.statement.topics.has(Topic::Modular) && self.tally.record.standard.is_empty() {
             return Some("it may be meant modulo a number, or in another ring".to_owned());
         }

@@ -6,6 +6,7 @@ use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Rel, Sign};
 use crate::judge::context::{Body, Condition, Definition, Source};
 use crate::judge::names::{Head, bases, capital_of, integer_names, is_capital, is_index_letter};
+use crate::judge::refute::calls;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::{families, roles};
@@ -94,6 +95,10 @@ impl Model {
         if pieces > 1 && self.allows(machine, definition, &bound).is_none() {
             return Some(Err(Diagnostic::error(Code::Domain, OPEN_PIECE)));
         }
+        if values.is_some() && self.is_of_functions(definition, &bound) {
+            let message = "it is given a formula for a function here";
+            return Some(Err(Diagnostic::error(Code::Unsupported, message)));
+        }
         let outermost = self.depth.get() == 0;
         let result = self.unfold(machine, definition, bound);
         // A definition that leads nowhere is as good as none.
@@ -110,6 +115,20 @@ impl Model {
         }
         self.record.borrow_mut().definitions.insert((number, near));
         Some(result)
+    }
+
+    /// Whether a function is to be called that has the value of a formula: B_n(f; x) = Σ f(k/n) …, in B_n(t^2; x).
+    fn is_of_functions(&self, definition: &Definition, bound: &Bound) -> bool {
+        let Body::Formula(body) = &definition.body else { return false };
+        let function = |value: &Value| match value {
+            Value::Scalar(_) => crate::judge::compare::symbols(value).iter().any(|symbol| {
+                *value == Value::symbol(symbol.clone()) && self.context.letters.is_function(symbol.base())
+            }),
+            _ => true,
+        };
+        bound.iter().any(|(name, value)| {
+            roles::NAMED_FUNCTIONS.contains(&name.base()) && calls(body, name.base()) && !function(value)
+        })
     }
 
     /// Whether a definition of all members of a family leads back to the one that is asked for: x_i = x_0 + ih says

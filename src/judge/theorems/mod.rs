@@ -217,6 +217,13 @@ impl Checker {
         let Some(letters) = left_letters(&read.left, left) else { return Vec::new() };
         let theorem = read.theorem;
         let mut found = Vec::new();
+        // c_i = c_{i+n}, of a closed curve, is no formula for c_i.
+        let own =
+            |expr: &Expr, side: &Expr| Kinds::of(side).families.iter().any(|f| f.same_as(base_of(expr)));
+        let marked = Head::of(left).is_some_and(|head| !head.upper.is_empty());
+        if !marked && own(left, right) && !read.rights.iter().any(|(theirs, _)| own(&read.left, theirs)) {
+            return found;
+        }
         for (wanted, order) in &read.rights {
             for letters in ways(theorem, wanted, right, &letters, statement) {
                 let size = letters.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());

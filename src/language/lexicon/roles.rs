@@ -49,8 +49,16 @@ const FACTORS: &[&str] =
 /// Control points when they have indices.
 const CONTROL_POINTS: &[&str] = &["b", "p", "P"];
 
+/// Places that exist somewhere, in mean value theorems and remainders.
+const INTERMEDIATE: &[&str] = &["xi", "eta", "zeta"];
+
 /// Barycentric coordinates, and parameters in [0, 1].
 const BARYCENTRIC: &[&str] = &["u", "v", "w", "r", "s", "t", "alpha", "beta", "gamma"];
+
+/// Whether it usually is a place that exists, if it only is an argument.
+pub(crate) fn is_intermediate(letter: &str) -> bool {
+    INTERMEDIATE.contains(&letter)
+}
 
 /// Whether it usually is a degree.
 pub(crate) fn is_degree(letter: &str) -> bool {

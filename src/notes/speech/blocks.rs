@@ -38,7 +38,7 @@ pub(super) struct Recalls {
 /// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with
 /// a number, a point or a colon.
 pub fn block(words: &str) -> Option<Block> {
-    let text = words.trim_start();
+    let text = words.trim_start_matches([' ', '\n', '\t', '•', '·', '●', '◦']);
     let marked = text.starts_with(['*', '_', '【', '[']);
     let text = text.trim_start_matches(['*', '_', '【', '[', ' ']);
     let label: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
@@ -131,8 +131,9 @@ pub fn recalled(words: &str) -> Option<String> {
                         (cues().any(|word| cue(word)) || within()).then_some(name)
                     }
                     None => {
-                        let whole =
-                            !after.starts_with(char::is_alphanumeric) || text.piece(end..).starts_with(' ');
+                        let whole = !language.spaced
+                            || !after.starts_with(char::is_alphanumeric)
+                            || text.piece(end..).starts_with(' ');
                         (whole && language.recalls.last.iter().any(|word| cue(word))).then(String::new)
                     }
                 }
@@ -165,6 +166,10 @@ mod tests {
             ("im Beispiel", Some("")),
             ("在例 1 中", Some("1")),
             ("例 1 中三个控制点为", Some("1")),
+            ("对上例，", Some("")),
+            ("上例中", Some("")),
+            ("For the above example,", Some("")),
+            ("Im obigen Beispiel ist", Some("")),
             ("As in Example 2,", None),
             ("For example,", None),
             ("zum Beispiel", None),

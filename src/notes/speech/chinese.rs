@@ -9,6 +9,10 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    Before("存在", Role::Exists),
+    Before("对某个", Role::Exists),
+    Before("对某一", Role::Exists),
+    Before("有某个", Role::Exists),
     After("矛盾", Role::Asked),
     After("这是不可能的", Role::Asked),
     Before("所以", Role::Claimed),
@@ -390,5 +394,8 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
 ];
 
 /// What stands before an example that a sentence goes back to.
-pub(super) const RECALLS: Recalls =
-    Recalls { named: &["在", "对", "对于", "由"], last: &[], compared: &["如", "见"] };
+pub(super) const RECALLS: Recalls = Recalls {
+    named: &["在", "对", "对于", "由"],
+    last: &["上", "前", "上面的", "上述", "前面的"],
+    compared: &["如", "见"],
+};

@@ -9,6 +9,10 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    Before("pour un certain", Role::Exists),
+    Before("pour une certaine", Role::Exists),
+    Before("il existe", Role::Exists),
+    Before("existe", Role::Exists),
     After("ce qui est absurde", Role::Asked),
     After("contradiction", Role::Asked),
     After("ce qui est impossible", Role::Asked),

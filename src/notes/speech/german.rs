@@ -9,6 +9,19 @@ use crate::judge::statement::Role;
 use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
+    Before("für ein", Role::Exists),
+    Before("für eine", Role::Exists),
+    Before("für einen", Role::Exists),
+    Before("für geeignetes", Role::Exists),
+    Before("für geeignete", Role::Exists),
+    Before("es gibt", Role::Exists),
+    Before("gibt es", Role::Exists),
+    Before("existiert", Role::Exists),
+    Before("existieren", Role::Exists),
+    Before("existiert ein", Role::Exists),
+    Before("es existiert ein", Role::Exists),
+    Before("es existiert", Role::Exists),
+    Before("es gibt ein", Role::Exists),
     After("widerspruch", Role::Asked),
     After("im widerspruch", Role::Asked),
     After("ein widerspruch", Role::Asked),
@@ -549,6 +562,18 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
 /// What stands before an example that a sentence goes back to.
 pub(super) const RECALLS: Recalls = Recalls {
     named: &["in", "für", "aus", "von"],
-    last: &["im", "für das", "aus dem", "des", "in unserem", "beim"],
+    last: &[
+        "im",
+        "für das",
+        "aus dem",
+        "des",
+        "in unserem",
+        "beim",
+        "obigen",
+        "vorigen",
+        "vorherigen",
+        "vorhergehenden",
+        "letzten",
+    ],
     compared: &["wie", "siehe", "vgl."],
 };

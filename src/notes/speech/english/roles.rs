@@ -6,6 +6,18 @@ use crate::notes::speech::Cue::{self, After, Before, Command};
 use crate::notes::speech::blocks::Recalls;
 
 pub const CUES: &[Cue] = &[
+    Before("for some", Role::Exists),
+    Before("for a certain", Role::Exists),
+    Before("for a suitable", Role::Exists),
+    Before("for suitable", Role::Exists),
+    Before("there is", Role::Exists),
+    Before("there is a", Role::Exists),
+    Before("there is an", Role::Exists),
+    Before("there are", Role::Exists),
+    Before("there exists", Role::Exists),
+    Before("there exist", Role::Exists),
+    Before("exists", Role::Exists),
+    Before("exist", Role::Exists),
     After("which contradicts", Role::Asked),
     After("contradicting", Role::Asked),
     After("a contradiction", Role::Asked),
@@ -264,6 +276,17 @@ pub const BLOCKS: &[(&str, Block)] = &[
 /// What stands before an example that a sentence goes back to.
 pub(in crate::notes::speech) const RECALLS: Recalls = Recalls {
     named: &["in", "for", "of", "from"],
-    last: &["in the", "for the", "of the", "in our", "for our", "of our"],
+    last: &[
+        "in the",
+        "for the",
+        "of the",
+        "in our",
+        "for our",
+        "of our",
+        "the above",
+        "the previous",
+        "the preceding",
+        "the last",
+    ],
     compared: &["as", "like", "see"],
 };
