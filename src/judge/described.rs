@@ -256,11 +256,7 @@ impl Checker {
             let tells = !certain && Head::of(right).is_none();
             return Some((held, tells.then_some(meaning)));
         }
-        // "For P(t) = …": data of an example
         let [(failure, meaning)] = failures.as_slice() else { return None };
-        if statement.role == Some(Role::Introduced) {
-            return None;
-        }
         let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are.
         let known = compare::symbols(&failure.left);
@@ -281,8 +277,10 @@ impl Checker {
             (_, true) => Evidence::Field,
             _ => Evidence::Terms,
         };
+        // "For P(t) = …": data of an example
+        let given = statement.role == Some(Role::Introduced);
         let said = certain || own || point || compare::agree_in_most(&failure.left, &failure.right) || near();
-        said.then(|| {
+        (said && !given).then(|| {
             let wrong = Finding {
                 verdict: Verdict::Refuted,
                 reason: Some(format!("it differs from {}", meaning.made.words())),

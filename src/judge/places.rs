@@ -6,7 +6,7 @@ use super::context::{Body, is_variable};
 use super::evaluator;
 use super::features::has_splines;
 use super::integers::as_values;
-use super::names::{Head, has_members, is_index_letter, walk};
+use super::names::{Head, has_members, is_index_letter, is_range, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
 use crate::formula::{BigOp, Expr, Kind, Rel};
@@ -114,6 +114,8 @@ impl Trial<'_> {
         let mentions_knots = |condition: &&Expr| has_members(condition, &self.facts.knot_letters);
         let conditions: Vec<&Expr> =
             self.conditions.iter().chain(self.hypotheses().iter().filter(mentions_knots)).collect();
+        let variables: Vec<&Expr> =
+            self.hypotheses().iter().filter(|range| self.is_of_a_variable(range)).collect();
         // At t = 1
         if let Some(place) = conditions.iter().find_map(|condition| number_of_variable(condition)) {
             return vec![place];
@@ -127,7 +129,7 @@ impl Trial<'_> {
                 }
             }
         }
-        places.retain(|place| {
+        let allows = |place: &Rational, conditions: &[&Expr]| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
             let integers = as_values(bound);
             let names: Vec<(Symbol, Value)> =
@@ -137,8 +139,28 @@ impl Trial<'_> {
                     .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
                 held.ok().flatten() != Some(false)
             })
-        });
+        };
+        places.retain(|place| allows(place, &conditions));
+        if places.iter().any(|place| allows(place, &variables)) {
+            places.retain(|place| allows(place, &variables));
+        }
         places
+    }
+
+    /// "First piece, 0 ≤ t < 1": where the variable of a side lies in this paragraph.
+    fn is_of_a_variable(&self, range: &Expr) -> bool {
+        let names = own_variables(range);
+        is_range(range)
+            && matches!(names.as_slice(), [name] if is_variable(name))
+            && self.sides.iter().any(|side| {
+                let mut found = false;
+                walk(side, &mut |part| {
+                    if let Kind::Apply(_, groups) = &part.kind {
+                        found |= groups.iter().flatten().any(|argument| own_variables(argument) == names);
+                    }
+                });
+                found
+            })
     }
 
     /// x(0, 0) on the knots 0, 0, 0, 1, 2, 2, 2 is a value of the polar form of a segment that touches these arguments.

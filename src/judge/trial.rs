@@ -154,8 +154,9 @@ impl<'a> Trial<'a> {
 
     /// The integers that no condition gives by others: "where k = n + 1".
     fn free(&self, bound: &[(String, i64)]) -> Vec<(String, i64)> {
+        let sum = |condition: &&Expr| matches!(&condition.kind, Kind::Chain(_, links) if matches!(links[0].expr.kind, Kind::Add(_)));
         let given =
-            |name: &String| self.conditions.iter().any(|condition| equated_index(condition) == Some(name));
+            |name: &String| self.conditions.iter().filter(sum).any(|one| equated_index(one) == Some(name));
         bound.iter().filter(|(name, _)| !given(name)).cloned().collect()
     }
 

@@ -21,7 +21,7 @@ use super::context::{Context, Mark};
 use super::evaluator::evaluate_reading;
 use super::finding::{Finding, Verdict};
 use super::model::{Choices, Model};
-use super::names::{Head, is_index_letter, own_names, walk};
+use super::names::{Head, bases, is_index_letter, own_names, walk};
 use super::object::Sort;
 use super::repair;
 use super::statement::{Chain, Place, Statement};
@@ -219,7 +219,7 @@ impl Checker {
         let mut found = Vec::new();
         // c_i = c_{i+n}, of a closed curve, is no formula for c_i.
         let own =
-            |expr: &Expr, side: &Expr| Kinds::of(side).families.iter().any(|f| f.same_as(base_of(expr)));
+            |expr: &Expr, side: &Expr| Head::of(expr).is_some_and(|head| bases(side).contains(&head.base));
         let marked = Head::of(left).is_some_and(|head| !head.upper.is_empty());
         if !marked && own(left, right) && !read.rights.iter().any(|(theirs, _)| own(&read.left, theirs)) {
             return found;
