@@ -57,7 +57,7 @@ pub fn mathml_within(latex: &str, display: bool) -> Option<String> {
     }
     let stack = (levels + 16) * STACK_PER_LEVEL;
     stacker::maybe_grow(stack, stack, || {
-        let latex = prepared(latex);
+        let latex = without_infixes(&prepared(latex));
         let rendered = |latex: &str| rendered(latex, display);
         rendered(&latex).or_else(|| {
             let rows = latex.trim_end().trim_end_matches("\\\\");
@@ -172,6 +172,63 @@ fn prepared(latex: &str) -> String {
     out
 }
 
+/// Commands of TeX between the two parts of a group, and what stands before, between and after the parts elsewhere.
+const INFIXES: [(&str, [&str; 3]); 3] = [
+    ("choose", ["\\binom{", "}{", "}"]),
+    ("over", ["\\frac{", "}{", "}"]),
+    ("atop", ["\\begin{matrix}", "\\\\", "\\end{matrix}"]),
+];
+
+/// `{n \choose k}` as `{\binom{n}{k}}`.
+fn without_infixes(latex: &str) -> String {
+    // Where the open groups begin in `out`, and where the second part of each does.
+    let mut groups: Vec<(usize, Option<(usize, [&str; 3])>)> = vec![(0, None)];
+    let mut out = String::with_capacity(latex.len());
+    let close = |out: &mut String, (start, infix): (usize, Option<(usize, [&str; 3])>)| {
+        let Some((at, [before, between, after])) = infix else { return };
+        let second = out.split_off(at);
+        let first = out.split_off(start);
+        *out += &[before, first.trim(), between, second.trim(), after].concat();
+    };
+    let mut rest = latex;
+    while let Some(at) = rest.find(['\\', '{', '}']) {
+        out.push_str(rest.piece(..at));
+        rest = rest.piece(at..);
+        let letters = rest.bytes().skip(1).take_while(u8::is_ascii_alphabetic).count();
+        let length = match rest.starts_with('\\') {
+            true if letters > 0 => 1 + letters,
+            true => rest.chars().take(2).map(char::len_utf8).sum(),
+            false => 1,
+        };
+        let (token, after) = rest.split_at(length);
+        rest = after;
+        let infix = INFIXES.iter().find(|(name, _)| token.strip_prefix('\\') == Some(*name));
+        match (infix, groups.last_mut()) {
+            (Some((_, parts)), Some(group)) if group.1.is_none() => {
+                group.1 = Some((out.len(), *parts));
+                continue;
+            }
+            _ => {}
+        }
+        if token == "}"
+            && groups.len() > 1
+            && let Some(group) = groups.pop()
+        {
+            close(&mut out, group);
+        }
+        out.push_str(token);
+        if token == "{" {
+            groups.push((out.len(), None));
+        }
+    }
+    out.push_str(rest);
+    match groups.as_slice() {
+        [group] => close(&mut out, *group),
+        _ => return latex.to_owned(),
+    }
+    out
+}
+
 /// What stands between the braces that come next, and what follows them.
 fn braced(text: &str) -> Option<(&str, &str)> {
     text.trim_start().strip_prefix('{')?.split_once('}')
@@ -206,6 +263,7 @@ mod tests {
             r"\begin{array} { l } { x _ { u } } \\ { y } \end{array}",
             r"A_2 \triangleq \left(\begin{matrix} 1 & 0 \\ -2 & 2 \end{matrix}\right)\\",
             r"a &= b \\ &= c",
+            r"{n \choose k} t^k = {n\choose {n-k}} {a + b \over 2} {i \atop j}",
             r"\left. \frac{\part F}{\part u} \right|_{u=0}",
             r"a &= b \label{first} \nonumber \\ &= c \tag{2}",
             r"\begin{cases} \displaystyle 1 & t \ge 0 \\ 0 & \text{否则} \end{cases}",
@@ -213,6 +271,13 @@ mod tests {
         ] {
             assert!(mathml(latex).is_some(), "{latex}");
         }
+    }
+
+    #[test]
+    fn infixes_become_commands() {
+        assert_eq!(without_infixes(r"2{n\choose {k \over 2}}"), r"2{\binom{n}{{\frac{k}{2}}}}");
+        assert_eq!(without_infixes(r"a \over b"), r"\frac{a}{b}");
+        assert_eq!(without_infixes(r"\{a\} \overline{b} {c\over"), r"\{a\} \overline{b} {c\over");
     }
 
     #[test]
