@@ -28,6 +28,7 @@ use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
+use crate::language::write;
 use crate::math::number::integer;
 use crate::math::poly::Symbol;
 
@@ -86,17 +87,6 @@ enum Made {
     PolarForm,
 }
 
-impl Made {
-    fn words(&self) -> &'static str {
-        match self {
-            Made::Elevated(_) => "the control points at a higher degree",
-            Made::Part(..) => "the Bézier points of this part of the curve",
-            Made::Itself => "the curve with these control points",
-            Made::PolarForm => "the polar form of the curve with these control points",
-        }
-    }
-}
-
 /// The left side of a formula, as what is described there.
 struct New {
     letter: String,
@@ -133,6 +123,11 @@ impl New {
                 arguments: 0,
                 point: None,
             });
+        }
+        if let Some((callee, arguments)) = derivative(left) {
+            let letter = Head::of(callee).filter(|head| head.lower.is_empty() && head.upper.is_empty())?.base;
+            let (names, side) = (vec![callee.clone()], left.clone());
+            return Some(New { letter, names, side, points: None, arguments, point: None });
         }
         let head = Head::of(left).filter(|head| head.upper.is_empty())?;
         let arguments = head.flat().len();
@@ -247,7 +242,7 @@ impl Checker {
             }
             let held = Finding {
                 verdict: if tally.holds > 1 { Verdict::Sampled } else { Verdict::Proved },
-                reason: Some(format!("{}, as the words say", meaning.made.words())),
+                reason: Some(format!("{}, as the words say", meaning.words())),
                 witness: None,
                 suggestion: None,
                 ..finding.clone()
@@ -283,7 +278,7 @@ impl Checker {
         (said && !given).then(|| {
             let wrong = Finding {
                 verdict: Verdict::Refuted,
-                reason: Some(format!("it differs from {}", meaning.made.words())),
+                reason: Some(format!("it differs from {}", meaning.words())),
                 witness: witness::counterexample(failure),
                 suggestion: None,
                 evidence: vec![evidence],
@@ -349,7 +344,7 @@ impl Checker {
                     add(Made::Itself);
                     continue;
                 }
-                count if topics.has(Topic::PolarForm) && degree == Some(count as i64) => {
+                count if topics.has(Topic::PolarForm) && degree.is_some_and(|own| own <= count as i64) => {
                     add(Made::PolarForm);
                     continue;
                 }
@@ -453,7 +448,9 @@ impl Checker {
         let here = |declared: &&Declared| place.knows(&declared.place, false);
         let curve = |declared: &Declared| {
             let object = &*declared.object;
-            if object.names.iter().filter_map(Head::of).any(|head| head.base == new.letter) {
+            // The points p_i are no new points p_i; the curve p is another thing.
+            let same = |head: Head| head.base == new.letter && (new.arguments == 0 || head.lower.is_empty());
+            if object.names.iter().filter_map(Head::of).any(same) {
                 return None;
             }
             let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
@@ -496,6 +493,8 @@ impl Checker {
         let named = |definition: &Definition| {
             statement.near.has(Topic::ControlPoints) && definition.place.group == place.group
         };
+        // "The polar form of f(t) = t^3 is F(u, v, w) = u v w"
+        let polarised = statement.topics.has(Topic::PolarForm) && new.arguments > 1;
         let defined = self.context.definitions.iter().rev().filter_map(|definition| {
             let head = &definition.head;
             let arguments = head.flat();
@@ -506,7 +505,7 @@ impl Checker {
             };
             let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
             let here = place.knows(&definition.place, definition.assumed);
-            (plain && here && (shares(body) || named(definition)))
+            (plain && here && (shares(body) || named(definition) || polarised))
                 .then(|| (Expr::name(&head.base), body, variable.clone()))
         });
         let heard = self.heard(place).filter_map(|expr| {
@@ -572,6 +571,18 @@ impl Checker {
 }
 
 impl Meaning {
+    fn words(&self) -> String {
+        match &self.made {
+            Made::Elevated(_) => "the control points at a higher degree".to_owned(),
+            Made::Part(..) => "the Bézier points of this part of the curve".to_owned(),
+            Made::Itself => "the curve with these control points".to_owned(),
+            Made::PolarForm if self.curve.object.is_some() => {
+                "the polar form of the curve with these control points".to_owned()
+            }
+            Made::PolarForm => format!("the polar form of {}", write::text(&self.curve.name)),
+        }
+    }
+
     /// Whether it tells the control points of the curve, or another formula for it.
     fn has_points(&self) -> bool {
         self.curve.object.as_ref().is_none_or(|object| !object.points.is_empty())
@@ -607,6 +618,17 @@ fn is_mean_of(value: &Value, letter: &str) -> bool {
         && polynomial.variables().iter().all(|symbol| symbol.base() == letter)
         && formula.value(&|_: &Symbol| Some(integer(0))) == Some(integer(0))
         && formula.value(&one) == Some(integer(1))
+}
+
+/// The function and the number of arguments of x'(0), x''(a).
+fn derivative(expr: &Expr) -> Option<(&Expr, usize)> {
+    let Kind::Apply(callee, groups) = &expr.kind else { return None };
+    let Kind::Prime(function, _) = &callee.kind else { return None };
+    let function = match &function.kind {
+        Kind::Group(inner) => inner,
+        _ => function,
+    };
+    (groups.len() == 1).then_some((function, groups[0].len()))
 }
 
 /// A formula with all numbers of a letter moved: b_1, b_2 for b_0, b_1.

@@ -15,6 +15,7 @@ use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
 use crate::judge::hypotheses::is_coefficient;
 use crate::judge::names::{Head, bases, contains, is_index_letter};
+use crate::judge::object::Sort;
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
@@ -259,9 +260,18 @@ impl Suspect<'_> {
             return false;
         }
         let told = self.claimed() || self.sides().into_iter().any(has_structure);
+        // Any function of a class, or the one in it that data determine
+        let of_class = |name: &String| {
+            let declared = self.checker.context.object_called(name, here);
+            declared.is_some_and(|declared| {
+                let object = &declared.object;
+                object.is_of_a_class() && (self.tally.determined > 0 || object.sort != Sort::Polynomial)
+            })
+        };
         !record.standard.is_empty()
             || self.used().any(known)
             || !record.paired.is_empty()
+            || self.claimed() && !record.unknown.is_empty() && record.unknown.iter().all(of_class)
             || told
                 && !self.failure.integers.is_empty()
                 && record.unknown.is_empty()

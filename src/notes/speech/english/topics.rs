@@ -74,6 +74,8 @@ pub const TOPICS: &[(&str, Topic)] = &[
     ("bézier curve", Topic::BezierCurve),
     ("bezier curve", Topic::BezierCurve),
     ("polar form", Topic::PolarForm),
+    ("polaris", Topic::PolarForm),
+    ("polariz", Topic::PolarForm),
     ("blossom", Topic::PolarForm),
     ("elevat", Topic::Elevation),
     ("interpol", Topic::Interpolation),
