@@ -8,7 +8,6 @@ use super::context::is_variable;
 use super::hypotheses::{self, Solution};
 use super::model::FREE_TERMS;
 use super::names::{Head, base_of, implied_index, own_names};
-use super::object::Sort;
 use super::tally::Tally;
 use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
@@ -108,8 +107,8 @@ impl Conditions<'_> {
         // Data determine a function only within a class that the page names: for all that is known, S may be a spline.
         let supposed = tally.record.unknown.iter().any(|base| {
             let object = trial.context.object_called(base, trial.place);
-            let polynomial = object.is_some_and(|declared| declared.object.sort == Sort::Polynomial);
-            !polynomial && !tally.record.paired.contains(base)
+            let named = object.is_some_and(|declared| declared.object.is_of_a_class());
+            !named && !tally.record.paired.contains(base)
         });
         if supposed {
             return plain;

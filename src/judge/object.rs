@@ -15,6 +15,8 @@ use crate::math::number::{Rational, integer};
 pub enum Sort {
     /// The polar form of something.
     PolarForm,
+    /// A function that is affine in each of its arguments.
+    Affine,
     /// A polynomial, of a degree if that is said.
     Polynomial,
     /// A function of which nothing more is said.
@@ -177,11 +179,21 @@ impl Object {
         matches!(self.sort, Sort::Degree | Sort::Order)
     }
 
+    /// Whether it is any function of a class in which data determine one.
+    pub fn is_of_a_class(&self) -> bool {
+        match self.sort {
+            Sort::Polynomial => true,
+            Sort::PolarForm | Sort::Affine => self.of.is_none(),
+            _ => false,
+        }
+    }
+
     /// Whether it can be applied to arguments.
     pub fn is_function(&self) -> bool {
         matches!(
             self.sort,
             Sort::PolarForm
+                | Sort::Affine
                 | Sort::Polynomial
                 | Sort::Function
                 | Sort::BSpline

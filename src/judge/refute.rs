@@ -381,7 +381,15 @@ pub fn decide(
         };
         let differences = super::features::has_divided_differences(&[left, right]);
         let identity = bare && sums && calls(right, name);
-        if !(identity || differences && sl == sr && !sl.is_empty()) {
+        // "Let F be biaffine. Then F(a + b, c) = F(a, c) + F(b, c)": for whatever F of the class
+        let of_class = claimed
+            && generic(&failure.left)
+            && generic(&failure.right)
+            && checker
+                .context
+                .object_called(name, &statement.place)
+                .is_some_and(|declared| declared.object.is_of_a_class());
+        if !(identity || of_class || differences && sl == sr && !sl.is_empty()) {
             return Decision::Condition(format!(
                 "a condition on {name}, or it needs to be known what {name} is"
             ));

@@ -116,6 +116,11 @@ impl Model {
         let note = |what: &str| self.note(format!("{} is {what} of line {line}", head.base));
         let result = match object.sort {
             // F may be known by f only.
+            Sort::PolarForm | Sort::Affine if object.of.is_none() => {
+                let degree = self.stated_degree(machine, &object, &bound).unwrap_or(arguments.len());
+                self.note_generic(format!("{} is affine in each argument, of line {line}", head.base));
+                self.any_affine(&object, head, degree, arguments, expr)
+            }
             Sort::PolarForm => self.once(&format!("polar form {}", head.base), || {
                 let of = object.of.as_ref()?;
                 note("the polar form");

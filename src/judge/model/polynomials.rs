@@ -5,17 +5,21 @@ use super::objects::polar_arguments;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::names::{Head, capital_of, is_capital, polar_names};
+use crate::judge::object::{Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
 use crate::math::basis;
-use crate::math::blossom::PolarForm;
+use crate::math::blossom::{Argument, PolarForm};
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use num_traits::Zero;
+use num_traits::{One, Zero};
+
+/// Functions that are affine in each of more arguments, and not symmetric, have too many coefficients.
+const MOST_ARGUMENTS: usize = 6;
 
 /// The degree of unknown functions that no polar form gives a degree.
 const USUAL_DEGREE: usize = 3;
@@ -279,6 +283,42 @@ impl Model {
         let more = arguments.len().checked_sub(degree).ok_or_else(wrong_count)?;
         coefficients.extend(std::iter::repeat_n(zero(), more));
         PolarForm::new(coefficients).value(&list).map(Value::Scalar).map_err(|_| wrong_count())
+    }
+
+    /// A function with symbols as coefficients that is affine in each argument: symmetric, if it is a polar form.
+    pub(super) fn any_affine(
+        &self,
+        object: &Object,
+        head: &Head,
+        degree: usize,
+        arguments: &[Value],
+        expr: &Expr,
+    ) -> Evaluated {
+        let symmetric = object.sort == Sort::PolarForm;
+        if degree != arguments.len() {
+            self.record.borrow_mut().mixed = true;
+            let message = format!("{} has {degree} arguments, not {}", head.base, arguments.len());
+            return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
+        }
+        let list = polar_arguments(arguments, expr)?;
+        self.record.borrow_mut().unknown.insert(head.base.clone());
+        let name = Symbol::new(format!("[{}]", head.base));
+        let coefficient = |number: usize| variable(name.numbered(number as i64));
+        if symmetric || degree > MOST_ARGUMENTS {
+            let form = PolarForm::new((0..=degree).map(coefficient).collect::<Vec<_>>());
+            let value = form.value(&list).ok().filter(|_| symmetric);
+            return value.map(Value::Scalar).ok_or_else(|| unclear("what this function is", expr));
+        }
+        let mut sum = zero();
+        for chosen in 0..1_usize << degree {
+            let factors = list.iter().enumerate().map(|(at, argument)| match (argument, chosen >> at & 1) {
+                (Argument::Point(t) | Argument::Vector(t), 1) => t.clone(),
+                (Argument::Point(_), _) => Fraction::one(),
+                (Argument::Vector(_), _) => zero(),
+            });
+            sum = sum.plus(&factors.fold(coefficient(chosen), |product, factor| product.times(&factor)));
+        }
+        Ok(Value::Scalar(sum))
     }
 
     /// A polar form that is defined by its values at numbers, at a vector: f(…, p − q) is

@@ -36,6 +36,8 @@ impl Reader<'_> {
                 token,
                 Token::Word(
                     Word::Filler
+                        | Word::Symmetric
+                        | Word::Affine(_)
                         | Word::Article
                         | Word::Uniform
                         | Word::Natural
@@ -56,7 +58,8 @@ impl Reader<'_> {
     }
 
     pub(super) fn is(&self, at: usize, word: &Word) -> bool {
-        matches!(self.tokens.get(at), Some(Token::Word(own)) if own == word)
+        let same = |own: &Word| own == word || *word == Word::Filler && own.is_filler();
+        matches!(self.tokens.get(at), Some(Token::Word(own)) if same(own))
     }
 
     pub(super) fn skip_fillers(&self, mut at: usize) -> usize {
@@ -116,6 +119,8 @@ impl Reader<'_> {
         let mut object = Object::new(sort);
         let mut phrase_of = Vec::new();
         let (mut piece, mut closed) = (false, false);
+        // "symmetric"; "affine in each of its arguments", of which there may be so many
+        let (mut symmetric, mut affine) = (false, None);
         let mut from = noun;
         if let Token::Word(Word::OfDegree(degree)) = self.tokens[noun] {
             object.degree = Some(Expr::int(degree));
@@ -126,6 +131,8 @@ impl Reader<'_> {
                 Token::Word(
                     Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Vectors),
                 ) => closed = true,
+                Token::Word(Word::Symmetric) => symmetric = true,
+                Token::Word(Word::Affine(count)) => affine = Some(*count),
                 Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
                 Token::Word(Word::Uniform) => object.uniform = true,
                 Token::Word(Word::Natural) => object.natural = true,
@@ -181,6 +188,8 @@ impl Reader<'_> {
         let mut at = noun + 1;
         while let Some(Token::Word(
             word @ (Word::Filler
+            | Word::Symmetric
+            | Word::Affine(_)
             | Word::OfDegree(_)
             | Word::Uniform
             | Word::Natural
@@ -190,6 +199,8 @@ impl Reader<'_> {
         {
             match word {
                 Word::OfDegree(degree) => object.degree = Some(Expr::int(*degree)),
+                Word::Symmetric => symmetric = true,
+                Word::Affine(count) => affine = Some(*count),
                 Word::Uniform => object.uniform = true,
                 Word::Natural => object.natural = true,
                 Word::Rational => object.rational = true,
@@ -293,6 +304,10 @@ impl Reader<'_> {
         // The cubic with the Bézier points …
         if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
             object.sort = Sort::BezierCurve;
+        }
+        if let (Sort::Function, Some(count)) = (&object.sort, affine) {
+            object.sort = if symmetric { Sort::PolarForm } else { Sort::Affine };
+            object.degree = object.degree.take().or(count.map(Expr::int));
         }
         phrase
     }

@@ -77,8 +77,19 @@ pub enum Word {
     Support,
     /// "a": what follows says what a name is.
     Article,
+    /// "symmetric".
+    Symmetric,
+    /// "biaffine": affine in each argument, of which there are so many.
+    Affine(Option<i64>),
     /// Changes nothing.
     Filler,
+}
+
+impl Word {
+    /// Whether it changes nothing of most things.
+    pub fn is_filler(&self) -> bool {
+        matches!(self, Word::Filler | Word::Symmetric | Word::Affine(_))
+    }
 }
 
 /// A phrase and what it makes of a formula.

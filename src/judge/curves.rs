@@ -1,0 +1,195 @@
+//! The curves that a section speaks of: by their control points, by a formula, by words.
+
+use std::rc::Rc;
+
+/// A curve of the section.
+#[derive(Clone)]
+struct Curve {
+    name: Expr,
+    degree: Expr,
+    interval: (Expr, Expr),
+    /// The letter of its points.
+    points: Option<String>,
+    /// What says it in place of the page, if it has no name there.
+    object: Option<Object>,
+    /// Whether it is a segment of a uniform spline.
+    segment: bool,
+}
+
+impl Curve {
+    /// A curve with a name, over [0, 1].
+    fn new(name: Expr, degree: Expr) -> Self {
+        let interval = (Expr::int(0), Expr::int(1));
+        Curve { name, degree, interval, points: None, object: None, segment: false }
+    }
+}
+
+impl Checker {
+    /// The curves of which the section gives a formula or control points, those of words first, then the latest.
+    fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
+        let place = &statement.place;
+        let mut found = self.curves_in_words(new, place);
+        found.extend(self.curves_by_formula(new, right, statement));
+        let (spline, bernstein) =
+            (statement.topics.has(Topic::Spline), statement.topics.has(Topic::Bernstein));
+        let bezier = [
+            Topic::BezierCurve,
+            Topic::ControlPoints,
+            Topic::Casteljau,
+            Topic::Elevation,
+            Topic::Subdivision,
+        ];
+        // Without their weights the points of a rational curve say nothing of it.
+        let rational = statement.topics.has(Topic::Rational);
+        if !rational && (bernstein || !spline && bezier.into_iter().any(|topic| statement.topics.has(topic)))
+        {
+            found.extend(self.curves_by_points(new, place));
+        }
+        found.truncate(MOST_CURVES);
+        found
+    }
+
+    /// "A cubic Bézier curve with the control points b_0, …, b_3"
+    fn curves_in_words(&self, new: &New, place: &Place) -> Vec<Curve> {
+        let here = |declared: &&Declared| place.knows(&declared.place, false);
+        let curve = |declared: &Declared| {
+            let object = &*declared.object;
+            // The points p_i are no new points p_i; the curve p is another thing.
+            let same = |head: Head| head.base == new.letter && (new.arguments == 0 || head.lower.is_empty());
+            if object.names.iter().filter_map(Head::of).any(same) {
+                return None;
+            }
+            let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
+            let points = match object.sort {
+                Sort::ControlPoints if object.of.is_none() => &object.names,
+                Sort::BezierCurve => &object.points,
+                Sort::SplineCurve if segment || object.names.is_empty() && !object.knots.is_empty() => {
+                    &object.points
+                }
+                _ => return None,
+            };
+            let degree = object.degree.clone().or_else(|| last_index(points))?;
+            let own = match object.sort {
+                Sort::ControlPoints => {
+                    let weights = object.weights.clone();
+                    Some(Object { weights, ..bezier_curve(points.clone(), &degree) })
+                }
+                _ if object.names.is_empty() => Some(Object {
+                    names: vec![Expr::name(CURVE)],
+                    degree: Some(degree.clone()),
+                    ..object.clone()
+                }),
+                _ => None,
+            };
+            let name = if own.is_some() { Expr::name(CURVE) } else { object.names[0].clone() };
+            let mut curve = Curve::new(name, degree);
+            curve.interval = object.interval.clone().unwrap_or(curve.interval);
+            curve.points = points.first().and_then(Head::of).map(|head| head.base);
+            Some(Curve { object: own, segment, ..curve })
+        };
+        self.context.objects.iter().rev().filter(here).filter_map(curve).collect()
+    }
+
+    /// x(t) = (1 - t)^2 b_0 + …; "for a quadratic (1 - t)^2 b_0 + …"
+    fn curves_by_formula(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
+        let place = &statement.place;
+        let used = bases(right);
+        let shares = |body: &Expr| bases(body).iter().any(|name| !is_variable(name) && used.contains(name));
+        // "p(t) = 2t^3 - 3t has the control points": numbers on both sides
+        let named = |definition: &Definition| {
+            statement.near.has(Topic::ControlPoints) && definition.place.group == place.group
+        };
+        // "The polar form of f(t) = t^3 is F(u, v, w) = u v w"
+        let polarised = statement.topics.has(Topic::PolarForm) && new.arguments > 1;
+        let defined = self.context.definitions.iter().rev().filter_map(|definition| {
+            let head = &definition.head;
+            let arguments = head.flat();
+            let (Body::Formula(body), [Expr { kind: Kind::Name(variable), .. }]) =
+                (&definition.body, arguments.as_slice())
+            else {
+                return None;
+            };
+            let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
+            let here = place.knows(&definition.place, definition.assumed);
+            (plain && here && (shares(body) || named(definition) || polarised))
+                .then(|| (Expr::name(&head.base), body, variable.clone()))
+        });
+        let heard = self.heard(place).filter_map(|expr| {
+            let variables: Vec<String> = bases(expr).into_iter().filter(|name| is_variable(name)).collect();
+            let sum = matches!(expr.kind, Kind::Add(_) | Kind::Big { .. });
+            match <[String; 1]>::try_from(variables) {
+                Ok([variable]) if sum && shares(expr) => Some((expr.clone(), expr, variable)),
+                _ => None,
+            }
+        });
+        let curve = |(name, body, variable): (Expr, &Expr, String)| {
+            Some(Curve::new(name, self.degree_of_formula(body, &variable, place)?))
+        };
+        defined.chain(heard).take(MOST_CURVES).filter_map(curve).collect()
+    }
+
+    /// P_0 = (0, 0), P_1 = (1, 2), P_2 = (3, 3)
+    fn curves_by_points(&self, new: &New, place: &Place) -> Vec<Curve> {
+        let index = |head: &Head| {
+            head.index().filter(|_| head.arguments.is_none() && head.upper.is_empty())?.as_int()
+        };
+        let letters = self.context.definitions.iter().rev().filter(|definition| {
+            let head = &definition.head;
+            index(head) == Some(0)
+                && (new.arguments > 0 || head.base != new.letter)
+                && place.knows(&definition.place, definition.assumed)
+        });
+        let curve = |letter: &str| {
+            let known = |i: &i64| {
+                self.context
+                    .visible(letter, place)
+                    .any(|(_, definition, near)| near && index(&definition.head) == Some(*i))
+            };
+            let points: Vec<Expr> = (0..).take_while(known).map(|i| member(letter, i)).collect();
+            let degree = Expr::int(points.len() as i64 - 1);
+            (points.len() > 2).then(|| Curve {
+                points: Some(letter.to_owned()),
+                object: Some(bezier_curve(points, &degree)),
+                ..Curve::new(Expr::name(CURVE), degree)
+            })
+        };
+        letters.filter_map(|definition| curve(&definition.head.base)).take(MOST_CURVES).collect()
+    }
+
+    /// The degree of a formula in a variable: the upper end of its sum, or that of its value.
+    fn degree_of_formula(&self, body: &Expr, variable: &str, place: &Place) -> Option<Expr> {
+        if let Kind::Big { upper: Some(upper), .. } = &body.kind {
+            return Some(upper.as_ref().clone());
+        }
+        let symbol = Symbol::new(variable);
+        let model = Model::new(self.context.clone(), place.clone(), Default::default(), None);
+        let own = [(symbol.clone(), Value::symbol(symbol.clone()))];
+        let degree = |value: &Value| match value {
+            Value::Scalar(formula) => Some(i64::from(formula.as_polynomial()?.degree_in(&symbol))),
+            _ => None,
+        };
+        let degree = match evaluate_reading(body, Rc::new(model), own).ok()? {
+            Value::List(items) => items.iter().filter_map(degree).max(),
+            value => degree(&value),
+        };
+        degree.filter(|degree| *degree > 0).map(Expr::int)
+    }
+}
+
+/// A Bézier curve without a name.
+fn bezier_curve(points: Vec<Expr>, degree: &Expr) -> Object {
+    let names = vec![Expr::name(CURVE)];
+    Object { names, points, degree: Some(degree.clone()), ..Object::new(Sort::BezierCurve) }
+}
+
+/// The number of the last point of b_0, …, b_n.
+fn last_index(points: &[Expr]) -> Option<Expr> {
+    let index = |point: &Expr| Head::of(point)?.index().cloned();
+    match points {
+        [one] if Head::of(one).is_some() => None,
+        [first, .., last] if points.iter().any(|point| point.kind == Kind::Ellipsis) => {
+            (index(first)?.as_int()? == 0).then(|| index(last)).flatten()
+        }
+        _ => Some(Expr::int(points.len() as i64 - 1)),
+    }
+}
