@@ -2,18 +2,37 @@
 
 use std::rc::Rc;
 
+use super::check::Checker;
+use super::context::{Body, Definition, is_variable};
+use super::described::{New, member};
+use super::evaluator::evaluate_reading;
+use super::model::Model;
+use super::names::{Head, bases};
+use super::object::{Declared, Object, Sort};
+use super::statement::{Place, Statement};
+use super::topic::Topic;
+use crate::formula::{Expr, Kind};
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+/// So many curves of a section are looked at, the latest first.
+const MOST_CURVES: usize = 3;
+
+/// A letter that no page has, for a curve without a name.
+const CURVE: &str = "\u{25ab}";
+
 /// A curve of the section.
 #[derive(Clone)]
-struct Curve {
-    name: Expr,
-    degree: Expr,
-    interval: (Expr, Expr),
+pub(super) struct Curve {
+    pub name: Expr,
+    pub degree: Expr,
+    pub interval: (Expr, Expr),
     /// The letter of its points.
-    points: Option<String>,
+    pub points: Option<String>,
     /// What says it in place of the page, if it has no name there.
-    object: Option<Object>,
+    pub object: Option<Object>,
     /// Whether it is a segment of a uniform spline.
-    segment: bool,
+    pub segment: bool,
 }
 
 impl Curve {
@@ -26,7 +45,7 @@ impl Curve {
 
 impl Checker {
     /// The curves of which the section gives a formula or control points, those of words first, then the latest.
-    fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
+    pub(super) fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
         let place = &statement.place;
         let mut found = self.curves_in_words(new, place);
         found.extend(self.curves_by_formula(new, right, statement));

@@ -12,11 +12,10 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::compare;
-use super::context::{Body, Definition, Mark, is_variable};
-use super::evaluator::evaluate_reading;
+use super::context::{Mark, is_variable};
+use super::curves::Curve;
 use super::finding::{Evidence, Finding, Verdict};
 use super::inequality::interval;
-use super::model::Model;
 use super::names::{Head, bases};
 use super::object::{Declared, Object, Sort};
 use super::repair;
@@ -32,11 +31,7 @@ use crate::language::write;
 use crate::math::number::integer;
 use crate::math::poly::Symbol;
 
-/// So many curves of a section are looked at, the latest first.
-const MOST_CURVES: usize = 3;
-
-/// Letters that no page has, for a curve and for points without a name.
-const CURVE: &str = "\u{25ab}";
+/// A letter that no page has, for points without a name.
 const POINTS: &str = "\u{25aa}";
 
 /// A meaning with which a formula for a letter holds.
@@ -66,15 +61,15 @@ enum Made {
 }
 
 /// The left side of a formula, as what is described there.
-struct New {
-    letter: String,
+pub(super) struct New {
+    pub letter: String,
     names: Vec<Expr>,
     /// The side in which they stand.
     side: Expr,
     /// How many points are given at once.
     points: Option<i64>,
     /// How many arguments are given.
-    arguments: usize,
+    pub arguments: usize,
     /// The number at which a value is given.
     point: Option<Expr>,
 }
@@ -362,7 +357,7 @@ impl Checker {
     }
 
     /// What the section said, the latest first.
-    fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
+    pub(super) fn heard<'a>(&'a self, place: &'a Place) -> impl Iterator<Item = &'a Expr> {
         self.context
             .heard
             .iter()

@@ -21,6 +21,7 @@ mod claim;
 mod compare;
 mod conditions;
 mod context;
+mod curves;
 mod data;
 mod declare;
 mod derivation;

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::context::{Body, is_variable};
-use crate::judge::names::{Head, bases, is_index_letter};
+use crate::judge::names::{Head, bases, is_capital, is_index_letter};
 use crate::judge::object::{Declared, Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -116,11 +116,21 @@ impl Model {
         let note = |what: &str| self.note(format!("{} is {what} of line {line}", head.base));
         let result = match object.sort {
             // F may be known by f only.
-            Sort::PolarForm | Sort::Affine if object.of.is_none() => {
-                let degree = self.stated_degree(machine, &object, &bound).unwrap_or(arguments.len());
+            // f may be the polar form of F, of which the page speaks elsewhere; f^{(+1)} is another one.
+            Sort::PolarForm | Sort::Affine
+                if object.of.is_none()
+                    && head.upper.is_empty()
+                    && (object.sort == Sort::Affine || object.degree.is_some() || is_capital(&head.base)) =>
+            {
+                let stated = self.stated_degree(machine, &object, &bound);
+                if stated.is_none() {
+                    self.record.borrow_mut().arities.insert(arguments.len());
+                }
+                let degree = stated.unwrap_or(arguments.len());
                 self.note_generic(format!("{} is affine in each argument, of line {line}", head.base));
                 self.any_affine(&object, head, degree, arguments, expr)
             }
+            Sort::Affine => return None,
             Sort::PolarForm => self.once(&format!("polar form {}", head.base), || {
                 let of = object.of.as_ref()?;
                 note("the polar form");
