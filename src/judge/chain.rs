@@ -125,6 +125,7 @@ impl Checker {
             })
         });
         let head = definable(&chain.sides[0].expr)
+            .map(|head| self.context.with_pairs_apart(head))
             .filter(|_| joins.is_none())
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))

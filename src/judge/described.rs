@@ -220,8 +220,9 @@ impl Checker {
                 suggestion: None,
                 ..finding.clone()
             };
-            // c_0 = b_0 is true with many meanings.
-            let tells = !certain && Head::of(right).is_none();
+            // c_0 = b_0 and c_0 = 4 are true with many meanings.
+            let several = !bases(right).is_empty() || right.items().is_some();
+            let tells = !certain && Head::of(right).is_none() && several;
             return Some((held, tells.then_some(meaning)));
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
@@ -237,7 +238,6 @@ impl Checker {
         let own = itself && meaning.curve.points.as_ref() == Some(&new.letter);
         // "For t = 1/2 we get the point c(1/2) = (b_0 + 2 b_1 + b_2)/4": a point made of its control points
         let point = itself
-            && statement.role != Some(Role::Introduced)
             && new.point.is_some()
             && is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default());
         let evidence = match (certain, own || point) {

@@ -379,13 +379,28 @@ impl Checker {
                     if matches!(groups.concat().as_slice(), [only] if self::bases(only).is_empty()))
             })
         });
+        // N_1 on the knots t_1, …, t_4: formulas without them are for numbers.
+        let member = |name: &Expr| {
+            let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+            Head::of(name).is_some_and(|head| head.lower.iter().any(number) && head.arguments.is_none())
+        };
+        let numbered = at_number
+            || [left, right]
+                .iter()
+                .any(|side| side.has(&|part| matches!(&part.kind, Kind::Apply(callee, _) if member(callee))));
+        let number = |knot: &Expr| self::bases(knot).is_empty() && knot.kind != Kind::Ellipsis;
         let given = bases.into_iter().any(|base| {
-            self.context.object_called(&base, place).is_some_and(|d| !d.object.knots.is_empty())
-                || !at_number
-                    && self.context.visible(&base, place).any(|(_, d, _)| d.head.arguments.is_some())
+            self.context.object_called(&base, place).is_some_and(|declared| {
+                let knots = &declared.object.knots;
+                !knots.is_empty() && (!numbered || knots.iter().any(number))
+            }) || !at_number
+                && self.context.visible(&base, place).any(|(_, d, _)| {
+                    d.head.arguments.is_some()
+                        && !d.head.lower.iter().any(|i| matches!(i.kind, Kind::Number(_)))
+                })
         });
         let listed = !self.context.given_knots(&letters, place).is_empty();
-        !indexed && !given && !listed && self.context.stated_knots(place).is_empty()
+        !indexed && !given && !listed && (numbered || self.context.stated_knots(place).is_empty())
     }
 
     /// Whether a hypothesis of the section speaks of a name.

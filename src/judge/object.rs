@@ -350,13 +350,23 @@ impl Context {
             }
         }
         if found.is_empty()
-            && let Some(first) = self.letters.first_knot()
+            && let Some(first) = self.first_listed(letters, place).or_else(|| self.letters.first_knot())
         {
             found = (first..).zip(self.unnamed_knots(place)).collect();
         }
         let knots: Vec<(&i64, &Rational)> = found.iter().collect();
         let whole = knots.windows(2).all(|pair| *pair[0].0 + 1 == *pair[1].0 && pair[0].1 <= pair[1].1);
         if whole && knots.len() > 2 { found } else { BTreeMap::new() }
+    }
+
+    /// The number of the first knot where the page lists their names: 0 of t_0, …, t_7.
+    fn first_listed(&self, letters: &[String], place: &Place) -> Option<i64> {
+        self.heard.windows(3).rev().find_map(|window| {
+            let [(here, first), (_, dots), (_, last)] = window else { return None };
+            let head = Head::of(first).filter(|head| letters.contains(&head.base))?;
+            let listed = dots.kind == Kind::Ellipsis && Head::of(last)?.base == head.base;
+            (listed && place.knows(here, false)).then(|| head.index()?.as_int())?
+        })
     }
 
     /// Whether the section gives knots that are not at equal distances.

@@ -236,7 +236,10 @@ impl Trial<'_> {
 
     /// Whether the notes define B-splines over the integers: i ≤ t < i + 1.
     pub(super) fn has_integer_knots(&self) -> bool {
-        let defined = self.context.visible("N", self.place).next();
+        // N_0(t) = (1 - t)^2 is one of them.
+        let general = |head: &Head| head.lower.iter().all(|index| !matches!(index.kind, Kind::Number(_)));
+        let mut all = self.context.visible("N", self.place);
+        let defined = all.find(|(_, definition, _)| general(&definition.head));
         let indexed = |expr: &Expr| has_members(expr, &self.facts.knot_letters);
         if self.sides.iter().any(|side| has_cases_of_variables(side)) {
             return !self.sides.iter().any(|side| indexed(side));

@@ -20,6 +20,7 @@ use super::refute::calls;
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
 use super::tally::Failure;
+use super::topic::Topic;
 use super::trial;
 use super::witness;
 use crate::budget;
@@ -154,7 +155,9 @@ impl Checker {
             let own =
                 |fact: &Condition| definable(left).is_some_and(|head| bases(&fact.expr).contains(&head.base));
             let told = holding.iter().filter(|fact| own(fact)).count();
-            if repaired.is_none() && (told < ENOUGH || !own(fact)) {
+            // A polynomial is a piece of a spline.
+            let piece = statement.topics.has(Topic::Spline);
+            if repaired.is_none() && (told < ENOUGH || !own(fact) || piece) {
                 return None;
             }
             let told = write::text(&fact.expr);

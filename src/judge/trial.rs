@@ -305,7 +305,9 @@ impl<'a> Trial<'a> {
         model: Model,
         bound: &[(String, i64)],
     ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
-        let local = model.is_local();
+        // c_i = t_{i+1} t_{i+2}, c_2 = 2: a number is compared with the knots that are given.
+        let number = |side: &&Expr| super::names::bases(side).is_empty();
+        let local = model.is_local() || model.has_given_knots() && self.sides.iter().any(number);
         let reading = Rc::new(model);
         let variables = self.variables();
         let mut records = Vec::with_capacity(self.sides.len());

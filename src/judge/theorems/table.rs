@@ -82,6 +82,13 @@ pub(super) const THEOREMS: &[Theorem] = &[
         r"\frac18 p_{i-1}^k + \frac68 p_i^k + \frac18 p_{i+1}^k",
     ),
     known(Topic::Subdivision, "the cubic scheme", r"p_{2i+1}^{k+1}", r"\frac12 p_i^k + \frac12 p_{i+1}^k"),
+    known(Topic::Subdivision, "the cubic scheme", r"p_{2i}^{k+1}", r"\frac12 p_i^k + \frac12 p_{i+1}^k"),
+    known(
+        Topic::Subdivision,
+        "the cubic scheme",
+        r"p_{2i+1}^{k+1}",
+        r"\frac18 p_i^k + \frac68 p_{i+1}^k + \frac18 p_{i+2}^k",
+    ),
     known(
         Topic::Subdivision,
         "the four-point scheme",

@@ -209,6 +209,17 @@ impl Reader<'_> {
             }
             at += 1;
         }
+        // "a knot vector, T = (0, 0, 1, 2, 2)"
+        let list = |number: usize| {
+            matches!(self.said(number), [Expr { kind: Kind::Chain(left, links), .. }]
+                if matches!(left.kind, Kind::Name(_)) && links.len() == 1 && links[0].expr.elements().is_some())
+        };
+        if object.sort == Sort::Knots
+            && matches!(self.tokens.get(at), Some(Token::Comma))
+            && self.formula_at(at + 1).is_some_and(list)
+        {
+            at += 1;
+        }
         let mut number_of_name = None;
         // What has no values is named without an equation.
         let plain = matches!(object.sort, Sort::Symbols | Sort::Other(_));
