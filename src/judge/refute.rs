@@ -18,6 +18,7 @@ use super::tally::{Failure, Outcomes, Tally};
 use super::witness::{best_failure, counterexample, reasons};
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::families;
+use crate::language::lexicon::letters::is_one_letter;
 use crate::language::value::Value;
 use crate::language::write;
 use crate::math::poly::{Fraction, Index, MultiPoly, Symbol};
@@ -64,7 +65,11 @@ pub fn calls(expr: &Expr, base: &str) -> bool {
 
 /// Whether the head is that of a family with a standard meaning.
 pub fn is_standard(head: Option<&Head>) -> bool {
-    let word = |index: &Expr| matches!(&index.kind, Kind::Text(_));
+    let word = |index: &Expr| match &index.kind {
+        Kind::Text(_) => true,
+        Kind::Name(name) => !is_one_letter(name),
+        _ => false,
+    };
     head.is_some_and(|head| {
         let indices = || head.lower.iter().chain(&head.upper);
         families::has_values(&head.base) && indices().next().is_some() && !indices().any(word)

@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-use super::compare::Outcome;
+use super::compare::{self, Outcome};
 use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
@@ -305,16 +305,33 @@ impl<'a> Trial<'a> {
         model: Model,
         bound: &[(String, i64)],
     ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
+        let (local, given) = (model.is_local(), model.has_given_knots());
+        let reading = Rc::new(model);
+        let (values, records) = self.evaluate_with(&reading, bound, local);
         // c_i = t_{i+1} t_{i+2}, c_2 = 2: a number is compared with the knots that are given.
         let number = |side: &&Expr| super::names::bases(side).is_empty();
-        let local = model.is_local() || model.has_given_knots() && self.sides.iter().any(number);
-        let reading = Rc::new(model);
+        let knots = || {
+            let mut symbols = values.iter().flatten().flat_map(compare::symbols);
+            symbols.any(|symbol| self.facts.knot_letters.iter().any(|letter| letter == symbol.base()))
+        };
+        match !local && given && self.sides.iter().any(number) && knots() {
+            true => self.evaluate_with(&reading, bound, true),
+            false => (values, records),
+        }
+    }
+
+    fn evaluate_with(
+        &self,
+        reading: &Rc<Model>,
+        bound: &[(String, i64)],
+        knots: bool,
+    ) -> (Vec<Result<Value, Diagnostic>>, Vec<Record>) {
         let variables = self.variables();
         let mut records = Vec::with_capacity(self.sides.len());
         let mut values = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
             let free = variables.iter().map(|name| (Symbol::new(name), Value::symbol(Symbol::new(name))));
-            let knots = if local { reading.knots(&self.facts.knot_letters) } else { Vec::new() };
+            let knots = if knots { reading.knots(&self.facts.knot_letters) } else { Vec::new() };
             let names = free.chain(knots).chain(as_values(bound));
             values.push(evaluate_reading(side, reading.clone(), names));
             records.push(reading.take_record());

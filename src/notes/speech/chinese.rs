@@ -116,6 +116,7 @@ pub(super) const BLOCKS: &[(&str, Block)] = &[
     ("解答", Block::Proof),
     ("例", Block::Closed),
     ("例题", Block::Closed),
+    ("例子", Block::Closed),
     ("练习", Block::Closed),
     ("习题", Block::Closed),
     ("解", Block::Proof),
