@@ -72,13 +72,46 @@ pub fn latex_table(table: &Table) -> String {
     out
 }
 
+/// The array with the cells of its widest column broken, if a table with a header fits so.
+fn with_broken_column(table: &Table, width: f64) -> Option<String> {
+    const LEAST: f64 = 100.0;
+    if table.header.is_empty() {
+        return None;
+    }
+    let cell = |cell: &Cell| cell.to_expr().map_or(String::new(), |expr| latex(&expr));
+    let mut rows: Vec<Vec<String>> = table.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+    let header: Vec<String> = table.header.iter().map(latex).collect();
+    let wide = |column: usize| {
+        let cells = rows.iter().chain([&header]).filter_map(|row| row.get(column));
+        cells.map(|cell| measured(cell)).fold(0.0, f64::max)
+    };
+    let widths: Vec<f64> = (0..header.len()).map(wide).collect();
+    let widest = (0..widths.len()).max_by(|&a, &b| widths[a].total_cmp(&widths[b]))?;
+    let others: f64 = widths.iter().sum::<f64>() - widths[widest] + 10.0 * widths.len() as f64;
+    let room = width - others;
+    if room < LEAST {
+        return None;
+    }
+    for row in &mut rows {
+        if let Some(cell) = row.get_mut(widest).filter(|cell| measured(cell) > room) {
+            let lines = lines_of(cell, room).join(" \\\\\n&");
+            *cell = format!("\\begin{{aligned}}[t]\n&{lines}\n\\end{{aligned}}");
+        }
+    }
+    let body: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+    let columns = "l".repeat(header.len());
+    let (header, body) = (header.join(" & "), body.join(" \\\\\n"));
+    Some(format!("\\begin{{array}}{{{columns}}}\n{header} \\\\ \\hline\n{body}\n\\end{{array}}"))
+}
+
 /// A table as LaTeX of about this width in points: an array, or if that is much wider, the cells below
 /// each other, column by column.
 pub fn latex_table_within(table: &Table, width: f64) -> String {
-    /// What is a little too wide can be made smaller.
-    const TOLERANCE: f64 = 1.4;
     let array = latex_table(table);
-    if measured(&array) <= TOLERANCE * width {
+    if measured(&array) <= width {
+        return array;
+    }
+    if let Some(array) = with_broken_column(table, width) {
         return array;
     }
     let columns = table.rows.iter().map(Vec::len).max().unwrap_or(0);
