@@ -143,6 +143,9 @@ impl Session {
         if let Some(answers) = self.run_clause(file, whole, equals)? {
             return Ok(answers);
         }
+        if let Some(answers) = self.run_where(file, whole, equals)? {
+            return Ok(answers);
+        }
         if let Some(answers) = self.run_unknown(file, whole, equals)? {
             return Ok(answers);
         }

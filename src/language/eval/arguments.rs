@@ -27,7 +27,7 @@ pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
 }
 
 /// A list of rows as a matrix: [[1, 2], [3, 4]].
-fn matrix_of(value: &Value) -> Option<DMatrix<Fraction>> {
+pub(super) fn matrix_of(value: &Value) -> Option<DMatrix<Fraction>> {
     let Value::List(rows) = value else { return None };
     let row = |row: &Value| match row {
         Value::List(items) => items.iter().map(|item| item.as_scalar().cloned()).collect(),

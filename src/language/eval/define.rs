@@ -115,7 +115,18 @@ impl Machine {
             Kind::Apply(..) => calls(right, &name, family, self),
             _ => uses(right, &name, self),
         };
-        !known && !refers
+        !known && !refers || family && self.is_further_case(&name)
+    }
+
+    /// Whether all cases of a family so far have a number among their arguments, as b_i^0(t) has.
+    fn is_further_case(&self, name: &Symbol) -> bool {
+        let first = |clause: &Clause| clause.parameters.iter().any(|p| matches!(p, Parameter::Exactly(_)));
+        match self.lookup(name) {
+            Some(Value::Function(function)) => {
+                function.shape.lower > 0 && function.shape.inner > 0 && function.clauses.iter().all(first)
+            }
+            _ => false,
+        }
     }
 
     /// Carries out `left := right (= further …)`.

@@ -6,6 +6,7 @@
 use std::iter::Peekable;
 use std::slice::Iter;
 
+use super::arguments::matrix_of;
 use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
@@ -323,6 +324,11 @@ impl Machine {
         }
         self.family_without_argument(base, span);
         let value = self.eval(base)?;
+        // [[2, 0], [1, 3]]^2
+        let value = match matrix_of(&value).filter(|matrix| matrix.is_square() && matrix.nrows() > 1) {
+            Some(matrix) => Value::Matrix(matrix.into()),
+            None => value,
+        };
         self.is_one_factor(exponent, "exponent")?;
         let exponent_value = self.eval(exponent)?;
         if matches!(value, Value::Function(_))

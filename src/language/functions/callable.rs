@@ -128,7 +128,6 @@ const ALIASES: &[(&str, &str)] = &[
 /// Functions that somebody may mean by other names.
 const SYNONYMS: &[(&str, &str)] = &[
     ("cox_de_boor", "bspline_basis"),
-    ("taylor", "in_powers"),
     ("cancel", "simplify"),
     ("is_polar", "laws"),
     ("is_symmetric", "laws"),

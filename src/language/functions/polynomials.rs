@@ -11,7 +11,7 @@ use crate::language::value::Value;
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -164,6 +164,34 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "taylor",
+        parameters: &[
+            required("F", Takes::Scalar, "the formula, also a fraction"),
+            required("a", Takes::Scalar, "the point"),
+            DEGREE,
+            LETTER,
+        ],
+        summary: "the Taylor polynomial of degree n at a: the sum of F^(k)(a)/k! (t - a)^k for k up to n",
+        example: "taylor(t^4, 1, 2)",
+        gives_function: true,
+        call: |_, args| {
+            let (formula, at, degree) = (args.scalar(0)?, args.scalar(1)?, args.size(2)?);
+            let variable = formula::variable_of(&formula, args.optional_symbol(3)?).at(args.span(0))?;
+            let step = Fraction::from(MultiPoly::symbol(variable.clone())).minus(&at);
+            let (mut sum, mut power, mut derived) = (Fraction::zero(), Fraction::one(), formula);
+            for k in 0..=degree {
+                let value = derived.substitute(&[(variable.clone(), at.clone())]);
+                sum = sum.plus(&value.map_err(|_| division_by_zero()).at(args.span(1))?.times(&power));
+                let next =
+                    Fraction::from(MultiPoly::constant(Rational::new(1.into(), (k as u64 + 1).into())));
+                power = power.times(&step).times(&next);
+                derived = derived.derivative(&variable);
+            }
+            Ok(Value::Scalar(sum))
         },
         ..NEW
     },

@@ -38,6 +38,7 @@ pub(crate) use clauses::{after_introduction, asked, clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
 pub(crate) use parser::{is_special, reach_of_mod, special_call};
+pub(crate) use pieces::without_text_commands;
 pub(crate) use sentence::{Sentence, sentence};
 pub(crate) use spoken::{Asked, Call, Request, Said, Total, What, request};
 pub use token::MAX_TOKENS;
