@@ -13,7 +13,8 @@ impl Parser<'_> {
             return Err(self.percent_or_remainder(sign));
         }
         let span = node.extent.to(sign.span());
-        let quotient = Kind::Div(Box::new(node.expr), Box::new(Expr::int(100)), Quotient::Slash);
+        let hundred = Expr { span: sign.span(), ..Expr::int(100) };
+        let quotient = Kind::Div(Box::new(node.expr), Box::new(hundred), Quotient::Slash);
         let quotient = Expr::new(quotient, span);
         self.node(Kind::Group(Box::new(quotient)), span, node.height + 1)
     }
