@@ -326,7 +326,7 @@ impl Machine {
         let value = self.eval(base)?;
         // [[2, 0], [1, 3]]^2
         let value = match matrix_of(&value).filter(|matrix| matrix.is_square() && matrix.nrows() > 1) {
-            Some(matrix) => Value::Matrix(matrix.into()),
+            Some(matrix) => Value::Matrix(matrix),
             None => value,
         };
         self.is_one_factor(exponent, "exponent")?;

@@ -182,7 +182,7 @@ impl Lexer<'_> {
         let bad = self.number_tail() || repeats;
         // 2.5E2 is a number to all programs; e may be a name.
         let tail = self.text.piece(number..self.at);
-        let bad = bad && !(tail.starts_with('E') && !self.peek().is_some_and(chars::is_letter));
+        let bad = bad && (!tail.starts_with('E') || self.peek().is_some_and(chars::is_letter));
         self.push(if bad { TokenKind::BadNumber } else { TokenKind::Number }, start)
     }
 
