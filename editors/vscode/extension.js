@@ -52,8 +52,10 @@ function published({ uri, version, diagnostics: found }) {
 async function start() {
   const program = findProgram(settings().get("path"));
   if (!program) {
-    const answer = await vscode.window.showWarningMessage(INSTALL, "Open the setting");
-    if (answer) vscode.commands.executeCommand("workbench.action.openSettings", "polarform.path");
+    // Not waited for: the editor would say that it activates until somebody answers.
+    vscode.window.showWarningMessage(INSTALL, "Open the setting").then((answer) => {
+      if (answer) vscode.commands.executeCommand("workbench.action.openSettings", "polarform.path");
+    });
     return;
   }
   const on = {

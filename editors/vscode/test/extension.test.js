@@ -142,7 +142,8 @@ function editor(document) {
     window: {
       activeTextEditor: { document },
       createOutputChannel: () => ({ append() {}, appendLine() {}, dispose() {} }),
-      showWarningMessage: async (text) => void done.messages.push(text),
+      // As in the editor, nothing comes back until somebody answers.
+      showWarningMessage: (text) => (done.messages.push(text), new Promise(() => {})),
       showErrorMessage: async (text) => void done.messages.push(text),
       createWebviewPanel: (type, title) => {
         const panel = { title, webview: { html: "" }, reveal() {}, onDidDispose() {} };
