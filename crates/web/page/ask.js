@@ -245,7 +245,7 @@ const Ask = {
       node.append(make("table", { class: "steps" }, make("tbody", {}, ...lines)));
       tools.append(copier("copy_text", answer.text));
     } else if (answer.kind === "claim") {
-      const rest = answer.text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n");
+      const rest = answer.text.split("\n").slice(1).map((line) => told(line.replace(/^ {2}/, ""))).join("\n");
       node.append(
         make("div", { class: "claimed" }, badge(answer.verdict), answer.latex === null ? null : formula(answer.latex, true)),
         rest === "" ? null : make("pre", { class: "because" }, rest),

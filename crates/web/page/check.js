@@ -113,22 +113,22 @@ const Check = {
   card(one) {
     const rows = [];
     const row = (name, ...content) => rows.push(make("dt", {}, say(name)), make("dd", {}, ...content));
-    const place = make("button", { type: "button", class: "quiet place", onclick: () => Check.go(one) }, `${say("line")} ${one.line}`);
-    if (one.witness) row("counterexample", make("span", { class: "mono" }, one.witness));
+    const place = make("button", { type: "button", class: "quiet place", onclick: () => Check.go(one) }, say("line", one.line));
+    if (one.witness) row("counterexample", make("span", { class: "mono" }, told(one.witness)));
     if (one.suggestion) {
       const apply = one.fixes.length === 0 ? null
         : make("button", { type: "button", class: "small", onclick: () => Check.apply(one.fixes) }, say("apply"));
       row("suggestion", formula(one.suggestion), " ", apply);
     }
-    if (one.warning) row("suspicious", one.warning);
-    if (one.instances) row("tried", one.instances);
-    for (const note of one.notes) row("assumed", note);
+    if (one.warning) row("suspicious", told(one.warning));
+    if (one.instances) row("tried", told(one.instances));
+    for (const note of one.notes) row("assumed", told(note));
     const loud = one.verdict === "refuted" || one.warning;
     const details = rows.length === 0 ? null : make("dl", {}, ...rows);
     return make("li", { class: `card ${one.verdict}` },
       make("div", { class: "head" }, badge(one.verdict), place),
       formula(one.reading || one.latex, true, one.latex),
-      one.reason ? make("p", { class: "reason" }, one.reason) : null,
+      one.reason ? make("p", { class: "reason" }, told(one.reason)) : null,
       details && !loud ? make("details", {}, make("summary", {}, say("details")), details) : details);
   },
 
@@ -192,7 +192,7 @@ const Check = {
       }
     }
     byId("gutter").replaceChildren(...[...lines].map(([top, { verdict, from, line }]) => {
-      const sign = make("button", { type: "button", class: `sign ${verdict}`, title: say(verdict), "aria-label": `${say("line")} ${line}: ${say(verdict)}`,
+      const sign = make("button", { type: "button", class: `sign ${verdict}`, title: say(verdict), "aria-label": `${say("line", line)}: ${say(verdict)}`,
         onclick: () => Check.go(shown.find((one) => one.from === from && one.verdict === verdict)) }, SIGNS[verdict]);
       sign.style.top = `${top}px`;
       return sign;

@@ -13,7 +13,7 @@ const isNumber = (value) => isText(value, 60);
 /** What a link may hold: a field and what its value must be. */
 const FIELDS = {
   v: (value) => value === 1,
-  lang: (value) => value in WORDS,
+  lang: (value) => LANGUAGES.includes(value),
   ask: (value) => isList(value, 1000, (input) => isText(input, LONGEST_INPUT)),
   page: (value) => isText(value, LONGEST_PAGE),
   format: (value) => ["markdown", "latex", "rst"].includes(value),

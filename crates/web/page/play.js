@@ -17,6 +17,22 @@ const STARTS = {
   }),
 };
 
+/** Follows a pointer that is down on a node: `moved` gets the share of a box's width and height where it is, until it is up. */
+function followed(event, node, box, moved) {
+  node.setPointerCapture(event.pointerId);
+  const follow = ({ clientX, clientY }) => {
+    const { left, top, width, height } = box.getBoundingClientRect();
+    moved((clientX - left) / width, (clientY - top) / height);
+  };
+  const ends = ["pointerup", "pointercancel"];
+  const done = () => {
+    node.removeEventListener("pointermove", follow);
+    for (const end of ends) node.removeEventListener(end, done);
+  };
+  node.addEventListener("pointermove", follow);
+  for (const end of ends) node.addEventListener(end, done);
+}
+
 const Play = {
   engine: new Engine(),
   state: STARTS.bezier(),
@@ -81,7 +97,13 @@ const Play = {
       try {
         const answer = await Play.engine.call(request);
         byId("play-problem").textContent = answer.refused ?? "";
-        if (!answer.refused) Play.answer = answer;
+        if (!answer.refused) Play.answer = { ...answer, kind };
+        // A link may hold a curve that there is not, and nothing was before it.
+        if (answer.refused && Play.answer?.kind !== kind && !Play.dirty) {
+          notice(answer.refused);
+          Play.load(STARTS[kind]());
+          continue;
+        }
         // Lowest terms, as the module writes them, or what was before; what was moved meanwhile stays.
         if (!Play.dirty && Play.answer) {
           Play.state.points = Play.answer.control.map((point) => [point.x, point.y]);
@@ -208,23 +230,8 @@ const Play = {
 
   drag(event, i) {
     event.preventDefault();
-    const node = Play.handles[i];
-    node.focus();
-    node.setPointerCapture(event.pointerId);
-    const canvas = byId("canvas");
-    const moved = (event) => {
-      const box = canvas.getBoundingClientRect();
-      const scale = box.width / (WORLD.width * UNIT);
-      Play.move(i, (event.clientX - box.left) / scale / UNIT, WORLD.height - (event.clientY - box.top) / scale / UNIT);
-    };
-    const done = () => {
-      node.removeEventListener("pointermove", moved);
-      node.removeEventListener("pointerup", done);
-      node.removeEventListener("pointercancel", done);
-    };
-    node.addEventListener("pointermove", moved);
-    node.addEventListener("pointerup", done);
-    node.addEventListener("pointercancel", done);
+    Play.handles[i].focus();
+    followed(event, Play.handles[i], byId("canvas"), (x, y) => Play.move(i, x * WORLD.width, (1 - y) * WORLD.height));
   },
 
   nudge(event, i) {
@@ -331,21 +338,8 @@ const Play = {
   },
 
   dragKnot(event, i) {
-    const tick = Play.ticks[i];
-    tick.setPointerCapture(event.pointerId);
     const { knots } = Play.answer;
     const [low, high] = [knots[0].at, knots[knots.length - 1].at];
-    const moved = (event) => {
-      const box = byId("knots").getBoundingClientRect();
-      Play.moveKnot(i, low + ((event.clientX - box.left) / box.width) * (high - low));
-    };
-    const done = () => {
-      tick.removeEventListener("pointermove", moved);
-      tick.removeEventListener("pointerup", done);
-      tick.removeEventListener("pointercancel", done);
-    };
-    tick.addEventListener("pointermove", moved);
-    tick.addEventListener("pointerup", done);
-    tick.addEventListener("pointercancel", done);
+    followed(event, Play.ticks[i], byId("knots"), (x) => Play.moveKnot(i, low + x * (high - low)));
   },
 };

@@ -217,6 +217,13 @@ const tests = {
     await again.waitForFunction(() => document.getElementById("t-exact").value === "3/7");
     await again.close();
     const packed = async (state) => "#" + Buffer.from(await new Response(new Blob([state]).stream().pipeThrough(new CompressionStream("deflate-raw"))).arrayBuffer()).toString("base64url");
+    // A curve that there is not is said, and one that there is takes its place.
+    const curve = { kind: "bspline", grid: 2, t: "1", ends: [], degree: 1, points: [["1", "1"], ["3", "6"], ["9", "6"]], knots: ["3", "2", "1", "0", "0"] };
+    const without = await opened(await packed(JSON.stringify({ v: 1, play: curve })));
+    await without.waitForSelector(".notice");
+    await without.waitForFunction(() => document.querySelectorAll(".handle").length === 6);
+    assert.equal(await without.locator("#play-problem").innerText(), "");
+    await without.close();
     for (const broken of [fragment.slice(0, -9), "#<script>", "#AAAA", await packed(`{"v":1,"ask":["1+1"],"run":"x"}`), await packed(`{"v":1,"ask":[5]}`), await packed(`{"v":2}`)]) {
       const page = await opened(broken);
       await page.waitForSelector(".notice");
@@ -262,6 +269,8 @@ const tests = {
     await ask(phone, "f := polar(t^3 + 3t)");
     await phone.click("#check-example");
     await phone.waitForSelector(".card.refuted");
+    assert.match(await phone.locator(".card.refuted").first().innerText(), /第 5 行[\s\S]*次数 2 时,左边减右边等于 -1[\s\S]*次数 2:左边 15,右边 16[\s\S]*f 是第 3 行的极形式/);
+    assert.match(await (await ask(phone, "f(0, 1, 2) = 4")).innerText(), /左边:3/);
     const wide = await phone.evaluate(() => document.documentElement.scrollWidth > innerWidth);
     assert.ok(!wide, "nothing is wider than the screen");
     await shot(phone, "phone");

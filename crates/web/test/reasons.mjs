@@ -1,0 +1,44 @@
+// The sentences of verdicts in the languages of the page: node test/reasons.mjs MODULE
+// What the table has is said by the library, and what the library says of the pages of its own tests stands in the table.
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { runInNewContext } from "node:vm";
+import { load } from "./load.mjs";
+
+const root = new URL("../../../", import.meta.url);
+const page = (name) => readFileSync(new URL(`crates/web/page/${name}.js`, root), "utf8");
+const { REASONS, LANGUAGES, WORDS, translated } = runInNewContext(
+  `const navigator = { language: "zh-CN" }; ${page("words")} ${page("reasons")} ({ REASONS, LANGUAGES, WORDS, translated })`);
+
+for (const [name, words] of Object.entries(WORDS)) {
+  assert.ok(typeof words === "string" || words.length === LANGUAGES.length, `${name} is said in every language`);
+}
+
+const sources = ["src/judge", "src/notes", "src/language", "src/math/blossom"]
+  .flatMap((folder) => readdirSync(new URL(folder, root), { recursive: true }).map((file) => `${folder}/${file}`))
+  .filter((file) => file.endsWith(".rs"))
+  .map((file) => readFileSync(new URL(file, root), "utf8"))
+  .join("\n");
+// A sentence may be put together of several: its parts are looked for.
+const fragments = (english) => english.split("{}").map((part) => part.replace(/^[,\s]*(is )?/, "").trim()).filter((part) => /\p{L}{3}/u.test(part));
+for (const [english] of Object.values(REASONS).flat()) {
+  assert.ok(fragments(english).every((part) => sources.includes(part)), `the library no longer says "${english}"`);
+}
+
+const answer = await load(process.argv[2]);
+const missing = new Map();
+let count = 0;
+const notes = new URL("tests/corpus/notes/", root);
+for (const file of readdirSync(notes).filter((file) => /^\d.*\.(md|tex)$/.test(file))) {
+  const as = file.endsWith(".tex") ? "latex" : "markdown";
+  const { formulas } = answer({ do: "check", text: readFileSync(new URL(file, notes), "utf8"), as });
+  for (const { reason, witness, instances, warning, notes } of formulas) {
+    for (const sentence of [reason, witness, instances, warning, ...notes].filter(Boolean)) {
+      count++;
+      if (translated(sentence) === null) missing.set(sentence, file);
+    }
+  }
+}
+for (const [sentence, file] of missing) console.log(`  not in Chinese (${file}): ${sentence}`);
+console.log(`${count} sentences of verdicts, ${missing.size} of them not in Chinese`);
+assert.ok(count > 1000 && missing.size === 0);
