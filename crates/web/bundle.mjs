@@ -1,7 +1,6 @@
-// Puts the page, its scripts, KaTeX with its fonts and the module into one HTML file: node bundle.mjs MODULE PAGE
+// Puts the page, its scripts, KaTeX with its fonts and the module into one HTML file: node bundle.mjs MODULE.gz PAGE
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
-import { gzipSync } from "node:zlib";
 
 const [, , modulePath, pagePath] = process.argv;
 const here = new URL(".", import.meta.url);
@@ -16,12 +15,12 @@ function katexStyle() {
   });
 }
 
-const PARTS = ["words", "show", "engine", "ask", "check", "play", "link", "main"];
+const PARTS = ["words", "reasons", "show", "engine", "ask", "check", "play", "link", "main"];
 const script = `"use strict";(() => {\n${PARTS.map((name) => read(`page/${name}.js`)).join("\n")}\n})();`;
 const style = `${katexStyle()}\n${read("page/style.css")}`;
 const katex = read("node_modules/katex/dist/katex.min.js");
 const version = read("Cargo.toml").match(/^version = "(.*)"/m)[1];
-const module = gzipSync(readFileSync(modulePath), { level: 9 });
+const module = readFileSync(modulePath);
 
 for (const [name, text] of Object.entries({ script, katex, worker: read("page/worker.js") })) {
   if (/<\/script|<!--/i.test(text)) throw new Error(`${name} cannot stand in a page: it would end its element`);

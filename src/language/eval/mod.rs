@@ -36,7 +36,6 @@ mod patterns;
 mod polar;
 mod products;
 mod prose;
-mod sequences;
 mod stand_ins;
 mod statement;
 mod sums;

@@ -575,8 +575,7 @@ fn function_expr(function: &super::Function, notation: Notation) -> Expr {
             if let [upper] = upper {
                 head = head.power(upper.clone());
             }
-            let head = if inner.is_empty() { head } else { Expr::apply(head, inner.to_vec()) };
-            Expr::relation(head, Rel::Define, body)
+            Expr::relation(Expr::apply(head, inner.to_vec()), Rel::Define, body)
         })
         .collect();
     match <[Expr; 1]>::try_from(clauses) {
