@@ -7,6 +7,7 @@ mod clauses;
 mod completion;
 mod foreign;
 mod given;
+mod spelling;
 mod spoken;
 mod unknown;
 
@@ -130,7 +131,19 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
+        // t^2 + 2t = ?
+        let text = file.slice(whole).trim_end();
+        let asked = text.trim_end_matches(['?', '？']).trim_end().strip_suffix('=');
+        if let Some(formula) =
+            asked.filter(|text| !text.trim().is_empty() && !text.ends_with([':', '<', '>', '=', '!']))
+        {
+            let part = Span::new(whole.start, whole.start + formula.len());
+            return self.run_part(file, Some(part), Equals::Claims);
+        }
         if let Some(answers) = self.run_clause(file, whole, equals)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_where(file, whole, equals)? {
             return Ok(answers);
         }
         if let Some(answers) = self.run_unknown(file, whole, equals)? {
@@ -186,6 +199,7 @@ impl Session {
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);
+                spelling::remarks(&statement, file, &mut outcome.notes);
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.

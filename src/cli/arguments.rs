@@ -59,7 +59,7 @@ pub(super) struct Global {
     /// Only what is wrong: no verdicts of what is true, no notes, no numbers at the end
     #[arg(long, short = 'q', global = true, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Break LaTeX that is wider, in points (an article: 345)
+    /// Break LaTeX that is wider, in points, or 0: never (345 if not given, the width of an article)
     #[arg(long, global = true, value_name = "POINTS")]
     pub width: Option<u16>,
     /// How wider LaTeX is broken: aligned (amsmath), multlined (mathtools), dmath (breqn)

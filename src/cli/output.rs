@@ -14,7 +14,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, Severity, harmless, render, render_json};
 use crate::language::value::{Language, Notation, Polar, PolarKind, Value, symbol_expr};
 use crate::language::write::{
-    Breaks, Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
+    ARTICLE, Breaks, Format, Manner, expanded_terms, write_answer, write_expanded, write_expr, write_grouped,
 };
 use crate::math::blossom::PolarForm;
 use crate::math::number::Rational;
@@ -23,6 +23,9 @@ use crate::session::Failure;
 
 /// Polar forms of a larger degree are written out without building the formula.
 const STREAM_ABOVE: usize = 6;
+
+/// LaTeX with more terms is not broken into lines: no page holds it.
+const LONGEST_BROKEN: u64 = 5000;
 
 /// What an argument is called, as it is printed.
 type Name = SmallVec<[u8; 16]>;
@@ -52,7 +55,11 @@ impl Output {
     pub fn new(global: &Global) -> Self {
         let color = global.color.wanted(io::stderr().is_terminal());
         let (notation, language) = (global.notation(), global.lang);
-        let width = global.width.filter(|points| *points > 0).map_or(f64::INFINITY, f64::from);
+        let width = match global.width {
+            None => ARTICLE,
+            Some(0) => f64::INFINITY,
+            Some(points) => f64::from(points),
+        };
         Output {
             format: global.format(),
             notation,
@@ -127,6 +134,9 @@ impl Output {
                     && let PolarKind::Univariate(form) = &polar.kind
                     && form.degree() > STREAM_ABOVE
                     && let Some(form) = rational(form)
+                    && !(self.format == Format::Latex
+                        && self.width.is_finite()
+                        && expanded_terms(&form) < LONGEST_BROKEN)
                 {
                     return self.stream(polar, &form, name);
                 }

@@ -72,6 +72,14 @@ impl Expr {
         }
     }
 
+    /// Whether this is `a mod b`, written between its two numbers.
+    pub fn is_remainder(&self) -> bool {
+        let Kind::Apply(callee, groups) = &self.kind else { return false };
+        let [arguments] = groups.as_slice() else { return false };
+        let between = arguments.first().is_some_and(|first| first.span.start < callee.span.start);
+        between && matches!(&callee.kind, Kind::Name(name) if name == "mod")
+    }
+
     /// Whether this and what is set beside it could be a mixed number: in print `3\tfrac12`, a whole number before a
     /// proper fraction of two numbers, is 3 + 1/2 for some and 3 · 1/2 for others. Cost: O(1).
     pub fn is_mixed_with(&self, next: &Expr) -> bool {

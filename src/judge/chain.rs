@@ -444,7 +444,7 @@ impl Checker {
                 Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
-                        if refute::is_standard(Some(head)) {
+                        if refute::is_standard(Some(head)) && warning.is_some() {
                             // What everybody calls so keeps its meaning.
                             findings[at].verdict = Verdict::Definition;
                             findings[at].reason = Some(format!("introduces {}", head.base));

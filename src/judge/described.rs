@@ -312,6 +312,8 @@ impl Checker {
             let mut add = |made: Made| found.push(Meaning { curve: curve.clone(), made });
             let degree = curve.degree.as_int();
             match new.arguments {
+                // The points of a rational curve change with their weights.
+                0 if topics.has(Topic::Rational) => continue,
                 0 => {}
                 1 if curve.object.is_some() => {
                     add(Made::Itself);

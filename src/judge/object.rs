@@ -142,10 +142,23 @@ impl Object {
                 _ => true,
             };
             let all = self.names.iter().any(|other| other.kind == Kind::Ellipsis);
+            // N_{0,2}, …, N_{3,2}: the second index is 2 in all of them.
+            let last = self.names.last().and_then(Head::of);
+            let constant = |at: usize, pattern: &Expr| {
+                let other = last.as_ref().and_then(|last| last.lower.get(at));
+                all && own.lower.len() > 1
+                    && matches!(pattern.kind, Kind::Number(_))
+                    && other.is_some_and(|other| other.same_as(pattern))
+            };
             let same = own.base == head.base
                 && own.lower.len() == head.lower.len()
                 && (own.upper.len() == head.upper.len() || own.upper.is_empty() && head.arguments.is_some())
-                && own.lower.iter().zip(&head.lower).all(|(a, b)| all || fits(a, b));
+                && own
+                    .lower
+                    .iter()
+                    .zip(&head.lower)
+                    .enumerate()
+                    .all(|(at, (a, b))| all && !constant(at, a) || fits(a, b));
             same.then_some(own)
         })
     }

@@ -197,6 +197,15 @@ pub fn decide(
     {
         let own: BTreeSet<String> = bases(right);
         let property = own.contains(&head.base) || is_constant(&failure.right);
+        // B_i^n on an interval [a, b] of the page is its own.
+        let parameters = compare::symbols(&failure.right).iter().any(|symbol| {
+            let name = symbol.base();
+            let foreign = !bases(left).contains(name) && bases(right).contains(name);
+            head.arguments.is_some() && symbol.is_plain() && foreign
+        });
+        if standard && !property && parameters {
+            return Decision::Redefinition(None);
+        }
         if standard && !property {
             // B_i^n = … that differs from what everybody calls so.
             let warning = format!(

@@ -49,6 +49,34 @@ impl Session {
 }
 
 impl Session {
+    /// Runs a formula under a definition in words that follows it: `f(0, 1) where f is the polar form of t^2`.
+    pub(super) fn run_where(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let masked = syntax::without_text_commands(file.slice(whole));
+        let words = ["where", "wobei", "où"].into_iter();
+        let Some(at) = words.filter_map(|word| masked.find(&format!(" {word} "))).min() else {
+            return Ok(None);
+        };
+        let mut text = file.text().to_owned();
+        text.replace_range(whole.range(), &masked);
+        let masked = SourceFile::new(file.name(), text);
+        let (head, rest) =
+            (Span::new(whole.start, whole.start + at), Span::new(whole.start + at + 1, whole.end));
+        let mut there = self.clone();
+        let Ok(Some(defined)) = there.run_clause(&masked, rest, Equals::DefinesUnbound) else {
+            return Ok(None);
+        };
+        let mut answers = there.run_part(&masked, Some(head), equals)?;
+        if let (Some(first), Some(definition)) = (answers.first_mut(), defined.first()) {
+            first.outcome.notes.insert(0, super::read_as(&definition.statement, rest));
+        }
+        Ok(Some(answers))
+    }
+
     /// Runs definitions by formulas, and what words ask for after them: `F(t) = t^2, what is F(2)?`.
     pub(super) fn run_continued(
         &mut self,
@@ -56,7 +84,12 @@ impl Session {
         whole: Span,
         equals: Equals,
     ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
-        for found in syntax::continuations(file.slice(whole)).into_iter().filter(|found| found.asked) {
+        // f(t) = 2t. f(0)?
+        let question = file.slice(whole).trim_end().ends_with(['?', '？']);
+        for found in syntax::continuations(file.slice(whole)).into_iter().filter(|found| {
+            found.asked
+                || question && file.slice(whole).get(found.end..).is_some_and(|rest| rest.starts_with('.'))
+        }) {
             let Some(rest) = found.rest(file.slice(whole)) else { continue };
             // Given x = 1 and y = 2, compute x + y: values for all that follows.
             let head = file.slice(whole).get(..found.end).map_or(0, syntax::after_introduction);

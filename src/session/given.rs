@@ -284,6 +284,17 @@ fn in_order(mut given: Vec<Given>) -> Vec<Given> {
 pub(super) fn beside(statement: &Expr) -> Option<Sentence> {
     let Kind::Sequence(items) = &statement.kind else { return None };
     let (formula, values) = items.split_first()?;
+    // a claim and its condition in parentheses: \quad (n \ge 1)
+    let condition = |item: &Expr| match &item.kind {
+        Kind::Group(inner) if matches!(inner.kind, Kind::Chain(..)) => Some((inner.span, false)),
+        _ => None,
+    };
+    if matches!(formula.kind, Kind::Chain(..))
+        && !values.is_empty()
+        && let Some(conditions) = values.iter().map(condition).collect::<Option<Vec<_>>>()
+    {
+        return Some(Sentence { formula: formula.span, conditions, asked: false });
+    }
     let used = bases(formula);
     let value = |item: &Expr| match &item.kind {
         Kind::Chain(left, links) => {

@@ -113,6 +113,33 @@ impl Reader<'_> {
         {
             basis.builtin = spline;
         }
+        notations::exponents(&mut items, &mut said);
+        let points = said.iter().find(|read| read.label == Label::Points);
+        if let (true, true, Some(points)) = (drafts.is_empty(), items.is_empty(), points)
+            && let Some(curve) = builtin(if knots { "bspline" } else { "bezier" })
+        {
+            drafts.push(Draft::new(curve, points.items.first().map_or(Span::default(), |item| item.span)));
+        }
+        if let ([Draft { builtin, phrase, .. }], [matrix @ Expr { kind: Kind::Matrix(..), .. }], [read]) =
+            (drafts.as_slice(), items.as_slice(), said.as_slice())
+            && builtin.name == "solve"
+            && let [item] = read.items.as_slice()
+            && let Some((_, right)) = eval::named(item)
+            && matches!(right.kind, Kind::Matrix(..) | Kind::List(_))
+        {
+            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
+        }
+        // solve [2, 1; 1, 3] x = [3; 5]
+        if let ([Draft { builtin, phrase, .. }], [Expr { kind: Kind::Chain(left, links), .. }], []) =
+            (drafts.as_slice(), items.as_slice(), said.as_slice())
+            && builtin.name == "solve"
+            && let (Kind::Mul(factors), [Link { rel: Rel::Eq, expr: right, .. }]) =
+                (&left.kind, links.as_slice())
+            && let [matrix @ Expr { kind: Kind::Matrix(..), .. }, Expr { kind: Kind::Name(_), .. }] =
+                factors.as_slice()
+        {
+            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
+        }
         let mut formula: Option<Expr> = None;
         if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
             && builtin.name == "esym"
@@ -235,6 +262,12 @@ impl Reader<'_> {
     fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
         let (range, body) = (self.one(total.range)?, self.one(total.body)?);
         let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
+        if let (Some(index), Some(end)) = (total.index, total.end) {
+            let (name, end) = (self.one(index)?, self.one(end)?);
+            let lower = vec![Expr { span: name.span.to(range.span), ..Expr::relation(name, Rel::Eq, range) }];
+            let body = Box::new(one_term(body));
+            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(end)), body }, span));
+        }
         let wrong = || {
             let problem =
                 Diagnostic::error(Code::Usage, "a sum needs the first and the last value of its index")
@@ -363,6 +396,24 @@ impl Reader<'_> {
         outcome.is_ok_and(|outcome| outcome.value.as_rational().is_some())
     }
 
+    /// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
+    fn of_definition(&self, item: Expr) -> Expr {
+        let Kind::Chain(left, links) = &item.kind else { return item };
+        let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
+        let head = match &left.kind {
+            Kind::Apply(callee, groups) => {
+                letter(callee)
+                    && !matches!(&callee.kind, Kind::Name(name) if defines(&self.session.env, name))
+                    && matches!(groups.as_slice(), [one] if one.iter().all(letter))
+            }
+            _ => false,
+        };
+        match links.as_slice() {
+            [Link { rel: Rel::Eq | Rel::Define, expr, .. }] if head => expr.clone(),
+            _ => item,
+        }
+    }
+
     fn one(&self, span: Span) -> Result<Expr, Box<Failure>> {
         let session = self.session;
         guarded(&session.limits, || read_in(&session.env, self.file, Some(span.shifted(self.start))))
@@ -372,12 +423,29 @@ impl Reader<'_> {
     fn items(&self, span: Span) -> Result<Vec<Expr>, Box<Failure>> {
         let span = span.shifted(self.start);
         let session = self.session;
+        // x: 0 1 3
+        let text = self.file.slice(span);
+        if let Some((name, list)) = text.split_once(": ")
+            && name.trim_end().chars().count() == 1
+            && name.starts_with(char::is_alphabetic)
+        {
+            let start = span.end - list.len();
+            let items =
+                guarded(&session.limits, || items_in(&session.env, self.file, Span::new(start, span.end)))
+                    .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))?;
+            let letter = Expr {
+                span: Span::new(span.start, span.start + name.trim_end().len()),
+                ..Expr::name(name.trim_end())
+            };
+            let list = Expr::new(Kind::List(items), Span::new(start, span.end));
+            return Ok(vec![Expr { span, ..Expr::relation(letter, Rel::Eq, list) }]);
+        }
         // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
         let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));
         let named = self.file.slice(span).contains(char::is_alphabetic);
         guarded(&session.limits, || items_in(&session.env, self.file, span))
             .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
-            .map(|items| items.into_iter().map(|item| as_list(of_definition(item))).collect())
+            .map(|items| items.into_iter().map(|item| as_list(self.of_definition(item))).collect())
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }
@@ -391,19 +459,12 @@ fn basis_of(function: &str) -> Option<&'static str> {
     })
 }
 
-/// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
-fn of_definition(item: Expr) -> Expr {
-    let Kind::Chain(left, links) = &item.kind else { return item };
-    let letter = |expr: &Expr| matches!(expr.kind, Kind::Name(_));
-    let head = match &left.kind {
-        Kind::Apply(callee, groups) => {
-            letter(callee) && matches!(groups.as_slice(), [one] if one.iter().all(letter))
-        }
-        _ => false,
-    };
-    match links.as_slice() {
-        [Link { rel: Rel::Eq | Rel::Define, expr, .. }] if head => expr.clone(),
-        _ => item,
+/// A sum in parentheses.
+fn one_term(expr: Expr) -> Expr {
+    let span = expr.span;
+    match expr.kind {
+        Kind::Add(_) => Expr { span, ..expr.grouped() },
+        _ => expr,
     }
 }
 
@@ -413,7 +474,18 @@ fn equation(left: Expr, right: Expr) -> Expr {
         if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
     let span = left.span.to(right.span);
     let left = match lists::letters(&right, &left) {
-        letters if polar && !letters.is_empty() => applied(left, letters, span),
+        letters if polar && !letters.is_empty() => {
+            // (t1 + t2)/2 is the polar form of t for the degree 2.
+            let mut form = left;
+            if let Kind::Apply(_, groups) = &mut form.kind
+                && let [arguments] = groups.as_mut_slice()
+                && arguments.len() == 1
+            {
+                let count = i64::try_from(letters.len()).unwrap_or(i64::MAX);
+                arguments.push(named("degree", Expr { span, ..Expr::int(count) }));
+            }
+            applied(form, letters, span)
+        }
         _ => left,
     };
     Expr { span, ..Expr::relation(left, Rel::Eq, right) }

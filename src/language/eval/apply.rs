@@ -10,7 +10,7 @@ use super::products::without_power;
 use super::stand_ins::first_is_the_number;
 use super::tools::{Callable, Slot};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
@@ -468,6 +468,15 @@ impl Machine {
                     (Some((name, value)), _) => {
                         let given = self.eval_or_word(value, function, Slot::Name(&name))?;
                         all.push_named(name, given, value.span);
+                    }
+                    (None, Kind::Chain(left, links))
+                        if function.takes_values()
+                            && let ([Link { rel: Rel::Eq, expr: value, .. }], Kind::Subscript(..)) =
+                                (links.as_slice(), &left.kind)
+                            && let Some(name) = name_of(left, self) =>
+                    {
+                        let given = self.eval(value)?;
+                        all.push_indexed(name, given, value.span);
                     }
                     (None, Kind::Ellipsis) => skip = self.fill_dots(group, at, &mut values)?,
                     (None, Kind::Brace(list, label)) => {

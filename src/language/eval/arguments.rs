@@ -27,7 +27,7 @@ pub(crate) fn named(expr: &Expr) -> Option<(String, &Expr)> {
 }
 
 /// A list of rows as a matrix: [[1, 2], [3, 4]].
-fn matrix_of(value: &Value) -> Option<DMatrix<Fraction>> {
+pub(super) fn matrix_of(value: &Value) -> Option<DMatrix<Fraction>> {
     let Value::List(rows) = value else { return None };
     let row = |row: &Value| match row {
         Value::List(items) => items.iter().map(|item| item.as_scalar().cloned()).collect(),
@@ -45,6 +45,8 @@ pub struct Arguments {
     /// By place; `None` where one is left out and a later one is given by its name.
     places: Vec<Option<(Value, Span)>>,
     named: Vec<(String, Value, Span)>,
+    /// Values of names with indices: c_0=1.
+    indexed: Vec<(Symbol, Value, Span)>,
 }
 
 impl Arguments {
@@ -54,6 +56,10 @@ impl Arguments {
 
     pub(crate) fn push_named(&mut self, name: String, value: Value, span: Span) {
         self.named.push((name, value, span));
+    }
+
+    pub(crate) fn push_indexed(&mut self, name: Symbol, value: Value, span: Span) {
+        self.indexed.push((name, value, span));
     }
 
     /// Sets the argument at a place.
@@ -100,7 +106,7 @@ impl Arguments {
 
     /// Whether some are given under names.
     pub(crate) fn has_names(&self) -> bool {
-        !self.named.is_empty()
+        !(self.named.is_empty() && self.indexed.is_empty())
     }
 
     /// The same arguments with another first one.
@@ -114,7 +120,7 @@ impl Arguments {
 
     /// The first `count` arguments given by place.
     pub(crate) fn only(&self, count: usize) -> Self {
-        Arguments { places: self.places.iter().take(count).cloned().collect(), named: Vec::new() }
+        Arguments { places: self.places.iter().take(count).cloned().collect(), ..Arguments::default() }
     }
 
     /// All arguments but the first one.
@@ -177,10 +183,12 @@ impl Arguments {
 
     /// The arguments given as t=value, if there are any.
     pub fn substitutions(&self) -> Result<Vec<(Symbol, Fraction)>> {
-        self.named
-            .iter()
+        let plain = self.named.iter().map(|(name, value, span)| (Symbol::new(name), value, span));
+        let indexed = self.indexed.iter().map(|(name, value, span)| (name.clone(), value, span));
+        plain
+            .chain(indexed)
             .map(|(name, value, span)| match value {
-                Value::Scalar(value) => Ok((Symbol::new(name), value.clone())),
+                Value::Scalar(value) => Ok((name, value.clone())),
                 other => Err(wrong_kind("a number or formula", other).at(*span)),
             })
             .collect()

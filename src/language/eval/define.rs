@@ -113,9 +113,20 @@ impl Machine {
         // A function may have its control points called like itself: b_i^0(t) = b_i.
         let refers = match left.kind {
             Kind::Apply(..) => calls(right, &name, family, self),
-            _ => mentions(right, &name, self),
+            _ => uses(right, &name, self),
         };
-        !known && !refers
+        !known && !refers || family && self.is_further_case(&name)
+    }
+
+    /// Whether all cases of a family so far have a number among their arguments, as b_i^0(t) has.
+    fn is_further_case(&self, name: &Symbol) -> bool {
+        let first = |clause: &Clause| clause.parameters.iter().any(|p| matches!(p, Parameter::Exactly(_)));
+        match self.lookup(name) {
+            Some(Value::Function(function)) => {
+                function.shape.lower > 0 && function.shape.inner > 0 && function.clauses.iter().all(first)
+            }
+            _ => false,
+        }
     }
 
     /// Carries out `left := right (= further …)`.
@@ -125,6 +136,9 @@ impl Machine {
             return Err(Diagnostic::error(Code::BadDefinition, "dots define nothing")
                 .at(body.span)
                 .hint("write the formula, as in F(t) := t^2"));
+        }
+        if let Some(sequence) = self.sequence(left, body)? {
+            return Ok(sequence);
         }
         let (name, value) = match self.target(left)? {
             Target::Name(name) => {
@@ -365,6 +379,21 @@ fn mentions(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
     let mut children = Vec::new();
     expr.for_each_child(&mut |child| children.push(child));
     children.into_iter().any(|child| mentions(child, name, machine))
+}
+
+/// The same where a name with an index is another one: b = [b_0, b_1].
+fn uses(expr: &Expr, name: &Symbol, machine: &mut Machine) -> bool {
+    if name_of(expr, machine).as_ref() == Some(name) {
+        return true;
+    }
+    if let Kind::Subscript(base, indices) = &expr.kind
+        && matches!(base.kind, Kind::Name(_))
+    {
+        return indices.iter().any(|index| uses(index, name, machine));
+    }
+    let mut children = Vec::new();
+    expr.for_each_child(&mut |child| children.push(child));
+    children.into_iter().any(|child| uses(child, name, machine))
 }
 
 /// Whether the name is called in the expression; of a family its members count, in b(t) = b_0 (1 - t) they do not.

@@ -20,7 +20,37 @@ struct Index {
     span: Span,
 }
 
+/// What brackets behind lists and matrices tell of the number of the first entry.
+#[derive(Debug, Default)]
+pub(super) struct Counted {
+    /// A 0 was among the indices, so that it is known how they count.
+    told: bool,
+    /// Where an index has another meaning if it counts otherwise.
+    place: Option<(Span, &'static str)>,
+}
+
 impl Machine {
+    /// Remembers `v[2]`, which is another entry where indices count from 1.
+    fn counts(&mut self, value: &Value, indices: &[Expr], whole: &Expr) {
+        let numbers: Option<Vec<i64>> = indices_in_brackets(indices).iter().map(Expr::as_int).collect();
+        let Some(numbers) = numbers.filter(|_| is_bracketed(indices)) else { return };
+        self.counted.told |= numbers.contains(&0);
+        let how = match value {
+            Value::List(_) => "items of a list count from 0",
+            Value::Matrix(_) => "rows and columns count from 1",
+            _ => return,
+        };
+        self.counted.place.get_or_insert((whole.span, how));
+    }
+
+    /// The remark how indices count, where nothing in the statement tells it.
+    pub(super) fn told_how_indices_count(&mut self) {
+        let Counted { told, place } = std::mem::take(&mut self.counted);
+        if let (Some((span, how)), false) = (place, told) {
+            self.note(Diagnostic::note(Code::StandardMeaning, how).at(span));
+        }
+    }
+
     /// The entry of a formula that is no name: `c(t)_0`, `[1, 4, 9][1]`.
     pub(super) fn entry_of(&mut self, base: &Expr, indices: &[Expr], whole: &Expr) -> Evaluated {
         let value = self.eval(base)?;
@@ -63,6 +93,9 @@ impl Machine {
     ) -> Result<Option<Value>, Diagnostic> {
         if !matches!(value, Value::List(_) | Value::Matrix(_) | Value::Geometry(_)) {
             return Ok(None);
+        }
+        if !self.has_reading() {
+            self.counts(value, indices, whole);
         }
         let list = indices_in_brackets(indices).iter();
         let list: Vec<Index> = list.map(|index| self.index(index, whole)).collect::<Result<_, _>>()?;

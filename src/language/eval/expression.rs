@@ -122,6 +122,14 @@ impl Machine {
                     return self.derivative_of(&member, *order as usize, body.span);
                 }
                 let value = self.eval(body)?;
+                // A' as MATLAB has it; entries with letters may be meant as functions.
+                if let (Value::Matrix(matrix), 1) = (&value, *order)
+                    && matrix.iter().all(|entry| entry.as_rational().is_some())
+                {
+                    let note = "a prime at a matrix of numbers is read as its transpose";
+                    self.note(Diagnostic::note(Code::StandardMeaning, note).at(span));
+                    return arithmetic::transpose(value).at(span);
+                }
                 if value.as_rational().is_some() {
                     return Err(Diagnostic::error(Code::Type, "a number has no derivative")
                         .at(span)

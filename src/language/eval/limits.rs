@@ -19,11 +19,12 @@ impl Machine {
     pub(super) fn eval_limit(&mut self, lower: &[Expr], body: &Expr, span: Span) -> Evaluated {
         let approach = match lower {
             [Expr { kind: Kind::Chain(name, links), .. }] => match links.as_slice() {
-                [Link { rel: Rel::To, expr, .. }] if !self.has_reading() => Some((name, expr)),
+                [Link { rel: Rel::To | Rel::Implies, expr, .. }] if !self.has_reading() => Some((name, expr)),
                 _ => None,
             },
             _ => None,
         };
+        let approach = approach.map(|(name, goal)| (name, from_a_side(goal)));
         let Some((name, goal)) = approach else {
             return Err(unsupported("this limit has no value here").at(span));
         };
@@ -50,6 +51,16 @@ impl Machine {
                     .reason("the denominator is 0 there")
             })
             .at(body.span)
+    }
+}
+
+/// a for a^+ and a^-: where a rational function has a limit, it is that from each side.
+fn from_a_side(goal: &Expr) -> &Expr {
+    match &goal.kind {
+        Kind::Pow(base, side) if matches!(&side.kind, Kind::Name(name) if name == "plus" || name == "minus") => {
+            base
+        }
+        _ => goal,
     }
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::arguments::Arguments;
+use super::entries::Counted;
 use super::env::Env;
 use super::tools::{Callable, Tools};
 use crate::formula::Expr;
@@ -68,6 +69,8 @@ pub struct Machine {
     pub(super) called: bool,
     /// Whether the statement asks for a value, so that sums may have symbols as bounds.
     pub(super) answers: bool,
+    /// Where an index that counts from 0 or from 1 stands in brackets, if no other one tells which.
+    pub(super) counted: Counted,
     /// Values of functions of numbers already computed in this statement.
     pub(super) memo: BTreeMap<(Symbol, Vec<Rational>), Value>,
 }
@@ -84,6 +87,7 @@ impl Machine {
             notes: Vec::new(),
             called: false,
             answers: false,
+            counted: Counted::default(),
             memo: BTreeMap::new(),
         }
     }

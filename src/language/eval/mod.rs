@@ -36,6 +36,7 @@ mod patterns;
 mod polar;
 mod products;
 mod prose;
+mod sequences;
 mod stand_ins;
 mod statement;
 mod sums;

@@ -225,6 +225,11 @@ impl Machine {
             };
         }
         if let Value::Function(function) = &value
+            && let Some(member) = self.member_at(function, indices, expr.span)
+        {
+            return member.map(Some);
+        }
+        if let Value::Function(function) = &value
             && let Some(partial) = self.partial_by_index(function, indices)
         {
             return Ok(Some(partial));

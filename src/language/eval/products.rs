@@ -6,6 +6,7 @@
 use std::iter::Peekable;
 use std::slice::Iter;
 
+use super::arguments::matrix_of;
 use super::curves;
 use super::machine::{Evaluated, Machine};
 use super::names::name_of;
@@ -200,6 +201,17 @@ impl Machine {
                 .at(operand.span)
                 .hint("write it out: F(1) - F(0)"));
         }
+        let of_function = name_of(operand, self)
+            .is_some_and(|name| matches!(self.lookup(&name), Some(Value::Function(_) | Value::Polar(_))));
+        let formula = matches!(operand.kind, Kind::Pow(..) | Kind::Group(_) | Kind::Binomial(..));
+        if (formula || of_function) && !self.has_reading() {
+            let sign = if back { BACKWARD_DIFFERENCE } else { FORWARD_DIFFERENCE };
+            return Err(Diagnostic::error(Code::AmbiguousProduct, "a difference or a product?")
+                .at(operand.span)
+                .reason(format!("what follows {sign} may be what the difference is taken of"))
+                .hint("for the difference write it out: (x + 1)^2 - x^2")
+                .hint(format!("for the product write the letter behind: x^2 {sign}")));
+        }
         let Kind::Subscript(base, indices) = &operand.kind else { return Ok(None) };
         let (Ok(k), [first, others @ ..]) = (usize::try_from(order), indices.as_slice()) else {
             return Ok(None);
@@ -312,6 +324,11 @@ impl Machine {
         }
         self.family_without_argument(base, span);
         let value = self.eval(base)?;
+        // [[2, 0], [1, 3]]^2
+        let value = match matrix_of(&value).filter(|matrix| matrix.is_square() && matrix.nrows() > 1) {
+            Some(matrix) => Value::Matrix(matrix),
+            None => value,
+        };
         self.is_one_factor(exponent, "exponent")?;
         let exponent_value = self.eval(exponent)?;
         if matches!(value, Value::Function(_))

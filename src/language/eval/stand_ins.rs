@@ -67,12 +67,23 @@ impl Machine {
         };
         let mut arguments = vec![subject];
         if function == "polar" {
-            arguments.push(crate::formula::named("degree", Expr::int(group.len() as i64)));
+            arguments.push(crate::formula::named("degree", Expr::int(self.count(group))));
         }
         let call = crate::formula::call(function, arguments, callee.span);
         let note = format!("{letter} is read as {}", crate::language::write::text(&call));
         self.note(Diagnostic::note(Code::StandardMeaning, note).at(callee.span));
         self.eval(&call).map(Some)
+    }
+}
+
+impl Machine {
+    /// How many arguments these are, with those below braces.
+    fn count(&mut self, group: &[Expr]) -> i64 {
+        let one = |machine: &mut Machine, item: &Expr| match &item.kind {
+            Kind::Brace(_, Some(label)) => machine.eval_int(label).unwrap_or(1),
+            _ => 1,
+        };
+        group.iter().map(|item| one(self, item)).sum()
     }
 }
 

@@ -43,6 +43,7 @@ pub enum Equals {
 pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Result<Outcome, Diagnostic> {
     let mut machine = Machine::new(tools).with_names(env);
     let (value, defined) = machine.statement(expr, equals)?;
+    machine.told_how_indices_count();
     if let Some(name) = &defined {
         env.set(name.clone(), value.clone().plain());
     }

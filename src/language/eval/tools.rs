@@ -36,6 +36,9 @@ pub trait Callable {
     /// Whether an argument is given by this name.
     fn takes_name(&self, name: &str) -> bool;
 
+    /// Whether values of any names may be given: t=3, c_0=1.
+    fn takes_values(&self) -> bool;
+
     /// Whether it works on equations, which nobody judges then.
     fn takes_equations(&self) -> bool;
 

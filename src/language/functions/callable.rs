@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use super::parameter::{Parameter, Takes};
+use super::parameter::{Need, Parameter, Takes};
 use super::record::Builtin;
 use super::table::{BUILTINS, builtin};
 use crate::language::eval::{Arguments, Callable, Evaluated, Machine, Slot};
@@ -128,7 +128,6 @@ const ALIASES: &[(&str, &str)] = &[
 /// Functions that somebody may mean by other names.
 const SYNONYMS: &[(&str, &str)] = &[
     ("cox_de_boor", "bspline_basis"),
-    ("taylor", "in_powers"),
     ("cancel", "simplify"),
     ("is_polar", "laws"),
     ("is_symmetric", "laws"),
@@ -254,6 +253,10 @@ impl Callable for Builtin {
 
     fn takes_name(&self, name: &str) -> bool {
         self.parameter_lists().flatten().any(|parameter| parameter.has_name() && parameter.name == name)
+    }
+
+    fn takes_values(&self) -> bool {
+        self.parameter_lists().flatten().any(|parameter| parameter.need == Need::Free)
     }
 
     fn takes_equations(&self) -> bool {

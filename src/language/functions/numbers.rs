@@ -5,9 +5,10 @@ use super::parameter::{Takes, many, required, size};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::arithmetic;
-use crate::language::ops::errors::wrong_kind;
+use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::value::Value;
 use crate::math::number::exact_root;
+use num_traits::Zero;
 
 const NEW: Builtin = Builtin::about("Numbers");
 
@@ -44,6 +45,24 @@ pub(super) const TABLE: &[Builtin] = &[
                     .reason("its root is not rational")
                     .hint(format!("roots(t^2 - {square}) isolates the roots exactly"))
             })
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "mod",
+        parameters: &[
+            required("a", Takes::Number, "the dividend"),
+            required("b", Takes::Number, "the divisor"),
+        ],
+        summary: "what division of a by b to an integer leaves, a - b floor(a/b); also written a mod b",
+        example: "mod(17, 5)",
+        call: |_, args| {
+            let (a, b) = (args.rational(0)?, args.rational(1)?);
+            if b.is_zero() {
+                return Err(division_by_zero()).at(args.span(1));
+            }
+            let times = (&a / &b).floor();
+            Ok(Value::number(a - b * times))
         },
         ..NEW
     },

@@ -11,7 +11,7 @@ use crate::language::value::Value;
 use crate::math::number::Rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use num_traits::Zero;
+use num_traits::{One, Signed, Zero};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -90,13 +90,25 @@ pub(super) const TABLE: &[Builtin] = &[
         on_curve: on_geometry::SUBS,
         each: true,
         call: |_, args| {
-            let formula = args.scalar(0)?;
             let mut values = args.substitutions()?;
-            match values.is_empty() {
-                true => values.push((args.symbol(1)?, args.scalar(2)?)),
-                false => occur(&formula, &values, args)?,
+            let Value::Function(of) = args.value(0)? else {
+                return substituted(args.scalar(0)?, values, args);
+            };
+            // F(t) = a t with a=2 is 2 t, as a function of t; with t=2 it is a value.
+            let Some((names, formula)) = of.as_formula_of_many() else {
+                return Err(wrong_kind("a number or formula", args.value(0)?).at(args.span(0)));
+            };
+            if values.is_empty() {
+                values.push((args.symbol(1)?, args.scalar(2)?));
             }
-            formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
+            let bound = values.iter().any(|(name, _)| names.contains(&name));
+            let value = substituted(formula.clone(), values, args)?;
+            Ok(match value {
+                Value::Scalar(formula) if !bound => {
+                    function::function_of(names.into_iter().cloned().collect(), formula)
+                }
+                value => value,
+            })
         },
         ..NEW
     },
@@ -152,6 +164,34 @@ pub(super) const TABLE: &[Builtin] = &[
         call: |_, args| {
             let order = args.optional_size(1)?.unwrap_or(1);
             calculus::derivative(args.value(0)?, order).at(args.span(0))
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "taylor",
+        parameters: &[
+            required("F", Takes::Scalar, "the formula, also a fraction"),
+            required("a", Takes::Scalar, "the point"),
+            DEGREE,
+            LETTER,
+        ],
+        summary: "the Taylor polynomial of degree n at a: the sum of F^(k)(a)/k! (t - a)^k for k up to n",
+        example: "taylor(t^4, 1, 2)",
+        gives_function: true,
+        call: |_, args| {
+            let (formula, at, degree) = (args.scalar(0)?, args.scalar(1)?, args.size(2)?);
+            let variable = formula::variable_of(&formula, args.optional_symbol(3)?).at(args.span(0))?;
+            let step = Fraction::from(MultiPoly::symbol(variable.clone())).minus(&at);
+            let (mut sum, mut power, mut derived) = (Fraction::zero(), Fraction::one(), formula);
+            for k in 0..=degree {
+                let value = derived.substitute(&[(variable.clone(), at.clone())]);
+                sum = sum.plus(&value.map_err(|_| division_by_zero()).at(args.span(1))?.times(&power));
+                let next =
+                    Fraction::from(MultiPoly::constant(Rational::new(1.into(), (k as u64 + 1).into())));
+                power = power.times(&step).times(&next);
+                derived = derived.derivative(&variable);
+            }
+            Ok(Value::Scalar(sum))
         },
         ..NEW
     },
@@ -228,7 +268,13 @@ pub(super) const TABLE: &[Builtin] = &[
                 let common = with_contents(&multiple, &next);
                 multiple = multiple.times(&next).div_exact(&common).unwrap_or_else(MultiPoly::zero);
             }
-            Ok(Value::Scalar(Fraction::from(multiple)))
+            // Of numbers it is not negative, as their greatest common divisor.
+            let negative = multiple.as_constant().is_some_and(|number| number.is_negative());
+            Ok(Value::Scalar(Fraction::from(if negative {
+                multiple.scaled(&Rational::from_integer((-1).into()))
+            } else {
+                multiple
+            })))
         },
         ..NEW
     },
@@ -320,12 +366,28 @@ fn part(f: &Fraction, numerator: bool) -> Value {
 fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let given = args.optional_symbol(2)?;
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
+    // As constant polynomials, which leave nothing, they are hardly meant.
+    if let (Some(a), Some(b), None) = (f.as_rational(), g.as_rational(), &given) {
+        return Err(Diagnostic::error(Code::Type, "numbers, or constant polynomials?")
+            .at(args.span(0))
+            .hint(format!("of numbers write mod({a}, {b}) and floor({a}/({b}))"))
+            .hint("of polynomials name the variable: remainder(F, G, t)"));
+    }
     let variable = formula::variable_of(&f.plus(&g), given).at(args.span(0))?;
     let dividend = Coefficients::new(formula::coefficients_in(&f, &variable).at(args.span(0))?);
     let divisor = Coefficients::new(formula::coefficients_in(&g, &variable).at(args.span(1))?);
     let (quotient, rest) = dividend.div_rem(&divisor).ok_or_else(|| division_by_zero().at(args.span(1)))?;
     let t = Fraction::from(MultiPoly::symbol(variable));
     Ok((quotient.value(&t), rest.value(&t)))
+}
+
+/// A formula with values in place of names.
+fn substituted(formula: Fraction, mut values: Vec<(Symbol, Fraction)>, args: &Arguments) -> Result<Value> {
+    match values.is_empty() {
+        true => values.push((args.symbol(1)?, args.scalar(2)?)),
+        false => occur(&formula, &values, args)?,
+    }
+    formula.substitute(&values).map(Value::Scalar).map_err(|_| division_by_zero())
 }
 
 /// Refuses a value for a name that does not occur in a formula with other names: it would change nothing.

@@ -64,14 +64,28 @@ pub(super) const TABLE: &[Builtin] = &[
         name: "count_roots",
         parameters: &[
             POLYNOMIAL,
-            required("a", Takes::Number, "the lower end, not counted"),
-            required("b", Takes::Number, "the upper end, counted"),
+            optional("a", Takes::Number, "all real numbers", "the lower end, not counted"),
+            optional("b", Takes::Number, "all real numbers", "the upper end, counted"),
         ],
-        summary: "how many different real roots a polynomial has in (a, b], exactly (Sturm)",
+        summary: "how many different real roots a polynomial has, or how many in (a, b], exactly (Sturm)",
         example: "count_roots(t^3 - t, 0, 2)",
         call: |_, args| {
             let (polynomial, _) = numeric(args, 0)?;
-            let count = polynomial.count_roots(&args.rational(1)?, &args.rational(2)?);
+            let ends = match (args.given(1), args.given(2)) {
+                (None, None) => {
+                    // No root is larger than 1 + max |a_i / a_n|.
+                    let coefficients = polynomial.coefficients();
+                    let leading = coefficients.last().cloned().unwrap_or_default();
+                    if leading.is_zero() {
+                        return Err(zero_polynomial(args));
+                    }
+                    let ratios = coefficients.iter().map(|c| (c / &leading).abs());
+                    let bound = ratios.max().unwrap_or_default() + Rational::from_integer(1.into());
+                    [-bound.clone(), bound]
+                }
+                _ => [args.rational(1)?, args.rational(2)?],
+            };
+            let count = polynomial.count_roots(&ends[0], &ends[1]);
             count.map(|count| Value::int(count as i64)).ok_or_else(|| zero_polynomial(args))
         },
         ..NEW

@@ -133,8 +133,8 @@ impl Reader<'_> {
 
     fn binomial(&mut self) -> Result<Expr> {
         let start = self.bump().start;
-        let above = Box::new(self.argument()?);
-        let below = Box::new(self.argument()?);
+        let above = Box::new(self.part()?);
+        let below = Box::new(self.part()?);
         Ok(self.node(Kind::Binomial(above, below, BinomialStyle::Stacked), start))
     }
 

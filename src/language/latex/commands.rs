@@ -433,6 +433,10 @@ const OTHERS: &[Command] = table! {
     "lfloor" "rounding down" Role::Open(Fence::Floor);
     "rfloor" "rounding down" Role::Close(Fence::Floor);
     "lceil" "rounding up" Role::Open(Fence::Ceil);
+    "ulcorner" "rounding up" Role::Open(Fence::Ceil);
+    "llcorner" "rounding down" Role::Open(Fence::Floor);
+    "urcorner" "rounding up" Role::Close(Fence::Ceil);
+    "lrcorner" "rounding down" Role::Close(Fence::Floor);
     "rceil" "rounding up" Role::Close(Fence::Ceil);
     "langle" "left angle bracket of an inner product (read, not evaluated)" Role::Open(Fence::Angle);
     "rangle" "inner product" Role::Close(Fence::Angle);
@@ -541,9 +545,10 @@ const OTHERS: &[Command] = table! {
     "mathfrak" "Fraktur letter" Role::Unsupported("the formula tree has no such letters");
     "Re" "real part" Role::Unsupported("there are no complex numbers here");
     "Im" "imaginary part" Role::Unsupported("there are no complex numbers here");
-    "bmod" "remainder" Role::Unsupported("remainders are not read");
-    "pmod" "congruence" Role::Unsupported("remainders are not read");
-    "mod" "remainder" Role::Unsupported("remainders are not read");
+    "bmod" "remainder" Role::Binary("mod");
+    "pmod" "congruence" Role::Unsupported("write (a - b) \\bmod n = 0");
+    "mod" "remainder" Role::Binary("mod");
+    "atop" "something above" Role::Unsupported("write \\binom{n}{k} for a binomial coefficient");
     "ref" "reference" Role::Unsupported("a reference is not a formula");
     "eqref" "reference" Role::Unsupported("a reference is not a formula");
     "includegraphics" "picture" Role::Unsupported("a picture is not a formula");

@@ -3,6 +3,7 @@
 use super::reader::{Reader, Result, Window};
 use super::token::Tok;
 use crate::formula::{Expr, Kind, Quotient};
+use crate::language::diagnostic::{Code, Diagnostic};
 
 /// What the two parts of d^k F / dt^k say.
 struct Differentials {
@@ -21,9 +22,22 @@ impl Reader<'_> {
             return self.derivative(differentials, end, start);
         }
         self.bump();
-        let above = Box::new(self.argument()?);
-        let below = Box::new(self.argument()?);
+        let above = Box::new(self.part()?);
+        let below = Box::new(self.part()?);
         Ok(self.node(Kind::Div(above, below, Quotient::Fraction), start))
+    }
+
+    /// An argument of a fraction: without braces TeX takes one sign, of `(n+1)` only the parenthesis.
+    pub fn part(&mut self) -> Result<Expr> {
+        if let Some(Tok::Open(_) | Tok::Left(_) | Tok::Bar | Tok::DoubleBar) = self.peek() {
+            let command = self.text_at(self.pos).to_owned();
+            let problem = Diagnostic::error(Code::UnexpectedToken, "an argument without braces")
+                .at(self.span_at(self.pos))
+                .reason(format!("TeX takes only the '{command}' here"))
+                .hint("write braces around each part: \\frac{1}{n + 1}");
+            return Err(Box::new(problem));
+        }
+        self.argument()
     }
 
     fn derivative(&mut self, differentials: Differentials, end: usize, start: usize) -> Result<Expr> {

@@ -58,6 +58,10 @@ impl Lexer<'_> {
         if let Some(power) = tail.strip_prefix(['e', 'E']) {
             let sign = usize::from(power.starts_with(['+', '-']));
             let count = digits(power.piece(sign..));
+            let named = power.piece(sign + count..).starts_with(|c: char| c.is_alphabetic());
+            if count > 0 && tail.starts_with('E') && !named {
+                return Some((length + 1 + sign + count, None));
+            }
             if count > 0 {
                 let power = power.piece(..sign + count);
                 let problem = malformed(length + 1 + sign + count)

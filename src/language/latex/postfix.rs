@@ -17,7 +17,7 @@ use crate::formula::{Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::syntax::special_call;
-use crate::math::number::parse_decimal;
+use crate::math::number::parse_scientific;
 
 impl Reader<'_> {
     /// An atom with everything that follows it.
@@ -249,7 +249,7 @@ impl Reader<'_> {
         // Between thousands stand several, or a decimal point follows.
         let thousands = text.matches("{,}").count() > 1 || text.contains('.');
         let text = text.replace("{,}", if thousands { "" } else { "." });
-        match repeating(&text).unwrap_or_else(|| parse_decimal(&text)) {
+        match repeating(&text).unwrap_or_else(|| parse_scientific(&text)) {
             Ok(value) => Ok(Expr::new(Kind::Number(value), span)),
             Err(error) => Err(Box::new(Diagnostic::error(Code::BadNumber, error.to_string()).at(span))),
         }

@@ -6,6 +6,7 @@ use super::token::{Fence, Tok};
 use crate::formula::source::Pieces;
 use crate::formula::{Enclosure, Expr, Kind, Quotient, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::syntax::reach_of_mod;
 
 impl Reader<'_> {
     fn sign(&mut self) -> Option<Sign> {
@@ -39,6 +40,9 @@ impl Reader<'_> {
             self.skip_gaps();
             let expr = self.product()?;
             terms.push(Term { sign, expr });
+        }
+        if let Some(term) = terms.iter().find(|term| term.expr.is_remainder()) {
+            return Err(Box::new(reach_of_mod(term.expr.span)));
         }
         Ok(self.node(Kind::Add(terms), start))
     }
@@ -77,7 +81,7 @@ impl Reader<'_> {
     /// Whether this token may go on with a product.
     fn goes_on(&self, kind: Tok) -> bool {
         match kind {
-            Tok::Dot | Tok::Star | Tok::Slash => true,
+            Tok::Dot | Tok::Star | Tok::Slash | Tok::Binary("mod") => true,
             Tok::Period => self.is_lowered_dot(),
             Tok::Bar | Tok::DoubleBar if self.closes_bar(kind) => false,
             Tok::Bar | Tok::Mid if self.is_evaluation() => true,
@@ -92,7 +96,18 @@ impl Reader<'_> {
         let mut factors = vec![first];
         let mut layers = 0;
         while let Some(kind) = self.peek().filter(|&kind| self.goes_on(kind)) {
+            if let Some(last) = factors.last().filter(|last| last.is_remainder()) {
+                return Err(Box::new(reach_of_mod(last.span)));
+            }
             let next = match kind {
+                Tok::Binary("mod") => {
+                    let left = self.joined(std::mem::take(&mut factors), start);
+                    let name = Expr::new(Kind::Name("mod".to_owned()), self.span_at(self.pos));
+                    self.bump();
+                    self.skip_gaps();
+                    let right = self.signed_operand()?;
+                    Ok(self.node(Kind::Apply(Box::new(name), vec![vec![left, right]]), start))
+                }
                 Tok::Dot | Tok::Star | Tok::Period => {
                     self.bump();
                     self.skip_gaps();
@@ -226,6 +241,7 @@ impl Reader<'_> {
         let start = self.start();
         let first = self.postfix();
         match self.peek() {
+            Some(Tok::Binary("mod")) => first,
             Some(Tok::Circ | Tok::Cross | Tok::Binary(_)) => self.composed(first?, start),
             _ => first,
         }
@@ -234,7 +250,9 @@ impl Reader<'_> {
     fn composed(&mut self, first: Expr, start: usize) -> Result<Expr> {
         let mut left = first;
         let mut layers = 0;
-        while let Some(operator @ (Tok::Circ | Tok::Cross | Tok::Binary(_))) = self.peek() {
+        while let Some(operator @ (Tok::Circ | Tok::Cross | Tok::Binary(_))) =
+            self.peek().filter(|kind| *kind != Tok::Binary("mod"))
+        {
             layers += 1;
             self.wrap(layers)?;
             let span = self.tokens[self.pos].span();

@@ -158,6 +158,25 @@ const PHRASES: &[(Phrase, &str)] = &[
         "root~ | real roots | zeros | zeroes | nullstelle~ | racine~ | zéro~ | 零点 | 根 | raíz | raíces | \
          radici | ceros",
     ),
+    (
+        Function("count_roots"),
+        "how many roots has | how many real roots has | how many solutions has | how many real solutions has | \
+         how many real zeros has | how many zeros has | how many real roots does | how many roots does | \
+         number of roots | number of real roots | number of solutions | number of real solutions | \
+         number of real zeros | wie viele nullstellen hat | wie viele lösungen hat | anzahl der nullstellen | \
+         combien de racines a | nombre de racines | nombre de racines réelles",
+    ),
+    (
+        Function("least_squares"),
+        "least squares | least squares fit | least squares approximation | least squares polynomial | regression | \
+         kleinste quadrate | moindres carrés | best fit",
+    ),
+    (Degree(1), "line | gerade | droite"),
+    (
+        Function("taylor"),
+        "taylor polynomial~ | taylor expansion | taylor series | taylorpolynom~ | polynôme~ de taylor | \
+         polinomio de taylor | 泰勒多项式",
+    ),
     (Function("discriminant"), "diskriminante | 判别式"),
     (Function("degree"), "polynomial degree"),
     (Function("coefficients"), "power coefficients | koeffizienten der potenzbasis"),
@@ -201,7 +220,7 @@ const PHRASES: &[(Phrase, &str)] = &[
         "bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
          curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
          courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
-         bezier polynomial | bézier polynomial | bezier polygon",
+         bezier polynomial | bézier polynomial | bezier polygon | bezier segment | bézier segment",
     ),
     (Function("casteljau"), "de casteljau | casteljau | 德卡斯特里奥"),
     (
@@ -226,7 +245,10 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Function("subdivide"), "subdivision | unterteilung | subdivisión"),
     (Function("part"), "restriction | einschränkung | restricción"),
     (Command("reverse"), "reverse"),
-    (Command("part"), "restrict | beschränke | einschränken | restreindre"),
+    (
+        Command("part"),
+        "extend | extrapolate | verlängere | prolonger | restrict | beschränke | einschränken | restreindre",
+    ),
     (
         Phrase::Part("subdivide", 0),
         "left part | left half | first half | linker teil | linke hälfte | partie gauche",
@@ -318,7 +340,8 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("divided_differences"),
-        "divided differences | newton divided differences | divided difference table | \
+        "divided differences | newton divided differences | divided difference table | newton divided difference table | \
+         newton divided difference | \
          dividierte~ differenz~ | différence~ divisée~ | 差商 | \
          divided difference | diferencia~ dividida~ | differenze divise",
     ),
@@ -344,11 +367,11 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Degree(4), "quartic~ | quartique~ | cuártic~ | 四次"),
     (
         Ordinal(2),
-        "second~ | zweite~ | deuxième~ | segund~ | twice | zweimal | deux fois | dos veces | due volte | 二阶",
+        "second~ | zweite~ | deuxième~ | segund~ | twice | two times | zweimal | deux fois | dos veces | due volte | 二阶",
     ),
     (
         Ordinal(3),
-        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | dreimal | trois fois | tres veces | 三阶",
+        "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
     (Degree(5), "quintic~ | quintique~ | 五次"),
     (
@@ -417,7 +440,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "évalue | évaluer | 值 | 用 | 算法 | \
+        "constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \

@@ -178,7 +178,11 @@ impl Lexer<'_> {
         }
         // 0.(3)
         let repeats = point && self.text.piece(start..self.at).ends_with('.') && self.peek() == Some('(');
+        let number = self.at;
         let bad = self.number_tail() || repeats;
+        // 2.5E2 is a number to all programs; e may be a name.
+        let tail = self.text.piece(number..self.at);
+        let bad = bad && (!tail.starts_with('E') || self.peek().is_some_and(chars::is_letter));
         self.push(if bad { TokenKind::BadNumber } else { TokenKind::Number }, start)
     }
 

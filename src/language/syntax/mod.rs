@@ -37,7 +37,8 @@ mod tests;
 pub(crate) use clauses::{after_introduction, asked, clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
-pub(crate) use parser::{is_special, special_call};
+pub(crate) use parser::{is_special, reach_of_mod, special_call};
+pub(crate) use pieces::without_text_commands;
 pub(crate) use sentence::{Sentence, sentence};
 pub(crate) use spoken::{Asked, Call, Request, Said, Total, What, request};
 pub use token::MAX_TOKENS;
@@ -157,7 +158,13 @@ pub fn looks_like_latex(text: &str) -> bool {
     let unicode = !text.is_ascii() && text.chars().zip(text.chars().skip(1)).any(below);
     unicode
         || bytes.iter().enumerate().any(|(at, &byte)| match byte {
-            b'$' => true,
+            // diff(t^4, t$2)
+            b'$' => {
+                !(at > 0
+                    && bytes[at - 1].is_ascii_alphabetic()
+                    && bytes.get(at + 1).is_some_and(u8::is_ascii_digit)
+                    && bytes.iter().filter(|&&byte| byte == b'$').count() == 1)
+            }
             b'{' => text.piece(at..).starts_with("{,}"),
             b'_' => {
                 let before = text.piece(..at).trim_end();

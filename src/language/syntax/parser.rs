@@ -9,7 +9,7 @@
 //! range      = sum [ ".." sum ]                       0..n
 //! sum        = [ "+" ] term { ( "+" | "-" ) term }
 //! term       = "-" term | product
-//! product    = factor { [ "*" | "/" ] factor }        from the left: 5/3 t = (5/3) t
+//! product    = factor { [ "*" | "/" | "mod" ] factor } from the left: 5/3 t = (5/3) t
 //! factor     = "-" factor | power { "∘" power }       "-" only after a sign
 //! power      = postfix [ ( "^" | "**" ) exponent ]    2^3^2 = 2^(3^2)
 //! exponent   = "-" exponent | "{" items "}" | power
@@ -57,6 +57,7 @@ mod operand;
 mod problem;
 
 pub(crate) use call::{is_special, special_call};
+pub(crate) use problem::reach_of_mod;
 
 use super::token::{Token, TokenKind};
 use crate::formula::source::Span;
@@ -101,6 +102,8 @@ enum Op {
     Add(Sign),
     Mul,
     Div,
+    /// `7 mod 3`
+    Mod,
     Compose,
     Power,
     Range,
@@ -134,7 +137,7 @@ impl Op {
             Op::Range => strength::RANGE,
             Op::Add(_) => strength::SUM,
             Op::Sign(_) => strength::SIGN_OF_TERM,
-            Op::Mul | Op::Div => strength::PRODUCT,
+            Op::Mul | Op::Div | Op::Mod => strength::PRODUCT,
             Op::Compose => strength::COMPOSE,
             Op::Power => strength::POWER,
         }
@@ -315,7 +318,11 @@ impl<'a> Parser<'a> {
         let floor = if op.groups_from_the_right() { strength + 1 } else { strength };
         let left = self.reduce(stack, operand, floor)?;
         self.check_left(op, &left, token)?;
-        if !self.at_operand() {
+        let two = self.at_assignment();
+        if op == Op::Mod || self.at_word_of() || !self.at_operand() {
+            self.bump();
+        }
+        if two {
             self.bump();
         }
         self.wait(stack, Pending { op, strength, left: Some(left), token })?;
@@ -355,9 +362,16 @@ impl<'a> Parser<'a> {
             TokenKind::Slash => Op::Div,
             TokenKind::Caret => Op::Power,
             TokenKind::Compose => Op::Compose,
+            TokenKind::Name if token.spaced && self.text_of(token) == "mod" => Op::Mod,
             TokenKind::DotDot => Op::Range,
             TokenKind::Arrow => Op::Lambda,
+            TokenKind::Relation(_) if self.at_assignment() => match self.assigns_function() {
+                true => Op::Relation(Rel::Define),
+                false => return Err(self.assignment(token)),
+            },
             TokenKind::Relation(rel) => Op::Relation(rel),
+            TokenKind::Colon if self.at_mapping() => Op::Relation(Rel::Define),
+            TokenKind::Name if self.at_word_of() => Op::Mul,
             TokenKind::Number
                 if self.last.is_some_and(|last| last.kind == TokenKind::Number) && !self.after_power() =>
             {
@@ -391,10 +405,14 @@ impl<'a> Parser<'a> {
     fn combine(&self, pending: Pending, right: Node) -> Parsed<Node> {
         let Pending { op, left, token, .. } = pending;
         let Some(mut left) = left else {
+            is_no_remainder(&right.expr)?;
             let sign = if let Op::Sign(sign) = op { sign } else { Sign::Plus };
             let span = token.span().to(right.extent);
             return self.node(Kind::Add(vec![Term { sign, expr: right.expr }]), span, right.height);
         };
+        if matches!(op, Op::Add(_) | Op::Mul | Op::Div | Op::Mod) {
+            is_no_remainder(&left.expr).and_then(|()| is_no_remainder(&right.expr))?;
+        }
         let span = left.extent.to(right.extent);
         let height = left.height.max(right.height);
         // Sums, products, compositions and chains grow in place, so that long ones stay flat.
@@ -422,6 +440,10 @@ impl<'a> Parser<'a> {
             Op::Mul => Kind::Mul(vec![left, right]),
             Op::Div => Kind::Div(Box::new(left), Box::new(right), Quotient::Slash),
             Op::Compose => Kind::Compose(vec![left, right]),
+            Op::Mod => {
+                let name = Expr::new(Kind::Name("mod".to_owned()), token.span());
+                Kind::Apply(Box::new(name), vec![vec![left, right]])
+            }
             Op::Power => operand::power(left, right),
             Op::Range => Kind::Range(Box::new(left), Box::new(right)),
             Op::Lambda => Kind::Lambda(parameters(left), Box::new(right)),
@@ -441,6 +463,14 @@ impl<'a> Parser<'a> {
             return Err(self.too_deep(self.last.map_or(span, Token::span)));
         }
         Ok(node)
+    }
+}
+
+/// Refuses `1 + 7 mod 3` and `7 mod 3 * 2`, which are read in two ways.
+fn is_no_remainder(expr: &Expr) -> Parsed<()> {
+    match expr.is_remainder() {
+        true => Err(Box::new(problem::reach_of_mod(expr.span))),
+        false => Ok(()),
     }
 }
 

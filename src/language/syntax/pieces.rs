@@ -40,6 +40,7 @@ pub(super) fn parts(
         }
     };
     let mut listed = false;
+    let mut solid = ' ';
     while let Some(c) = text.piece(at..).chars().next() {
         let apart = !(before.is_alphanumeric() && !is_ideograph(before)
             || matches!(before, '_' | '^' | '\\' | '{'))
@@ -65,7 +66,8 @@ pub(super) fn parts(
             continue;
         }
         // 0, 4, 2, t = 1/2
-        let after_list = before == ',' || listed && before.is_whitespace();
+        let ends = solid.is_alphanumeric() || matches!(solid, ',' | ')' | ']' | '}');
+        let after_list = before == ',' || listed && before.is_whitespace() && ends;
         if depth == 0 && after_list && start < at && begins_equation(text.piece(at..)) {
             push(&mut parts, start, at);
             start = at;
@@ -91,6 +93,9 @@ pub(super) fn parts(
             _ => {}
         }
         before = c;
+        if !c.is_whitespace() {
+            solid = c;
+        }
         at += c.len_utf8();
     }
     push(&mut parts, start, text.len());
@@ -101,7 +106,9 @@ pub(super) fn parts(
 pub(super) fn begins_equation(text: &str) -> bool {
     let rest = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''));
     let sign = rest.trim_start();
-    text.starts_with(char::is_alphabetic) && sign.starts_with('=') && !sign.starts_with("==")
+    // x: 0 1 3
+    let lists = text.len() - rest.len() == 1 && sign.starts_with(": ");
+    text.starts_with(char::is_alphabetic) && (sign.starts_with('=') && !sign.starts_with("==") || lists)
 }
 
 /// Whether what reads like a phrase is none of a formula: `degree(t)`, `a_1`, `roots := 3`, a name with a value.
@@ -123,8 +130,14 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
             return false;
         }
     }
+    // from -1 to 2
+    let negative = label
+        && rest.starts_with(' ')
+        && next.strip_prefix('-').is_some_and(|rest| rest.starts_with(char::is_alphanumeric));
     if rest.starts_with(['(', '[', '_', '^', '\'', '{', '-', '.']) && !rest.starts_with(". ") && rest != "."
-        || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-']) && !(label && next.starts_with('='))
+        || next.starts_with(['+', '*', '/', '^', '=', '<', '>', '-'])
+            && !(label && next.starts_with('='))
+            && !negative
         || next.starts_with(":=")
         || rest.starts_with(|c: char| c.is_alphanumeric())
     {
@@ -192,7 +205,7 @@ pub(super) fn is_several(text: &str) -> bool {
 }
 
 /// The text with blanks for \text{ }, so that all places stay the same.
-pub(super) fn without_text_commands(text: &str) -> Cow<'_, str> {
+pub(crate) fn without_text_commands(text: &str) -> Cow<'_, str> {
     let mut masked: Option<Vec<u8>> = None;
     let mut at = 0;
     while let Some(found) = text.piece(at..).find("\\") {

@@ -159,7 +159,7 @@ fn parts(text: &str, tokens: &[Token], known: &dyn Fn(&str) -> bool) -> Option<V
                 continue;
             }
             (_, TokenKind::Comma) if outside => found.push(Part::Stop),
-            (_, TokenKind::Colon) if outside => found.push(Part::Colon),
+            (_, TokenKind::Colon) if outside && !after_lambda(text, &tokens[..at]) => found.push(Part::Colon),
             _ if outside && is_space(text, token) => {}
             _ => match found.last_mut() {
                 Some(Part::Piece(piece)) => *piece = piece.to(token.span()),
@@ -169,6 +169,13 @@ fn parts(text: &str, tokens: &[Token], known: &dyn Fn(&str) -> bool) -> Option<V
         at += 1;
     }
     Some(found)
+}
+
+/// Whether a colon here belongs to a function as Python writes it: lambda t: t^2.
+fn after_lambda(text: &str, before: &[Token]) -> bool {
+    let names =
+        before.iter().rev().take_while(|token| matches!(token.kind, TokenKind::Name | TokenKind::Comma));
+    names.skip(1).any(|token| token.text(text) == "lambda")
 }
 
 /// The word that begins at a token, and how many tokens it takes.

@@ -57,6 +57,8 @@ pub(crate) struct Total {
     pub range: Span,
     /// The end of the range, if it is said apart.
     pub end: Option<Span>,
+    /// The index, if it is said apart from its first value, which is the range then: i from 1 to n.
+    pub index: Option<Span>,
 }
 
 /// Something said of the arguments.
@@ -200,7 +202,24 @@ impl Reader<'_> {
         while self.take(Phrase::Of) {}
         // with Bernstein coefficients 1, 0, 1
         self.at += usize::from(self.leads_to_function());
-        let mut request = self.subject()?;
+        // at 2/3 of the Bézier curve 0, 1, 3; weights 1, 2, 1 and points 0, 1, 3
+        let mut early = Vec::new();
+        while let Some(Phrase::Label(Label::At | Label::Points | Label::Weights | Label::Knots)) =
+            self.phrase()
+            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)))
+        {
+            early.extend(self.said()?);
+            while matches!(self.phrase(), Some(Phrase::Of | Phrase::And)) {
+                self.at += 1;
+            }
+        }
+        let mut request = match self.next() {
+            None if !early.is_empty() => Request::Formula(Vec::new(), Vec::new()),
+            _ => self.subject()?,
+        };
+        if !early.is_empty() {
+            request.labels()?.extend(early);
+        }
         while let Some(next) = self.next() {
             match next {
                 Part::Phrase(Phrase::Equals | Phrase::Is, _) => break,
@@ -241,6 +260,22 @@ impl Reader<'_> {
                     if !matches!(self.parts.get(self.at + 1), Some(Part::Piece(_))) =>
                 {
                     self.at += 1;
+                }
+                // insert the knot 1/2 into bspline(…)
+                Part::Phrase(Phrase::Label(Label::To | Label::In), _)
+                    if let Request::Call(Call { function: "insert_knots", subject, labels, .. }) =
+                        &mut request
+                        && let Some(Request::Formula(knots, _)) = subject.as_deref()
+                        && let Some(Part::Piece(spline)) = self.parts.get(self.at + 1)
+                        && self.text.piece(spline.range()).contains("spline") =>
+                {
+                    let knots: Vec<Span> = knots.clone();
+                    let spline = *spline;
+                    self.at += 2;
+                    labels.extend(
+                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
+                    );
+                    *subject = Some(Box::new(Request::Formula(vec![spline], Vec::new())));
                 }
                 // insert the knot 1/2 into a spline
                 Part::Phrase(Phrase::Label(Label::To | Label::In), _)
@@ -329,6 +364,10 @@ impl Reader<'_> {
             labels.push(Said { label, what: What::Degree(number) });
             self.at += 1;
         }
+        // a rational quadratic with points 0, 1, 3
+        if !labels.is_empty() && matches!(self.phrase(), Some(Phrase::Label(_))) && self.at_label() {
+            return Some(Request::Formula(Vec::new(), labels));
+        }
         match self.next()? {
             Part::Piece(span) if labels.is_empty() => {
                 self.at += 1;
@@ -405,6 +444,13 @@ impl Reader<'_> {
         {
             labels.push(Said { label: *label, what: What::Basis(basis) });
             self.at += 2;
+            // from the Bernstein basis of degree 2 to the power basis
+            if let Some([Part::Phrase(Phrase::Label(Label::OfDegree), _), Part::Piece(degree), ..]) =
+                self.parts.get(self.at..self.at + 2)
+            {
+                labels.push(Said { label: Label::OfDegree, what: What::Formula(*degree) });
+                self.at += 2;
+            }
             // to_bernstein is the name of a function
             if let Some(Part::Phrase(Phrase::Function(basis), _)) = self.next() {
                 labels.push(Said { label: Label::To, what: What::Basis(basis) });
@@ -425,6 +471,7 @@ impl Reader<'_> {
         let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
         let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
         let mut end = None;
+        let mut index = None;
         while let Some(next) = self.phrase() {
             match next {
                 Phrase::Of if body.is_none() => {
@@ -435,11 +482,13 @@ impl Reader<'_> {
                     self.at += 1;
                     range = Some(piece(self)?);
                 }
-                // for i from 1
+                // for i from 1 to n
                 Phrase::Label(Label::From)
-                    if end.is_none() && range.is_some_and(|range| !is_range(range)) =>
+                    if end.is_none() && index.is_none() && range.is_some_and(|range| !is_range(range)) =>
                 {
-                    return None;
+                    self.at += 1;
+                    index = range;
+                    range = Some(piece(self)?);
                 }
                 Phrase::Label(Label::To) if range.is_some() && end.is_none() => {
                     self.at += 1;
@@ -448,8 +497,11 @@ impl Reader<'_> {
                 _ => return None,
             }
         }
-        let range = range.filter(|range| begins_equation(self.text.piece(range.range())))?;
-        Some(Total { op, phrase, body: body?, range, end })
+        let range = range.filter(|range| index.is_some() || is_range(*range))?;
+        if index.is_some() && end.is_none() {
+            return None;
+        }
+        Some(Total { op, phrase, body: body?, range, end, index })
     }
 
     /// The formulas that go on with "and".
@@ -535,7 +587,10 @@ impl Reader<'_> {
                 return Some(vec![Said { label: Label::Times, what: What::Degree(number) }]);
             }
             // bezier 0, 1, 4, t = 1/2
-            Part::Piece(span) if self.text.piece(span.range()).contains('=') => {
+            Part::Piece(span)
+                if self.text.piece(span.range()).contains('=')
+                    || begins_equation(self.text.piece(span.range())) =>
+            {
                 self.at += 1;
                 return Some(vec![Said { label: Label::With, what: What::Formula(span) }]);
             }

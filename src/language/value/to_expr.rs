@@ -575,7 +575,8 @@ fn function_expr(function: &super::Function, notation: Notation) -> Expr {
             if let [upper] = upper {
                 head = head.power(upper.clone());
             }
-            Expr::relation(Expr::apply(head, inner.to_vec()), Rel::Define, body)
+            let head = if inner.is_empty() { head } else { Expr::apply(head, inner.to_vec()) };
+            Expr::relation(head, Rel::Define, body)
         })
         .collect();
     match <[Expr; 1]>::try_from(clauses) {

@@ -52,6 +52,9 @@ pub fn write_derivation_within(
     }
 }
 
+/// The narrowest lines into which reasons are broken, in points.
+const LEAST_FOR_WORDS: f64 = 100.0;
+
 /// The left side of the first relation.
 fn left_side(formula: &Expr) -> Option<&Expr> {
     match &formula.kind {
@@ -104,6 +107,8 @@ fn aligned(lines: &[Line], language: Language, width: f64) -> String {
             false => format!("{shown} &{right} && {reason}"),
             true => {
                 let right = lines_of(right, width - margin).join(" \\\\\n&");
+                let reason = lines_of_words(reason, (width - margin - 20.0).max(LEAST_FOR_WORDS))
+                    .join(" \\\\\n&\\qquad ");
                 format!("{shown} &{right} \\\\\n&\\qquad {reason}")
             }
         };
@@ -111,6 +116,24 @@ fn aligned(lines: &[Line], language: Language, width: f64) -> String {
     });
     let rows: Vec<String> = rows.collect();
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", rows.join(" \\\\\n"))
+}
+
+/// `\text{ words }` as several of them, broken at blanks outside of formulas.
+fn lines_of_words(text: &str, width: f64) -> Vec<String> {
+    let words = text.strip_prefix("\\text{").and_then(|rest| rest.strip_suffix('}'));
+    let Some(words) = words.filter(|_| measured(text) > width) else { return vec![text.to_owned()] };
+    let mut lines = vec![String::new()];
+    let mut formula = false;
+    for word in words.split(' ') {
+        let line = lines.last().map_or("", String::as_str);
+        let joined = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+        match formula || line.is_empty() || measured(&format!("\\text{{{joined}}}")) <= width {
+            true => *lines.last_mut().expect("there is a line") = joined,
+            false => lines.push(word.to_owned()),
+        }
+        formula ^= word.matches('$').count() % 2 == 1;
+    }
+    lines.into_iter().map(|line| format!("\\text{{{line}}}")).collect()
 }
 
 /// A derivation as its title and lines, each with its formula as text and LaTeX and its reason;

@@ -6,20 +6,28 @@
 //!
 //! **Reference.** Knuth, *The TeXbook* (1984), chapters 17 and 18, for what is spaced how.
 
+use super::ruler::measured;
+use std::collections::BTreeSet;
+
 /// The width of the text of an `article` at ten points, in points.
 pub const ARTICLE: f64 = 345.0;
 
 /// A line this full may end outside of brackets, although more would fit on it.
-const FULL_ENOUGH: f64 = 0.5;
+const FULL_ENOUGH: f64 = 0.3;
 
 /// So is a line that has this much, if all the rest fits on the next one.
 const SOMETHING: f64 = 0.2;
+
+/// Numerals of more digits may be broken, after as many digits as a multiple of this.
+const LONG_NUMERAL: usize = 30;
+const DIGITS: usize = 5;
+const DEEPEST: usize = usize::MAX / 2;
 
 /// A left side that takes more of the width than this is no margin for the lines of the right side.
 const LONG_LEFT: f64 = 0.35;
 
 /// The indentation of a line that goes on with a formula.
-const QUAD: f64 = 10.0;
+pub(super) const QUAD: f64 = 10.0;
 
 /// A formula in LaTeX as an `aligned` environment of lines of about this width in points; as it is, if
 /// it is not wider, or has an environment of its own at its outside.
@@ -33,7 +41,13 @@ const QUAD: f64 = 10.0;
 /// assert_eq!(broken(sum, 60.0), "\\begin{aligned}\nF(t) &= a + b \\\\\n&\\quad {}+ c\n\\end{aligned}");
 /// ```
 pub fn broken(latex: &str, width: f64) -> String {
-    if measured(latex) <= width || latex.starts_with("\\begin") {
+    if measured(latex) <= width {
+        return latex.to_owned();
+    }
+    if let Some(cases) = broken_cases(latex, width) {
+        return cases;
+    }
+    if latex.starts_with("\\begin") {
         return latex.to_owned();
     }
     let latex = &opened(latex, width);
@@ -41,6 +55,9 @@ pub fn broken(latex: &str, width: f64) -> String {
     let (left, right) = latex.split_at(first.map_or(0, |place| place.at));
     // All lines begin below the relation; a long left side has a line of its own.
     let margin = measured(left);
+    if margin > width {
+        return format!("\\begin{{aligned}}\n&{}\n\\end{{aligned}}", lines_of(latex, width).join(" \\\\\n&"));
+    }
     if margin > LONG_LEFT * width {
         let lines = lines_of(right, width - QUAD).join(" \\\\\n&\\quad ");
         return format!("\\begin{{aligned}}\n&{} \\\\\n&\\quad {lines}\n\\end{{aligned}}", left.trim_end());
@@ -51,6 +68,28 @@ pub fn broken(latex: &str, width: f64) -> String {
     }
     format!("\\begin{{aligned}}\n{} &{}\n\\end{{aligned}}", left.trim_end(), lines.join(" \\\\\n&"))
         .replace("\n &", "\n&")
+}
+
+/// A definition by cases whose values are broken, each in its own row.
+fn broken_cases(latex: &str, width: f64) -> Option<String> {
+    const OPEN: &str = "\\begin{cases}";
+    const CLOSE: &str = "\\end{cases}";
+    const BRACE: f64 = 12.0;
+    let (before, rest) = latex.split_once(OPEN)?;
+    let (body, after) = rest.rsplit_once(CLOSE)?;
+    if body.contains("\\begin") || measured(before) > LONG_LEFT * width {
+        return None;
+    }
+    let room = width - measured(before) - BRACE;
+    // In a broken row fractions are large, so they are in all.
+    let row = |row: &str| {
+        let (value, condition) = row.split_once(" & ").unwrap_or((row, ""));
+        let room = (room - measured(condition) - 2.0 * QUAD).max(FULL_ENOUGH * room);
+        let lines = lines_of(value.trim(), room).join(" \\\\\n&");
+        format!("\\begin{{aligned}}[t]\n&{lines}\n\\end{{aligned}} & {condition}")
+    };
+    let rows: Vec<String> = body.trim().split(" \\\\ ").map(row).collect();
+    Some(format!("{before}{OPEN}\n{}\n{CLOSE}{after}", rows.join(" \\\\\n")))
 }
 
 /// How a formula is broken that is wider than a line.
@@ -88,7 +127,13 @@ impl Breaks {
     /// assert_eq!(Breaks::Dmath.broken("a + b + c", 300.0), "a + b + c");
     /// ```
     pub fn broken(self, latex: &str, width: f64) -> String {
-        if measured(latex) <= width || latex.starts_with("\\begin") {
+        if measured(latex) <= width {
+            return latex.to_owned();
+        }
+        if let Some(cases) = broken_cases(latex, width) {
+            return cases;
+        }
+        if latex.starts_with("\\begin") {
             return latex.to_owned();
         }
         match self {
@@ -120,6 +165,9 @@ pub fn lines_of(latex: &str, width: f64) -> Vec<String> {
             0 => text.trim().to_owned(),
             _ if begins_with_relation(text.trim_start()) => text.trim().to_owned(),
             _ if text.trim_start().starts_with(['+', '-']) => format!("\\quad {{}}{}", text.trim()),
+            _ if text.trim_start().starts_with('(') && latex[..start].ends_with(['}', ')']) => {
+                format!("\\quad {{}}\\cdot {}", text.trim())
+            }
             _ => format!("\\quad {}", text.trim()),
         };
         let end = match measured(rest) <= room {
@@ -240,8 +288,11 @@ fn place_to_break(latex: &str, start: usize, places: &[Place], room: f64) -> Opt
         }
         fitting.push((place, width));
     }
-    let Some(deepest) = fitting.iter().map(|(place, _)| place.depth).max() else { return next };
-    for depth in 0..=deepest {
+    if fitting.is_empty() {
+        return next;
+    }
+    let depths = fitting.iter().map(|(place, _)| place.depth).collect::<BTreeSet<_>>();
+    for depth in depths {
         let enough = |place: &Place, width: f64| {
             place.kind == Sign::Relation
                 || width >= FULL_ENOUGH * room
@@ -265,6 +316,8 @@ enum Sign {
     Relation,
     Plus,
     Comma,
+    Digits,
+    Factor,
 }
 
 /// A place where a line may begin.
@@ -276,7 +329,8 @@ struct Place {
     depth: usize,
 }
 
-const RELATIONS: &[&str] = &["=", ":=", "<", ">", "\\le", "\\ge", "\\ne", "\\equiv", "\\approx", "\\in"];
+pub(super) const RELATIONS: &[&str] =
+    &["=", ":=", "<", ">", "\\le", "\\ge", "\\ne", "\\equiv", "\\approx", "\\in"];
 
 fn begins_with_relation(text: &str) -> bool {
     let word = text.split_whitespace().next().unwrap_or("");
@@ -314,11 +368,27 @@ fn places(latex: &str) -> Vec<Place> {
             b'}' => braces = braces.saturating_sub(1),
             b'(' | b'[' if braces == 0 => depth += 1,
             b')' | b']' if braces == 0 => depth = depth.saturating_sub(1),
-            b',' if braces == 0 && depth == 1 && rest.starts_with(", ") => {
+            b',' if braces == 0 && depth <= 1 && rest.starts_with(", ") => {
                 places.push(Place { at: at + 1, kind: Sign::Comma, depth });
+            }
+            // A long numeral, where nothing else fits.
+            b'0'..=b'9' if braces == 0 => {
+                let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+                let cuts = if digits > LONG_NUMERAL { 1..digits / DIGITS } else { 0..0 };
+                places.extend(cuts.map(|cut| Place {
+                    at: at + DIGITS * cut,
+                    kind: Sign::Digits,
+                    depth: DEEPEST,
+                }));
+                at += digits;
+                continue;
             }
             b' ' if braces == 0 => {
                 let next = &rest[1..];
+                // A product, where no sum or relation is near.
+                if next.starts_with('(') && latex[..at].ends_with(['}', ')']) {
+                    places.push(Place { at, kind: Sign::Factor, depth: DEEPEST - 1 });
+                }
                 if next.starts_with("+ ") || next.starts_with("- ") {
                     places.push(Place { at, kind: Sign::Plus, depth });
                 } else if depth == 0 && !next.starts_with('\\') && begins_with_relation(next) {
@@ -329,126 +399,21 @@ fn places(latex: &str) -> Vec<Place> {
         }
         at += rest.chars().next().map_or(1, char::len_utf8);
     }
+    // Formulas side by side are broken between them first.
+    if places.iter().any(|place| place.kind == Sign::Comma && place.depth == 0) {
+        for place in places.iter_mut().filter(|place| place.kind != Sign::Comma || place.depth > 0) {
+            place.depth += 1;
+        }
+    }
     places
 }
 
 /// The command that a text begins with, with its backslash.
-fn command(text: &str) -> &str {
+pub(super) fn command(text: &str) -> &str {
     let letters = text[1..].bytes().take_while(u8::is_ascii_alphabetic).count();
     let length =
         if letters > 0 { 1 + letters } else { 1 + text[1..].chars().next().map_or(0, char::len_utf8) };
     &text[..length]
-}
-
-/// The width of a formula in LaTeX, about, in points at a size of ten points.
-///
-/// ```
-/// use polarform::write::measured;
-/// assert!(measured("a + b") > measured("a b"));
-/// assert!(measured(r"\frac{a + b}{c}") < measured("(a + b) c"));
-/// ```
-pub fn measured(latex: &str) -> f64 {
-    Ruler { text: latex, at: 0 }.run(false)
-}
-
-/// Widths in Computer Modern at ten points.
-const LETTER: f64 = 5.4;
-const NARROW: f64 = 3.9;
-const OPERATOR: f64 = 12.3;
-const RELATION: f64 = 13.4;
-const SCRIPT: f64 = 0.72;
-
-struct Ruler<'a> {
-    text: &'a str,
-    at: usize,
-}
-
-impl Ruler<'_> {
-    /// The width up to the end, or to the brace that closes.
-    fn run(&mut self, in_braces: bool) -> f64 {
-        let mut width: f64 = 0.0;
-        let mut widest: f64 = 0.0;
-        while let Some(c) = self.text[self.at..].chars().next() {
-            if c == '}' && in_braces {
-                self.at += 1;
-                break;
-            }
-            if self.text[self.at..].starts_with("\\\\") {
-                self.at += 2;
-                widest = widest.max(width);
-                width = 0.0;
-                continue;
-            }
-            width += self.piece(c);
-        }
-        widest.max(width)
-    }
-
-    fn piece(&mut self, c: char) -> f64 {
-        if c == '\\' {
-            let name = command(&self.text[self.at..]);
-            self.at += name.len();
-            return self.of_command(name);
-        }
-        self.at += c.len_utf8();
-        match c {
-            '{' => self.run(true),
-            '}' | ' ' | '\n' => 0.0,
-            '_' => SCRIPT * self.argument(),
-            '^' => match self.text[..self.at - 1].trim_end().ends_with('}') || self.after_index() {
-                // above an index
-                true => (SCRIPT * self.argument() - LETTER).max(0.0),
-                false => SCRIPT * self.argument(),
-            },
-            '+' | '-' => OPERATOR,
-            '=' | '<' | '>' => RELATION,
-            '(' | ')' | '[' | ']' | '|' | '.' | ':' | ';' | '\'' => NARROW,
-            ',' => 4.5,
-            '&' => 20.0,
-            'm' | 'w' | 'M' | 'W' => 8.5,
-            'B' | 'D' | 'H' | 'K' | 'N' | 'Q' | 'R' | 'U' | 'X' => 7.9,
-            _ => LETTER,
-        }
-    }
-
-    /// Whether an index of one letter ends here, as before the ^ of b_0^2.
-    fn after_index(&self) -> bool {
-        let before = &self.text.as_bytes()[..self.at - 1];
-        before.len() > 1 && before[before.len() - 2] == b'_'
-    }
-
-    /// The width of the next argument: braces, a command or one character.
-    fn argument(&mut self) -> f64 {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start().len();
-        match self.text[self.at..].chars().next() {
-            Some(c) => self.piece(c),
-            None => 0.0,
-        }
-    }
-
-    fn of_command(&mut self, name: &str) -> f64 {
-        match name {
-            "\\frac" | "\\tfrac" | "\\dfrac" | "\\binom" => {
-                let (above, below) = (self.argument(), self.argument());
-                above.max(below) + if name == "\\binom" { 14.0 } else { 2.4 }
-            }
-            "\\begin" | "\\end" => {
-                self.argument();
-                10.0
-            }
-            "\\left" | "\\right" => 2.0,
-            "\\," | "\\!" | "\\;" | "\\:" => 2.0,
-            "\\quad" => QUAD,
-            "\\qquad" => 2.0 * QUAD,
-            "\\cdot" | "\\times" | "\\circ" => 7.0,
-            "\\sum" | "\\prod" | "\\int" => 14.0,
-            "\\hat" | "\\vec" | "\\bar" | "\\tilde" | "\\mathbf" | "\\mathrm" | "\\text"
-            | "\\operatorname" => self.argument(),
-            _ if RELATIONS.contains(&name) || name == "\\mapsto" || name == "\\to" => RELATION,
-            _ => 5.8,
-        }
-    }
 }
 
 #[cfg(test)]

@@ -72,13 +72,71 @@ pub fn latex_table(table: &Table) -> String {
     out
 }
 
+fn column_widths(table: &Table) -> Vec<f64> {
+    let cell = |cell: &Cell| cell.to_expr().map_or(0.0, |expr| measured(&latex(&expr)));
+    let header = table.header.iter().map(|expr| measured(&latex(expr))).collect();
+    let rows = table.rows.iter().map(|row| row.iter().map(cell).collect::<Vec<f64>>());
+    rows.fold(header, |mut widths: Vec<f64>, row| {
+        widths.resize(widths.len().max(row.len()), 0.0);
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = width.max(cell);
+        }
+        widths
+    })
+}
+
+/// The array with the cells of its widest column broken, if a table with a header fits so.
+fn with_broken_column(table: &Table, width: f64) -> Option<String> {
+    const LEAST: f64 = 100.0;
+    if table.header.is_empty() {
+        return None;
+    }
+    let cell = |cell: &Cell| cell.to_expr().map_or(String::new(), |expr| latex(&expr));
+    let mut rows: Vec<Vec<String>> = table.rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+    let header: Vec<String> = table.header.iter().map(latex).collect();
+    let widths = column_widths(table);
+    let widest = (0..widths.len()).max_by(|&a, &b| widths[a].total_cmp(&widths[b]))?;
+    let others: f64 = widths.iter().sum::<f64>() - widths[widest] + 10.0 * widths.len() as f64;
+    let room = width - others;
+    if room < LEAST {
+        return None;
+    }
+    for row in &mut rows {
+        if let Some(cell) = row.get_mut(widest).filter(|cell| measured(cell) > room) {
+            let lines = lines_of(cell, room).join(" \\\\\n&");
+            *cell = format!("\\begin{{aligned}}[t]\n&{lines}\n\\end{{aligned}}");
+        }
+    }
+    let body: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
+    let columns = "l".repeat(header.len());
+    let (header, body) = (header.join(" & "), body.join(" \\\\\n"));
+    Some(format!("\\begin{{array}}{{{columns}}}\n{header} \\\\ \\hline\n{body}\n\\end{{array}}"))
+}
+
 /// A table as LaTeX of about this width in points: an array, or if that is much wider, the cells below
 /// each other, column by column.
 pub fn latex_table_within(table: &Table, width: f64) -> String {
-    /// What is a little too wide can be made smaller.
-    const TOLERANCE: f64 = 1.4;
+    /// The space between two columns, as it is and at least.
+    const SPACE: f64 = 10.0;
+    const TIGHT: f64 = 5.0;
+    /// What has a header is not taken apart for less.
+    const TOLERANCE: f64 = 1.3;
     let array = latex_table(table);
-    if measured(&array) <= TOLERANCE * width {
+    let widths = column_widths(table);
+    let columns = widths.len() as f64;
+    let wide = widths.iter().sum::<f64>();
+    if wide + SPACE * columns <= width {
+        return array;
+    }
+    if wide + TIGHT * columns <= width {
+        let letters = "l".repeat(widths.len());
+        let tight = vec!["l"; widths.len()].join("@{\\;}");
+        return array.replacen(&format!("{{{letters}}}"), &format!("{{@{{}}{tight}@{{}}}}"), 1);
+    }
+    if let Some(array) = with_broken_column(table, width) {
+        return array;
+    }
+    if !table.header.is_empty() && wide + SPACE * columns <= TOLERANCE * width {
         return array;
     }
     let columns = table.rows.iter().map(Vec::len).max().unwrap_or(0);

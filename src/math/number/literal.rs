@@ -73,6 +73,31 @@ pub fn parse_decimal(text: &str) -> Result<Rational, LiteralError> {
     Ok(Rational::new_raw(numerator, Int::from(2).pow(places - twos) * Int::from(5).pow(places - fives)))
 }
 
+/// The value of a decimal number times a power of ten: `2.5E2`, `1500E-1`.
+///
+/// # Errors
+/// As for [`parse_decimal`]; also an exponent of more than four digits. Cost: that of 10^exponent.
+///
+/// ```
+/// use polarform::number::parse_scientific;
+/// assert_eq!(parse_scientific("2.5E2").unwrap().to_string(), "250");
+/// assert_eq!(parse_scientific("1E-3").unwrap().to_string(), "1/1000");
+/// assert!(parse_scientific("1E123456").is_err());
+/// ```
+pub fn parse_scientific(text: &str) -> Result<Rational, LiteralError> {
+    const LONGEST: usize = 4;
+    let Some((number, power)) = text.split_once(['E', 'e']) else { return parse_decimal(text) };
+    let place = number.len() + 1;
+    let digits = power.trim_start_matches(['+', '-']);
+    let exponent: u32 = match digits.len() <= LONGEST {
+        true => digits.parse().map_err(|_| LiteralError::Unexpected(place))?,
+        false => return Err(LiteralError::Unexpected(place)),
+    };
+    let scale = Rational::from_integer(Int::from(10).pow(exponent));
+    let value = parse_decimal(number)?;
+    Ok(if power.starts_with('-') { value / scale } else { value * scale })
+}
+
 /// The value of a run of digits: the halves of a long one are converted by themselves.
 fn integer(digits: &str) -> Int {
     if digits.len() <= SHORT {

@@ -17,7 +17,7 @@ pub use combinatorics::{Combinations, binomial, binomial_row, binomials_where, f
 pub use factors::prime_factors;
 pub use int::Int;
 pub(crate) use int::gcd_word;
-pub use literal::{LiteralError, parse_decimal};
+pub use literal::{LiteralError, parse_decimal, parse_scientific};
 pub(crate) use modular::{Modulus, primes};
 pub use root::exact_root;
 

@@ -1,8 +1,8 @@
 //! A call whose arguments are being gathered from what is said of them.
 
-use super::Read;
+use super::{Read, one_term};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, named};
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call, named};
 use crate::judge::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
@@ -99,6 +99,50 @@ impl Draft {
         if items.is_empty() {
             return first.kind == Takes::Size;
         }
+        // the roots of x^2 = 1
+        if let ("roots" | "count_roots", [Expr { kind: Kind::Chain(left, links), span }]) =
+            (self.builtin.name, items.as_slice())
+            && let [link] = links.as_slice()
+            && link.rel == Rel::Eq
+        {
+            let terms = vec![
+                Term { sign: Sign::Plus, expr: (**left).clone() },
+                Term { sign: Sign::Minus, expr: one_term(link.expr.clone()) },
+            ];
+            items = vec![Expr { span: *span, ..Expr::sum(terms) }];
+        }
+        // the second coordinate was set apart as an equation
+        if let [Expr { kind: Kind::Chain(..), .. }] = items.as_slice()
+            && matches!(first.kind, Takes::Curve | Takes::Any | Takes::Geometry)
+        {
+            let coordinate = |read: &Read| match read.items.as_slice() {
+                [item] => eval::named(item).is_some_and(|(name, _)| name == "y" || name == "z"),
+                _ => false,
+            };
+            items.extend(said.extract_if(.., |read| coordinate(read)).flat_map(|read| read.items));
+        }
+        // the implicit equation of x = t^2, y = t^3
+        if matches!(first.kind, Takes::Curve | Takes::Any | Takes::Geometry) && items.len() > 1 {
+            let coordinate = |(item, letter): (&Expr, &str)| {
+                eval::named(item).filter(|(name, _)| name == letter).map(|(_, formula)| formula.clone())
+            };
+            let coordinates: Option<Vec<Expr>> = items.iter().zip(["x", "y", "z"]).map(coordinate).collect();
+            if let Some(coordinates) = coordinates.filter(|own| own.len() == items.len()) {
+                let span = coordinates[0].span;
+                items = vec![match first.kind {
+                    Takes::Any => list(coordinates),
+                    _ => call("curve_of", vec![list(coordinates)], span),
+                }];
+            }
+        }
+        // t^2 as a spline
+        if let ("bspline", [formula]) = (self.builtin.name, items.as_slice())
+            && !matches!(formula.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Number(_))
+            && let Some(of_polynomial) = builtin("spline_of")
+        {
+            self.builtin = of_polynomial;
+            return self.is_about(items, said);
+        }
         // Coefficients: bernstein coefficients 1, 0, 1.
         if matches!(self.builtin.name, "in_bernstein" | "bezier_points" | "control_points")
             && (items.len() > 1 || matches!(&items[0].kind, Kind::List(_)))
@@ -129,9 +173,16 @@ impl Draft {
             self.builtin = points;
             return self.is_about(items, said);
         }
+        // [(0, 1), (1, 3)]
+        if let (Takes::Scalars, [Expr { kind: Kind::List(points), .. }]) = (first.kind, items.as_slice())
+            && is_points(points)
+        {
+            items = points.clone();
+        }
+        let one_list = matches!(items.as_slice(), [Expr { kind: Kind::List(_), .. }]);
         match first.kind {
             // (0, 1), (1, 3) for nodes and values
-            Takes::Scalars if is_points(&items) => match nodes_and_values(&items) {
+            Takes::Scalars if is_points(&items) && !one_list => match nodes_and_values(&items) {
                 Some(both) => self.placed = both.into(),
                 None => return false,
             },

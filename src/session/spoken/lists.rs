@@ -3,7 +3,7 @@
 use super::super::foreign::as_list;
 use super::Read;
 use super::draft::is_points;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::phrases::Label;
 use crate::language::write;
 
@@ -24,6 +24,22 @@ pub(super) fn gather(items: &mut Vec<Expr>, said: &mut Vec<Read>) {
     // Equations are not what a function is of, but say what its arguments are.
     if !items.is_empty() && items.iter().all(|item| Equation::of(item).is_some_and(|one| one.is_argument())) {
         said.insert(0, Read { label: Label::With, items: std::mem::take(items) });
+    }
+    // for x = 0, 1, 3 and y = 1, 2, 10
+    for read in said.iter_mut().filter(|read| read.label == Label::With && read.items.len() > 1) {
+        let (first, rest) = read.items.split_at(1);
+        let plain = |item: &Expr| !matches!(item.kind, Kind::Chain(..));
+        if let Kind::Chain(name, links) = &first[0].kind
+            && let [link] = links.as_slice()
+            && matches!(&name.kind, Kind::Name(letter) if role(letter).is_some())
+            && plain(&link.expr)
+            && rest.iter().all(plain)
+        {
+            let values = std::iter::once(&link.expr).chain(rest).cloned().collect();
+            let list = Expr::new(Kind::List(values), link.expr.span);
+            let whole = Expr::relation((**name).clone(), Rel::Eq, list);
+            read.items = vec![Expr { span: first[0].span, ..whole }];
+        }
     }
     let mut runs: Vec<(Label, Vec<Equation>)> = Vec::new();
     for read in &mut *said {

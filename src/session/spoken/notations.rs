@@ -3,6 +3,7 @@
 use super::Read;
 use super::draft::list;
 use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::language::eval;
 use crate::language::lexicon::phrases::Label;
 
 /// A formula whose notations are calls, and the function that they call.
@@ -56,6 +57,30 @@ pub(super) fn symmetric(formula: &Expr) -> Option<Expr> {
     let known =
         matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "e" | "E" | "s" | "sigma"));
     known.then(|| call("esym", std::iter::once(index).chain(arguments).cloned().collect(), formula.span))
+}
+
+/// Puts values into formulas that need them to have a meaning: the polar form of t^n for n = 4.
+pub(super) fn exponents(items: &mut [Expr], said: &mut Vec<Read>) {
+    let is_exponent = |formula: &Expr, name: &str| {
+        formula.has(&|part| match &part.kind {
+            Kind::Pow(_, exponent) => {
+                exponent.has(&|inner| matches!(&inner.kind, Kind::Name(own) if own == name))
+            }
+            _ => false,
+        })
+    };
+    said.retain(|read| {
+        let [item] = read.items.as_slice() else { return true };
+        let Some((name, value)) = eval::named(item) else { return true };
+        let used = matches!(read.label, Label::With | Label::At)
+            && items.iter().any(|formula| is_exponent(formula, &name));
+        if used {
+            for formula in items.iter_mut() {
+                *formula = formula.with_name(&name, &value.clone().grouped());
+            }
+        }
+        !used
+    });
 }
 
 /// over 0, 1, 2, 3

@@ -6,6 +6,95 @@ use super::{Node, Parsed, Parser};
 use crate::formula::{Expr, Kind, Quotient, Rel};
 
 impl Parser<'_> {
+    /// `25%`; before another operand it is the sign of a remainder elsewhere.
+    pub(super) fn percent(&mut self, node: Node) -> Parsed<Node> {
+        let sign = self.bump();
+        if self.at_operand() && !self.at_word_of() {
+            return Err(self.percent_or_remainder(sign));
+        }
+        let span = node.extent.to(sign.span());
+        let hundred = Expr { span: sign.span(), ..Expr::int(100) };
+        let quotient = Kind::Div(Box::new(node.expr), Box::new(hundred), Quotient::Slash);
+        let quotient = Expr::new(quotient, span);
+        self.node(Kind::Group(Box::new(quotient)), span, node.height + 1)
+    }
+
+    /// Whether "of" stands here between a percentage and what it is of.
+    pub(super) fn at_word_of(&self) -> bool {
+        let percent = self.last.is_some_and(|last| self.text_of(last) == "%");
+        percent && matches!(self.text_of(self.peek()), "of" | "von" | "de" | "of the")
+    }
+
+    /// Whether `t$2` stands here, t twice: diff(t^4, t$2).
+    pub(super) fn counts_derivatives(&self) -> bool {
+        let next = self.tokens.get(self.at + 1);
+        self.last.is_some_and(|last| last.kind == TokenKind::Name)
+            && next.is_some_and(|next| next.kind == TokenKind::Number)
+    }
+
+    /// Whether a function without a name begins here: `function(t) t^2`, `@(t) t^2`, `lambda t: t^2`.
+    pub(super) fn at_function(&self) -> bool {
+        let token = self.peek();
+        let kind = |at: usize| self.tokens.get(self.at + at).map(|token| token.kind);
+        match (token.kind, self.text_of(token)) {
+            (TokenKind::Name, "function") | (TokenKind::Unknown, "@") => {
+                kind(1) == Some(TokenKind::Open(Bracket::Paren))
+            }
+            (TokenKind::Name, "lambda") => {
+                let mut at = 1;
+                while kind(at) == Some(TokenKind::Name) && kind(at + 1) == Some(TokenKind::Comma) {
+                    at += 2;
+                }
+                kind(at) == Some(TokenKind::Name) && kind(at + 1) == Some(TokenKind::Colon)
+            }
+            _ => false,
+        }
+    }
+
+    /// A function without a name, of which [`Self::at_function`] holds.
+    pub(super) fn anonymous_function(&mut self) -> Parsed<Node> {
+        let word = self.bump();
+        let mut names = Vec::new();
+        if self.peek().kind == TokenKind::Name {
+            while self.peek().kind == TokenKind::Name {
+                let name = self.bump();
+                names.push(self.name(name)?.expr);
+                if self.bump().kind == TokenKind::Colon {
+                    break;
+                }
+            }
+        } else {
+            let inside = self.inside(false)?;
+            names = self.items(inside, "a parameter")?.list;
+        }
+        let body = self.expr()?;
+        let span = word.span().to(body.extent);
+        self.node(Kind::Lambda(names, Box::new(body.expr)), span, body.height)
+    }
+
+    /// Whether a function is given to a name here: `f: t -> t^2`.
+    pub(super) fn at_mapping(&self) -> bool {
+        let kind = |at: usize| self.tokens.get(self.at + at).map(|token| token.kind);
+        self.peek().kind == TokenKind::Colon
+            && self.open.is_empty()
+            && kind(1) == Some(TokenKind::Name)
+            && kind(2) == Some(TokenKind::Arrow)
+    }
+
+    /// Whether `<-` stands here, which gives a value in R.
+    pub(super) fn at_assignment(&self) -> bool {
+        let token = |at: usize| self.tokens.get(self.at + at);
+        let minus = token(1).is_some_and(|minus| minus.kind == TokenKind::Minus && !minus.spaced);
+        self.peek().kind == TokenKind::Relation(Rel::Lt) && minus && token(2).is_some_and(|next| next.spaced)
+    }
+
+    /// Whether a function follows `<-`.
+    pub(super) fn assigns_function(&self) -> bool {
+        let token = |at: usize| self.tokens.get(self.at + at);
+        let opens = token(3).is_some_and(|token| token.kind == TokenKind::Open(Bracket::Paren));
+        token(2).is_some_and(|word| self.text_of(*word) == "function") && opens
+    }
+
     fn is_point(&self, token: Option<&Token>) -> bool {
         token.is_some_and(|token| {
             token.kind == TokenKind::Unknown && !token.spaced && self.text_of(*token) == "."
@@ -100,7 +189,8 @@ impl Parser<'_> {
             }
             before = token.kind;
         }
-        if let Some(sign) = signed {
+        // [1 -3 2] has no commas; [1 -1] may be a difference.
+        if let Some(sign) = signed.filter(|_| !numbers) {
             return Err(self.signed_item(sign));
         }
         if !numbers {

@@ -57,6 +57,11 @@ impl Parser<'_> {
         }
         if self.peek().kind == TokenKind::Underscore {
             self.bump();
+            // f[t_] := t^2
+            let pattern = matches!(self.peek().kind, TokenKind::Close(Bracket::Square) | TokenKind::Comma);
+            if pattern && self.open.last().is_some_and(|open| open.kind == TokenKind::Open(Bracket::Square)) {
+                return Ok(base);
+            }
         }
         let (indices, end) = match self.peek().kind {
             TokenKind::Open(Bracket::Brace | Bracket::Paren | Bracket::Sub) => self.indices()?,

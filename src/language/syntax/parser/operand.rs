@@ -10,7 +10,7 @@ use crate::formula::{Accent, BinomialStyle, Delimiter, Enclosure, Expr, Kind};
 use crate::language::lexicon::families::is_binomial_coefficient;
 use crate::language::lexicon::letters;
 use crate::language::lexicon::roles::is_power_of_sum;
-use crate::math::number::{Rational, parse_decimal};
+use crate::math::number::{Rational, parse_decimal, parse_scientific};
 
 /// Digits of a numeral that are free of charge.
 const SHORT_NUMERAL: usize = 100;
@@ -101,6 +101,7 @@ impl Parser<'_> {
         let token = self.peek();
         match token.kind {
             TokenKind::Number => self.numeral(),
+            _ if self.at_function() => self.anonymous_function(),
             TokenKind::Name => self.word(),
             TokenKind::Text => self.words(),
             TokenKind::Dots => {
@@ -190,7 +191,9 @@ impl Parser<'_> {
             self.digits_left =
                 self.digits_left.checked_sub(digits).ok_or_else(|| self.too_many_digits(token))?;
         }
-        let value = if text.contains(chars::APOSTROPHES) {
+        let value = if text.contains('E') {
+            parse_scientific(text)
+        } else if text.contains(chars::APOSTROPHES) {
             parse_decimal(&text.replace(chars::APOSTROPHES, ""))
         } else if text.is_ascii() {
             parse_decimal(text)
@@ -245,6 +248,7 @@ impl Parser<'_> {
                 }
                 _ if !exponent && self.at_call() && self.calls(&node.expr) => self.call(node),
                 TokenKind::Unknown if !is_number(&node.expr) && self.at_method() => self.method(node),
+                TokenKind::Unknown if !exponent && self.text_of(self.peek()) == "%" => self.percent(node),
                 _ => return Ok(node),
             };
             node = attached?;
@@ -395,6 +399,7 @@ impl Parser<'_> {
             let end = self.peek();
             match end.kind {
                 TokenKind::Comma | TokenKind::Semicolon if bar.is_none() => {}
+                TokenKind::Dollar if bracket == Bracket::Paren && self.counts_derivatives() => {}
                 TokenKind::Close(closing) if closing == bracket => {}
                 _ => return Err(self.unexpected()),
             }
@@ -403,7 +408,7 @@ impl Parser<'_> {
                 cell.end = end;
             }
             match end.kind {
-                TokenKind::Comma => {}
+                TokenKind::Comma | TokenKind::Dollar => {}
                 TokenKind::Semicolon => rows.push(Vec::new()),
                 _ => {
                     self.open.pop();

@@ -17,6 +17,28 @@ fn error(code: Code, message: impl Into<String>, span: Span) -> Diagnostic {
 }
 
 impl Parser<'_> {
+    /// The error for `7 % 3`.
+    pub(super) fn percent_or_remainder(&self, sign: Token) -> Problem {
+        let problem = error(Code::AmbiguousProduct, "a percentage, or a remainder?", sign.span());
+        Box::new(problem.hint("write 7 mod 3 for the remainder, 7/100 for the percentage"))
+    }
+
+    /// The error for `x <- 3`.
+    pub(super) fn assignment(&self, sign: Token) -> Problem {
+        let problem =
+            error(Code::UnexpectedToken, "'<-': a value, or less than a negative number?", sign.span());
+        Box::new(problem.hint("write x := 3 to give x a value").hint("write x < -3 for the inequality"))
+    }
+}
+
+/// The error for `1 + 7 mod 3` and `7 mod 3 * 2`.
+pub(crate) fn reach_of_mod(span: Span) -> Diagnostic {
+    error(Code::AmbiguousProduct, "how far does mod reach?", span)
+        .reason("it stands beside other operators")
+        .hint("write parentheses: (1 + 7) mod 3, or 1 + (7 mod 3)")
+}
+
+impl Parser<'_> {
     fn quote(&self, span: Span) -> String {
         let text = self.text.piece(span.range());
         let mut short: String = text.chars().take(QUOTE).collect();

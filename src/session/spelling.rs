@@ -1,0 +1,75 @@
+//! Remarks on spellings that have another meaning elsewhere: `[0,5; 1,5]`, `[1 -3 2]`, `2.5E2`.
+
+use crate::formula::source::{SourceFile, Span};
+use crate::formula::{Expr, Kind, Sign};
+use crate::language::diagnostic::{Code, Diagnostic};
+use crate::language::eval;
+use crate::language::write;
+
+/// Adds the remarks on a statement that was read from a file.
+pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
+    if let Some(note) = of_part(statement, file)
+        && !notes.iter().any(|known| known.message == note.message)
+    {
+        notes.push(note);
+    }
+    statement.for_each_child(&mut |child| remarks(child, file, notes));
+}
+
+fn of_part(part: &Expr, file: &SourceFile) -> Option<Diagnostic> {
+    match &part.kind {
+        Kind::Number(_) if file.slice(part.span).contains('E') => {
+            let message = format!("{} is {}", file.slice(part.span), write::text(part));
+            Some(Diagnostic::note(Code::StandardMeaning, message).at(part.span))
+        }
+        Kind::Matrix(rows, _) => {
+            let rows: Vec<Vec<&Expr>> = rows.iter().map(|row| row.iter().flatten().collect()).collect();
+            of_decimals(&rows, part.span, file).or_else(|| of_signs(&rows, part.span, file))
+        }
+        Kind::List(items) => of_signs(&[items.iter().collect()], part.span, file),
+        _ => None,
+    }
+}
+
+/// `[0,5; 1,5]`, with a blank after each semicolon and none after a comma, may be a list of two decimals.
+fn of_decimals(rows: &[Vec<&Expr>], span: Span, file: &SourceFile) -> Option<Diagnostic> {
+    let comma = |row: &Vec<&Expr>| match row.as_slice() {
+        [before, after] => {
+            eval::is_decimal_comma(before, after)
+                && file.slice(Span::new(before.span.end, after.span.start)) == ","
+        }
+        _ => false,
+    };
+    let apart = |pair: &[Vec<&Expr>]| match (pair[0].last(), pair[1].first()) {
+        (Some(end), Some(start)) if end.span.end < start.span.start => {
+            let between = file.slice(Span::new(end.span.end, start.span.start));
+            between.trim() == ";" && between.len() > 1
+        }
+        _ => false,
+    };
+    let decimals = rows.len() > 1 && rows.iter().all(comma) && rows.windows(2).all(apart);
+    decimals.then(|| {
+        let count = rows.len();
+        let message = format!("a matrix of {count} rows and 2 columns, not {count} decimal numbers");
+        Diagnostic::note(Code::BadNumber, message).at(span).hint("decimals are written with a point: 1.5")
+    })
+}
+
+/// `[1 -3 2]`: items without commas, one with a sign.
+fn of_signs(rows: &[Vec<&Expr>], span: Span, file: &SourceFile) -> Option<Diagnostic> {
+    let signed = |item: &Expr| {
+        matches!(&item.kind, Kind::Add(terms)
+            if matches!(terms.as_slice(), [term] if term.sign == Sign::Minus))
+    };
+    let blank = |pair: &[&Expr]| {
+        let (end, start) = (pair[0].span.end, pair[1].span.start);
+        signed(pair[1]) && end < start && file.slice(Span::new(end, start)).trim().is_empty()
+    };
+    rows.iter().any(|row| row.windows(2).any(blank)).then(|| {
+        let shown =
+            |row: &Vec<&Expr>| row.iter().map(|item| write::text(item)).collect::<Vec<_>>().join(", ");
+        let all: Vec<String> = rows.iter().map(shown).collect();
+        let message = format!("read as the items {}, with no difference", all.join("; "));
+        Diagnostic::note(Code::StandardMeaning, message).at(span)
+    })
+}
