@@ -5,20 +5,21 @@ use std::rc::Rc;
 use super::check::{Checker, blank, is_root_of};
 use super::context::{Body, is_variable};
 use super::features::has_call;
-use super::finding::{Finding, Verdict};
+use super::finding::{Evidence, Finding, Verdict};
 use super::known::definable;
 use super::lint;
 use super::model::{Choices, Curve};
 use super::names::{Head, bases, contains, is_index_letter, symbol_of};
 use super::object::{Declared, Sort};
 use super::refute;
-use super::statement::{Chain, Place, Role, Side, Statement};
+use super::statement::{Chain, Role, Side, Statement};
 use super::tally::Tally;
 use super::topic::Topic;
 use super::trial::Setting;
 use super::verdict::Judged;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::{Value, symbol_expr};
+use crate::language::write;
 use crate::math::poly::Index;
 use num_traits::Zero;
 
@@ -124,7 +125,14 @@ impl Checker {
                     .is_some_and(|head| self.context.object_called(&head.base, place).is_some())
             })
         });
-        let head = definable(&chain.sides[0].expr)
+        // D = F' says what D is; D alone is an operator.
+        let named = |expr: &Expr| match (&expr.kind, &chain.sides[1].expr.kind) {
+            (Kind::Name(name), Kind::Prime(..)) if name == "D" => Head::of(expr),
+            _ => None,
+        };
+        let left = &chain.sides[0].expr;
+        let head = definable(left)
+            .or_else(|| named(left))
             .map(|head| self.context.with_pairs_apart(head))
             .filter(|_| joins.is_none())
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
@@ -188,6 +196,7 @@ impl Checker {
                     _ => false,
                 };
                 if settled {
+                    self.keep(chain, head, place, &tried[0]);
                     // Others of the control points that words speak of are told by one that agrees.
                     let points = |declared: &Declared| declared.object.sort == Sort::ControlPoints;
                     let value = !matches!(&chain.sides[1].expr.kind, Kind::Number(q) if q.is_zero());
@@ -264,110 +273,22 @@ impl Checker {
         if start < chain.relations.len() {
             self.judge(chain, start, statement, curve, head.as_ref(), &mut findings);
         }
+        if let Some(head) = &head {
+            self.keep(chain, head, place, &findings[0]);
+        }
+        // B_2^5(t) = 10 t^2 (1 - t)^3: these are the Bernstein polynomials.
+        if let Some(own) = Head::of(&chain.sides[0].expr).filter(Head::is_bernstein)
+            && findings[0].verdict == Verdict::Proved
+            && own.arguments.is_some()
+        {
+            self.agreed.push((own.base, place.clone()));
+        }
         // s = N_0^2(t) + … shows the curve that a query gives.
         if queried && findings[0].verdict == Verdict::Undecided {
             findings[0].verdict = Verdict::Definition;
             findings[0].reason = Some("shows the value of a query".to_owned());
         }
         findings
-    }
-
-    fn definition(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &mut Finding) {
-        let body = &chain.sides[1];
-        if body.is_unread() {
-            return;
-        }
-        finding.verdict = Verdict::Definition;
-        finding.reason = Some(format!("introduces {}", head.base));
-        finding.warning = lint::definition(head, &body.expr, &chain.conditions);
-        if self.is_queried(head, place) {
-            return;
-        }
-        // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
-        let derivative = head.parenthesized
-            && head.arguments.is_some()
-            && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
-        // The pieces of one B-spline follow from the recursion for all.
-        let pieces = head.base == "N"
-            && !head.lower.is_empty()
-            && matches!(body.expr.kind, Kind::Cases(_))
-            && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
-        // If p is prime, φ(p) = p - 1: of other p it says nothing.
-        let restricted = head.flat().iter().filter_map(|argument| Head::of(argument)).any(|argument| {
-            self.context
-                .object_called(&argument.base, place)
-                .is_some_and(|declared| matches!(declared.object.sort, Sort::Other(_)))
-        });
-        // N_j^p = 0 for j < 0 or j > n
-        let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
-        if derivative
-            || pieces
-            || vanishes
-            || restricted
-            || lint::missing_argument(head, &body.expr).is_some()
-        {
-            return;
-        }
-        self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
-        // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
-        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
-        if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {
-            let used = bases(&body.expr);
-            let Some(variable) = ["x", "t", "u"].into_iter().find(|name| !used.contains(*name)) else {
-                return;
-            };
-            let mut applied = body.expr.clone();
-            if self.apply_families(&mut applied, &Expr::name(variable), place) {
-                let head = Head { arguments: Some(vec![vec![Expr::name(variable)]]), ..head.clone() };
-                self.define(head, Body::Formula(applied), &chain.conditions, place, body.expr.span);
-            }
-        }
-    }
-
-    /// Gives an argument to each member of a family of functions that has none; whether there is one.
-    fn apply_families(&self, expr: &mut Expr, argument: &Expr, place: &Place) -> bool {
-        if let Kind::Apply(..) = expr.kind {
-            return false;
-        }
-        let one = |head: &Head| (1..3).contains(&head.lower.len());
-        let member = Head::of(expr).filter(one).is_some_and(|head| {
-            let spoken = self.context.object(&head, place).is_some_and(|known| known.object.is_function());
-            spoken || head.notation().is_some()
-        });
-        if member {
-            *expr = Expr::apply(expr.clone(), vec![argument.clone()]);
-            return true;
-        }
-        if let Kind::Big { body, .. } = &mut expr.kind {
-            return self.apply_families(body, argument, place);
-        }
-        let mut found = false;
-        expr.for_each_child_mut(&mut |child| found |= self.apply_families(child, argument, place));
-        found
-    }
-
-    /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
-    fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
-        let place = &statement.place;
-        let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
-        let (Some(names), Some(values)) = (chain.sides[0].expr.items(), chain.sides[1].expr.items()) else {
-            return false;
-        };
-        let new = |name: &Expr| match &name.kind {
-            Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
-            _ => false,
-        };
-        let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
-        let gives = names.len() == values.len()
-            && statement.role != Some(Role::Claimed)
-            && names.iter().all(new)
-            && values.iter().all(constant);
-        if gives {
-            for (head, value) in names.iter().filter_map(Head::of).zip(values) {
-                self.define(head, Body::Formula(value.clone()), &[], place, value.span);
-            }
-        }
-        gives
     }
 
     /// Puts the verdict on a relation to the others of its chain; `wrong` is what it is if others confirm its names.
@@ -436,6 +357,17 @@ impl Checker {
             {
                 **finding = found;
             }
+            // What words say of s does not tell its values: the formula does.
+            if let (Judged::Verdict(finding), Some(head), true) = (&verdict, head, from_start)
+                && finding.verdict == Verdict::Undecided
+                && statement.role != Some(Role::Claimed)
+                && tally.record.unknown.contains(&head.base)
+                && !head.flat().is_empty()
+                && !bases(&chain.sides[1].expr).contains(&head.base)
+            {
+                self.definition(chain, head, place, &mut findings[at]);
+                continue;
+            }
             match verdict {
                 Judged::Verdict(finding) => self.settle(tally, chain, at, *finding, None, findings),
                 Judged::Unfounded(finding, wrong) => {
@@ -485,6 +417,28 @@ impl Checker {
             if datum || named {
                 findings[at].verdict = Verdict::Definition;
                 findings[at].reason = Some(format!("says a value of {}", chain.sides[at].latex));
+            }
+            // "It passes through q, so c(1/2) = q" says what q is.
+            let of_words = |side: &Expr| match &side.kind {
+                Kind::Apply(callee, _) => Head::of(callee).is_some_and(|head| {
+                    self.context.object(&head, place).is_some_and(|known| known.object.determines())
+                }),
+                _ => false,
+            };
+            if findings[at].verdict == Verdict::Undecided
+                && chain.relations.len() == 1
+                && chain.relations[at].0 == Rel::Eq
+                && of_words(&chain.sides[0].expr)
+                && let Kind::Name(name) = &chain.sides[1].expr.kind
+                && !is_variable(name)
+                && self.context.visible(name, place).next().is_none()
+                && !self.context.object_called(name, place).is_some_and(|known| known.object.has_values())
+                && let Some(head) = Head::of(&chain.sides[1].expr)
+            {
+                findings[at].verdict = Verdict::Definition;
+                findings[at].reason = Some(format!("says what {name} is"));
+                let value = chain.sides[0].expr.clone();
+                self.define(head, Body::Formula(value), &[], place, findings[at].span);
             }
             // Let g have the values g(0) = 1, …: not the g of another section.
             let number = |expr: &Expr| bases(expr).is_empty();
@@ -554,6 +508,23 @@ impl Checker {
             let sides = [&chain.sides[at].expr, &chain.sides[at + 2].expr];
             let outcomes = self.trial(setting, &sides, &[Rel::Eq], choices).run();
             let tally = &outcomes.tallies[0];
+            // c(1/4) = b_0^2(1/4) = 29/8: whatever stands between is, c(1/4) is a number, too.
+            let number = |side: &Expr| bases(side).is_empty();
+            if let ([failure], Kind::Apply(_, groups)) = (tally.fails.as_slice(), &sides[0].kind)
+                && findings[at].verdict == Verdict::Undecided
+                && findings[at + 1].verdict == Verdict::Undecided
+                && groups.iter().flatten().all(number)
+                && number(sides[1])
+                && tally.record.unknown.is_empty()
+                && tally.record.definitions.iter().all(|(_, near)| *near)
+                && [&failure.left, &failure.right].into_iter().all(|value| value.as_rational().is_some())
+            {
+                let (next, left) = (&mut findings[at + 1], &chain.sides[at].latex);
+                next.verdict = Verdict::Refuted;
+                next.reason = Some(format!("{left} is {}", write::text(&failure.left.to_expr())));
+                next.evidence = vec![Evidence::Value];
+                continue;
+            }
             if tally.fails.is_empty() && tally.holds_inner.max(tally.holds / 2) >= 1 {
                 let next = &mut findings[at + 1];
                 next.verdict = Verdict::Undecided;

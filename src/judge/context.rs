@@ -237,7 +237,8 @@ impl Letters {
                     let size = head.upper.last().or(head.lower.get(1));
                     self.spline_sizes.extend(size.and_then(Expr::as_int));
                 }
-                if roles::is_factor(&head.base) && head.lower.is_empty() {
+                let marked = matches!(callee.kind, Kind::Accent(..));
+                if roles::is_factor(&head.base) && head.lower.is_empty() && !marked {
                     return;
                 }
                 if !head.lower.is_empty() {

@@ -5,9 +5,9 @@ use std::rc::Rc;
 use super::check::Checker;
 use super::context::{Body, Definition, is_variable};
 use super::described::{New, member};
-use super::evaluator::evaluate_reading;
+use super::evaluator::{self, evaluate_reading};
 use super::model::Model;
-use super::names::{Head, bases};
+use super::names::{Head, bases, walk};
 use super::object::{Declared, Object, Sort};
 use super::statement::{Place, Statement};
 use super::topic::Topic;
@@ -175,8 +175,27 @@ impl Checker {
         letters.filter_map(|definition| curve(&definition.head.base)).take(MOST_CURVES).collect()
     }
 
+    /// The degree of the B-splines in a formula, if words say it.
+    fn degree_of_splines(&self, body: &Expr, place: &Place) -> Option<Expr> {
+        let mut found = None;
+        walk(body, &mut |part| {
+            let Kind::Apply(callee, _) = &part.kind else { return };
+            let object = Head::of(callee).and_then(|head| self.context.object(&head, place));
+            found = found.take().or_else(|| {
+                let object = &object.filter(|declared| declared.object.sort == Sort::BSpline)?.object;
+                let degree = evaluator::machine().eval_int(object.degree.as_ref()?).ok()?;
+                Some(Expr::int(degree))
+            });
+        });
+        found
+    }
+
     /// The degree of a formula in a variable: the upper end of its sum, or that of its value.
     fn degree_of_formula(&self, body: &Expr, variable: &str, place: &Place) -> Option<Expr> {
+        // Σ d_i N_i(u), where words say of which degree N_i is
+        if let Some(degree) = self.degree_of_splines(body, place) {
+            return Some(degree);
+        }
         if let Kind::Big { upper: Some(upper), .. } = &body.kind {
             return Some(upper.as_ref().clone());
         }

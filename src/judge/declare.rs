@@ -31,9 +31,15 @@ impl Checker {
     pub(super) fn convention(&mut self, head: &Head, body: &Expr, statement: &Statement) {
         let function = |base: &String| {
             let object = self.context.object_called(base, &statement.place);
-            base.starts_with(char::is_uppercase) && object.is_some_and(|d| d.object.is_function())
+            let defined = || {
+                self.context
+                    .visible(base, &statement.place)
+                    .any(|(_, d, near)| near && d.head.arguments.is_some())
+            };
+            base.starts_with(char::is_uppercase)
+                && (object.is_some_and(|d| d.object.is_function()) || object.is_none() && defined())
         };
-        let made = matches!(body.kind, Kind::Mul(_) | Kind::Add(_) | Kind::Compose(_));
+        let made = matches!(body.kind, Kind::Mul(_) | Kind::Add(_) | Kind::Compose(_) | Kind::Prime(..));
         let small = head.base.to_lowercase();
         let whole = head.arguments.is_none() && head.lower.is_empty() && head.upper.is_empty();
         let alike = whole && small != head.base && !head.base.contains(' ');

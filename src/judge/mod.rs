@@ -37,6 +37,7 @@ pub mod inequality;
 mod insertion;
 mod integers;
 mod known;
+mod learn;
 mod lint;
 mod lists;
 mod model;

@@ -63,7 +63,9 @@ impl Trial<'_> {
                     }
                     let degree = object.degree.as_ref().and_then(|degree| machine.eval_int(degree).ok());
                     let degree = degree.and_then(|degree| usize::try_from(degree).ok());
-                    Ok(degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree)))
+                    let own =
+                        degree.and_then(|degree| model.explicit_knots(machine, object, &Vec::new(), degree));
+                    Ok(own.or_else(|| model.all_knots(machine, object, &Vec::new())))
                 });
                 found.extend(knots.ok().flatten().unwrap_or_default());
             };

@@ -302,7 +302,16 @@ pub fn decide(
         if elsewhere && !of_capital || recursion {
             return Decision::Redefinition(None);
         }
+        // p(t) = 2 B_1^2(t) + B_2^2(t), after p(t) = t^2 + …: the same in another basis
+        let another_basis = asserted
+            && !tally.record.standard.is_empty()
+            && head.arguments.is_some()
+            && defined
+                .as_ref()
+                .is_some_and(|(number, ..)| tally.record.definitions.iter().any(|(used, _)| used == number))
+            && are_of_parameters(&failure);
         if let Some((_, definition, _)) = defined
+            && !another_basis
             && !of_capital
             && !(same && head.arguments.is_none())
             && !bases(right).contains(&head.base)
@@ -523,6 +532,12 @@ pub fn decide(
         }
     }
     refuted(failure)
+}
+
+/// Whether both sides are made of parameters only.
+fn are_of_parameters(failure: &Failure) -> bool {
+    let parameter = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());
+    [&failure.left, &failure.right].into_iter().all(|value| visible(value).iter().all(parameter))
 }
 
 pub fn missing_or_redefinition(head: Option<&Head>, first: bool, reason: &str) -> Decision {

@@ -9,7 +9,7 @@ use crate::judge::context::{Body, Definition};
 use crate::judge::features::is_repeated;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::Sort;
-use crate::judge::statement::Side;
+use crate::judge::statement::{Place, Side};
 use crate::judge::topic::Topic;
 use crate::language::lexicon::letters;
 use crate::language::write;
@@ -261,7 +261,11 @@ impl Suspect<'_> {
         }
         let topics = self.statement.topics;
         let mut called = |part: &Expr| matches!(&part.kind, Kind::Apply(callee, _) if Head::of(callee).is_some_and(|head| head.is_bernstein()));
-        let told = topics.has(Topic::Bernstein) || self.checker.context.letters.binomial_family;
+        let agreed =
+            |(letter, place): &(String, Place)| letter == "B" && self.statement.place.knows(place, false);
+        let told = topics.has(Topic::Bernstein)
+            || self.checker.context.letters.binomial_family
+            || self.checker.agreed.iter().any(agreed);
         // For t_i < t < t_{i+k}: these are knots.
         let member = |condition: &Expr| {
             let mut found = false;

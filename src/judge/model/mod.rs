@@ -14,6 +14,7 @@ mod dotted_arguments;
 mod extremes;
 mod families;
 mod functionals;
+mod lists;
 mod notations;
 mod objects;
 mod piecewise;

@@ -1,6 +1,7 @@
 //! Values of what the page introduced in words: polar forms, B-splines, Bézier curves, their points.
 
 use super::calls::{each, unclear, variable};
+use super::lists::{combination, index_of_support};
 use std::rc::Rc;
 
 use super::{Bound, Evaluated, Model};
@@ -181,6 +182,12 @@ impl Model {
                 });
                 combination(&points, &weights.collect::<Vec<_>>())
             }
+            // s = Σ d_i N_i, where the function that belongs to d_i lives between u_i and u_{i+4}
+            Sort::SplineCurve if self.is_local() && index_of_support(&object).is_some() => {
+                let (x, degree) = (one?, self.stated_degree(machine, &object, &bound)?);
+                note("the spline curve");
+                return self.by_supports(machine, &object, &bound, degree, &x, expr);
+            }
             Sort::SplineCurve if !object.knots.is_empty() && !object.points.is_empty() => {
                 let x = one?;
                 let knots = self.all_knots(machine, &object, &bound)?;
@@ -217,7 +224,10 @@ impl Model {
                 let x = one?;
                 let nodes = self.nodes(machine, &object, &bound)?;
                 let i = head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
-                let i = usize::try_from(i).ok().filter(|&i| i < nodes.len())?;
+                let Some(i) = usize::try_from(i).ok().filter(|&i| i < nodes.len()) else {
+                    let message = "there is no node with this number";
+                    return Some(Err(Diagnostic::error(Code::Domain, message).at(expr.span)));
+                };
                 note("a Lagrange polynomial");
                 let others = nodes.iter().enumerate().filter(|(j, _)| *j != i);
                 let mut product = Fraction::from_rational(&integer(1));
@@ -259,30 +269,6 @@ impl Model {
         Some(result)
     }
 
-    /// The functions that the control points of a curve are multiplied by: those of the basis, or, with weights, the
-    /// quotients w_i B_i / Σ w_j B_j.
-    fn weighted(
-        &self,
-        machine: &mut Machine,
-        object: &Object,
-        bound: &Bound,
-        mut basis: Vec<Fraction>,
-    ) -> Option<Vec<Fraction>> {
-        if object.weights.is_empty() {
-            return Some(basis);
-        }
-        let own = self.points(machine, &object.weights, bound, basis.len().checked_sub(1)?)?;
-        for (function, own) in basis.iter_mut().zip(&own) {
-            *function = function.times(own.as_scalar()?);
-        }
-        let sum = basis.iter().fold(Fraction::zero(), |sum, function| sum.plus(function));
-        for function in &mut basis {
-            let share = arithmetic::divide(Value::Scalar(function.clone()), Value::Scalar(sum.clone()));
-            *function = share.ok()?.as_scalar()?.clone();
-        }
-        Some(basis)
-    }
-
     /// The value of a name without arguments that words introduced: a control point, a matrix.
     pub(super) fn spoken_name(&self, machine: &mut Machine, head: &Head) -> Option<Evaluated> {
         let (object, line) = self.declared(head)?;
@@ -316,7 +302,13 @@ impl Model {
                     let (a, b) = (machine.eval(&ends.0).ok()?, machine.eval(&ends.1).ok()?);
                     let arguments: Vec<Value> =
                         (0..degree).map(|k| if k < degree - i { a.clone() } else { b.clone() }).collect();
-                    self.polar_value(machine, of, degree, &arguments, of).ok()
+                    // Of the piece on the interval
+                    let middle = match (self.is_local(), a.as_rational(), b.as_rational()) {
+                        (true, Some(a), Some(b)) => Some((a + b) / integer(2)),
+                        (true, ..) => self.around.borrow().clone(),
+                        (false, ..) => None,
+                    };
+                    self.moved(middle, || self.polar_value(machine, of, degree, &arguments, of)).ok()
                 })?;
                 self.note(format!("{}_i are the control points of line {line}", head.base));
                 Some(Ok(value))
@@ -332,76 +324,6 @@ impl Model {
                 near && matches!(&definition.body, Body::Formula(body) if bases(body).contains(letter))
             })
         })
-    }
-
-    /// How many items a list has, dots written out.
-    fn count(&self, machine: &mut Machine, items: &[Expr], bound: &Bound) -> Option<usize> {
-        self.items(machine, items, bound, None).map(|items| items.len())
-    }
-
-    /// The values of a list, dots written out; as many as are wanted.
-    pub(super) fn items(
-        &self,
-        machine: &mut Machine,
-        items: &[Expr],
-        bound: &Bound,
-        wanted: Option<usize>,
-    ) -> Option<Vec<Value>> {
-        let first = items.first()?;
-        let work = |machine: &mut Machine| self.arguments(machine, items, wanted, first);
-        let values = machine.with_locals(bound.clone(), work).ok()?;
-        wanted.is_none_or(|wanted| values.len() == wanted).then_some(values)
-    }
-
-    /// The control points, or weights, of a curve of a degree.
-    fn points(
-        &self,
-        machine: &mut Machine,
-        points: &[Expr],
-        bound: &Bound,
-        degree: usize,
-    ) -> Option<Vec<Value>> {
-        let first = points.first()?;
-        // b_i stands for all of them.
-        if let ([one], Some(head)) = (points, Head::of(first))
-            && matches!(head.lower.as_slice(), [Expr { kind: Kind::Name(_), .. }])
-        {
-            let name = |i: usize| {
-                let head = Head { lower: vec![Expr::int(i as i64)], ..head.clone() };
-                self.symbol(machine, &head, one).map(Value::symbol).ok()
-            };
-            return (0..=degree).map(name).collect();
-        }
-        self.items(machine, points, bound, Some(degree + 1))
-    }
-
-    fn nodes(&self, machine: &mut Machine, object: &Object, bound: &Bound) -> Option<Vec<Fraction>> {
-        let nodes = self.items(machine, &object.knots, bound, None)?;
-        nodes.iter().map(|node| node.as_scalar().cloned()).collect()
-    }
-
-    /// The knots that words give, if they are numbers.
-    pub(in crate::judge) fn all_knots(
-        &self,
-        machine: &mut Machine,
-        object: &Object,
-        bound: &Bound,
-    ) -> Option<Vec<Rational>> {
-        let knots: Option<Vec<Rational>> =
-            self.nodes(machine, object, bound)?.iter().map(Fraction::as_rational).collect();
-        knots.filter(|knots| knots.windows(2).all(|ends| ends[0] <= ends[1]))
-    }
-
-    /// The knots of a B-spline, if they are said and are numbers.
-    pub(in crate::judge) fn explicit_knots(
-        &self,
-        machine: &mut Machine,
-        object: &Object,
-        bound: &Bound,
-        degree: usize,
-    ) -> Option<Vec<Rational>> {
-        let values = self.items(machine, &object.knots, bound, Some(degree + 2))?;
-        values.iter().map(Value::as_rational).collect()
     }
 
     /// The parameter of a curve over [a, b] as one over [0, 1].
@@ -615,16 +537,4 @@ pub(super) fn coefficients_in(
     }
     let parts = formula.numerator().coefficients_in(place);
     parts.into_iter().map(|part| Fraction::new(part, denominator.clone()).map_err(|_| not())).collect()
-}
-
-fn combination(points: &[Value], weights: &[Fraction]) -> Evaluated {
-    let mut sum: Option<Value> = None;
-    for (point, weight) in points.iter().zip(weights) {
-        let term = each(point.clone(), &|x| Ok(x.times(weight)))?;
-        sum = Some(match sum {
-            None => term,
-            Some(sum) => arithmetic::add(sum, term)?,
-        });
-    }
-    sum.ok_or_else(|| Diagnostic::error(Code::Empty, "no points"))
 }

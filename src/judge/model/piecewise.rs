@@ -9,12 +9,13 @@ use crate::formula::{Expr, Kind, Rel};
 use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases};
 use crate::judge::object::Object;
+use crate::judge::values;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
-use crate::math::poly::{Coefficients, Fraction, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Index, Symbol};
 use crate::math::ring::Ring;
 use crate::math::spline::KnotVector;
 use num_traits::Zero;
@@ -83,7 +84,14 @@ impl Model {
             return Some(Ok(knots));
         }
         let first = head.lower.first().and_then(|index| machine.eval(index).ok())?.as_int()?;
-        let number = |knot: &Expr| bases(knot).is_empty() && knot.kind != Kind::Ellipsis;
+        // 0 (n + 1 times), too
+        let number = |knot: &Expr| match &knot.kind {
+            Kind::Brace(items, _) => {
+                items.iter().any(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis)
+            }
+            Kind::Ellipsis => false,
+            _ => bases(knot).is_empty(),
+        };
         if !object.knots.iter().any(number) {
             return Some(Ok((first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect()));
         }
@@ -93,6 +101,21 @@ impl Model {
         };
         let first = usize::try_from(first).ok()?;
         Some(Ok(all.get(first..first + degree + 2)?.to_vec()))
+    }
+
+    /// Knots as numbers: what has no value is the knot of its number.
+    pub(super) fn numbered_knots(&self, knots: &[Value]) -> Option<Vec<Rational>> {
+        let number = |knot: &Value| match knot.as_rational() {
+            Some(knot) => Some(knot),
+            None => match values::symbols(knot).iter().collect::<Vec<_>>().as_slice() {
+                [only] => match only.indices() {
+                    [Index::Number(j)] => Some(self.knot(*j)),
+                    _ => None,
+                },
+                _ => None,
+            },
+        };
+        knots.iter().map(number).collect()
     }
 
     /// Evaluates with another parameter to be near to.

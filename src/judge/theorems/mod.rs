@@ -116,10 +116,12 @@ impl Checker {
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
         let instances = READ.with(|known| {
-            let lengths =
-                self.context.letters.has_one_length() && !self.context.has_uneven_knots(setting.place);
-            let spoken = known.iter().filter(|read| {
-                statement.topics.has(read.theorem.topic) && (lengths || !read.theorem.equal_lengths)
+            let one_length = self.context.letters.has_one_length();
+            let uneven = self.context.has_uneven_knots(setting.place);
+            // Knots that have names may be at equal distances.
+            let even = |topic: Topic| if topic == Topic::Spline { !uneven } else { one_length };
+            let spoken = known.iter().filter(|Read { theorem, .. }| {
+                statement.topics.has(theorem.topic) && (!theorem.equal_lengths || even(theorem.topic))
             });
             spoken.flat_map(|read| self.instances(read, left, right, statement)).collect::<Vec<_>>()
         });

@@ -5,6 +5,8 @@
 //! speaks of, follows it at once ("the polar form f of F"), or stands before it ("let f be the polar form of F",
 //! "f its polar form"), or after "by". What a phrase is, in four languages, is data of `speech`.
 
+mod attributes;
+mod facts;
 mod phrase;
 mod subject;
 mod tables;
@@ -14,22 +16,26 @@ mod tokens;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::phrase::{Phrase, is_call, listed};
-use self::subject::{ends, left_side, name_in, named};
+use self::attributes::is_call;
+use self::facts::in_order;
+use self::phrase::Phrase;
+use self::subject::{left_side, name_in, named};
 use self::tables::Row;
 use self::tokens::{Token, tokens};
 use super::sentence::Piece;
 use super::speech::Word;
-use crate::formula::{Expr, Kind, Link, Rel, Sign, Term};
+use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
-use crate::judge::statement::{Said, Statement};
+use crate::judge::statement::{Place, Said, Statement};
 
 /// Puts a statement about each object before the first formula that speaks of it.
 ///
 /// Cost: linear in the words, times the number of phrases.
 pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let formulas = formulas(statements);
+    let places =
+        statements.iter().map(|statement| (statement.place.formula, statement.place.clone())).collect();
     let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
     let mut topic: Vec<Expr> = Vec::new();
     let mut rows: Vec<Row> = Vec::new();
@@ -42,8 +48,15 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
             tables::tell(xs, ys, &topic, &mut found);
         }
         let tokens = tokens(sentence);
-        let mut reader =
-            Reader { tokens, formulas: &formulas, topic, listed: Vec::new(), taken: 0, found: &mut found };
+        let mut reader = Reader {
+            tokens,
+            formulas: &formulas,
+            places: &places,
+            topic,
+            listed: Vec::new(),
+            taken: 0,
+            found: &mut found,
+        };
         reader.read();
         topic = reader.topic;
     }
@@ -97,6 +110,8 @@ fn is_ordered(first: &Expr, links: &[Link]) -> bool {
 struct Reader<'a> {
     tokens: Vec<Token>,
     formulas: &'a BTreeMap<usize, Vec<Expr>>,
+    /// Where the formulas stand.
+    places: &'a BTreeMap<usize, Place>,
     /// What "its" refers to.
     topic: Vec<Expr>,
     /// The families whose names were listed: x_0, …, x_n.
@@ -149,6 +164,13 @@ impl<'a> Reader<'a> {
                     let next = (at + 1..self.tokens.len())
                         .find(|&next| !self.is(next, &Word::Be) && !self.is(next, &Word::Filler));
                     let own = next.is_some_and(|next| self.is(next, &Word::Its));
+                    // H = F + G and its polar form
+                    if let (Some(Expr { kind: Kind::Chain(left, links), .. }), false) = (items.first(), own)
+                        && matches!(left.kind, Kind::Name(_))
+                        && matches!(links.as_slice(), [link] if is_made_of_functions(&link.expr))
+                    {
+                        self.topic = vec![left.as_ref().clone()];
+                    }
                     if let (Some(first), false) = (self.said(*number).first(), own) {
                         let beside = at > 1
                             && matches!(self.tokens[at - 1], Token::Comma | Token::Word(Word::And))
@@ -163,6 +185,8 @@ impl<'a> Reader<'a> {
                 }
                 Token::Word(Word::Support) => at = self.support_of(at),
                 Token::Word(Word::Weights) => at = self.weights(at),
+                Token::Word(Word::With) => at = self.has(at),
+                Token::Word(Word::Multiplicity) => at = self.multiple(at),
                 Token::Word(Word::Through) => at = self.interpolated(at),
                 _ => at += 1,
             }
@@ -171,6 +195,13 @@ impl<'a> Reader<'a> {
 
     /// "its" refers to the function that was spoken of last, not to a member of a family nor to a value.
     fn speak_of(&mut self, call: &Expr, beside: bool) {
+        // "The derivative F' is … Its blossom"
+        if let Kind::Prime(function, _) = &named(call).kind
+            && matches!(function.kind, Kind::Name(_))
+        {
+            self.topic = vec![named(call)];
+            return;
+        }
         let Some(head) = Head::of(call) else { return };
         let plain = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
         if head.arguments.is_some() && head.lower.is_empty() && head.upper.is_empty() {
@@ -183,6 +214,14 @@ impl<'a> Reader<'a> {
                 false => self.topic.clear(),
             }
         }
+    }
+
+    /// What was said before of objects whose places fit that of a formula, the latest first.
+    fn said_near(&self, number: usize, fits: impl Fn(&Place, &Place) -> bool) -> Vec<&Object> {
+        let Some(here) = self.places.get(&number) else { return Vec::new() };
+        let near = |other: &usize| self.places.get(other).is_some_and(|there| fits(here, there));
+        let lists = self.found.iter().rev().filter(|(other, _)| near(other));
+        lists.flat_map(|(_, list)| list.iter().rev()).collect()
     }
 
     fn follows_article(&self, at: usize) -> bool {
@@ -199,6 +238,8 @@ impl<'a> Reader<'a> {
         }
         let subject = match named {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
+            // "Its polar form is h = f + g" speaks of h.
+            _ if self.is(from, &Word::Its) && self.subject_after(to).is_some() => self.subject_after(to),
             _ => self
                 .subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors))
                 .or_else(|| self.subject_after(to))
@@ -260,7 +301,7 @@ impl<'a> Reader<'a> {
         {
             let (list, free) = match object.sort {
                 Sort::Knots => (&mut known.knots, true),
-                _ => (&mut known.points, !matches!(known.sort, Sort::BSpline)),
+                _ => (&mut known.points, known.sort == Sort::BezierCurve),
             };
             if free && (list.is_empty() || object.sort == Sort::Knots) {
                 *list = names.clone();
@@ -296,7 +337,26 @@ impl<'a> Reader<'a> {
         {
             object.knots = nodes.clone();
         }
-        self.taken = to;
+        if object.sort == Sort::Lagrange && object.knots.is_empty() {
+            let nodes = self.said_near(number, |here, there| here.knows(there, false));
+            let listed = |known: &&Object| {
+                matches!(known.sort, Sort::Nodes | Sort::Knots)
+                    && known.names.first().is_some_and(|_| other(&known.names))
+            };
+            object.knots =
+                nodes.into_iter().find(listed).map(|known| known.names.clone()).unwrap_or_default();
+        }
+        if matches!(object.sort, Sort::BSpline | Sort::SplineCurve)
+            && object.knots.is_empty()
+            && !object.uniform
+        {
+            object.knots = self.knots_before(number);
+        }
+        // "The function N is the B-spline …" goes on to say which one.
+        let goes_on = matches!(self.tokens.get(to), Some(Token::Word(Word::Be | Word::Let)));
+        if object.sort != Sort::Function || !goes_on {
+            self.taken = to;
+        }
         let function = object.is_function() && object.sort != Sort::PolarForm;
         let names: Vec<Expr> =
             names.iter().map(|name| name_in(name).unwrap_or_else(|| name.clone())).collect();
@@ -306,7 +366,8 @@ impl<'a> Reader<'a> {
         // The monomial t^k is a polynomial: no name, as N_i^k is.
         let power =
             |name: &Expr| matches!(&name.kind, Kind::Pow(base, _) if matches!(base.kind, Kind::Name(_)));
-        if function && names.iter().all(power) {
+        let family = matches!(object.sort, Sort::BSpline | Sort::Bernstein | Sort::Lagrange);
+        if function && !family && names.iter().all(power) {
             return;
         }
         // p and q, curves with the control points p_0, …, p_3 and q_0, …, q_3
@@ -330,113 +391,6 @@ impl<'a> Reader<'a> {
         object.names = names;
         object.of = of.into_iter().next();
         self.found.entry(number).or_default().push(object);
-    }
-
-    /// "p interpolates (0, 1), (1, 3)": data of the function that was spoken of last. Gives the token after them.
-    fn interpolated(&mut self, at: usize) -> usize {
-        let noun = |token: &Token| {
-            matches!(
-                token,
-                Token::Word(
-                    Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Nodes)
-                )
-            )
-        };
-        let start = (at + 1..self.tokens.len()).find(|&next| !noun(&self.tokens[next])).unwrap_or(at + 1);
-        let (items, end) = self.list(start);
-        let pair = |item: &Expr| match item.items() {
-            Some([x, y]) => Some((x.clone(), y.clone())),
-            _ => None,
-        };
-        let data: Option<Vec<(Expr, Expr)>> = items.iter().map(pair).collect();
-        let (Some(data), [name]) = (data.filter(|data| data.len() > 1), self.topic.as_slice()) else {
-            return at + 1;
-        };
-        let function = |object: &&mut Object| {
-            matches!(object.sort, Sort::Polynomial | Sort::SplineCurve)
-                && object.points.is_empty()
-                && object.names.iter().any(|known| known.same_as(name))
-        };
-        let known = self.found.values_mut().rev().flat_map(|list| list.iter_mut().rev()).find(function);
-        if let Some(object) = known {
-            object.data = data;
-        }
-        end
-    }
-
-    /// "The weights are w_0 = 1, w_1 = 2": those of the curve that was spoken of last. Gives the token after them.
-    fn weights(&mut self, at: usize) -> usize {
-        let mut start = at + 1;
-        while self.is(start, &Word::Be) || self.skip_fillers(start) > start {
-            start = self.skip_fillers(start) + usize::from(self.is(start, &Word::Be));
-        }
-        let (items, end) = self.list(start);
-        let weights = listed(items);
-        let curve = |object: &&mut Object| object.rational && object.weights.is_empty();
-        let curve = self.found.values_mut().rev().flat_map(|list| list.iter_mut().rev()).find(curve);
-        match curve.filter(|_| !weights.is_empty()) {
-            Some(curve) => {
-                curve.weights = in_order(weights);
-                end
-            }
-            None => at + 1,
-        }
-    }
-
-    /// "N_{i,3} has the support [u_i, u_{i+4}]": a B-spline over these knots. Gives the token after it.
-    fn support_of(&mut self, at: usize) -> usize {
-        let joins = |token: &Token| {
-            matches!(
-                token,
-                Token::Stop
-                    | Token::Word(
-                        Word::Filler
-                            | Word::Article
-                            | Word::Der
-                            | Word::Be
-                            | Word::With
-                            | Word::On
-                            | Word::Of
-                            | Word::Its
-                            | Word::Owns
-                    )
-            )
-        };
-        let before = (self.taken..at).rev().find(|&other| !joins(&self.tokens[other]));
-        let after = (at + 1..self.tokens.len()).find(|&other| !joins(&self.tokens[other]));
-        let next = |from: usize| (from + 1..self.tokens.len()).find(|&other| !joins(&self.tokens[other]));
-        let numbers = |at: Option<usize>| at.and_then(|at| self.formula_at(at));
-        let interval = |number: usize| ends(self.said(number));
-        // "The support of N_i is …" or "N_i has the support …"
-        let (name, set, end) = match (numbers(before), numbers(after)) {
-            (_, Some(name)) if interval(name).is_none() => {
-                let set = after.and_then(next);
-                (Some(name), numbers(set), set)
-            }
-            (name, set) => (name, set, after),
-        };
-        let (Some(name), Some(set), Some(end)) = (name, set, end) else { return at + 1 };
-        let member = |expr: &Expr| Head::of(expr).is_some_and(|head| !head.lower.is_empty());
-        let names: Vec<Expr> = self.said(name).iter().filter_map(name_in).filter(member).collect();
-        let Some((from, to)) = interval(set).filter(|_| names.len() == 1) else { return at + 1 };
-        let index = |end: &Expr| match Head::of(end).filter(|head| head.index().is_some()) {
-            Some(head) => head.index().cloned(),
-            None => Some(end.clone()),
-        };
-        let (Some(first), Some(last)) = (index(&from), index(&to)) else { return at + 1 };
-        let length = Expr::from(Kind::Add(vec![
-            Term { sign: Sign::Plus, expr: last },
-            Term { sign: Sign::Minus, expr: first.grouped() },
-        ]));
-        let object = Object {
-            names,
-            degree: Some(length.grouped().plus(-1)),
-            knots: vec![from, Kind::Ellipsis.into(), to],
-            ..Object::new(Sort::BSpline)
-        };
-        self.taken = end + 1;
-        self.found.entry(name).or_default().push(object);
-        end + 1
     }
 
     /// The members of the family of a name that a formula gives one by one.
@@ -511,17 +465,16 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Members of one family in the order of their numbers: w_0, w_2, w_1 are three weights.
-fn in_order(mut names: Vec<Expr>) -> Vec<Expr> {
-    let member = |name: &Expr| {
-        let head = Head::of(name)?;
-        Some((head.base.clone(), head.index()?.as_int()?))
+/// Whether a formula is a sum, a product, a composition or a derivative of functions with capital letters: F + G, F'.
+fn is_made_of_functions(expr: &Expr) -> bool {
+    let capitals = bases(expr).iter().all(|name| name.starts_with(char::is_uppercase));
+    let made = match &expr.kind {
+        Kind::Prime(..) | Kind::Compose(_) => true,
+        Kind::Add(terms) => terms.len() > 1,
+        Kind::Mul(factors) => factors.len() > 1,
+        _ => false,
     };
-    let members: Option<Vec<(String, i64)>> = names.iter().map(member).collect();
-    if members.is_some_and(|all| all.windows(2).all(|pair| pair[0].0 == pair[1].0)) {
-        names.sort_by_key(|name| member(name).map(|(_, number)| number));
-    }
-    names
+    made && capitals && !expr.has(&|part| matches!(part.kind, Kind::Number(_) | Kind::Subscript(..)))
 }
 
 /// A list taken apart where another family begins: b_0, …, b_3 and c_0, …, c_3.

@@ -17,6 +17,12 @@ impl Reader<'_> {
                 Token::Word(Word::Be | Word::Filler | Word::Article | Word::Der) | Token::Comma => {
                     at = before
                 }
+                // N sei der B-Spline
+                Token::Word(Word::Let)
+                    if before.checked_sub(1).is_some_and(|name| self.formula_at(name).is_some()) =>
+                {
+                    at = before
+                }
                 _ => break,
             }
         }

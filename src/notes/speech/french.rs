@@ -287,6 +287,8 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("des", Of),
     ("de la", Of),
     ("avec", With),
+    ("multiplicité", Multiplicity),
+    ("extrémités", Ends),
     ("a pour", With),
     ("ont pour", With),
     ("et pour", And),

@@ -71,6 +71,10 @@ pub enum Word {
     Weights,
     /// "from", "to": the formula after it is not what the sentence speaks of.
     Preposition,
+    /// "multiplicity": how often the knots before it occur.
+    Multiplicity,
+    /// "end points": the first and the last control point.
+    Ends,
     /// "segment", "piece".
     Piece,
     /// "support": the interval after it is where a B-spline is not 0.
@@ -127,6 +131,8 @@ struct Language {
     words: &'static [(&'static str, Word)],
     /// How words begin that tell what a section is on.
     topics: &'static [(&'static str, Topic)],
+    /// What a noun or an adjective may end with beside its form in the list.
+    endings: &'static [&'static str],
     /// Whether blanks separate words.
     spaced: bool,
 }
@@ -143,6 +149,7 @@ const LANGUAGES: &[Language] = &[
         recalls: english::RECALLS,
         words: english::WORDS,
         topics: english::TOPICS,
+        endings: &["s"],
         spaced: true,
     },
     Language {
@@ -156,6 +163,7 @@ const LANGUAGES: &[Language] = &[
         recalls: german::RECALLS,
         words: german::WORDS,
         topics: german::TOPICS,
+        endings: &["s", "es", "n", "en", "e", "er", "em", "ns"],
         spaced: true,
     },
     Language {
@@ -169,6 +177,7 @@ const LANGUAGES: &[Language] = &[
         recalls: french::RECALLS,
         words: french::WORDS,
         topics: french::TOPICS,
+        endings: &["s", "e", "es"],
         spaced: true,
     },
     Language {
@@ -182,6 +191,7 @@ const LANGUAGES: &[Language] = &[
         recalls: chinese::RECALLS,
         words: chinese::WORDS,
         topics: chinese::TOPICS,
+        endings: &[],
         spaced: false,
     },
 ];
@@ -228,12 +238,50 @@ pub fn word(text: &str) -> Option<(usize, &'static Word)> {
     let mut best: Option<(usize, &'static Word)> = None;
     for language in LANGUAGES {
         for (phrase, word) in language.words {
-            if starts_with(text, phrase, language) && best.is_none_or(|(most, _)| phrase.len() > most) {
-                best = Some((phrase.len(), word));
+            let longer = |length: &usize| best.is_none_or(|(most, _)| *length > most);
+            if let Some(length) = written(text, phrase, word, language).filter(longer) {
+                best = Some((length, word));
             }
         }
     }
     best
+}
+
+/// How many bytes at the start of a text a phrase takes, with or without hyphens and accents, a noun or an adjective in
+/// any of its forms: "B-Spline-Kurven", "des Bernsteinpolynoms".
+fn written(text: &str, phrase: &str, word: &Word, language: &Language) -> Option<usize> {
+    if !language.spaced {
+        return text.starts_with(phrase).then_some(phrase.len());
+    }
+    let plain = |c: char| match c {
+        'é' | 'è' | 'ê' => 'e',
+        'á' | 'à' => 'a',
+        c => c,
+    };
+    let joint = |c: char| matches!(c, '-' | ' ');
+    let mut rest = text;
+    let mut letters = phrase.chars().peekable();
+    while let Some(letter) = letters.peek() {
+        match rest.chars().next() {
+            Some(c) if plain(c) == plain(*letter) || joint(c) && joint(*letter) => {
+                rest = rest.piece(c.len_utf8()..);
+                letters.next();
+            }
+            Some('-') if rest.len() < text.len() => rest = rest.piece(1..),
+            _ if *letter == '-' => {
+                letters.next();
+            }
+            _ => return None,
+        }
+    }
+    let inflected =
+        matches!(word, Word::Noun(_) | Word::OfDegree(_) | Word::Uniform | Word::Rational | Word::Weights);
+    let endings = if inflected { language.endings } else { &[] };
+    let ends = |ending: &&&str| {
+        rest.strip_prefix(**ending).is_some_and(|after| !after.starts_with(char::is_alphanumeric))
+    };
+    let ending = [""].iter().chain(endings).find(ends)?;
+    Some(text.len() - rest.len() + ending.len())
 }
 
 /// Whether a word goes on with a character: Chinese has no blanks around the words of other languages.

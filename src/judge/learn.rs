@@ -1,0 +1,122 @@
+//! What a chain says of names beside its verdict: definitions, values, formulas that hold.
+
+use super::check::Checker;
+use super::context::Body;
+use super::finding::{Finding, Verdict};
+use super::lint;
+use super::names::{Head, bases};
+use super::object::Sort;
+use super::statement::{Chain, Place, Role, Statement};
+use crate::formula::{Expr, Kind, Rel};
+use num_traits::Zero;
+
+impl Checker {
+    pub(super) fn definition(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &mut Finding) {
+        let body = &chain.sides[1];
+        if body.is_unread() {
+            return;
+        }
+        finding.verdict = Verdict::Definition;
+        finding.reason = Some(format!("introduces {}", head.base));
+        finding.warning = lint::definition(head, &body.expr, &chain.conditions);
+        if self.is_queried(head, place) {
+            return;
+        }
+        // A derivative is not defined by a formula for it, nor f(t) by one in t_1, …, t_n.
+        let derivative = head.parenthesized
+            && head.arguments.is_some()
+            && head.upper.iter().all(|upper| matches!(&upper.kind, Kind::Name(_) | Kind::Number(_)));
+        // The pieces of one B-spline follow from the recursion for all.
+        let pieces = head.base == "N"
+            && !head.lower.is_empty()
+            && matches!(body.expr.kind, Kind::Cases(_))
+            && head.lower.iter().all(|index| matches!(index.kind, Kind::Number(_)));
+        // If p is prime, φ(p) = p - 1: of other p it says nothing.
+        let restricted = head.flat().iter().filter_map(|argument| Head::of(argument)).any(|argument| {
+            self.context
+                .object_called(&argument.base, place)
+                .is_some_and(|declared| matches!(declared.object.sort, Sort::Other(_)))
+        });
+        // N_j^p = 0 for j < 0 or j > n
+        let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
+        if derivative
+            || pieces
+            || vanishes
+            || restricted
+            || lint::missing_argument(head, &body.expr).is_some()
+        {
+            return;
+        }
+        self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+        // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
+        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {
+            let used = bases(&body.expr);
+            let Some(variable) = ["x", "t", "u"].into_iter().find(|name| !used.contains(*name)) else {
+                return;
+            };
+            let mut applied = body.expr.clone();
+            if self.apply_families(&mut applied, &Expr::name(variable), place) {
+                let head = Head { arguments: Some(vec![vec![Expr::name(variable)]]), ..head.clone() };
+                self.define(head, Body::Formula(applied), &chain.conditions, place, body.expr.span);
+            }
+        }
+    }
+
+    /// A formula that holds for Lagrange polynomials says what they are for other nodes, too.
+    pub(super) fn keep(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &Finding) {
+        let spoken =
+            self.context.object(head, place).is_some_and(|known| known.object.sort == Sort::Lagrange);
+        let holds = matches!(finding.verdict, Verdict::Proved | Verdict::Sampled);
+        if spoken && holds && !head.flat().is_empty() && !self.is_covered(head, place) {
+            let body = &chain.sides[1].expr;
+            self.define(head.clone(), Body::Formula(body.clone()), &chain.conditions, place, body.span);
+        }
+    }
+
+    /// Gives an argument to each member of a family of functions that has none; whether there is one.
+    fn apply_families(&self, expr: &mut Expr, argument: &Expr, place: &Place) -> bool {
+        if let Kind::Apply(..) = expr.kind {
+            return false;
+        }
+        let one = |head: &Head| (1..3).contains(&head.lower.len());
+        let member = Head::of(expr).filter(one).is_some_and(|head| {
+            let spoken = self.context.object(&head, place).is_some_and(|known| known.object.is_function());
+            spoken || head.notation().is_some()
+        });
+        if member {
+            *expr = Expr::apply(expr.clone(), vec![argument.clone()]);
+            return true;
+        }
+        if let Kind::Big { body, .. } = &mut expr.kind {
+            return self.apply_families(body, argument, place);
+        }
+        let mut found = false;
+        expr.for_each_child_mut(&mut |child| found |= self.apply_families(child, argument, place));
+        found
+    }
+
+    /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.
+    pub(super) fn gives_values(&mut self, chain: &Chain, statement: &Statement) -> bool {
+        let place = &statement.place;
+        let [(Rel::Eq | Rel::Define, _)] = chain.relations.as_slice() else { return false };
+        let (Some(names), Some(values)) = (chain.sides[0].expr.items(), chain.sides[1].expr.items()) else {
+            return false;
+        };
+        let new = |name: &Expr| match &name.kind {
+            Kind::Name(base) => !self.context.visible(base, place).any(|(_, _, near)| near),
+            _ => false,
+        };
+        let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
+        let gives = names.len() == values.len()
+            && statement.role != Some(Role::Claimed)
+            && names.iter().all(new)
+            && values.iter().all(constant);
+        if gives {
+            for (head, value) in names.iter().filter_map(Head::of).zip(values) {
+                self.define(head, Body::Formula(value.clone()), &[], place, value.span);
+            }
+        }
+        gives
+    }
+}

@@ -1,0 +1,337 @@
+//! What belongs to a noun: its degree, what it is of, its knots, its control points, its interval.
+
+use super::phrase::Phrase;
+use super::subject::{ends, left_side, name_in};
+use super::tokens::Token;
+use super::{Reader, in_order};
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::names::{Head, bases};
+use crate::judge::object::{Object, Sort};
+use crate::notes::speech::Word;
+
+impl Reader<'_> {
+    /// Reads the values of what was named: the knots t_0, …, t_3 are 0, 0, 1, 1; the control points 0, 4, 8.
+    pub(super) fn values(&self, object: &mut Object, at: usize, named: bool) -> Option<usize> {
+        if !matches!(object.sort, Sort::Knots | Sort::Nodes | Sort::ControlPoints) {
+            return None;
+        }
+        let comma = usize::from(matches!(self.tokens.get(at), Some(Token::Comma)));
+        let linked = self.is(at + comma, &Word::Be);
+        let start = self.skip_fillers(if linked { at + comma + 1 } else { at });
+        let (items, end) = self.list(start);
+        let items: Vec<Expr> = match items.as_slice() {
+            [Expr { kind: Kind::Tuple(inside) | Kind::List(inside) | Kind::Set(inside, None), .. }] => {
+                inside.clone()
+            }
+            _ => items,
+        };
+        let constant = items.iter().all(|item| bases(item).is_empty() && item.kind != Kind::Ellipsis);
+        let owned = object.sort == Sort::ControlPoints || named && linked;
+        let given = items.len() > 1 && constant && owned;
+        given.then(|| {
+            object.values = items;
+            end
+        })
+    }
+
+    /// The intervals from a token on, with commas and "and" between them, and the token after them.
+    fn intervals(&self, mut at: usize) -> (Vec<(Expr, Expr)>, usize) {
+        let mut found = Vec::new();
+        let mut end = at;
+        while let Some(interval) = self.formula_at(at).and_then(|number| ends(self.said(number))) {
+            found.push(interval);
+            end = at + 1;
+            at = end;
+            while matches!(self.tokens.get(at), Some(Token::Comma | Token::Word(Word::And))) {
+                at += 1;
+            }
+        }
+        (found, end)
+    }
+
+    /// A number or formula that says a degree: n, p ≥ 1.
+    pub(super) fn number_at(&self, at: usize) -> Option<Expr> {
+        match self.tokens.get(at)? {
+            Token::Number(number) => Some(Expr::int(*number)),
+            Token::Formula(number) => self.said(*number).first().map(|said| match &said.kind {
+                Kind::Chain(left, _) => left.as_ref().clone(),
+                _ => said.clone(),
+            }),
+            _ => None,
+        }
+    }
+
+    /// "Supported on [t_i, t_{i+n+1}]": the knots t_i, …, t_{i+n+1}, and the token after it.
+    fn support(&self, at: usize) -> Option<(Vec<Expr>, usize)> {
+        let joins = |at: usize| {
+            matches!(
+                self.tokens.get(at),
+                Some(
+                    Token::Comma
+                        | Token::Word(
+                            Word::And | Word::Of | Word::With | Word::Der | Word::Filler | Word::Article
+                        )
+                )
+            )
+        };
+        let noun = (at..at + 4).find(|&at| !joins(at)).filter(|&at| self.is(at, &Word::Support))?;
+        let start = (noun + 1..noun + 4)
+            .find(|&at| !joins(at) && !self.is(at, &Word::On) && !self.is(at, &Word::Be))?;
+        let (from, to) = ends(self.said(self.formula_at(start)?))?;
+        Some((vec![from, Kind::Ellipsis.into(), to], start + 1))
+    }
+
+    /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
+    pub(super) fn attribute(&self, at: usize, phrase: &mut Phrase) -> Option<usize> {
+        let Phrase { object, of, intervals, piece, anonymous, inner: within, .. } = phrase;
+        if object.sort == Sort::BSpline
+            && let Some((knots, end)) = self.support(at)
+        {
+            if object.knots.is_empty() {
+                object.knots = knots;
+            }
+            return Some(end);
+        }
+        let own =
+            matches!(self.tokens.get(at), Some(Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)));
+        let next = if own { at } else { self.skip_fillers(at + 1) };
+        let word = match self.tokens.get(at)? {
+            // with … and weights …
+            Token::Word(Word::And)
+                if matches!(
+                    self.tokens.get(next),
+                    Some(Token::Word(
+                        Word::Weights | Word::Noun(Sort::Knots | Sort::Nodes | Sort::ControlPoints)
+                    ))
+                ) =>
+            {
+                &Word::With
+            }
+            Token::Word(Word::Der) => &Word::Of,
+            // …, the control points being b_0, …, b_3 and the weights 1, 2, 1
+            Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)
+                if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
+                    && object.is_without(&self.tokens[at])
+                    && self.is(at + 1, &Word::Be)
+                    && self.formula_at(at + 2).is_some() =>
+            {
+                &Word::With
+            }
+            // with control points b_0, …, b_n over [0, 1] and c_0, …, c_n over [1, 2]
+            Token::Word(Word::And)
+                if object.sort == Sort::BezierCurve && !object.points.is_empty() && intervals.len() == 1 =>
+            {
+                let (items, end) = self.list(at + 1);
+                let member = |item: &Expr| {
+                    item.kind == Kind::Ellipsis || Head::of(item).is_some_and(|h| h.index().is_some())
+                };
+                let interval = self.formula_at(self.skip_fillers(end + 1)).map(|number| self.said(number));
+                let over = self.is(end, &Word::On).then(|| ends(interval?)).flatten();
+                if !items.iter().all(member) {
+                    return None;
+                }
+                object.points.extend(items);
+                intervals.push(over?);
+                return Some(self.skip_fillers(end + 1) + 1);
+            }
+            // 曲线的控制点为 b_0, b_1, b_2
+            Token::Word(Word::Owns)
+                if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
+                    && matches!(self.tokens.get(at + 1), Some(token @ Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)) if object.is_without(token)) =>
+            {
+                &Word::With
+            }
+            // e_k in x_1, …, x_n
+            Token::Word(Word::Preposition) if matches!(object.sort, Sort::Symmetric(_)) => &Word::Of,
+            Token::Word(word) => word,
+            _ => return None,
+        };
+        match word {
+            Word::Of | Word::On | Word::With | Word::As => {
+                let mut next = next;
+                while self.is(next, &Word::Uniform) || self.is(next, &Word::Piece) {
+                    object.uniform |= self.is(next, &Word::Uniform);
+                    *piece |= self.is(next, &Word::Piece);
+                    next = self.skip_fillers(next + 1);
+                    if *piece && self.is(next, &Word::Of) {
+                        next = self.skip_fillers(next + 1);
+                    }
+                }
+                // "Un polynôme de forme polaire f" has it.
+                let owned = self.is(next, &Word::Noun(Sort::PolarForm));
+                if *word == Word::Of && owned && object.is_function() && object.sort != Sort::PolarForm {
+                    return None;
+                }
+                match self.tokens.get(next)? {
+                    Token::Word(mark @ (Word::Degree | Word::Order)) => {
+                        let value = self.skip_fillers(next + 1);
+                        let degree = self.number_at(value)?;
+                        object.degree = Some(if *mark == Word::Order { degree.plus(-1) } else { degree });
+                        Some(value + 1)
+                    }
+                    Token::Word(Word::OfDegree(degree)) if *word == Word::As => {
+                        object.degree = Some(Expr::int(*degree));
+                        Some(next + 1)
+                    }
+                    // with the end points b_0 and b_2
+                    Token::Word(Word::Ends)
+                        if object.sort == Sort::BezierCurve && object.points.is_empty() =>
+                    {
+                        let (items, end) = self.list(self.skip_fillers(next + 1));
+                        let names: Vec<Expr> = items.iter().filter_map(name_in).collect();
+                        let [first, last] = names.as_slice() else { return None };
+                        let (a, b) = (Head::of(first)?, Head::of(last)?);
+                        let numbered = a.base == b.base && a.index()?.as_int() == Some(0);
+                        let whole = match (&object.degree, b.index()) {
+                            (Some(degree), Some(index)) => degree.same_as(index),
+                            _ => false,
+                        };
+                        object.points = match numbered && whole {
+                            true => vec![first.clone(), Kind::Ellipsis.into(), last.clone()],
+                            false => return None,
+                        };
+                        Some(end)
+                    }
+                    Token::Word(
+                        noun @ (Word::Noun(Sort::Knots | Sort::Nodes | Sort::ControlPoints) | Word::Weights),
+                    ) => {
+                        let list = match noun {
+                            Word::Weights => &mut object.weights,
+                            Word::Noun(Sort::ControlPoints) => &mut object.points,
+                            _ => &mut object.knots,
+                        };
+                        let mut at = next + 1;
+                        while matches!(
+                            self.tokens.get(at),
+                            Some(Token::Word(Word::Filler | Word::Article | Word::Be | Word::OfDegree(_)))
+                        ) {
+                            at += 1;
+                        }
+                        let (items, end) = self.list(at);
+                        if items.iter().any(is_call) {
+                            return None;
+                        }
+                        *list = in_order(listed(items));
+                        // "With uniform knots" gives none.
+                        let given = !list.is_empty() || object.uniform && at == end;
+                        given.then_some(end)
+                    }
+                    Token::Word(Word::Noun(_) | Word::OfDegree(_)) if *word != Word::With => {
+                        let noun = (next..self.tokens.len())
+                            .find(|&at| matches!(self.tokens[at], Token::Word(Word::Noun(_))))
+                            .filter(|&at| at == next || self.leads_to_noun(next))
+                            .unwrap_or(next);
+                        let sort = match &self.tokens[noun] {
+                            Token::Word(Word::Noun(sort)) => sort.clone(),
+                            _ => Sort::Polynomial,
+                        };
+                        let inner = self.phrase(noun, sort);
+                        if *word == Word::As || object.degree.is_none() {
+                            object.degree = inner.object.degree.clone().or(object.degree.take());
+                        }
+                        if *piece {
+                            // A segment of a curve is what the curve is.
+                            object.sort = inner.object.sort.clone();
+                        }
+                        if of.is_empty() {
+                            of.extend(
+                                inner
+                                    .object
+                                    .names
+                                    .iter()
+                                    .map(|name| name_in(name).unwrap_or_else(|| name.clone())),
+                            );
+                            of.extend(inner.of.iter().cloned());
+                            *anonymous |= of.is_empty() && *word == Word::Of;
+                        }
+                        object.uniform |= inner.object.uniform;
+                        object.rational |= inner.object.rational;
+                        object.knots.extend(inner.object.knots.iter().cloned());
+                        object.points.extend(inner.object.points.iter().cloned());
+                        object.interval = object.interval.take().or(inner.object.interval.clone());
+                        let to = inner.to;
+                        if *word == Word::Of && inner.named.is_some() {
+                            within.push(inner);
+                        }
+                        Some(to)
+                    }
+                    Token::Formula(_) if *word == Word::Of => {
+                        let (items, end) = self.list(next);
+                        // P(u) = … is P.
+                        of.extend(items.iter().map(|item| match &item.kind {
+                            Kind::Chain(..) => name_in(item).unwrap_or_else(|| item.clone()),
+                            _ => item.clone(),
+                        }));
+                        Some(end)
+                    }
+                    Token::Formula(_) if *word == Word::On => {
+                        let (items, end) = self.list(next);
+                        // zum Knotenvektor (0, 0, 0, 1, 1, 1)
+                        if let [only] = items.as_slice()
+                            && let Some(knots) = only.elements().filter(|elements| elements.len() > 3)
+                        {
+                            object.knots = knots.to_vec();
+                            return Some(end);
+                        }
+                        *intervals = self.intervals(next).0;
+                        object.interval = intervals.first().cloned();
+                        Some(self.intervals(next).1).filter(|_| !intervals.is_empty())
+                    }
+                    Token::Unknown(_) if *word == Word::On => {
+                        let number = self.formula_at(next + 1)?;
+                        object.interval = Some(ends(self.said(number))?);
+                        Some(next + 2)
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Object {
+    /// Whether nothing is said yet of what a word speaks of: its control points, its weights.
+    fn is_without(&self, token: &Token) -> bool {
+        match token {
+            Token::Word(Word::Weights) => self.weights.is_empty(),
+            _ => self.points.is_empty(),
+        }
+    }
+}
+
+/// The items of a list of names, values or equations, which have their own formulas.
+pub(super) fn listed(items: Vec<Expr>) -> Vec<Expr> {
+    // with the control points P_0 = (1, 0), P_1 = (2, 3), with the weights w_0 = w_2 = 1, w_1 = 3, with the knots u_i = i
+    let equation = |item: &&Expr| {
+        matches!(&item.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq
+            && links[0].expr.items().is_none_or(|_| items.len() > 1))
+    };
+    let items: Vec<Expr> = match items.first().filter(equation).and_then(name_in) {
+        Some(_) => items.iter().filter(equation).flat_map(names_in).collect(),
+        None => items,
+    };
+    // with the ordinates (1, 4, -2), on the knots t_0, …, t_3 = 0, 0, 1, 1
+    match items.as_slice() {
+        [only] => {
+            let list = match &only.kind {
+                Kind::Chain(_, links) => &links[0].expr,
+                _ => only,
+            };
+            list.elements().map_or_else(|| items.clone(), <[Expr]>::to_vec)
+        }
+        _ => items,
+    }
+}
+
+/// The names in an equation that gives them one value: w_0 = w_2 = 1.
+fn names_in(equation: &Expr) -> Vec<Expr> {
+    let Kind::Chain(left, links) = &equation.kind else { return Vec::new() };
+    let between = links.iter().rev().skip(1).rev().map(|link| &link.expr);
+    std::iter::once(left.as_ref()).chain(between).filter_map(name_in).collect()
+}
+
+/// Whether it is, or gives, the value of a function: no knot.
+pub(super) fn is_call(expr: &Expr) -> bool {
+    matches!(left_side(expr).kind, Kind::Apply(..))
+}
