@@ -22,6 +22,12 @@ fn of_part(part: &Expr, file: &SourceFile) -> Option<Diagnostic> {
             let message = format!("{} is {}", file.slice(part.span), write::text(part));
             Some(Diagnostic::note(Code::StandardMeaning, message).at(part.span))
         }
+        Kind::Matrix(rows, _)
+            if file.slice(part.span).starts_with("\\left[") && rows.iter().all(|row| row.len() == 1) =>
+        {
+            let note = "semicolons make a column; a list has commas";
+            Some(Diagnostic::note(Code::StandardMeaning, note).at(part.span))
+        }
         Kind::Matrix(rows, _) => {
             let rows: Vec<Vec<&Expr>> = rows.iter().map(|row| row.iter().flatten().collect()).collect();
             of_decimals(&rows, part.span, file).or_else(|| of_signs(&rows, part.span, file))
