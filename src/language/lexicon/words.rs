@@ -165,15 +165,57 @@ pub(crate) enum Aside {
     Question,
 }
 
+/// The words of conditions and definitions in one language, beside a formula of a query and of a page.
+pub(crate) struct Conditions {
+    /// Before a case: for, if.
+    pub(crate) cases: &'static [&'static str],
+    /// Before what a name stands for: where.
+    pub(crate) values: &'static [&'static str],
+    /// Before a definition: let.
+    pub(crate) definitions: &'static [&'static str],
+}
+
+pub(crate) const ENGLISH: Conditions = Conditions {
+    cases: &[
+        "if",
+        "for",
+        "when",
+        "whenever",
+        "provided",
+        "at",
+        "setting",
+        "putting",
+        "taking",
+        "letting",
+        "choosing",
+        "inserting",
+        "substituting",
+    ],
+    values: &["where", "with"],
+    definitions: &["let"],
+};
+
+pub(crate) const GERMAN: Conditions = Conditions {
+    cases: &["wenn", "falls", "sobald", "für", "bei"],
+    values: &["wobei", "mit"],
+    definitions: &["sei", "seien"],
+};
+
+pub(crate) const FRENCH: Conditions = Conditions {
+    cases: &["si", "lorsque", "quand", "pour"],
+    values: &["où", "avec"],
+    definitions: &["soit", "soient"],
+};
+
+pub(crate) const CHINESE: Conditions =
+    Conditions {
+        cases: &["若", "如果", "当", "对", "对于"], values: &["其中"], definitions: &["设", "令"]
+    };
+
+/// A word of queries alone.
+const GIVEN: &str = "given";
+
 const ASIDES: &[(Aside, &[&str])] = &[
-    (
-        Aside::Condition,
-        &[
-            "for", "where", "with", "when", "whenever", "if", "at", "given", "provided", "für", "wobei",
-            "mit", "falls", "wenn", "bei", "pour", "où", "avec", "si", "quand", "lorsque", "其中", "当",
-            "对",
-        ],
-    ),
     (
         Aside::Every,
         &[
@@ -183,7 +225,6 @@ const ASIDES: &[(Aside, &[&str])] = &[
     ),
     (Aside::ForAll, &["\\forall", "∀"]),
     (Aside::Joint, &["and", "und", "et", "且", "和", "及", "时"]),
-    (Aside::Let, &["let", "sei", "seien", "soit", "soient", "设", "令"]),
     (Aside::Question, &["is", "ist", "gilt", "stimmt", "?", "？"]),
 ];
 
@@ -193,7 +234,17 @@ pub(crate) fn aside(word: &str) -> Option<Aside> {
         true => word.to_lowercase(),
         false => word.to_owned(),
     };
-    ASIDES.iter().find(|(_, words)| words.contains(&small.as_str())).map(|(aside, _)| *aside)
+    let small = small.as_str();
+    let conditions = [ENGLISH, GERMAN, FRENCH, CHINESE];
+    if small == GIVEN
+        || conditions.iter().any(|own| own.cases.contains(&small) || own.values.contains(&small))
+    {
+        return Some(Aside::Condition);
+    }
+    if conditions.iter().any(|own| own.definitions.contains(&small)) {
+        return Some(Aside::Let);
+    }
+    ASIDES.iter().find(|(_, words)| words.contains(&small)).map(|(aside, _)| *aside)
 }
 
 /// Whether a word is a sign with bounds below it, written without its backslash: `sum_{i=0}^n`, not `sum_rules`.

@@ -19,6 +19,7 @@ use crate::formula::source::Pieces;
 use crate::judge::object::Sort;
 use crate::judge::statement::Role;
 use crate::judge::topic::{Topic, Topics};
+use crate::language::lexicon::words;
 
 /// What a phrase is in a sentence that says what names stand for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,6 +98,7 @@ impl Word {
 }
 
 /// A phrase and what it makes of a formula.
+#[derive(Clone, Copy)]
 enum Cue {
     /// It stands before the formula.
     Before(&'static str, Role),
@@ -113,6 +115,8 @@ const PRIME: Sort = Sort::Other(Cow::Borrowed("prime"));
 
 struct Language {
     cues: &'static [Cue],
+    /// The words of conditions, which queries share.
+    conditions: words::Conditions,
     /// Words that say 0.
     zero: &'static [&'static str],
     /// Who does something in a sentence: "we".
@@ -137,9 +141,25 @@ struct Language {
     spaced: bool,
 }
 
+impl Language {
+    /// All cues, with those that queries share.
+    fn cues(&self) -> impl Iterator<Item = Cue> {
+        let before = |words: &'static [&'static str], role: Role| {
+            words.iter().map(move |word| Cue::Before(word, role))
+        };
+        self.cues
+            .iter()
+            .copied()
+            .chain(before(self.conditions.cases, Role::Case))
+            .chain(before(self.conditions.values, Role::Introduced))
+            .chain(before(self.conditions.definitions, Role::Introduced))
+    }
+}
+
 const LANGUAGES: &[Language] = &[
     Language {
         cues: english::CUES,
+        conditions: words::ENGLISH,
         zero: english::ZERO,
         subjects: english::SUBJECTS,
         proofs: english::PROOFS,
@@ -154,6 +174,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: german::CUES,
+        conditions: words::GERMAN,
         zero: german::ZERO,
         subjects: german::SUBJECTS,
         proofs: german::PROOFS,
@@ -168,6 +189,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: french::CUES,
+        conditions: words::FRENCH,
         zero: french::ZERO,
         subjects: french::SUBJECTS,
         proofs: french::PROOFS,
@@ -182,6 +204,7 @@ const LANGUAGES: &[Language] = &[
     },
     Language {
         cues: chinese::CUES,
+        conditions: words::CHINESE,
         zero: chinese::ZERO,
         subjects: chinese::SUBJECTS,
         proofs: chinese::PROOFS,
@@ -363,8 +386,8 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     let apart = around.left.trim_end().ends_with([',', '，']);
     let mut best: Option<(usize, Role)> = None;
     for language in LANGUAGES {
-        for cue in language.cues {
-            let found = match cue {
+        for cue in language.cues() {
+            let found = match &cue {
                 Cue::Before(_, Role::Asked | Role::Sought) | Cue::Command(..) if apart => None,
                 // "Show the equation …": it is claimed.
                 Cue::Before(phrase, Role::Sought) if around.proves => {
@@ -398,7 +421,7 @@ pub fn opens_case(words: &str) -> bool {
     let text = normal(words);
     let case = |cue: &Cue, language: &Language| matches!(cue, Cue::Before(phrase, Role::Case) if starts_with(&text, phrase, language));
     let open = !words.contains([',', '，', ':', '：']);
-    open && LANGUAGES.iter().any(|language| language.cues.iter().any(|cue| case(cue, language)))
+    open && LANGUAGES.iter().any(|language| language.cues().any(|cue| case(&cue, language)))
 }
 
 /// Whether words say nothing but "on": the interval after them belongs to what stands before them.
