@@ -92,8 +92,7 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
     }
     // d/dt F d/dt G
     if let Kind::Derivative { body: Some(body), .. } = &expr.kind
-        && let Kind::Mul(factors) = &body.kind
-        && let Some(second) = factors.iter().find(|factor| matches!(factor.kind, Kind::Derivative { .. }))
+        && let Some(second) = derivative_among(body)
     {
         notes.push(
             Diagnostic::note(Code::AmbiguousProduct, "the first derivative is that of all that follows it")
@@ -102,6 +101,15 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
         );
     }
     expr.for_each_child(&mut |child| products(child, latex, notes));
+}
+
+/// A derivative among the factors of a product.
+fn derivative_among(product: &Expr) -> Option<&Expr> {
+    let (Kind::Mul(factors) | Kind::Cross(factors)) = &product.kind else { return None };
+    factors.iter().find_map(|factor| match factor.kind {
+        Kind::Derivative { .. } => Some(factor),
+        _ => derivative_among(factor),
+    })
 }
 
 /// The names that a sum or product at the end of a term runs over, and its place.
