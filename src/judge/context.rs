@@ -225,7 +225,7 @@ impl Letters {
         letters.binomial_family = letters_seen;
         // p(0) = f_0: f is the letter of values, if it is applied to nothing.
         let Letters { functions, applied, members, .. } = &mut letters;
-        functions.retain(|name| applied.contains(name) || !members.get(name).is_some_and(|count| *count > 0));
+        functions.retain(|name| applied.contains(name) || members.get(name).is_none_or(|count| *count == 0));
         letters
     }
 

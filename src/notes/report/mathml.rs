@@ -179,12 +179,15 @@ const INFIXES: [(&str, [&str; 3]); 3] = [
     ("atop", ["\\begin{matrix}", "\\\\", "\\end{matrix}"]),
 ];
 
+/// Where an open group begins, and where its second part does, with what is set around the parts.
+type Group = (usize, Option<(usize, [&'static str; 3])>);
+
 /// `{n \choose k}` as `{\binom{n}{k}}`.
 fn without_infixes(latex: &str) -> String {
     // Where the open groups begin in `out`, and where the second part of each does.
-    let mut groups: Vec<(usize, Option<(usize, [&str; 3])>)> = vec![(0, None)];
+    let mut groups: Vec<Group> = vec![(0, None)];
     let mut out = String::with_capacity(latex.len());
-    let close = |out: &mut String, (start, infix): (usize, Option<(usize, [&str; 3])>)| {
+    let close = |out: &mut String, (start, infix): Group| {
         let Some((at, [before, between, after])) = infix else { return };
         let second = out.split_off(at);
         let first = out.split_off(start);
