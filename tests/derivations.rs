@@ -84,6 +84,22 @@ fn polar_forms_of_other_kinds() {
 }
 
 #[test]
+fn equations_of_plane_curves() {
+    for curve in [
+        "[t^2, t^3]",
+        "[t^2 - 1, t^3 - t]",
+        "[(1 - t^2)/(1 + t^2), 2 t/(1 + t^2)]",
+        "[t^2, t^4]",
+        "bezier([[0, 0], [1, 2], [3, 1]])",
+        "bezier([[0, 0], [a, 2], [3, b]])",
+        "bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2])",
+    ] {
+        let query = format!("derive(implicit, {curve})");
+        assert!(assert_true(&query, &[], &derived(&[], &query)) > 0, "{query}");
+    }
+}
+
+#[test]
 fn sums_products_compositions() {
     for (f, m, g, n) in [
         ("t^2 + 2 t", 2, "t^3 + 1", 3),

@@ -2,7 +2,8 @@
 //!
 //! Definition: breakpoints x_0 < x_1 < … < x_m and on each [x_i, x_{i+1}) one polynomial, kept
 //! by its coefficients in t. The last interval includes
-//! its end, unless the function is made half-open. Outside, the function is 0 or has no value, as [`Outside`] says.
+//! its end, unless the function is made half-open or another breakpoint is made to belong to the interval on its left. Outside, the
+//! function is 0 or has no value, as [`Outside`] says.
 //!
 //! **Invariant.** m ≥ 1; two neighbouring breakpoints are never equal, and in increasing order
 //! wherever their difference is a number. Symbolic breakpoints are taken to be in the order
@@ -89,7 +90,8 @@ pub struct Piecewise<C> {
     breaks: Vec<C>,
     pieces: Vec<Coefficients<C>>,
     outside: Outside,
-    half_open: bool,
+    /// The breakpoint that belongs to what is on its left. Usually it is the last one.
+    left: Option<usize>,
 }
 
 impl<C: Ring> Piecewise<C> {
@@ -122,22 +124,65 @@ impl<C: Ring> Piecewise<C> {
                 return Err(PiecewiseError::Order { index: i + 1 });
             }
         }
-        let pieces = pieces.into_iter().map(Into::into).collect();
-        Ok(Piecewise { breaks, pieces, outside, half_open: false })
+        let pieces: Vec<Coefficients<C>> = pieces.into_iter().map(Into::into).collect();
+        let left = Some(pieces.len());
+        Ok(Piecewise { breaks, pieces, outside, left })
     }
 
     /// The same function without its value at x_m: there it is what it is outside. A basis
     /// function that jumps at its last knot is such. Where it is 0 at x_m nothing changes.
     #[must_use]
     pub fn half_open(mut self) -> Self {
-        let end = &self.breaks[self.breaks.len() - 1];
-        self.half_open = !self.pieces[self.pieces.len() - 1].value(end).is_zero();
-        self
+        self.left = None;
+        self.settled()
+    }
+
+    /// The same function, only that the breakpoint x belongs to what is on its left, the interval or for x_0 the outside, and x_m to the outside
+    /// on its right. If x is no breakpoint it is half-open. Where the function is continuous nothing changes.
+    ///
+    /// ```
+    /// use polarform::number::integer as z;
+    /// use polarform::piecewise::{Outside, Piecewise};
+    /// let steps = Piecewise::new([0, 1, 2].map(z).to_vec(), vec![vec![z(5)], vec![z(7)]], Outside::Zero)?;
+    /// assert_eq!(steps.value(&z(1)), Ok(z(7)));
+    /// assert_eq!(steps.clone().left_at(&z(1)).value(&z(1)), Ok(z(5)));
+    /// assert_eq!(steps.left_at(&z(0)).value(&z(0)), Ok(z(0)));
+    /// # Ok::<(), polarform::piecewise::PiecewiseError>(())
+    /// ```
+    #[must_use]
+    pub fn left_at(mut self, x: &C) -> Self {
+        self.left = self.breaks.iter().position(|y| y == x);
+        self.settled()
+    }
+
+    /// The number of the breakpoint that belongs to what is on its left, if it is not the last one.
+    pub fn inner_left(&self) -> Option<usize> {
+        self.left.filter(|&k| k < self.pieces.len())
     }
 
     /// Whether x_m belongs to the last interval.
     pub fn is_closed(&self) -> bool {
-        !self.half_open
+        self.left == Some(self.pieces.len())
+    }
+
+    /// Whether it matters to which side a breakpoint belongs.
+    fn jumps(&self, k: usize) -> bool {
+        let x = &self.breaks[k];
+        let before = k.checked_sub(1).map(|k| self.pieces[k].value(x));
+        let after = self.pieces.get(k).map(|piece| piece.value(x));
+        match (before, after) {
+            (None, _) if self.outside == Outside::Undefined => true,
+            (before, after) => before.unwrap_or_else(C::zero) != after.unwrap_or_else(C::zero),
+        }
+    }
+
+    /// One form for functions with the same values.
+    fn settled(mut self) -> Self {
+        self.left = self.left.filter(|&k| k == self.pieces.len() || self.jumps(k));
+        if self.left.is_none() && !self.jumps(self.pieces.len()) {
+            self.left = Some(self.pieces.len());
+        }
+        self
     }
 
     /// x_0, …, x_m
@@ -173,13 +218,19 @@ impl<C: Ring> Piecewise<C> {
     /// # Errors
     /// As [`Piecewise::locate`]; outside is no error if the function is 0 there.
     pub fn value(&self, t: &C) -> Result<C, PiecewiseError> {
+        let outside = || match self.outside {
+            Outside::Zero => Ok(C::zero()),
+            Outside::Undefined => Err(PiecewiseError::OutsideDomain),
+        };
+        if let Some(k) = self.inner_left()
+            && *t == self.breaks[k]
+        {
+            return k.checked_sub(1).map_or_else(outside, |k| Ok(self.pieces[k].value(t)));
+        }
         match self.locate(t) {
-            Ok(_) if self.half_open && t == &self.breaks[self.breaks.len() - 1] => match self.outside {
-                Outside::Zero => Ok(C::zero()),
-                Outside::Undefined => Err(PiecewiseError::OutsideDomain),
-            },
+            Ok(_) if !self.is_closed() && *t == self.breaks[self.pieces.len()] => outside(),
             Ok(i) => Ok(self.pieces[i].value(t)),
-            Err(PiecewiseError::OutsideDomain) if self.outside == Outside::Zero => Ok(C::zero()),
+            Err(PiecewiseError::OutsideDomain) => outside(),
             Err(error) => Err(error),
         }
     }
@@ -201,7 +252,8 @@ impl<C: Ring> Piecewise<C> {
             start = primitive.value(&ends[1]);
             pieces.push(primitive);
         }
-        Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined, half_open: false }
+        let left = Some(pieces.len());
+        Piecewise { breaks: self.breaks.clone(), pieces, outside: Outside::Undefined, left }
     }
 
     /// The integral over all pieces.
@@ -240,7 +292,11 @@ impl<C: Ring> Piecewise<C> {
             }
             breaks.push(end.clone());
         }
-        Piecewise { breaks, pieces, outside: self.outside, half_open: self.half_open }
+        let joined = Piecewise { left: None, breaks, pieces, outside: self.outside };
+        match self.left {
+            Some(k) => joined.left_at(&self.breaks[k]),
+            None => joined,
+        }
     }
 
     /// The function with every piece changed by a map of polynomials.
@@ -249,13 +305,9 @@ impl<C: Ring> Piecewise<C> {
         Piecewise { pieces, ..self.clone() }.settled()
     }
 
-    /// Half-open stays what it was, where it makes a difference.
-    fn settled(self) -> Self {
-        if self.half_open { self.half_open() } else { self }
-    }
-
     /// The sum of two functions, over the breakpoints of both; `None` if the order of these depends
-    /// on symbols. A function that has no value outside of its breakpoints gives none to the sum.
+    /// on symbols. A function that has no value outside of its breakpoints gives none to the sum. Where one belongs to the left and the
+    /// other one to the right and both jump, an inner breakpoint of the sum belongs to the right, the last one to the left.
     pub fn sum(&self, other: &Self) -> Option<Self> {
         let breaks = if self.breaks == other.breaks {
             self.breaks.clone()
@@ -284,18 +336,29 @@ impl<C: Ring> Piecewise<C> {
                 _ => Coefficients::zero(),
             }
         };
-        let pieces =
+        let pieces: Vec<Coefficients<C>> =
             breaks[..breaks.len() - 1].iter().map(|a| piece(self, a).plus(&piece(other, a))).collect();
         let outside = match (self.outside, other.outside) {
             (Outside::Zero, Outside::Zero) => Outside::Zero,
             _ => Outside::Undefined,
         };
-        let end = &breaks[breaks.len() - 1];
-        let open = |f: &Self| f.half_open && &f.breaks[f.breaks.len() - 1] == end;
-        let closed = |f: &Self| !f.half_open && &f.breaks[f.breaks.len() - 1] == end;
-        let half_open = (open(self) || open(other)) && !closed(self) && !closed(other);
-        let sum = Piecewise { breaks, pieces, outside, half_open: false };
-        Some(if half_open { sum.half_open() } else { sum })
+        let jumps_at = |f: &Self, x: &C| f.breaks.iter().position(|y| y == x).filter(|&k| f.jumps(k));
+        let takes_left = |f: &Self, x: &C| jumps_at(f, x).is_none_or(|k| f.left == Some(k));
+        let agrees = |x: &C| takes_left(self, x) && takes_left(other, x);
+        let own = |f: &Self| f.left.filter(|&k| f.jumps(k)).map(|k| f.breaks[k].clone());
+        let end = breaks[breaks.len() - 1].clone();
+        let sum = Piecewise { left: Some(pieces.len()), breaks, pieces, outside };
+        let ends_open = |f: &Self| f.breaks[f.pieces.len()] == end && !f.is_closed();
+        let ends_closed =
+            |f: &Self| f.breaks[f.pieces.len()] == end && f.is_closed() && f.jumps(f.pieces.len());
+        let inner = [own(self), own(other)].into_iter().flatten().find(|x| *x != end && agrees(x));
+        Some(match inner {
+            Some(x) if !ends_closed(self) && !ends_closed(other) => sum.left_at(&x),
+            _ if (ends_open(self) || ends_open(other)) && !ends_closed(self) && !ends_closed(other) => {
+                sum.half_open()
+            }
+            _ => sum,
+        })
     }
 }
 
@@ -402,6 +465,37 @@ mod tests {
             let breaks: Vec<Rational> = steps.iter().map(|s| { end += s; z(end) }).collect();
             let t = if half { q(2 * p + 1, 2) } else { z(p) };
             assert_eq!(by_bisection(&breaks, &t), Some(by_comparing_all(&breaks, &t)));
+        }
+    }
+
+    proptest::proptest! {
+        /// Values of a function with one breakpoint that belongs to the left, of sums and of merged functions.
+        #[test]
+        fn one_breakpoint_may_belong_to_the_left(
+            a in proptest::collection::vec(-2i64..3, 4), b in proptest::collection::vec(-2i64..3, 3),
+            x in 0i64..6, twice in 0i64..12,
+        ) {
+            let step = |list: &[i64], start: i64| {
+                let breaks = (0..=list.len() as i64).map(|k| z(start + k)).collect();
+                Piecewise::new(breaks, list.iter().map(|&c| vec![z(c)]).collect(), Outside::Zero).unwrap()
+            };
+            let t = q(twice, 2);
+            // From the left at x, from the right elsewhere, by doubled whole numbers.
+            let expected = |list: &[i64], start: i64| {
+                let place = if twice == 2 * x { twice - 1 } else { twice };
+                let k = num_integer::Integer::div_floor(&(place - 2 * start), &2);
+                usize::try_from(k).ok().and_then(|k| list.get(k)).copied().unwrap_or(0)
+            };
+            let (f, g) = (step(&a, 0).left_at(&z(x)), step(&b, 2).left_at(&z(x)));
+            proptest::prop_assert_eq!(f.value(&t), Ok(z(expected(&a, 0))));
+            proptest::prop_assert_eq!(g.value(&t), Ok(z(expected(&b, 2))));
+            proptest::prop_assert_eq!(f.merged().value(&t), f.value(&t));
+            let sum = f.sum(&g).unwrap();
+            // Where both belong to the same side, or only one of them jumps, the sum has its values.
+            let sides = |h: &Piecewise<Rational>| h.inner_left().is_some() || !h.is_closed() || h.breaks()[h.pieces().len()] == z(x);
+            if sides(&f) && sides(&g) {
+                proptest::prop_assert_eq!(sum.value(&t), Ok(z(expected(&a, 0) + expected(&b, 2))));
+            }
         }
     }
 

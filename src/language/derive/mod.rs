@@ -19,9 +19,10 @@
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
 //! | real roots in intervals of their own | [`roots()`] |
 //! | F ≥ 0 on an interval | [`positivity()`] |
-//! | F ≥ 0 on a rectangle or triangle | [`positivity_over`] |
+//! | F ≥ 0 on a rectangle or triangle; a box or tetrahedron | [`positivity_over`], [`positivity_in_space`] |
 //! | real roots by convex hulls | [`clipping()`] |
 //! | the β-matrix of G^k | [`connection_matrix`] |
+//! | the equation of a plane curve | [`implicit()`] |
 //! | all words, in all languages | [`words`] |
 //!
 //! References: those of the modules whose results are derived: [`crate::math::blossom`],
@@ -31,6 +32,7 @@ mod calculus;
 mod clipping;
 mod combine;
 mod connection;
+mod implicit;
 mod join;
 mod lines;
 mod matrices;
@@ -47,12 +49,13 @@ pub use calculus::{derivative, elevation, elevation_of_curve};
 pub use clipping::clipping;
 pub use combine::{Combination, combination};
 pub use connection::connection_matrix;
+pub use implicit::implicit;
 pub use join::joining;
 pub use matrices::{bernstein_matrix, power_matrix};
 pub use moments::moments;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
 pub use positivity::positivity;
-pub use region::positivity_over;
+pub use region::{positivity_in_space, positivity_over};
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

@@ -1,15 +1,18 @@
-//! Why a polynomial in two variables is not negative on a rectangle or triangle, or where it is negative.
+//! Why a polynomial is not negative on a rectangle or triangle, a box or tetrahedron, or where it is negative.
 
 use nalgebra::DMatrix;
 
 use super::lines::{chain, factor, line, power, sequence, subscript, term};
 use super::words::{Reason, Title};
 use crate::formula::{Expr, Kind};
-use crate::language::value::{Derivation, Value, grouped_expr, polynomial_expr, symbol_expr};
-use crate::math::curve::{Region, RegionFailure, RegionShown, indices, positivity_on};
+use crate::language::value::{Derivation, Line, Value, grouped_expr, polynomial_expr, symbol_expr};
+use crate::math::curve::{
+    Region, RegionFailure, RegionShown, Solid, SolidFailure, SolidShown, indices, positivity_in,
+    positivity_on,
+};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
-use crate::math::system::SystemError;
+use crate::math::system::{RealZero, SystemError};
 use num_traits::One;
 
 /// F ≥ 0 on a region by Bernstein coefficients over parts of it, or by its critical points; or a value of F that is negative.
@@ -23,32 +26,18 @@ pub fn positivity_over(
     unknowns: &[Symbol; 2],
     region: &Region,
 ) -> Result<Derivation, SystemError> {
-    let formula = |p: &MultiPoly| Fraction::from(p.clone());
-    let at = |name: &str, arguments: Vec<Expr>| Expr::apply(Expr::name(name), arguments);
-    let letters = || unknowns.iter().map(symbol_expr).collect::<Vec<_>>();
     let title = Title::Positivity.words();
-    let mut lines = vec![line(chain([at("F", letters()), polynomial_expr(&formula(f))]), Reason::Given)];
+    let mut lines =
+        vec![line(chain([at("F", letters(unknowns)), polynomial_expr(&formula(f))]), Reason::Given)];
     let shown = match positivity_on(f, unknowns, region) {
         Ok(shown) => shown,
         Err(RegionFailure::Open(error)) => return Err(error),
         Err(RegionFailure::Negative(point)) => {
-            let place = |s: &Symbol| unknowns.iter().position(|x| x == s).map(|k| point[k].clone());
-            let value = polynomial_expr(&Fraction::from(f.value(&place)));
-            let arguments = point.iter().map(Expr::number).collect();
-            lines.push(line(chain([at("F", arguments), value]), Reason::Negative));
+            lines.push(negative_value(f, unknowns, &point));
             return Ok(Derivation { title, lines, language: None });
         }
     };
-    let square = shown.root_of_square.as_constant().is_none();
-    let name = if square { "G" } else { "F" };
-    if square {
-        let g = chain([at("G", letters()), polynomial_expr(&formula(&shown.rest))]);
-        lines.push(line(g, Reason::WithoutSquares));
-        let factors =
-            [power(factor(grouped_expr(&formula(&shown.root_of_square))), 2), power(at("G", letters()), 1)];
-        let product = Expr::sum(vec![term(&Fraction::one(), factors.into_iter().flatten().collect())]);
-        lines.push(line(chain([at("F", letters()), product]), Reason::SquareTimes));
-    }
+    let name = without_squares(&mut lines, &shown.root_of_square, &shown.rest, unknowns);
     match shown.shown {
         RegionShown::Coefficients(parts) => {
             for part in parts {
@@ -72,32 +61,128 @@ pub fn positivity_over(
             }
         }
         RegionShown::CriticalPoints(zeros) => {
-            let g = formula(&shown.rest);
-            lines.push(line(chain([at(name, letters()), polynomial_expr(&g)]), Reason::EdgesNotNegative));
-            let slope = |x: &Symbol| {
-                let slope = Expr::apply(Expr::name("diff"), vec![Expr::name(name), symbol_expr(x)]);
-                chain([slope, polynomial_expr(&g.derivative(x))])
-            };
-            lines.push(line(sequence(unknowns.iter().map(slope).collect()), Reason::CriticalPoints));
-            let point = |zero: &crate::math::system::RealZero| -> Expr {
-                let coordinates = zero.coordinates.iter().zip(unknowns);
-                Kind::List(coordinates.map(|(x, s)| Value::root(x.clone(), s).to_expr()).collect()).into()
-            };
-            let all: Expr = Kind::List(zeros.iter().map(point).collect()).into();
-            let reason =
-                if zeros.is_empty() { Reason::NoCriticalPoints } else { Reason::CriticalNotNegative };
-            lines.push(line(all, reason));
+            critical(&mut lines, name, &shown.rest, unknowns, &zeros, Reason::EdgesNotNegative);
         }
     }
     Ok(Derivation { title, lines, language: None })
 }
 
+/// The same on a box or tetrahedron.
+///
+/// Cost: that of [`positivity_in`].
+///
+/// # Errors
+/// Why it stays open.
+pub fn positivity_in_space(
+    f: &MultiPoly,
+    unknowns: &[Symbol; 3],
+    solid: &Solid,
+) -> Result<Derivation, SystemError> {
+    let title = Title::Positivity.words();
+    let mut lines =
+        vec![line(chain([at("F", letters(unknowns)), polynomial_expr(&formula(f))]), Reason::Given)];
+    let shown = match positivity_in(f, unknowns, solid) {
+        Ok(shown) => shown,
+        Err(SolidFailure::Open(error)) => return Err(error),
+        Err(SolidFailure::Negative(point)) => {
+            lines.push(negative_value(f, unknowns, &point));
+            return Ok(Derivation { title, lines, language: None });
+        }
+    };
+    let name = without_squares(&mut lines, &shown.root_of_square, &shown.rest, unknowns);
+    match shown.shown {
+        SolidShown::Coefficients(parts) => {
+            for part in parts {
+                let one =
+                    |(index, q): &(Vec<usize>, Rational)| chain([subscript("b", index), Expr::number(q)]);
+                let place = match &part.solid {
+                    Solid::Box(ends) => {
+                        ends.iter().map(|ends| format!("`{}`", list(ends))).collect::<Vec<_>>().join(" x ")
+                    }
+                    Solid::Tetrahedron(corners) => {
+                        format!("`[{}]`", corners.iter().map(|p| list(p)).collect::<Vec<_>>().join(", "))
+                    }
+                };
+                let all = sequence(part.coefficients.iter().map(one).collect());
+                lines.push(line(all, Reason::NoneNegativeOver(place)));
+            }
+        }
+        SolidShown::CriticalPoints(zeros) => {
+            critical(&mut lines, name, &shown.rest, unknowns, &zeros, Reason::FacesNotNegative);
+        }
+    }
+    Ok(Derivation { title, lines, language: None })
+}
+
+fn formula(p: &MultiPoly) -> Fraction {
+    Fraction::from(p.clone())
+}
+
+fn at(name: &str, arguments: Vec<Expr>) -> Expr {
+    Expr::apply(Expr::name(name), arguments)
+}
+
+fn letters(unknowns: &[Symbol]) -> Vec<Expr> {
+    unknowns.iter().map(symbol_expr).collect()
+}
+
+fn negative_value(f: &MultiPoly, unknowns: &[Symbol], point: &[Rational]) -> Line {
+    let place = |s: &Symbol| unknowns.iter().position(|x| x == s).map(|k| point[k].clone());
+    let value = polynomial_expr(&Fraction::from(f.value(&place)));
+    line(chain([at("F", point.iter().map(Expr::number).collect()), value]), Reason::Negative)
+}
+
+/// G and F = S² G, if S is no number; the name of what is left.
+fn without_squares(
+    lines: &mut Vec<Line>,
+    root: &MultiPoly,
+    rest: &MultiPoly,
+    unknowns: &[Symbol],
+) -> &'static str {
+    if root.as_constant().is_some() {
+        return "F";
+    }
+    let g = chain([at("G", letters(unknowns)), polynomial_expr(&formula(rest))]);
+    lines.push(line(g, Reason::WithoutSquares));
+    let factors = [power(factor(grouped_expr(&formula(root))), 2), power(at("G", letters(unknowns)), 1)];
+    let product = Expr::sum(vec![term(&Fraction::one(), factors.into_iter().flatten().collect())]);
+    lines.push(line(chain([at("F", letters(unknowns)), product]), Reason::SquareTimes));
+    "G"
+}
+
+/// The boundary, the derivatives and their common zeros.
+fn critical(
+    lines: &mut Vec<Line>,
+    name: &str,
+    rest: &MultiPoly,
+    unknowns: &[Symbol],
+    zeros: &[RealZero],
+    boundary: Reason,
+) {
+    let g = formula(rest);
+    lines.push(line(chain([at(name, letters(unknowns)), polynomial_expr(&g)]), boundary));
+    let slope = |x: &Symbol| {
+        let slope = Expr::apply(Expr::name("diff"), vec![Expr::name(name), symbol_expr(x)]);
+        chain([slope, polynomial_expr(&g.derivative(x))])
+    };
+    lines.push(line(sequence(unknowns.iter().map(slope).collect()), Reason::CriticalPoints));
+    let point = |zero: &RealZero| -> Expr {
+        let coordinates = zero.coordinates.iter().zip(unknowns);
+        Kind::List(coordinates.map(|(x, s)| Value::root(x.clone(), s).to_expr()).collect()).into()
+    };
+    let all: Expr = Kind::List(zeros.iter().map(point).collect()).into();
+    let reason = if zeros.is_empty() { Reason::NoCriticalPoints } else { Reason::CriticalNotNegative };
+    lines.push(line(all, reason));
+}
+
+/// Numbers in plain notation.
+fn list(numbers: &[Rational]) -> String {
+    let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+    format!("[{}]", numbers.join(", "))
+}
+
 /// A region in plain notation.
 fn corners(region: &Region) -> String {
-    let list = |numbers: &[Rational]| {
-        let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-        format!("[{}]", numbers.join(", "))
-    };
     match region {
         Region::Rectangle(u, v) => format!("`{}` x `{}`", list(u), list(v)),
         Region::Triangle(corners) => {

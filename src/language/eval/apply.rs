@@ -88,7 +88,19 @@ impl Machine {
                         .map(|values| Value::List(items.with(values)))
                 }
                 Value::List(items) if is_curve(&items) => {
-                    let values = self.arguments(groups)?;
+                    // The polar form of a curve has one degree, up to which f(0^2, 1) is filled.
+                    let degree = |item: &Value| match item {
+                        Value::Polar(polar) => match &polar.kind {
+                            PolarKind::Univariate(form) => Some(form.degree()),
+                            _ => None,
+                        },
+                        _ => None,
+                    };
+                    let first = items.first().and_then(degree);
+                    let values = match first.filter(|_| items.iter().all(|item| degree(item) == first)) {
+                        Some(degree) => self.polar_arguments(groups, degree)?,
+                        None => self.arguments(groups)?,
+                    };
                     items
                         .iter()
                         .map(|item| self.coordinate(item, &values, whole.span))

@@ -68,7 +68,7 @@ impl Machine {
     }
 
     /// Arguments of a polar form of known degree; `f(t, ..., t)` is filled up to it.
-    fn polar_arguments(
+    pub(super) fn polar_arguments(
         &mut self,
         groups: &[Vec<Expr>],
         degree: usize,

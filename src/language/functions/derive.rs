@@ -11,6 +11,7 @@ use super::parameter::{
     required,
 };
 use super::polar::{POLAR, combine, method};
+use super::rational::homogeneous_coordinates;
 use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
@@ -211,6 +212,19 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "implicit",
+        parameters: &[required(
+            "curve",
+            Takes::Any,
+            "a Bézier curve of the plane, or its coordinates as formulas",
+        )
+        .shown("c")],
+        summary: "the equation of a plane curve as a determinant",
+        example: "derive(implicit, [t^2, t^3])",
+        call: |_, args| told(args, implicit(args)?),
+        ..NEW
+    },
+    Builtin {
         name: "moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         summary: "the moments of a cubic spline by its system of equations",
@@ -219,6 +233,24 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// The equation of a plane curve.
+fn implicit(args: &Arguments) -> Result<Derivation> {
+    let (coordinates, _) = homogeneous_coordinates(args, 0)?;
+    let coordinates: [Vec<Fraction>; 3] = coordinates.try_into().map_err(|list: Vec<_>| {
+        let message = format!("a curve of the plane is needed, this one has {} coordinates", list.len() - 1);
+        Diagnostic::error(Code::Shape, message).at(args.span(0)).hint("such as derive(implicit, [t^2, t^3])")
+    })?;
+    let reserved = ["t", "x", "y"].map(Symbol::new);
+    if coordinates.iter().flatten().any(|c| c.variables().iter().any(|s| reserved.contains(s))) {
+        let error = Diagnostic::error(Code::Domain, "t is the parameter, x and y are the coordinates");
+        return Err(error.at(args.span(0)).hint("choose other letters for the control points"));
+    }
+    derive::implicit(&coordinates).ok_or_else(|| {
+        let error = Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0));
+        error.hint("a point has no single equation; give a curve")
+    })
+}
 
 /// The error for a word that names no derivation.
 fn no_subject(args: &Arguments) -> Diagnostic {

@@ -1,20 +1,21 @@
-//! Where plane curves meet others and themselves, and the parameters of their points.
+//! Where curves meet others, surfaces and themselves, and the parameters of their points.
 
 use std::sync::Arc;
 
 use super::Builtin;
 use super::parameter::{Parameter, Takes, named, optional, required};
 use super::rational::homogeneous_coordinates;
+use super::sections::{is_surface, letters_of_space, only_space, parametric_surface};
 use super::solve::system_error;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::arithmetic::{add, negate};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::value::{Cell, Table, Value};
-use crate::math::curve::{self, MovingLine, PlaneCurve};
+use crate::math::curve::{self, MovingLine, PlaneCurve, SpaceCurve};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Poly, RealRoot, Symbol};
-use crate::math::system::SystemError;
+use crate::math::system::{Bounds, SystemError};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -37,11 +38,21 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "intersections",
         parameters: &[
-            PLANE_CURVE,
-            required("other", Takes::Any, "another curve, or the left side of F(x, y) = 0").shown("d"),
+            required(
+                "curve",
+                Takes::Any,
+                "a Bézier curve of the plane or of space, or its coordinates as formulas",
+            )
+            .shown("c"),
+            required(
+                "other",
+                Takes::Any,
+                "another curve, a surface, or the left side of F(x, y) = 0 or F(x, y, z) = 0",
+            )
+            .shown("d"),
             POINTS,
         ],
-        summary: "where a plane curve meets another one or F(x, y) = 0: parameters and points, exactly",
+        summary: "where a curve meets another one, F(x, y) = 0, F(x, y, z) = 0 or a surface, exactly",
         example: "intersections([t, t^2], x^2 + y^2 - 2)",
         call: intersections,
         ..NEW
@@ -55,7 +66,7 @@ pub(super) const TABLE: &[Builtin] = &[
             let curve = plane_curve(args, 0)?;
             let found = curve.double_points().map_err(|error| twice(error, args))?;
             let rows = found.into_iter().map(|pair| (pair.parameters.to_vec(), pair.degree));
-            table(machine, args, ["s", "t"].as_slice(), &curve, rows.collect())
+            table(machine, args, ["s", "t"].as_slice(), &|t| curve.point(t).to_vec(), rows.collect())
         },
         ..NEW
     },
@@ -87,16 +98,21 @@ pub(super) const TABLE: &[Builtin] = &[
 ];
 
 /// Homogeneous coordinates with numbers as coefficients, and the bounds of the parameter.
-type Numeric = ([Poly; 3], (Option<Rational>, Option<Rational>));
+type Numeric = ([Poly; 3], Bounds);
 
 fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
-    let (coordinates, interval) = homogeneous_coordinates(args, i)?;
-    let of_plane: std::result::Result<[Vec<Fraction>; 3], _> = coordinates.try_into();
-    let coordinates = of_plane.map_err(|list| {
+    let (coordinates, range) = homogeneous_numbers(args, i)?;
+    let coordinates = <[Poly; 3]>::try_from(coordinates).map_err(|list| {
         let message = format!("a curve of the plane is needed, this one has {} coordinates", list.len() - 1);
         let error = Diagnostic::error(Code::Shape, message).at(args.span(i));
-        error.hint("solve finds where coordinates are equal: solve([x(s) = u(t), ...], [s, t])")
+        error.hint("implicit(c) and intersections(c, d) take curves in space, too")
     })?;
+    Ok((coordinates, range))
+}
+
+/// The same in any dimension; the weight is the last one.
+fn homogeneous_numbers(args: &Arguments, i: usize) -> Result<(Vec<Poly>, Bounds)> {
+    let (coordinates, interval) = homogeneous_coordinates(args, i)?;
     let polynomial =
         |list: &Vec<Fraction>| -> Option<Poly> { list.iter().map(Fraction::as_rational).collect() };
     let end = |end: &Fraction| end.as_rational();
@@ -105,7 +121,7 @@ fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
             .at(args.span(i))
             .hint("solve treats curves with symbols: solve(c(t) = [x, y], t)")
     };
-    let [Some(x), Some(y), Some(w)] = coordinates.each_ref().map(polynomial) else { return Err(symbolic()) };
+    let polynomials: Option<Vec<Poly>> = coordinates.iter().map(polynomial).collect();
     let range = match interval {
         None => (None, None),
         Some(interval) => {
@@ -114,7 +130,7 @@ fn numbers(args: &Arguments, i: usize) -> Result<Numeric> {
             (Some(a.clone().min(b.clone())), Some(a.max(b)))
         }
     };
-    Ok(([x, y, w], range))
+    Ok((polynomials.ok_or_else(symbolic)?, range))
 }
 
 fn plane_curve(args: &Arguments, i: usize) -> Result<PlaneCurve> {
@@ -140,13 +156,24 @@ fn twice(error: SystemError, args: &Arguments) -> Diagnostic {
     }
 }
 
+/// Infinitely many common points.
+fn overlap(args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Degenerate, "they have infinitely many points in common")
+        .at(args.span(1))
+        .hint("one is a part of the other, or one is a point: implicit(c) is the equation")
+}
+
 fn intersections(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    if is_surface(args.value(0)?) {
+        let error = Diagnostic::error(Code::Type, "the first argument is a surface").at(args.span(0));
+        return Err(error
+            .hint("intersection_curve(s, d) is the equation of the common curve in u and v")
+            .hint("intersections(c, s) are the common points of a curve and a surface"));
+    }
+    if homogeneous_coordinates(args, 0)?.0.len() != 3 {
+        return in_space(machine, args);
+    }
     let curve = plane_curve(args, 0)?;
-    let overlap = || {
-        Diagnostic::error(Code::Degenerate, "the curves have infinitely many points in common")
-            .at(args.span(1))
-            .hint("both are parts of one curve, or one of them is a point: implicit(c) is the equation")
-    };
     if let Some(equation) = equation(args)? {
         let symbols = ["x", "y"].map(Symbol::new);
         if let Some(other) = equation.variables().iter().find(|s| !symbols.contains(s)) {
@@ -155,17 +182,62 @@ fn intersections(machine: &mut Machine, args: &Arguments) -> Result<Value> {
                 .at(args.span(1))
                 .hint("give it a value first; a curve is a list of its coordinates: [t, t^2]"));
         }
-        let found = curve.on(&equation, &symbols).ok_or_else(overlap)?;
+        let found = curve.on(&equation, &symbols).ok_or_else(|| overlap(args))?;
         let rows = found.into_iter().map(|t| (vec![t.clone()], degree(&t)));
-        return table(machine, args, &["t"], &curve, rows.collect());
+        return table(machine, args, &["t"], &|t| curve.point(t).to_vec(), rows.collect());
     }
     let other = plane_curve(args, 1)?;
     let found = curve.meetings(&other).map_err(|error| match error {
-        SystemError::Infinite => overlap(),
+        SystemError::Infinite => overlap(args),
         error => system_error(error).at(args.span(1)),
     })?;
     let rows = found.into_iter().map(|meeting| (meeting.parameters.to_vec(), meeting.degree));
-    table(machine, args, &["t of the first", "t of the second"], &curve, rows.collect())
+    table(machine, args, &["t of the first", "t of the second"], &|t| curve.point(t).to_vec(), rows.collect())
+}
+
+/// A curve in space with an equation, a surface or another curve.
+fn in_space(machine: &mut Machine, args: &Arguments) -> Result<Value> {
+    let space_curve = |i: usize| -> Result<SpaceCurve> {
+        let (coordinates, range) = homogeneous_numbers(args, i)?;
+        SpaceCurve::new(coordinates, range).ok_or_else(|| {
+            Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(i))
+        })
+    };
+    let curve = space_curve(0)?;
+    let dimension = homogeneous_coordinates(args, 0)?.0.len() - 1;
+    let same = |other: usize| match other == dimension {
+        true => Ok(()),
+        false => {
+            let message = format!("the curve has {dimension} coordinates, this has {other}");
+            Err(Diagnostic::error(Code::Shape, message)
+                .at(args.span(1))
+                .hint("both need the same number of them"))
+        }
+    };
+    let point = |t: &RealRoot| curve.point(t);
+    if let Some(equation) = equation(args)? {
+        same(3)?;
+        only_space(args, &equation)?;
+        let found = curve.on(&equation, &letters_of_space()).ok_or_else(|| overlap(args))?;
+        let rows = found.into_iter().map(|t| (vec![t.clone()], degree(&t)));
+        return table(machine, args, &["t"], &point, rows.collect());
+    }
+    let failed = |error| match error {
+        SystemError::Infinite => overlap(args),
+        error => system_error(error).at(args.span(1)),
+    };
+    if is_surface(args.value(1)?) {
+        let surface = parametric_surface(args, 1)?;
+        same(surface.coordinates.len() - 1)?;
+        let found = curve.on_surface(&surface).map_err(failed)?;
+        let rows = found.into_iter().map(|list| (list.to_vec(), degree(&list[0])));
+        return table(machine, args, &["t", "u", "v"], &point, rows.collect());
+    }
+    let other = space_curve(1)?;
+    same(homogeneous_coordinates(args, 1)?.0.len() - 1)?;
+    let found = curve.meetings(&other).map_err(failed)?;
+    let rows = found.into_iter().map(|pair| (pair.to_vec(), degree(&pair[0])));
+    table(machine, args, &["t of the first", "t of the second"], &point, rows.collect())
 }
 
 fn degree(t: &RealRoot) -> usize {
@@ -176,7 +248,7 @@ fn degree(t: &RealRoot) -> usize {
 }
 
 /// The numerator of F where the second argument is a formula or equation, so no curve.
-fn equation(args: &Arguments) -> Result<Option<MultiPoly>> {
+pub(super) fn equation(args: &Arguments) -> Result<Option<MultiPoly>> {
     Ok(match args.value(1)? {
         Value::Scalar(f) => Some(f.numerator().clone()),
         Value::Claim(claim) => {
@@ -195,13 +267,13 @@ fn table(
     machine: &mut Machine,
     args: &Arguments,
     header: &[&str],
-    curve: &PlaneCurve,
+    point: &dyn Fn(&RealRoot) -> Vec<RealRoot>,
     rows: Vec<(Vec<RealRoot>, usize)>,
 ) -> Result<Value> {
     if rows.is_empty() {
         return Ok(Value::list(Vec::new()));
     }
-    let [t, x, y] = ["t", "x", "y"].map(Symbol::new);
+    let t = Symbol::new("t");
     let highest = rows.iter().map(|(_, degree)| *degree).max().unwrap_or(1);
     let with_points = args.flag("points", highest <= DEGREE_WITH_POINTS)?;
     if !with_points && args.named("points").is_none() {
@@ -214,8 +286,9 @@ fn table(
     for (parameters, _) in rows {
         let mut row: Vec<Cell> = parameters.iter().map(|p| Cell::Value(Value::root(p.clone(), &t))).collect();
         if with_points {
-            let [a, b] = curve.point(&parameters[0]);
-            row.push(Cell::Value(Value::point(vec![Value::root(a, &x), Value::root(b, &y)])));
+            let letters = ["x", "y", "z"].map(Symbol::new).into_iter().chain(std::iter::repeat(t.clone()));
+            let coordinates = point(&parameters[0]).into_iter().zip(letters);
+            row.push(Cell::Value(Value::point(coordinates.map(|(x, s)| Value::root(x, &s)).collect())));
         }
         result.rows.push(row);
     }

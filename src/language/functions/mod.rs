@@ -22,12 +22,15 @@ mod parameter;
 mod polar;
 mod polynomials;
 mod rational;
+mod rational_blossoms;
 mod record;
 mod regions;
 mod roots;
+mod sections;
 mod solve;
 mod splines;
 mod subdivision;
+mod surface_compositions;
 mod surface_joins;
 mod surface_schemes;
 mod surfaces;
@@ -35,6 +38,7 @@ mod symmetric;
 mod table;
 mod told;
 mod triangulations;
+mod vertices;
 
 pub(crate) use callable::{
     alias, callable, function_called, function_meant, is_argument_word, names, synonym,

@@ -2,7 +2,7 @@
 
 use crate::language::eval::arguments::word_of;
 use crate::language::eval::{Arguments, Evaluated};
-use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
+use crate::language::ops::errors::{curve_error, division_by_zero, spline_error, wrong_kind};
 use std::sync::Arc;
 
 use super::parameter::{Need, Parameter, SURFACE, Takes, named, optional, required, size};
@@ -394,6 +394,9 @@ type Jet = Vec<Vec<Vector<Fraction>>>;
 
 /// All partial derivatives of order at most k of a surface at (u, v), and how they are shown.
 pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
+    if let Value::List(_) = args.value(0)? {
+        return of_formulas(args, k);
+    }
     let geometry = args.geometry(0)?;
     let form = geometry.form();
     let (u, v) = (args.scalar(1)?, args.scalar(2)?);
@@ -417,6 +420,23 @@ pub(super) fn partial_derivatives(args: &Arguments, k: usize) -> Result<(Jet, Fo
         other => return Err(not_for(other, args)),
     };
     Ok((jet.at(args.span(1))?, Form { rational: false, ..form }))
+}
+
+/// The same of coordinates as formulas in u and v.
+fn of_formulas(args: &Arguments, k: usize) -> Result<(Jet, Form), Diagnostic> {
+    let [u, v] = ["u", "v"].map(Symbol::new);
+    let place = [(u.clone(), args.scalar(1)?), (v.clone(), args.scalar(2)?)];
+    let derivative = |r: usize, s: usize| -> Result<Vector<Fraction>, Diagnostic> {
+        let value = |f: &Fraction| {
+            let once = |f: Fraction, x: &Symbol| f.derivative(x);
+            let slope = (0..s).fold((0..r).fold(f.clone(), |f, _| once(f, &u)), |f, _| once(f, &v));
+            slope.substitute(&place)
+        };
+        let list = args.scalars(0)?.iter().map(value).collect::<Result<Vec<_>, _>>();
+        Ok(list.map_err(|_| division_by_zero()).at(args.span(1))?.into())
+    };
+    let row = |r: usize| (0..=k - r).map(|s| derivative(r, s)).collect();
+    Ok(((0..=k).map(row).collect::<Result<_, _>>()?, Form::default()))
 }
 
 fn derivatives_at(args: &Arguments) -> Evaluated {

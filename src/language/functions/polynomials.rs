@@ -1,7 +1,7 @@
 //! Polynomials and rational functions: parts, division, calculus.
 
 use super::parameter::{DEGREE, Parameter, Takes, free, many, optional, required, size};
-use super::{Builtin, on_form, on_geometry, on_surface};
+use super::{Builtin, on_form, on_geometry, on_surface, surface_compositions};
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::lexicon::families;
@@ -238,6 +238,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "F(G(t)); also written F ∘ G",
         example: "compose(t^2 + 2t, t^3 + 1)",
         on_curve: on_geometry::COMPOSE,
+        on_surface: surface_compositions::COMPOSE,
         gives_function: true,
         call: |_, args| calculus::compose(args.value(0)?, args.value(1)?),
         ..NEW

@@ -3,6 +3,7 @@
 use super::curves::interval;
 use super::differential::{PARAMETER, derivatives};
 use super::parameter::{CURVE, END, Parameter, START, Takes, alternatives, named, required, size};
+use super::solve::system_error;
 use super::surfaces::{tensor, triangular};
 use super::{Builtin, on_surface};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -16,8 +17,8 @@ use crate::math::curve::{
     self, CircleArc, ConicKind, ImplicitConic, Interval, Point, RationalCurve, RationalPatch,
 };
 use crate::math::number::integer;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
-use crate::math::ring::Ring;
+use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
+use crate::math::ring::{Field, Ring};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -106,9 +107,9 @@ pub(super) const TABLE: &[Builtin] = &[
         parameters: &[
             required("curve", Takes::Any, "a Bézier curve, or its coordinates as formulas").shown("c")
         ],
-        summary: "the polynomial in x and y that vanishes on a polynomial or rational curve of the plane",
+        summary: "the polynomial in x and y that is 0 on a plane curve; in space, several in x, y and z",
         example: "implicit([t^2 - 1, t^3 - t])",
-        call: |_, args| implicit(args).map(|equation| Value::Scalar(Fraction::from(equation))),
+        call: |_, args| implicit(args),
         ..NEW
     },
     Builtin {
@@ -389,23 +390,46 @@ pub(super) fn homogeneous_coordinates(args: &Arguments, i: usize) -> Result<Homo
     Ok((power, Some(curve.interval().clone())))
 }
 
-/// The irreducible equation of a plane curve.
-fn implicit(args: &Arguments) -> Result<MultiPoly> {
+/// The irreducible equation of a plane curve; equations of one in space.
+fn implicit(args: &Arguments) -> Result<Value> {
     let (coordinates, _) = homogeneous_coordinates(args, 0)?;
-    let Ok(coordinates) = <[Vec<Fraction>; 3]>::try_from(coordinates) else {
-        let error =
-            Diagnostic::error(Code::Shape, "only curves of the plane have one equation").at(args.span(0));
-        return Err(error.hint("give two coordinates: implicit([t^2, t^3])"));
-    };
-    let [x, y] = ["x", "y"].map(Symbol::new);
-    if coordinates.iter().flatten().any(|c| c.variables().iter().any(|s| *s == x || *s == y)) {
-        let error = Diagnostic::error(Code::Domain, "x and y are the coordinates of the equation");
+    let letters = ["x", "y", "z"].map(Symbol::new);
+    let dimension = coordinates.len() - 1;
+    if dimension < 2 || dimension > 3 {
+        let message =
+            format!("a curve of the plane or of space is needed, this one has {dimension} coordinates");
+        let error = Diagnostic::error(Code::Shape, message).at(args.span(0));
+        return Err(error.hint("such as implicit([t^2, t^3])"));
+    }
+    if coordinates.iter().flatten().any(|c| c.variables().iter().any(|s| letters[..dimension].contains(s))) {
+        let shown = if dimension == 2 { "x and y" } else { "x, y and z" };
+        let error = Diagnostic::error(Code::Domain, format!("{shown} are the coordinates of the equation"));
         return Err(error.at(args.span(0)).hint("choose other letters for the control points"));
     }
-    curve::implicit_equation(&coordinates, [&x, &y]).ok_or_else(|| {
-        let error = Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0));
-        error.hint("a point has no single equation; give a curve")
-    })
+    match <[Vec<Fraction>; 3]>::try_from(coordinates) {
+        Ok(coordinates) => {
+            let found =
+                curve::implicit_equation(&coordinates, [&letters[0], &letters[1]]).ok_or_else(|| {
+                    let error =
+                        Diagnostic::error(Code::Degenerate, "the curve is a single point").at(args.span(0));
+                    error.hint("a point has no single equation; give a curve")
+                })?;
+            Ok(Value::Scalar(Fraction::from(found)))
+        }
+        Err(coordinates) => {
+            let t = Symbol::new("\u{25e6}");
+            let value = |list: &Vec<Fraction>| {
+                Coefficients::new(list.clone()).value(&Fraction::from(MultiPoly::symbol(t.clone())))
+            };
+            let weight = value(&coordinates[dimension]).inverse().ok_or_else(|| {
+                Diagnostic::error(Code::ZeroWeight, "the weight of every point is 0").at(args.span(0))
+            })?;
+            let list: Vec<Fraction> =
+                coordinates[..dimension].iter().map(|x| value(x).times(&weight)).collect();
+            let found = curve::curve_equations(&list, &t, &letters).map_err(system_error).at(args.span(0))?;
+            Ok(Value::list(found.into_iter().map(|f| Value::Scalar(Fraction::from(f))).collect()))
+        }
+    }
 }
 
 /// Homogeneous coordinates of a curve that is given by a formula for each coordinate, over one denominator.

@@ -306,7 +306,9 @@ pub(super) fn system_error(error: SystemError) -> Diagnostic {
         SystemError::Infinite => {
             "give as many independent equations as unknowns; groebner(equations, unknowns) shows what they say"
         }
-        SystemError::Many => "fewer unknowns, or lower degrees; resultant(F, G, x) eliminates x from two",
+        SystemError::Many | SystemError::Degrees => {
+            "fewer unknowns, or lower degrees; resultant(F, G, x) eliminates x from two"
+        }
         SystemError::Pairs => "resultant(F, G, x) eliminates x from two",
         SystemError::Entangled => "count_roots and resultant(F, G, x) tell more",
     };

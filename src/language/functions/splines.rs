@@ -243,9 +243,9 @@ pub(super) const TABLE: &[Builtin] = &[
             named("outside=0", Takes::Integer, "it has no value there", "the value outside, which is 0"),
             named(
                 "closed=0",
-                Takes::Flag,
+                Takes::Any,
                 "1",
-                "0 if the last breakpoint does not belong to the last interval",
+                "0 if x_m does not belong to the last interval, [x_k] if x_k does to the one before it",
             ),
             VARIABLE,
         ],
@@ -274,7 +274,18 @@ pub(super) const TABLE: &[Builtin] = &[
             };
             let function =
                 Piecewise::new(breaks, pieces, outside).map_err(piecewise_error).at(args.span(0))?;
-            let function = if args.flag("closed", true)? { function } else { function.half_open() };
+            let function = match args.named("closed") {
+                Some((Value::List(items), span)) => match items.iter().collect::<Vec<_>>().as_slice() {
+                    [Value::Scalar(x)] if function.breaks().contains(x) => function.left_at(x),
+                    _ => {
+                        let error =
+                            wrong_kind("one of the breakpoints in a list", &Value::List(items.clone()));
+                        return Err(error.at(span).hint("closed=[1]"));
+                    }
+                },
+                _ if args.flag("closed", true)? => function,
+                _ => function.half_open(),
+            };
             Ok(Value::Piecewise(Arc::new(PiecewiseFunction::new(function, variable))))
         },
         ..NEW

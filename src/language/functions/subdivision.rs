@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::Builtin;
 use super::parameter::{Parameter, Takes, named, optional, required, size};
+use super::vertices::MESHES;
 use crate::formula::source::Span;
 use crate::formula::{Expr, Rel};
 use crate::language::diagnostic::{At, Code, Diagnostic};
@@ -17,10 +18,7 @@ use crate::math::linalg::characteristic_polynomial;
 use crate::math::number::rational;
 use crate::math::poly::{Coefficients, Fraction, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
-use crate::math::subdivision::{
-    Contraction, Scheme, SubdivisionError, VertexScheme, contraction, limit_stencil, vertex_limit,
-    vertex_matrix,
-};
+use crate::math::subdivision::{Contraction, Scheme, SubdivisionError, contraction, limit_stencil};
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -40,8 +38,6 @@ const MATRIX: Parameter = required("M", Takes::Matrix, "the matrix");
 
 const LETTER: Parameter =
     named("variable=lambda", Takes::Variable, "lambda", "the variable of the polynomial");
-
-const MESHES: &[&str] = &["catmull_clark", "doo_sabin", "loop", "warren"];
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
@@ -174,36 +170,6 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
     Builtin {
-        name: "vertex_matrix",
-        parameters: &[
-            required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
-            size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
-        ],
-        summary: "the matrix of a step around a vertex: itself, its neighbours, opposite corners",
-        example: "vertex_matrix(catmull_clark, 3)",
-        call: |_, args| {
-            let scheme = mesh_scheme(args)?;
-            let matrix = vertex_matrix(scheme, args.size(1)?).map_err(subdivision_error).at(args.span(1))?;
-            Ok(Value::Matrix(matrix.map(Fraction::from)))
-        },
-        ..NEW
-    },
-    Builtin {
-        name: "vertex_limit",
-        parameters: &[
-            required("scheme", Takes::Word(MESHES), "the scheme for meshes"),
-            size("n", "how many edges the vertex has, for doo_sabin corners of the face"),
-        ],
-        summary: "the weights of the points around a vertex in its limit, in the order of vertex_matrix",
-        example: "vertex_limit(catmull_clark, 5)",
-        call: |_, args| {
-            let weights = vertex_limit(mesh_scheme(args)?, args.size(1)?);
-            let weights = weights.map_err(subdivision_error).at(args.span(1))?;
-            Ok(scalar_list(weights.into_iter().map(Fraction::from)))
-        },
-        ..NEW
-    },
-    Builtin {
         name: "characteristic_polynomial",
         parameters: &[MATRIX, LETTER],
         summary: "det(lambda I - M)",
@@ -254,22 +220,8 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
-/// The scheme for meshes at the first place.
-fn mesh_scheme(args: &Arguments) -> Result<VertexScheme> {
-    Ok(match word_of(args.value(0)?) {
-        Some("catmull_clark") => VertexScheme::CatmullClark,
-        Some("doo_sabin") => VertexScheme::DooSabin,
-        Some("loop") => VertexScheme::Loop,
-        Some("warren") => VertexScheme::Warren,
-        _ => {
-            let error = wrong_kind("a scheme for meshes", args.value(0)?).at(args.span(0));
-            return Err(error.hint("catmull_clark, doo_sabin, loop or warren"));
-        }
-    })
-}
-
 /// The diagnostic for an error of subdivision.
-fn subdivision_error(error: SubdivisionError) -> Diagnostic {
+pub(super) fn subdivision_error(error: SubdivisionError) -> Diagnostic {
     use SubdivisionError as E;
     let message = error.to_string();
     let (code, hint) = match error {
@@ -280,7 +232,6 @@ fn subdivision_error(error: SubdivisionError) -> Diagnostic {
         E::NotShown { .. } => (Code::Undecided, "subdivision_smoothness(scheme) tells what is known"),
         E::NotDetermined { .. } => (Code::Undecided, "eigenvalues(local_matrix(scheme)) shows why"),
         E::Valence { .. } => (Code::Domain, "the regular valence is 4, for triangles 6"),
-        E::Irrational { .. } => (Code::Irrational, "warren has rational weights, as has catmull_clark"),
     };
     Diagnostic::error(code, message).hint(hint)
 }

@@ -69,26 +69,34 @@ fn de_boor(args: &Arguments) -> Evaluated {
     Ok(Value::Table(Arc::new(table)))
 }
 
+/// The coordinates of a surface as formulas in u and v: of a patch, or as given.
+pub(super) fn surface_coordinates(args: &Arguments, i: usize) -> Result<Vec<Fraction>, Diagnostic> {
+    let formulas = |items: &mut dyn Iterator<Item = &Value>| -> Result<Vec<Fraction>, Diagnostic> {
+        let formula = |item: &Value| {
+            item.as_scalar().cloned().ok_or_else(|| wrong_kind("a formula", item).at(args.span(i)))
+        };
+        items.map(formula).collect()
+    };
+    match args.value(i)? {
+        Value::Geometry(geometry) if geometry.is_surface() => {
+            let at =
+                ["u", "v"].map(|name| Value::Scalar(Fraction::from(MultiPoly::symbol(Symbol::new(name)))));
+            match on_patch(geometry, args, at)? {
+                Value::List(items) => formulas(&mut items.iter()),
+                single => formulas(&mut std::iter::once(&single)),
+            }
+        }
+        Value::List(items) => formulas(&mut items.iter()),
+        other => Err(wrong_kind("a surface", other)
+            .at(args.span(i))
+            .hint("a patch, or formulas such as [u, v, u v]")),
+    }
+}
+
 /// The equation of a surface that is given by formulas or as a patch.
 fn equation(args: &Arguments) -> Evaluated {
     let [u, v] = ["u", "v"].map(Symbol::new);
-    let coordinates: Vec<Fraction> = match args.value(0)? {
-        Value::Geometry(geometry) if geometry.is_surface() => {
-            let at = |s: &Symbol| Value::Scalar(Fraction::from(MultiPoly::symbol(s.clone())));
-            return equation(&args.with_first(on_patch(geometry, args, [at(&u), at(&v)])?));
-        }
-        Value::List(items) => {
-            let formula = |item: &Value| {
-                item.as_scalar().cloned().ok_or_else(|| wrong_kind("a formula", item).at(args.span(0)))
-            };
-            items.iter().map(formula).collect::<Result<_, _>>()?
-        }
-        other => {
-            return Err(wrong_kind("a surface", other)
-                .at(args.span(0))
-                .hint("implicit_surface([u, v, u v])"));
-        }
-    };
+    let coordinates = surface_coordinates(args, 0)?;
     let [x, y, z] = <[Fraction; 3]>::try_from(coordinates).map_err(|list| {
         let message = format!("a surface in space has three coordinates, not {}", list.len());
         Diagnostic::error(Code::Shape, message).at(args.span(0)).hint("implicit_surface([u, v, u v])")

@@ -6,8 +6,9 @@ use std::sync::LazyLock;
 use super::record::Builtin;
 use super::{
     arrange, blends, blossoms, curves, derive, differential, figures, geometric, interpolation,
-    intersections, joins, matrices, measure, numbers, polar, polynomials, rational, regions, roots, solve,
-    splines, subdivision, surface_schemes, surfaces, symmetric, triangulations,
+    intersections, joins, matrices, measure, numbers, polar, polynomials, rational, rational_blossoms,
+    regions, roots, sections, solve, splines, subdivision, surface_schemes, surfaces, symmetric,
+    triangulations, vertices,
 };
 
 /// All functions, by topic.
@@ -39,6 +40,7 @@ pub static BUILTINS: &[&Builtin] = &{
         polar::TABLE,
         symmetric::TABLE,
         blossoms::TABLE,
+        rational_blossoms::TABLE,
         polynomials::TABLE,
         arrange::TABLE,
         roots::TABLE,
@@ -48,9 +50,11 @@ pub static BUILTINS: &[&Builtin] = &{
         curves::TABLE,
         splines::TABLE,
         subdivision::TABLE,
+        vertices::TABLE,
         rational::TABLE,
         intersections::TABLE,
         surface_schemes::TABLE,
+        sections::TABLE,
         differential::TABLE,
         measure::TABLE,
         surfaces::TABLE,

@@ -77,7 +77,11 @@ impl PiecewiseFunction {
             arguments.push(Expr::relation(Expr::name("outside"), Rel::Eq, Expr::int(0)));
         }
         if !self.function.is_closed() {
-            arguments.push(Expr::relation(Expr::name("closed"), Rel::Eq, Expr::int(0)));
+            let closed = match self.function.inner_left() {
+                Some(k) => list(vec![polynomial_expr(&self.function.breaks()[k])]),
+                None => Expr::int(0),
+            };
+            arguments.push(Expr::relation(Expr::name("closed"), Rel::Eq, closed));
         }
         Expr::apply(Expr::name("piecewise"), arguments)
     }
@@ -92,8 +96,11 @@ impl PiecewiseFunction {
         let mut cases: Vec<(Expr, Option<Expr>)> = Vec::with_capacity(last + 2);
         for (i, piece) in pieces.into_iter().enumerate() {
             let (from, to) = (polynomial_expr(&breaks[i]), polynomial_expr(&breaks[i + 1]));
-            let end = if i == last && self.function.is_closed() { Rel::Le } else { Rel::Lt };
-            let range = Kind::Chain(Box::new(from), vec![link(Rel::Le, t.clone()), link(end, to)]);
+            let left = self.function.inner_left();
+            let start = if left == Some(i) { Rel::Lt } else { Rel::Le };
+            let closed = left == Some(i + 1) || i == last && self.function.is_closed();
+            let end = if closed { Rel::Le } else { Rel::Lt };
+            let range = Kind::Chain(Box::new(from), vec![link(start, t.clone()), link(end, to)]);
             cases.push((piece, Some(range.into())));
         }
         if self.function.outside() == Outside::Zero {

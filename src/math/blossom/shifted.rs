@@ -170,6 +170,38 @@ pub fn moebius<C: Field>(coefficients: &[C], [a, b, c, d]: &[C; 4]) -> PolarForm
     PolarForm::new(sum)
 }
 
+/// The multilinear form of a polar form: w_1 ⋯ w_n f(u_1/w_1, …, u_n/w_n) at pairs (u_i, w_i), also with w_i = 0. It is linear in each pair; a number t
+/// is the pair (t, 1), the vector 1 the pair (1, 0). At n equal pairs it is the homogeneous polynomial w^n F(u/w).
+///
+/// Cost: n² products.
+///
+/// # Panics
+/// Unless there are n pairs.
+///
+/// ```
+/// use polarform::blossom::{PolarForm, homogeneous_value};
+/// use polarform::number::integer as z;
+/// let f = PolarForm::new([0, 2, 1].map(z).to_vec()); // t1 t2 + t1 + t2
+/// assert_eq!(homogeneous_value(&f, &[[z(3), z(1)], [z(1), z(0)]]), z(4));
+/// ```
+pub fn homogeneous_value<C: Field>(form: &PolarForm<C>, pairs: &[[C; 2]]) -> C {
+    let n = form.degree();
+    assert_eq!(pairs.len(), n, "a pair for each argument");
+    // ∏ (w_i + u_i x)
+    let mut product = vec![C::one()];
+    for [u, w] in pairs {
+        budget::steps(1 + n as u32);
+        product.push(C::zero());
+        for k in (0..product.len()).rev() {
+            let below = if k > 0 { product[k - 1].times(u) } else { C::zero() };
+            product[k] = product[k].times(w).plus(&below);
+        }
+    }
+    let share =
+        |(k, c): (usize, &C)| c.times(&product[k]).scaled(&Rational::from_integer(binomial(n, k)).recip());
+    form.coefficients().iter().enumerate().map(share).fold(C::zero(), |sum, x| sum.plus(&x))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,6 +237,29 @@ mod tests {
                 prop_assert_eq!(form.value(&arguments).unwrap(), value);
             } else {
                 prop_assert!(factor == z(0) || factor == z(-1));
+            }
+        }
+
+        /// Numbers and vectors as pairs, and a homogeneous polynomial on the diagonal.
+        #[test]
+        fn homogeneous_arguments(c in list(), u in prop::collection::vec((-5i64..6, -3i64..4), 6)) {
+            let n = c.len() - 1;
+            let form = PolarForm::new(c.clone());
+            let pairs: Vec<[Rational; 2]> = u[..n].iter().map(|&(u, w)| [z(u), z(w)]).collect();
+            let product = pairs.iter().fold(z(1), |p, [_, w]| p * w);
+            if product != z(0) {
+                let arguments: Vec<Rational> = pairs.iter().map(|[u, w]| u / w).collect();
+                prop_assert_eq!(homogeneous_value(&form, &pairs), form.value(&arguments).unwrap() * product);
+            } else if n > 0 {
+                // (u, 0) is the difference of (u + 1, 1) and (1, 1).
+                let at = pairs.iter().position(|[_, w]| *w == z(0)).unwrap();
+                let with = |pair: [Rational; 2]| {
+                    let mut pairs = pairs.clone();
+                    pairs[at] = pair;
+                    homogeneous_value(&form, &pairs)
+                };
+                let difference = with([&pairs[at][0] + z(1), z(1)]) - with([z(1), z(1)]);
+                prop_assert_eq!(homogeneous_value(&form, &pairs), difference);
             }
         }
 

@@ -7,6 +7,7 @@
 //! T. W. Sederberg, D. C. Anderson, R. N. Goldman, "Implicit representation of parametric curves and surfaces",
 //! Computer Vision, Graphics, and Image Processing 28 (1984).
 
+use nalgebra::DMatrix;
 use num_traits::{Signed, Zero};
 
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Symbol};
@@ -68,6 +69,58 @@ pub fn implicit_equation(coordinates: &[Vec<Fraction>; 3], symbols: [&Symbol; 2]
     Some(if negative { -equation } else { equation })
 }
 
+/// P = W x − X, Q = W y − Y and Bézout's matrix of them, with the coefficient b_ij of t^i s^j in (P(t) Q(s) − P(s) Q(t))/(t − s): its determinant is 0 at the
+/// points of the curve. `None` if both are constant in t, or W is 0.
+///
+/// Cost: n² products of polynomials in x and y.
+///
+/// # Panics
+/// If t, x or y occur in the coordinates.
+///
+/// ```
+/// use polarform::curve::bezout_matrix;
+/// use polarform::number::integer;
+/// use polarform::poly::{Fraction, Symbol};
+/// let list = |c: &[i64]| c.iter().map(|c| Fraction::from(integer(*c))).collect::<Vec<_>>();
+/// let [t, x, y] = ["t", "x", "y"].map(Symbol::new);
+/// let (p, q, matrix) = bezout_matrix(&[list(&[0, 0, 1]), list(&[0, 0, 0, 1]), list(&[1])], &t, [&x, &y]).unwrap();
+/// assert_eq!(format!("{p}, {q}, {}", matrix[(2, 1)]), "-t^2 + x, -t^3 + y, x");
+/// ```
+pub fn bezout_matrix(
+    coordinates: &[Vec<Fraction>; 3],
+    t: &Symbol,
+    symbols: [&Symbol; 2],
+) -> Option<(Fraction, Fraction, DMatrix<Fraction>)> {
+    let mut known = coordinates.iter().flatten().flat_map(Fraction::variables);
+    assert!(!known.any(|s| s == *t || s == *symbols[0] || s == *symbols[1]), "t, x and y are free");
+    let size = coordinates.iter().map(Vec::len).max()?;
+    let at = |list: &Vec<Fraction>, i: usize| list.get(i).cloned().unwrap_or_else(Fraction::zero);
+    let [x, y, w] = coordinates;
+    let line = |coordinate: &Vec<Fraction>, symbol: &Symbol| -> Vec<Fraction> {
+        let symbol = Fraction::from(MultiPoly::symbol(symbol.clone()));
+        (0..size).map(|i| at(w, i).times(&symbol).minus(&at(coordinate, i))).collect()
+    };
+    let (p, q) = (line(x, symbols[0]), line(y, symbols[1]));
+    let n = (1..size).rev().find(|&i| !p[i].is_zero() || !q[i].is_zero())?;
+    if w.iter().all(Zero::is_zero) {
+        return None;
+    }
+    // (t^i s^j − t^j s^i)/(t − s) = Σ t^{j + k} s^{i − 1 − k} for i > j.
+    let mut matrix: DMatrix<Fraction> = DMatrix::from_element(n, n, Fraction::zero());
+    for i in 1..=n {
+        for j in 0..i {
+            crate::budget::step();
+            let minor = p[i].times(&q[j]).minus(&p[j].times(&q[i]));
+            for k in 0..i - j {
+                matrix[(j + k, i - 1 - k)] += minor.clone();
+            }
+        }
+    }
+    let t = Fraction::from(MultiPoly::symbol(t.clone()));
+    let [p, q] = [p, q].map(|list| list.iter().rev().fold(Fraction::zero(), |sum, c| sum.times(&t).plus(c)));
+    Some((p, q, matrix))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +161,12 @@ mod tests {
                 None => prop_assert!(point),
                 Some(f) => {
                     prop_assert!(!point);
+                    // The determinant is a multiple of the equation.
+                    let (_, _, matrix) = bezout_matrix(&lists, &Symbol::new("t"), [&names[0], &names[1]]).unwrap();
+                    if matrix.nrows() <= 4 {
+                        let determinant = crate::math::linalg::determinant(&matrix).unwrap();
+                        prop_assert!(determinant.numerator().div_exact(&f).is_some());
+                    }
                     let factors = f.factors().factors;
                     prop_assert!(factors.len() == 1 && factors[0].1 == 1, "{f}");
                     prop_assert!(f.total_degree().unwrap() as usize <= [&x, &y, &w].iter().filter_map(|p| p.degree()).max().unwrap());

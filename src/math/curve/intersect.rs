@@ -8,6 +8,7 @@
 //! T. W. Sederberg, "Planar piecewise algebraic curves", CAGD 1 (1984); R. N. Goldman, T. W. Sederberg, D. C. Anderson,
 //! "Vector elimination", CAGD 1 (1984).
 
+use super::SpaceCurve;
 use crate::math::number::Rational;
 use crate::math::poly::{MultiPoly, Poly, RealRoot, Symbol};
 use crate::math::system::{Bounds, SystemError, common_zeros, image};
@@ -108,20 +109,7 @@ impl PlaneCurve {
     /// # Panics
     /// If F has other symbols.
     pub fn on(&self, equation: &MultiPoly, symbols: &[Symbol; 2]) -> Option<Vec<RealRoot>> {
-        let [x, y, w] = &self.coordinates;
-        let degree = equation.total_degree().unwrap_or(0);
-        let mut sum = Poly::zero();
-        for (monomial, c) in equation.terms(crate::math::poly::MonomialOrder::Lex) {
-            let total: u32 = monomial.iter().map(|(_, e)| e).sum();
-            let term = monomial.iter().fold(w.pow(degree - total).scale(&c), |term, (symbol, e)| {
-                let place = symbols.iter().position(|s| s == symbol).expect("only x and y occur");
-                term * [x, y][place].pow(*e)
-            });
-            sum += term;
-        }
-        let (lower, upper) = &self.range;
-        let roots = sum.real_roots(lower.as_ref(), upper.as_ref())?;
-        Some(roots.into_iter().map(|(t, _)| t).filter(|t| !t.sign_of(w).is_eq()).collect())
+        SpaceCurve::new(self.coordinates.to_vec(), self.range.clone())?.on(equation, symbols)
     }
 
     /// The pairs of real parameters s ≤ t that belong to one point, in increasing order: crossings, and cusps with s = t. Double

@@ -35,6 +35,8 @@ mod rational;
 mod rational_surface;
 mod region;
 mod revolve;
+mod solid;
+mod space;
 mod sphere;
 mod surface_equation;
 mod traits;
@@ -55,7 +57,7 @@ pub use geometric::{
     GeometricContinuity, GeometricFailure, beta_matrix, geometric_continuity, jet, transferred,
 };
 pub use hull::convex_hull;
-pub use implicit::implicit_equation;
+pub use implicit::{bezout_matrix, implicit_equation};
 pub use intersect::{Meeting, PlaneCurve};
 pub use join::{Continuity, JoiningCondition, continuity_at, joining_conditions};
 pub use length::{arc_length, green, inflections, polygon_moments, pythagorean_curve, speed};
@@ -68,8 +70,10 @@ pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, positivity_on};
 pub use revolve::{revolve, revolve_along};
+pub use solid::{Solid, SolidFailure, SolidPart, SolidPositivity, SolidShown, positivity_in};
+pub use space::{ParametricSurface, SpaceCurve};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
-pub use surface_equation::surface_equation;
+pub use surface_equation::{curve_equations, surface_equation};
 pub(in crate::math) use traits::quartered;
 #[cfg(test)]
 pub(in crate::math) use traits::tests::check as check_surface;

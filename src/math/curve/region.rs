@@ -329,7 +329,7 @@ fn by_critical_points(
         .collect();
     for zero in &inside {
         if zero.sign_of(g, unknowns).is_lt() {
-            return Err(RegionFailure::Negative(near(zero, |point| {
+            return Err(RegionFailure::Negative(near(zero, |point: &[Rational; 2]| {
                 let inside = sides.iter().all(|side| !value(side, point).is_negative());
                 inside && value(f, point).is_negative()
             })));
@@ -363,12 +363,12 @@ fn critical_points(
     Ok(zeros)
 }
 
-/// A rational point near a zero that has a property of all points near enough but those of a curve.
-fn near(zero: &RealZero, holds: impl Fn(&[Rational; 2]) -> bool) -> [Rational; 2] {
+/// A rational point near a zero that has a property of all points near enough but those of a curve or surface.
+pub(super) fn near<const N: usize>(zero: &RealZero, holds: impl Fn(&[Rational; N]) -> bool) -> [Rational; N] {
     let mut width = rational(1, 4);
     loop {
         budget::step();
-        // Not the middle for both: S may be 0 on a line through it.
+        // Not the middle for all: S may be 0 on a line through it.
         for shift in [rational(1, 2), rational(1, 3), rational(3, 5), rational(5, 7)] {
             let coordinate = |k: usize| match &zero.coordinates[k] {
                 RealRoot::Rational(q) => q + &width * (&shift - rational(1, 2)) * integer(k as i64 + 1),
@@ -377,7 +377,7 @@ fn near(zero: &RealZero, holds: impl Fn(&[Rational; 2]) -> bool) -> [Rational; 2
                     &lower + (&upper - &lower) * if k == 0 { shift.clone() } else { rational(1, 2) }
                 }
             };
-            let point = [coordinate(0), coordinate(1)];
+            let point = std::array::from_fn(coordinate);
             if holds(&point) {
                 return point;
             }

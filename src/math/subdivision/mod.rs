@@ -25,7 +25,7 @@ use std::fmt;
 pub use limit::{Stencil, limit_stencil};
 pub use scheme::Scheme;
 pub use smoothness::{Contraction, contraction, iterated_norm};
-pub use vertex::{VertexScheme, vertex_limit, vertex_matrix};
+pub use vertex::{Cosine, VertexScheme, vertex_eigenvalues, vertex_limit, vertex_matrix};
 
 /// Why points cannot be subdivided, or a scheme not be analysed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,11 +61,6 @@ pub enum SubdivisionError {
         /// The number given.
         given: usize,
     },
-    /// The weights for this valence have an irrational cosine in them.
-    Irrational {
-        /// The valence.
-        valence: usize,
-    },
 }
 
 impl fmt::Display for SubdivisionError {
@@ -92,9 +87,6 @@ impl fmt::Display for SubdivisionError {
                 )
             }
             SubdivisionError::Valence { given } => write!(f, "a vertex has 3 or more edges, not {given}"),
-            SubdivisionError::Irrational { valence } => {
-                write!(f, "the weights for valence {valence} are irrational: cos(2π/{valence}) is")
-            }
         }
     }
 }

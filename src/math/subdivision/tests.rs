@@ -1,6 +1,6 @@
 use super::*;
 use crate::math::curve::Point;
-use crate::math::linalg::{characteristic_polynomial, multiply, null_space};
+use crate::math::linalg::{characteristic_polynomial, multiply};
 use crate::math::number::{Rational, integer as z, rational as q};
 use crate::math::poly::{Coefficients, Poly};
 use crate::math::spline::{BSpline, KnotVector};
@@ -189,56 +189,80 @@ fn smoothness_of_well_known_schemes() {
     assert_eq!(Scheme::four_point(&w).sum_rules(), 2);
 }
 
-/// Rows of weights sum to 1, the subdominant eigenvalues are those of the literature.
+const MESHES: [VertexScheme; 4] =
+    [VertexScheme::CatmullClark, VertexScheme::DooSabin, VertexScheme::Loop, VertexScheme::Warren];
+
+/// The matrix, if its entries are numbers.
+fn numbers(scheme: VertexScheme, n: usize) -> Option<DMatrix<Rational>> {
+    let matrix = vertex_matrix(scheme, n).unwrap();
+    matrix
+        .iter()
+        .all(|entry| entry.degree().unwrap_or(0) == 0)
+        .then(|| matrix.map(|entry| entry.coefficient(0)))
+}
+
+/// Weights are not negative, rows of them sum to 1, and limits do not change in a step.
 #[test]
 fn around_vertices() {
-    let eigenvalue = |matrix: &DMatrix<Rational>, value: &Rational| {
-        let polynomial: Poly = characteristic_polynomial(matrix).unwrap().into_iter().collect();
-        let (mut rest, mut times) = (polynomial, 0);
-        while rest.value(value).is_zero() && !rest.is_zero() {
-            rest = rest.div_exact(&(Poly::variable() - Poly::constant(value.clone()))).unwrap();
-            times += 1;
+    for n in 3..13 {
+        let cosine = Cosine::new(n);
+        assert_eq!(cosine.equation.degree() == Some(1), [3, 4, 6].contains(&n));
+        let rest = |f: Poly| f.div_rem(&cosine.equation).unwrap().1;
+        for scheme in MESHES {
+            let matrix = vertex_matrix(scheme, n).unwrap();
+            let rational =
+                !matches!(scheme, VertexScheme::DooSabin | VertexScheme::Loop) || [3, 4, 6].contains(&n);
+            assert_eq!(numbers(scheme, n).is_some(), rational);
+            for row in matrix.row_iter() {
+                assert_eq!(row.iter().fold(Poly::zero(), |sum, x| sum + x.clone()), Poly::one());
+                assert!(row.iter().all(|x| cosine.value.sign_of(x).is_ge()));
+            }
+            let limit = vertex_limit(scheme, n).unwrap();
+            assert_eq!(limit.iter().fold(Poly::zero(), |sum, x| sum + x.clone()), Poly::one());
+            for (j, column) in matrix.column_iter().enumerate() {
+                let share = limit.iter().zip(column.iter()).fold(Poly::zero(), |sum, (w, x)| sum + w * x);
+                assert_eq!(rest(share), limit[j], "{scheme:?} {n}");
+            }
         }
-        times
-    };
-    for n in 3..9 {
-        for scheme in
-            [VertexScheme::CatmullClark, VertexScheme::DooSabin, VertexScheme::Loop, VertexScheme::Warren]
-        {
-            let matrix = match vertex_matrix(scheme, n) {
-                Ok(matrix) => matrix,
-                Err(error) => {
-                    assert_eq!(error, SubdivisionError::Irrational { valence: n });
-                    assert!(
-                        ![3, 4, 6].contains(&n)
-                            && matches!(scheme, VertexScheme::DooSabin | VertexScheme::Loop)
-                    );
-                    continue;
+    }
+    assert_eq!(vertex_matrix(VertexScheme::Loop, 6), vertex_matrix(VertexScheme::Warren, 6));
+    assert_eq!(vertex_matrix(VertexScheme::Loop, 2), Err(SubdivisionError::Valence { given: 2 }));
+    assert_eq!(vertex_eigenvalues(VertexScheme::DooSabin, 1), Err(SubdivisionError::Valence { given: 1 }));
+}
+
+/// The eigenvalues are the roots of the characteristic polynomial; with an irrational cosine their sums of powers are the traces of powers.
+#[test]
+fn eigenvalues_around_vertices() {
+    for n in 3..11 {
+        for scheme in MESHES {
+            let found = vertex_eigenvalues(scheme, n).unwrap();
+            if let Some(matrix) = numbers(scheme, n) {
+                let polynomial: Poly = characteristic_polynomial(&matrix).unwrap().into_iter().collect();
+                let mut expected = polynomial.real_roots(None, None).unwrap();
+                expected.reverse();
+                assert_eq!(found, expected, "{scheme:?} {n}");
+                continue;
+            }
+            let cosine = (std::f64::consts::TAU / n as f64).cos();
+            let number = |q: Rational| num_traits::ToPrimitive::to_f64(&q).unwrap();
+            let entry =
+                |f: &Poly| f.coefficients().into_iter().rev().fold(0.0, |sum, c| sum * cosine + number(c));
+            let matrix = vertex_matrix(scheme, n).unwrap().map(|f| entry(&f));
+            let value = |root: &crate::math::poly::RealRoot| match root {
+                crate::math::poly::RealRoot::Rational(q) => number(q.clone()),
+                crate::math::poly::RealRoot::Irrational(x) => {
+                    number(x.refined(&Rational::new(1.into(), (1i64 << 50).into())).ends().0)
                 }
             };
-            for row in matrix.row_iter() {
-                assert_eq!(row.iter().fold(z(0), |sum, x| sum + x), z(1));
-                assert!(row.iter().all(|x| !x.is_negative()));
+            assert_eq!(found.iter().map(|(_, m)| m).sum::<usize>(), matrix.nrows());
+            let mut power = matrix.clone();
+            for k in 1..5 {
+                let sum: f64 = found.iter().map(|(x, m)| *m as f64 * value(x).powi(k)).sum();
+                assert!((sum - power.trace()).abs() < 1e-9, "{scheme:?} {n} {k}");
+                power *= &matrix;
             }
-            assert_eq!(eigenvalue(&matrix, &z(1)), 1, "{scheme:?} {n}");
         }
-        // The limit point of Catmull–Clark: n² : 4 : 1 over n (n + 5).
-        let matrix = vertex_matrix(VertexScheme::CatmullClark, n).unwrap();
-        let shifted = matrix.transpose() - DMatrix::identity(2 * n + 1, 2 * n + 1);
-        let left = null_space(&shifted);
-        let sum = left.iter().fold(z(0), |sum, x| sum + x);
-        let share = |k: usize| &left[(k, 0)] / &sum;
-        let whole = (n * (n + 5)) as i64;
-        assert_eq!([share(0), share(1), share(n + 1)], [q((n * n) as i64, whole), q(4, whole), q(1, whole)]);
     }
-    let regular = vertex_matrix(VertexScheme::CatmullClark, 4).unwrap();
-    assert_eq!([q(1, 2), q(1, 4)].map(|x| eigenvalue(&regular, &x)), [2, 3]);
-    let regular = vertex_matrix(VertexScheme::DooSabin, 4).unwrap();
-    assert_eq!([q(1, 2), q(1, 4)].map(|x| eigenvalue(&regular, &x)), [2, 1]);
-    let regular = vertex_matrix(VertexScheme::Loop, 6).unwrap();
-    assert_eq!(regular, vertex_matrix(VertexScheme::Warren, 6).unwrap());
-    assert_eq!([q(1, 2), q(1, 4)].map(|x| eigenvalue(&regular, &x)), [2, 3]);
-    assert_eq!(vertex_matrix(VertexScheme::Loop, 2), Err(SubdivisionError::Valence { given: 2 }));
 }
 
 /// One step around a regular vertex is that of tensor-product cubics.
@@ -252,5 +276,5 @@ fn regular_catmull_clark_is_bicubic() {
         let ((i, j), (k, l)) = (places[r], places[c]);
         a(i, k) * a(j, l)
     });
-    assert_eq!(vertex_matrix(VertexScheme::CatmullClark, 4).unwrap(), expected);
+    assert_eq!(numbers(VertexScheme::CatmullClark, 4).unwrap(), expected);
 }

@@ -34,6 +34,8 @@ pub enum SystemError {
     Infinite,
     /// It has more complex solutions, with multiplicities, than [`MOST_SOLUTIONS`].
     Many,
+    /// Its degrees allow more than [`MOST_SOLUTIONS`] complex solutions, and these were not counted.
+    Degrees,
     /// Finding its Gröbner basis takes more pairs of polynomials than are looked at.
     Pairs,
     /// Two solutions stay on one line, or one stays double, in every direction that was tried.
@@ -46,6 +48,9 @@ impl fmt::Display for SystemError {
             SystemError::Infinite => f.write_str("there are infinitely many complex solutions"),
             SystemError::Many => {
                 write!(f, "there are more than {MOST_SOLUTIONS} complex solutions, with multiplicities")
+            }
+            SystemError::Degrees => {
+                write!(f, "the degrees allow more than {MOST_SOLUTIONS} complex solutions")
             }
             SystemError::Pairs => {
                 write!(f, "a Gröbner basis needs more than {} pairs of polynomials", groebner::MOST_PAIRS)
@@ -78,6 +83,11 @@ impl RealZero {
     /// # Panics
     /// If F has another symbol.
     pub fn sign_of(&self, f: &MultiPoly, unknowns: &[Symbol]) -> Ordering {
+        for digits in [24, 96] {
+            if let Some(sign) = self.sign_by_intervals(f, unknowns, digits) {
+                return sign;
+            }
+        }
         let modulus = match &self.parameter {
             RealRoot::Irrational(number) => Some(number.polynomial().clone()),
             RealRoot::Rational(_) => None,
@@ -110,6 +120,52 @@ impl RealZero {
         match degree % 2 == 1 && self.parameter.sign_of(&self.denominator).is_lt() {
             true => sign.reverse(),
             false => sign,
+        }
+    }
+}
+
+impl RealZero {
+    /// The sign of F, if the coordinates with so many binary digits tell that it is not 0.
+    fn sign_by_intervals(&self, f: &MultiPoly, unknowns: &[Symbol], digits: u32) -> Option<Ordering> {
+        let width = Rational::new(Int::ONE, Int::from(2).pow(digits));
+        // Ends are rounded outwards, so that powers stay short.
+        let unit = Rational::from_integer(Int::from(2).pow(digits + 8));
+        let outwards = |(low, high): (Rational, Rational)| {
+            ((low * &unit).floor() / &unit, (high * &unit).ceil() / &unit)
+        };
+        let ends: Vec<(Rational, Rational)> = self
+            .coordinates
+            .iter()
+            .map(|x| match x {
+                RealRoot::Rational(q) => (q.clone(), q.clone()),
+                RealRoot::Irrational(number) => outwards(number.refined(&width).ends()),
+            })
+            .collect();
+        let product = |a: &(Rational, Rational), b: &(Rational, Rational)| {
+            let all = [&a.0 * &b.0, &a.0 * &b.1, &a.1 * &b.0, &a.1 * &b.1];
+            let least = all.iter().min().expect("four of them").clone();
+            (least, all.into_iter().max().expect("four of them"))
+        };
+        let (mut low, mut high) = (Rational::from_integer(Int::ZERO), Rational::from_integer(Int::ZERO));
+        for (monomial, c) in f.terms(crate::math::poly::MonomialOrder::Lex) {
+            budget::step();
+            let mut term = (c.clone(), c);
+            for (symbol, e) in monomial {
+                let place = unknowns.iter().position(|s| *s == symbol).expect("only unknowns occur");
+                for _ in 0..e {
+                    term = product(&term, &ends[place]);
+                    if term.0 != term.1 {
+                        term = outwards(term);
+                    }
+                }
+            }
+            low += term.0;
+            high += term.1;
+        }
+        match (low.is_positive(), high.is_negative()) {
+            (true, _) => Some(Ordering::Greater),
+            (_, true) => Some(Ordering::Less),
+            _ => None,
         }
     }
 }

@@ -15,7 +15,7 @@ use num_traits::{One, Zero};
 use super::groebner::{Exponents, Terms, normal_form, over_numbers, reduced_basis, terms_of};
 use super::{RealZero, SystemError, selected};
 use crate::budget;
-use crate::math::linalg::{multiply, solutions, solve};
+use crate::math::linalg::{multiply, reduced_row_echelon, solve};
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{MonomialOrder, MultiPoly, Poly, RealRoot, Symbol};
 
@@ -79,23 +79,23 @@ impl Quotient {
         Ok(Quotient { products, dimension })
     }
 
-    /// The powers 1, u, u², … of an element, as columns, and its minimal polynomial.
+    /// The powers 1, u, u², … of an element, as columns, and its minimal polynomial: the first power that depends on lower ones.
     fn minimal_polynomial(&self, element: &DMatrix<Rational>) -> (Vec<DMatrix<Rational>>, Poly) {
         let mut one = DMatrix::from_element(self.dimension, 1, Rational::zero());
         one[(0, 0)] = Rational::one();
         let mut powers = vec![one];
-        loop {
+        for k in 0..self.dimension {
             budget::steps(1 + (self.dimension * self.dimension) as u32);
-            let next = multiply(element, &powers[powers.len() - 1]).expect("the sizes fit");
-            let matrix = DMatrix::from_fn(self.dimension, powers.len(), |i, j| powers[j][(i, 0)].clone());
-            let right: Vec<Rational> = next.iter().cloned().collect();
-            let found = solutions(&matrix, &right).expect("the sizes fit");
-            if let Some(relation) = found.constants {
-                let coefficients = relation.into_iter().map(|c| -c).chain(std::iter::once(Rational::one()));
-                return (powers, coefficients.collect());
-            }
-            powers.push(next);
+            powers.push(multiply(element, &powers[k]).expect("the sizes fit"));
         }
+        let matrix = DMatrix::from_fn(self.dimension, powers.len(), |i, j| powers[j][(i, 0)].clone());
+        let form = reduced_row_echelon(&matrix);
+        let degree =
+            (0..).find(|k| form.pivots.get(*k) != Some(k)).expect("there are more columns than rows");
+        let coefficients =
+            (0..degree).map(|i| -form.matrix[(i, degree)].clone()).chain(std::iter::once(Rational::one()));
+        powers.truncate(degree);
+        (powers, coefficients.collect())
     }
 }
 

@@ -30,6 +30,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Positivity => "用伯恩斯坦系数判定多项式的符号".into(),
         Title::Clipping => "用贝塞尔裁剪求实根".into(),
         Title::ConnectionMatrix(k) => format!("`G^{k}` 连续的 beta 矩阵"),
+        Title::Implicit => "用贝祖行列式求曲线的隐式方程".into(),
         Title::Roots => "用伯恩斯坦系数与笛卡尔符号法则分离实根".into(),
     }
 }
@@ -199,9 +200,15 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::PositiveConstant => "非负常数".into(),
         Reason::NoneNegativeOver(corners) => format!("伯恩斯坦系数均非负：在 {corners} 上非负"),
         Reason::EdgesNotNegative => "在每条边上是一元多项式，由其实根知非负".into(),
-        Reason::CriticalPoints => "内部的最小值在两个偏导数的公共零点处取到".into(),
-        Reason::NoCriticalPoints => "内部没有公共零点：最小值在边上取到".into(),
+        Reason::FacesNotNegative => "在每个面上是二元多项式，同样证得非负".into(),
+        Reason::CriticalPoints => "内部的最小值在各偏导数的公共零点处取到".into(),
+        Reason::NoCriticalPoints => "内部没有公共零点：最小值在边界上取到".into(),
         Reason::CriticalNotNegative => "区域内的公共零点，在各点处的值均非负".into(),
+
+        Reason::CommonRoot => "在点 `(x, y)` 的参数处为零".into(),
+        Reason::Bezout => "`(P(t) Q(s) - P(s) Q(t))/(t - s)` 中 `t^i s^j` 的系数".into(),
+        Reason::Determinant => "当 `P` 与 `Q` 有公共根时为零".into(),
+        Reason::EquationOfCurve => "在曲线上为零的不可约因子".into(),
 
         Reason::HullMisses => "系数同号：凸包不与轴相交，无根".into(),
         Reason::HullAtEnd(end) => format!("凸包仅在端点与轴相交：`{end}` 是根"),

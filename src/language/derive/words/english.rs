@@ -30,6 +30,7 @@ pub(super) fn title(title: Title) -> String {
         Title::Positivity => "The sign of a polynomial, by its Bernstein coefficients".into(),
         Title::Clipping => "Real roots by Bézier clipping".into(),
         Title::ConnectionMatrix(k) => format!("The beta-matrix of `G^{k}`"),
+        Title::Implicit => "The equation of a curve by Bézout's determinant".into(),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
 }
@@ -237,11 +238,17 @@ pub(super) fn reason(reason: &Reason) -> String {
         Reason::EdgesNotNegative => {
             "on each edge a polynomial in one variable that is not negative, by its real roots".into()
         }
-        Reason::CriticalPoints => "a least value inside is at a common zero of both derivatives".into(),
-        Reason::NoCriticalPoints => "there is none inside: the least value is on an edge".into(),
+        Reason::FacesNotNegative => "on each face a polynomial in two variables that is not negative, shown in the same way".into(),
+        Reason::CriticalPoints => "a least value inside is at a common zero of all derivatives".into(),
+        Reason::NoCriticalPoints => "there is none inside: the least value is on the boundary".into(),
         Reason::CriticalNotNegative => {
             "the common zeros in the region; the value at each of them is not negative".into()
         }
+
+        Reason::CommonRoot => "0 at the parameter of the point `(x, y)`".into(),
+        Reason::Bezout => "the coefficients of `t^i s^j` in `(P(t) Q(s) - P(s) Q(t))/(t - s)`".into(),
+        Reason::Determinant => "0 where `P` and `Q` have a common root".into(),
+        Reason::EquationOfCurve => "the irreducible factor that is 0 on the curve".into(),
 
         Reason::HullMisses => "all of one sign: the hull does not meet the axis, no root".into(),
         Reason::HullAtEnd(end) => format!("the hull meets the axis at the end only: `{end}` is a root"),

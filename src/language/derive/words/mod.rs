@@ -50,6 +50,8 @@ pub enum Title {
     Clipping,
     /// The matrix of G^k.
     ConnectionMatrix(usize),
+    /// The equation of a plane curve.
+    Implicit,
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -364,12 +366,23 @@ pub enum Reason {
     NoneNegativeOver(String),
     /// On the edges it is a polynomial in one variable.
     EdgesNotNegative,
+    /// On each face a polynomial in two variables is not negative.
+    FacesNotNegative,
     /// Critical points are common zeros of both derivatives.
     CriticalPoints,
     /// There are none in the region.
     NoCriticalPoints,
     /// Not negative at all of them.
     CriticalNotNegative,
+
+    /// The parameter of a point of the curve is a root of both.
+    CommonRoot,
+    /// Bézout's matrix.
+    Bezout,
+    /// 0 if and only if there is a common root.
+    Determinant,
+    /// The irreducible factor that is 0 on the curve.
+    EquationOfCurve,
 
     /// The hull of the Bézier points does not meet the axis.
     HullMisses,

@@ -108,21 +108,58 @@ pub(super) fn inverse(field: &Modulus, a: &[u64], f: &[u64]) -> Vec<u64> {
     reduced(field, s1, f)
 }
 
+/// a ↦ a^p modulo a monic f, which is linear: a^p = a(x^p). Its matrix takes as long as n products, a power some 120.
+struct Frobenius {
+    modulus: Vec<u64>,
+    /// x^(p i) mod f for i = 0, …, n − 1, once it is asked for.
+    rows: Vec<Vec<u64>>,
+}
+
+/// Matrices of this size still pay.
+const LARGEST_MATRIX: usize = 1500;
+
+impl Frobenius {
+    /// a^p mod f for a reduced a.
+    fn apply(&mut self, field: &Modulus, a: &[u64]) -> Vec<u64> {
+        let size = self.modulus.len() - 1;
+        if size > LARGEST_MATRIX || size < 3 {
+            return power(field, a, field.p, &self.modulus);
+        }
+        if self.rows.is_empty() {
+            budget::charge_terms((size * size) as u64 / 8);
+            let step = power(field, &[0, field.enter(1)], field.p, &self.modulus);
+            let mut row = vec![field.enter(1)];
+            for _ in 0..size {
+                let next = reduced(field, times(field, &row, &step), &self.modulus);
+                self.rows.push(std::mem::replace(&mut row, next));
+            }
+        }
+        let mut sum = vec![0; size];
+        for (&c, row) in a.iter().zip(&self.rows) {
+            budget::step();
+            for (x, &y) in sum.iter_mut().zip(row) {
+                *x = field.canonical(*x + field.canonical(field.mul(c, y)));
+            }
+        }
+        trimmed(sum)
+    }
+}
+
 /// The monic irreducible factors of a monic polynomial without repeated factors.
 pub(super) fn irreducible_factors(field: &Modulus, f: Vec<u64>) -> Vec<Vec<u64>> {
     let x = vec![0, field.enter(1)];
+    let mut map = Frobenius { modulus: f.clone(), rows: Vec::new() };
     let (mut rest, mut found, mut degree) = (f, Vec::new(), 0);
     let mut frobenius = x.clone();
     while rest.len() > 2 * (degree + 1) {
         degree += 1;
-        // x^(p^degree) mod rest, whose gcd with x is made of the factors whose degree divides it.
-        frobenius = power(field, &frobenius, field.p, &rest);
-        let difference = minus(field, &frobenius, &x);
+        // x^(p^degree) mod f, whose gcd with x is made of the factors whose degree divides it.
+        frobenius = map.apply(field, &frobenius);
+        let difference = reduced(field, minus(field, &frobenius, &x), &rest);
         let product = if difference.is_empty() { rest.clone() } else { gcd(field, rest.clone(), difference) };
         if product.len() > 1 {
             rest = quotient(field, rest, &product);
-            frobenius = reduced(field, frobenius, &rest);
-            equal_degrees(field, product, degree, &mut found);
+            equal_degrees(field, product, degree, &mut map, &mut found);
         }
     }
     if rest.len() > 1 {
@@ -132,7 +169,13 @@ pub(super) fn irreducible_factors(field: &Modulus, f: Vec<u64>) -> Vec<Vec<u64>>
 }
 
 /// Splits a product of irreducible factors of one degree.
-fn equal_degrees(field: &Modulus, f: Vec<u64>, degree: usize, found: &mut Vec<Vec<u64>>) {
+fn equal_degrees(
+    field: &Modulus,
+    f: Vec<u64>,
+    degree: usize,
+    map: &mut Frobenius,
+    found: &mut Vec<Vec<u64>>,
+) {
     let one = field.enter(1);
     let mut seed = 0;
     let mut open = vec![f];
@@ -145,7 +188,7 @@ fn equal_degrees(field: &Modulus, f: Vec<u64>, degree: usize, found: &mut Vec<Ve
         let r = trimmed((1..f.len()).map(|_| field.enter(random(&mut seed) % field.p)).collect());
         let (mut norm, mut conjugate) = (r.clone(), r);
         for _ in 1..degree {
-            conjugate = power(field, &conjugate, field.p, &f);
+            conjugate = reduced(field, map.apply(field, &conjugate), &f);
             norm = reduced(field, times(field, &norm, &conjugate), &f);
         }
         let half = minus(field, &power(field, &norm, (field.p - 1) / 2, &f), &[one]);

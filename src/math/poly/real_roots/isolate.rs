@@ -90,6 +90,21 @@ impl Poly {
     /// ```
     pub fn real_roots(&self, a: Option<&Rational>, b: Option<&Rational>) -> Option<Vec<(RealRoot, usize)>> {
         self.degree()?;
+        // Factors are only looked for if there are roots.
+        let simple = self.square_free_part();
+        let bound = simple.root_bound();
+        let lower = a.map_or_else(|| -&bound, |a| a.clone().max(-&bound));
+        let upper = b.map_or_else(|| bound.clone(), |b| b.clone().min(bound.clone()));
+        let none = lower > upper || simple.degree() == Some(0) || {
+            let found = lower < upper
+                && parts(simple.primitive_part().numerators(), &lower, &upper)
+                    .iter()
+                    .any(|part| part.root_at_upper || part.changes == 1);
+            !found && !simple.value(&lower).is_zero()
+        };
+        if none {
+            return Some(Vec::new());
+        }
         let inside = |q: &Rational| a.is_none_or(|a| a <= q) && b.is_none_or(|b| q <= b);
         let (mut roots, mut others) = (Vec::new(), Vec::new());
         for (part, multiplicity) in self.square_free_factors() {
