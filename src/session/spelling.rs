@@ -32,6 +32,19 @@ fn of_part(part: &Expr, file: &SourceFile) -> Option<Diagnostic> {
             let rows: Vec<Vec<&Expr>> = rows.iter().map(|row| row.iter().flatten().collect()).collect();
             of_decimals(&rows, part.span, file).or_else(|| of_signs(&rows, part.span, file))
         }
+        // 1.23(45)
+        Kind::Mul(factors) => factors.windows(2).find_map(|pair| {
+            let digits = match &pair[1].kind {
+                Kind::Group(inner) => matches!(&inner.kind, Kind::Number(number) if number.is_integer()),
+                _ => false,
+            };
+            let decimal = matches!(pair[0].kind, Kind::Number(_)) && file.slice(pair[0].span).contains('.');
+            (decimal && digits && pair[0].span.end == pair[1].span.start).then(|| {
+                let note =
+                    "read as a product; the digits of a repeating decimal stand below a bar: 0.\\overline{3}";
+                Diagnostic::note(Code::AmbiguousProduct, note).at(pair[0].span.to(pair[1].span))
+            })
+        }),
         Kind::List(items) => of_signs(&[items.iter().collect()], part.span, file),
         _ => None,
     }

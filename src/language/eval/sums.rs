@@ -222,6 +222,20 @@ impl Machine {
                 }
                 (Rel::In, 1) => {
                     let name = self.binder(left)?;
+                    // n ∈ [1, 5] is an interval in print, a list of two numbers here.
+                    if let (Kind::List(ends), false) = (&link.expr.kind, self.has_reading())
+                        && ends.len() == 2
+                    {
+                        let problem =
+                            Diagnostic::error(Code::AmbiguousProduct, "an interval, or two numbers?");
+                        return Err(problem
+                            .at(link.expr.span)
+                            .hint(format!(
+                                "of all integers between write {} = 1..5",
+                                crate::language::write::text(left)
+                            ))
+                            .hint("of these two write braces: {1, 5}"));
+                    }
                     let items = self.set_items(&link.expr)?;
                     assignments = extended(assignments, &name, &items);
                     bound_any = true;
