@@ -395,7 +395,7 @@ fn implicit(args: &Arguments) -> Result<Value> {
     let (coordinates, _) = homogeneous_coordinates(args, 0)?;
     let letters = ["x", "y", "z"].map(Symbol::new);
     let dimension = coordinates.len() - 1;
-    if dimension < 2 || dimension > 3 {
+    if !(2..=3).contains(&dimension) {
         let message =
             format!("a curve of the plane or of space is needed, this one has {dimension} coordinates");
         let error = Diagnostic::error(Code::Shape, message).at(args.span(0));

@@ -122,7 +122,7 @@ impl Frobenius {
     /// a^p mod f for a reduced a.
     fn apply(&mut self, field: &Modulus, a: &[u64]) -> Vec<u64> {
         let size = self.modulus.len() - 1;
-        if size > LARGEST_MATRIX || size < 3 {
+        if !(3..=LARGEST_MATRIX).contains(&size) {
             return power(field, a, field.p, &self.modulus);
         }
         if self.rows.is_empty() {
