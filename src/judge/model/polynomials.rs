@@ -39,6 +39,10 @@ impl Model {
             let unknown = Diagnostic::error(Code::UnknownName, format!("'{letter}' has no meaning here"));
             return Err(unknown.at(expr.span));
         }
+        // P_{i, …, k} for nodes of which nothing is said
+        if head.lower.iter().any(|index| index.kind == Kind::Ellipsis) {
+            return Err(unclear("what this function is", expr));
+        }
         let shape = |own: &Head| {
             own.lower.len() == head.lower.len()
                 && own.upper.len() == head.upper.len()

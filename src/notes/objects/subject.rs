@@ -135,7 +135,9 @@ pub(super) fn subject(expr: &Expr) -> Option<Expr> {
         Head::of(argument).is_some_and(|head| head.arguments.is_none()) || argument.kind == Kind::Ellipsis
     };
     let whole = |argument: &&Expr| !matches!(argument.kind, Kind::Number(_)) && plain(argument);
-    Head::of(name).filter(|head| head.flat().iter().all(whole)).map(|_| name.clone())
+    // P_{i, …, k} is no member of a family with a fixed number of indices.
+    let dots = |head: &Head| head.lower.iter().any(|index| index.kind == Kind::Ellipsis);
+    Head::of(name).filter(|head| head.flat().iter().all(whole) && !dots(head)).map(|_| name.clone())
 }
 
 pub(super) fn name_in(expr: &Expr) -> Option<Expr> {
