@@ -84,7 +84,7 @@ pub fn implicit_equation(coordinates: &[Vec<Fraction>; 3], symbols: [&Symbol; 2]
 /// let list = |c: &[i64]| c.iter().map(|c| Fraction::from(integer(*c))).collect::<Vec<_>>();
 /// let [t, x, y] = ["t", "x", "y"].map(Symbol::new);
 /// let (p, q, matrix) = bezout_matrix(&[list(&[0, 0, 1]), list(&[0, 0, 0, 1]), list(&[1])], &t, [&x, &y]).unwrap();
-/// assert_eq!(format!("{p}, {q}, {}", matrix[(2, 1)]), "-t^2 + x, -t^3 + y, x");
+/// assert_eq!(format!("{p}, {q}, {}", matrix[(1, 1)]), "-t^2 + x, -t^3 + y, x");
 /// ```
 pub fn bezout_matrix(
     coordinates: &[Vec<Fraction>; 3],

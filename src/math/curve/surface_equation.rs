@@ -67,7 +67,7 @@ pub fn surface_equation(
 /// let symbols = ["x", "y", "z"].map(Symbol::new);
 /// let found = curve_equations(&[power(1), power(2), power(3)], &t, &symbols).unwrap();
 /// let shown: Vec<String> = found.iter().map(|f| f.to_string()).collect();
-/// assert_eq!(shown, ["x z - y^2", "x y - z", "x^2 - y"]);
+/// assert_eq!(shown, ["-x z + y^2", "x y - z", "x^2 - y"]);
 /// ```
 pub fn curve_equations(
     coordinates: &[Fraction],
