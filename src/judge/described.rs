@@ -325,7 +325,8 @@ impl Checker {
                 }
                 _ => continue,
             }
-            let more = new.points.zip(degree).map(|(points, degree)| points - 1 - degree);
+            let points = new.points.or_else(|| self.points_heard(&new.letter, &statement.place));
+            let more = points.zip(degree).map(|(points, degree)| points - 1 - degree);
             if topics.has(Topic::Elevation) && more.is_none_or(|more| more > 0) {
                 add(Made::Elevated(more.unwrap_or(1)));
             }
@@ -366,6 +367,14 @@ impl Checker {
             .rev()
             .filter(|(other, _)| place.knows(other, false))
             .map(|(_, expr)| &**expr)
+    }
+
+    /// How many points of a letter the section listed: 5, for c_0, …, c_4.
+    fn points_heard(&self, letter: &str, place: &Place) -> Option<i64> {
+        let heads = self.heard(place).filter_map(Head::of).filter(|head| head.base == letter);
+        let numbers: Vec<i64> = heads.filter_map(|head| head.index()?.as_int()).collect();
+        let last = *numbers.iter().max()?;
+        (last > 0 && numbers.contains(&0)).then_some(last + 1)
     }
 
     /// The part of its interval that the paragraph speaks of.

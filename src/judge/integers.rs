@@ -141,8 +141,33 @@ pub(super) fn is_inner(bound: &[(String, i64)]) -> bool {
     })
 }
 
-/// Whether an index is greater than the least size.
-pub(super) fn is_outside(bound: &[(String, i64)]) -> bool {
+/// The largest values of the indices of Bernstein polynomials whose degree is a number: 3 for the i of B_i^3.
+pub(super) fn last_values(sides: &[&Expr]) -> Vec<(String, i64)> {
+    let mut found = Vec::new();
+    for side in sides {
+        walk(side, &mut |part| {
+            let Some(head) = Head::of(part).filter(Head::is_bernstein) else { return };
+            let (index, degree) = match (head.lower.as_slice(), head.upper.as_slice()) {
+                ([index], [degree]) | ([index, degree], []) => (index, degree.as_int()),
+                _ => return,
+            };
+            // In B_{n,0} the degree comes first.
+            if let (Kind::Name(name), Some(degree)) = (&index.kind, degree)
+                && !roles::is_size(name)
+            {
+                found.push((name.clone(), degree));
+            }
+        });
+    }
+    found
+}
+
+/// Whether an index is greater than the least size, or than its last value.
+pub(super) fn is_outside(bound: &[(String, i64)], last: &[(String, i64)]) -> bool {
+    let beyond = |(name, value): &(String, i64)| last.iter().any(|(own, most)| own == name && value > most);
+    if bound.iter().any(beyond) {
+        return true;
+    }
     let least = bound.iter().filter(|(name, _)| roles::is_size(name)).map(|(_, value)| *value).min();
     least.is_some_and(|least| bound.iter().any(|(name, value)| !roles::is_size(name) && *value > least))
 }

@@ -14,7 +14,7 @@ use super::conditions::{CANNOT_HOLD, Conditions};
 use super::context::{Context, is_variable};
 use super::evaluator::{self, evaluate_reading};
 use super::features::{ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs};
-use super::integers::{advance, as_values, equated_index, is_inner, is_outside};
+use super::integers::{advance, as_values, equated_index, is_inner, is_outside, last_values};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{integer_names, is_index_letter, is_range};
 use super::statement::{Chain, Place};
@@ -395,7 +395,8 @@ impl<'a> Trial<'a> {
         outcomes: &mut Outcomes,
     ) -> bool {
         let free = self.free(bound);
-        let inner = is_inner(&free) && degree != Some(0);
+        let last = last_values(&self.sides);
+        let inner = is_inner(&free) && degree != Some(0) && !is_outside(&free, &last);
         let mut valid = false;
         for (at, rel) in self.relations.iter().enumerate() {
             let tally = &mut outcomes.tallies[at];
@@ -461,7 +462,7 @@ impl<'a> Trial<'a> {
                         degree,
                         around: around.clone(),
                         inner,
-                        outside: is_outside(&free)
+                        outside: is_outside(&free, &last)
                             || degree
                                 .is_some_and(|degree| free.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,
