@@ -17,7 +17,8 @@ LONG = {
 @pytest.mark.skipif(os.name == "nt", reason="there are no signals of this kind")
 @pytest.mark.parametrize("what", LONG)
 def test_an_interrupt_stops(what):
-    program = f"import polarform as pf\nprint('ready', flush=True)\ntry:\n    while True: {LONG[what]}\nexcept KeyboardInterrupt:\n    print('stopped', pf.eval('1 + 1'))\n"
+    # Where a shell starts the tests in the background, interrupts are ignored.
+    program = f"import signal\nimport polarform as pf\nsignal.signal(signal.SIGINT, signal.default_int_handler)\nprint('ready', flush=True)\ntry:\n    while True: {LONG[what]}\nexcept KeyboardInterrupt:\n    print('stopped', pf.eval('1 + 1'))\n"
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as child:
         assert child.stdout.readline() == "ready\n"
         time.sleep(0.5)

@@ -172,6 +172,8 @@ pub fn looks_like_latex(text: &str) -> bool {
                 ["∑", "∏", "∫"].iter().any(|sign| before.ends_with(sign))
                     || word.is_some_and(|word| words::is_sign_with_bounds(word, text.piece(before.len()..)))
             }
+            // A \ b solves equations elsewhere.
+            b'\\' if at > 0 && bytes[at - 1] == b' ' && bytes.get(at + 1) == Some(&b' ') => false,
             b'\\' => {
                 let letters = bytes[at + 1..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
                 letters::sign(text.piece(at + 1..at + 1 + letters)).is_none()

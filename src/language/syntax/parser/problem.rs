@@ -157,6 +157,7 @@ impl Parser<'_> {
             "\\vec" | "\\overrightarrow" => "write vec(v)",
             "\\left" | "\\right" | "\\big" | "\\Big" => "leave it out",
             "\\begin" => "write a matrix as [1, 2; 3, 4]",
+            "\\ " => "write solve(A, b) for the x with A x = b",
             _ => "write the formula wholly in LaTeX, between $ and $, or without LaTeX commands",
         };
         Box::new(
