@@ -11,7 +11,7 @@ use super::known::definable;
 use super::lint;
 use super::model::Ambiguity;
 use super::names::{Head, bases, is_range};
-use super::object::{Declared, Object};
+use super::object::{Declared, Object, Sort};
 use super::reach::whole_sums;
 use super::reliance::Use;
 use super::scheme::Scheme;
@@ -204,6 +204,12 @@ impl Checker {
     /// Takes in what words say that names stand for.
     pub(super) fn object(&mut self, object: &Object, place: &Place) {
         let line = object.names.first().map_or(0, |name| self.line(name.span));
+        let mut object = object.clone();
+        // The pieces of a spline meet at the data, if nothing else is said.
+        if object.sort == Sort::SplineCurve && object.knots.is_empty() && object.points.is_empty() {
+            object.knots = object.data.iter().map(|(x, _)| x.clone()).collect();
+        }
+        let object = &object;
         let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
         if let [name] = object.names.as_slice() {

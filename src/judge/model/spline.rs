@@ -53,7 +53,10 @@ impl Model {
         let before: Vec<&(i64, Fraction)> = match (at_knot, place.as_rational()) {
             (Some(at), _) => knots[..at].iter().collect(),
             (None, Some(number)) => {
-                let numbers = knots.iter().filter(|(_, knot)| knot.as_rational().is_some());
+                let mut numbers = knots.iter().filter(|(_, knot)| knot.as_rational().is_some()).peekable();
+                if numbers.peek().is_none() {
+                    return Err(unclear("between which knots this value of a spline is", expr));
+                }
                 numbers.filter(|(_, knot)| knot.as_rational().is_some_and(|knot| knot < number)).collect()
             }
             (None, None) => return Err(unclear("between which knots this value of a spline is", expr)),
