@@ -2,8 +2,8 @@
 import { gzip } from "@gfx/zopfli";
 import { readFileSync, writeFileSync } from "node:fs";
 
-/** Who opens the page over a telephone waits for it. */
-const MOST = 2_000_000;
+/** Who opens the page over a telephone waits for it: 2 MiB at most. */
+const MOST = 2 * 1024 * 1024;
 
 const [, , path] = process.argv;
 const module = readFileSync(path);
