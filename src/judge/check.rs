@@ -209,8 +209,8 @@ impl Checker {
         if object.sort == Sort::SplineCurve && object.knots.is_empty() && object.points.is_empty() {
             object.knots = object.data.iter().map(|(x, _)| x.clone()).collect();
         }
-        let object = &object;
-        let declared = Declared { object: Rc::new(object.clone()), place: place.clone(), line };
+        let object = Rc::new(object);
+        let declared = Declared { object: object.clone(), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
         if let [name] = object.names.as_slice() {
             for (x, y) in &object.data {
@@ -219,7 +219,7 @@ impl Checker {
             }
         }
         if object.natural {
-            self.natural(object, place);
+            self.natural(&object, place);
         }
         for (head, value) in object.members() {
             let span = value.span;

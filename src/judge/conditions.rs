@@ -106,9 +106,8 @@ impl Conditions<'_> {
         }
         // Data determine a function only within a class that the page names: for all that is known, S may be a spline.
         let supposed = tally.record.unknown.iter().any(|base| {
-            let object = trial.context.object_called(base, trial.place);
-            let named = object.is_some_and(|declared| declared.object.is_of_a_class());
-            !named && !tally.record.paired.contains(base)
+            trial.context.object_of_a_class(base, trial.place).is_none()
+                && !tally.record.paired.contains(base)
         });
         if supposed {
             return plain;

@@ -505,6 +505,12 @@ impl Context {
     pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
         self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
     }
+
+    /// The same, if it is any function of a class that the page names.
+    pub fn object_of_a_class(&self, base: &str, place: &Place) -> Option<&Object> {
+        let object = &*self.object_called(base, place)?.object;
+        object.is_of_a_class().then_some(object)
+    }
 }
 
 /// i ∈ ℤ

@@ -408,10 +408,7 @@ pub fn decide(
         let of_class = claimed
             && generic(&failure.left)
             && generic(&failure.right)
-            && checker
-                .context
-                .object_called(name, &statement.place)
-                .is_some_and(|declared| declared.object.is_of_a_class());
+            && checker.context.object_of_a_class(name, &statement.place).is_some();
         if !(identity || of_class || differences && sl == sr && !sl.is_empty()) {
             return Decision::Condition(format!(
                 "a condition on {name}, or it needs to be known what {name} is"

@@ -103,6 +103,8 @@ pub struct Trial<'a> {
     limits: Limits,
     /// What its names mean, before an instance fixes degree and parameter.
     reading: Model,
+    /// The last values that its sides allow for indices.
+    last: Vec<(String, i64)>,
     /// What its conditions are in an instance.
     memo: Memo,
 }
@@ -126,6 +128,7 @@ impl<'a> Trial<'a> {
             .with_tensor(has_groups(&sides))
             .with_ends(ends_of_sums(&sides));
         let mut trial = Trial {
+            last: last_values(&sides),
             sides,
             relations,
             conditions: &setting.chain.conditions,
@@ -395,8 +398,7 @@ impl<'a> Trial<'a> {
         outcomes: &mut Outcomes,
     ) -> bool {
         let free = self.free(bound);
-        let last = last_values(&self.sides);
-        let inner = is_inner(&free) && degree != Some(0) && !is_outside(&free, &last);
+        let inner = is_inner(&free) && degree != Some(0) && !is_outside(&free, &self.last);
         let mut valid = false;
         for (at, rel) in self.relations.iter().enumerate() {
             let tally = &mut outcomes.tallies[at];
@@ -462,7 +464,7 @@ impl<'a> Trial<'a> {
                         degree,
                         around: around.clone(),
                         inner,
-                        outside: is_outside(&free, &last)
+                        outside: is_outside(&free, &self.last)
                             || degree
                                 .is_some_and(|degree| free.iter().any(|(_, value)| *value > degree as i64)),
                         outcome,

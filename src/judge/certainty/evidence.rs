@@ -262,11 +262,8 @@ impl Suspect<'_> {
         let told = self.claimed() || self.sides().into_iter().any(has_structure);
         // Any function of a class, or the one in it that data determine
         let of_class = |name: &String| {
-            let declared = self.checker.context.object_called(name, here);
-            declared.is_some_and(|declared| {
-                let object = &declared.object;
-                object.is_of_a_class() && (self.tally.determined > 0 || object.sort != Sort::Polynomial)
-            })
+            let object = self.checker.context.object_of_a_class(name, here);
+            object.is_some_and(|object| self.tally.determined > 0 || object.sort != Sort::Polynomial)
         };
         !record.standard.is_empty()
             || self.used().any(known)

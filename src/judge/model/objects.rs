@@ -15,13 +15,13 @@ use crate::language::lexicon::{families, roles};
 use crate::language::ops::arithmetic;
 use crate::language::value::Value;
 use crate::math::blossom::{Argument, PolarForm};
-use crate::math::number::{Rational, integer, multinomial};
+use crate::math::number::{Rational, integer};
 use crate::math::poly::{Coefficients, Fraction, Index, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
 /// The variable in which a polynomial is taken apart.
-const PLACE: &str = "\u{25e6}";
+pub(super) const PLACE: &str = "\u{25e6}";
 
 impl Model {
     /// The object that a head is one of.
@@ -420,50 +420,6 @@ impl Model {
             let mut coefficients = coefficients;
             coefficients.resize(degree + 1, Fraction::zero());
             PolarForm::new(coefficients).value(&list).map_err(|_| unclear("what this polar value is", expr))
-        })
-    }
-
-    /// The value of the polar form of a polynomial in two variables, by its total degree, at points of the plane:
-    /// the product of the sums 1 + x u_k + y v_k has the symmetric functions as coefficients.
-    fn total_polar_value(
-        &self,
-        machine: &mut Machine,
-        of: &Expr,
-        points: &[(Fraction, Fraction)],
-        expr: &Expr,
-    ) -> Evaluated {
-        let (x, y) = (Symbol::new(PLACE), Symbol::new(PLACE).numbered(2));
-        let symbols = vec![Value::symbol(x.clone()), Value::symbol(y.clone())];
-        let value = self.at_place(machine, of, symbols, expr)?;
-        let n = points.len();
-        let mut table = vec![vec![Fraction::zero(); n + 1]; n + 1];
-        table[0][0] = Fraction::from_rational(&integer(1));
-        for (u, v) in points {
-            for i in (0..=n).rev() {
-                for j in (0..=n).rev() {
-                    let left = if i > 0 { table[i - 1][j].times(u) } else { Fraction::zero() };
-                    let below = if j > 0 { table[i][j - 1].times(v) } else { Fraction::zero() };
-                    table[i][j] = table[i][j].plus(&left).plus(&below);
-                }
-            }
-        }
-        each(value, &|formula| {
-            let mut sum = Fraction::zero();
-            for (i, row) in coefficients_in(&formula, &x, expr)?.iter().enumerate() {
-                for (j, coefficient) in coefficients_in(row, &y, expr)?.iter().enumerate() {
-                    if coefficient.is_zero() {
-                        continue;
-                    }
-                    if i + j > n {
-                        let message =
-                            format!("a polynomial of degree {} has no polar form with {n} arguments", i + j);
-                        return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
-                    }
-                    let count = Rational::new(1.into(), multinomial(&[i, j, n - i - j]));
-                    sum = sum.plus(&coefficient.times(&table[i][j]).scaled(&count));
-                }
-            }
-            Ok(sum)
         })
     }
 

@@ -1,14 +1,14 @@
-//! Polar forms of surfaces with two groups of arguments.
+//! Polar forms of surfaces: with two groups of arguments, and by the total degree at points of the plane.
 
 use super::calls::{each, unclear, variable};
-use super::objects::coefficients_in;
+use super::objects::{PLACE, coefficients_in};
 use super::{Evaluated, Model};
 use crate::formula::Expr;
 use crate::judge::names::{Head, capital_of};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::value::Value;
-use crate::math::number::Rational;
+use crate::math::number::{Rational, integer, multinomial};
 use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
@@ -49,27 +49,75 @@ impl Model {
         let (Some(u), Some(v)) = (scalars(u), scalars(v)) else {
             return Err(unclear("what these arguments are", expr));
         };
-        let (x, y) = (Symbol::new("\u{25e6}"), Symbol::new("\u{25e6}").numbered(2));
+        let (x, y) = (Symbol::new(PLACE), Symbol::new(PLACE).numbered(2));
         let symbols = vec![Value::symbol(x.clone()), Value::symbol(y.clone())];
         let value = self.at_place(machine, of, symbols, expr)?;
         let (su, sv) = (means(&u), means(&v));
         each(value, &|formula| {
-            let mut sum = Fraction::zero();
-            for (i, row) in coefficients_in(&formula, &x, expr)?.iter().enumerate() {
-                for (j, coefficient) in coefficients_in(row, &y, expr)?.iter().enumerate() {
-                    if coefficient.is_zero() {
-                        continue;
-                    }
-                    let (Some(a), Some(b)) = (su.get(i), sv.get(j)) else {
-                        let message = format!("a surface of degree ({i}, {j}) has more arguments than these");
-                        return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
-                    };
-                    sum = sum.plus(&coefficient.times(a).times(b));
-                }
-            }
-            Ok(sum)
+            sum_of_powers(&formula, [&x, &y], expr, &|i, j| match (su.get(i), sv.get(j)) {
+                (Some(a), Some(b)) => Ok(a.times(b)),
+                _ => Err(format!("a surface of degree ({i}, {j}) has more arguments than these")),
+            })
         })
     }
+
+    /// The value of the polar form of a polynomial in two variables, by its total degree, at points of the plane:
+    /// the product of the sums 1 + x u_k + y v_k has the symmetric functions as coefficients.
+    pub(super) fn total_polar_value(
+        &self,
+        machine: &mut Machine,
+        of: &Expr,
+        points: &[(Fraction, Fraction)],
+        expr: &Expr,
+    ) -> Evaluated {
+        let (x, y) = (Symbol::new(PLACE), Symbol::new(PLACE).numbered(2));
+        let symbols = vec![Value::symbol(x.clone()), Value::symbol(y.clone())];
+        let value = self.at_place(machine, of, symbols, expr)?;
+        let n = points.len();
+        let mut table = vec![vec![Fraction::zero(); n + 1]; n + 1];
+        table[0][0] = Fraction::from_rational(&integer(1));
+        for (u, v) in points {
+            for i in (0..=n).rev() {
+                for j in (0..=n).rev() {
+                    let left = if i > 0 { table[i - 1][j].times(u) } else { Fraction::zero() };
+                    let below = if j > 0 { table[i][j - 1].times(v) } else { Fraction::zero() };
+                    table[i][j] = table[i][j].plus(&left).plus(&below);
+                }
+            }
+        }
+        each(value, &|formula| {
+            sum_of_powers(&formula, [&x, &y], expr, &|i, j| {
+                if i + j > n {
+                    return Err(format!(
+                        "a polynomial of degree {} has no polar form with {n} arguments",
+                        i + j
+                    ));
+                }
+                let count = Rational::new(1.into(), multinomial(&[i, j, n - i - j]));
+                Ok(table[i][j].scaled(&count))
+            })
+        })
+    }
+}
+
+/// A polynomial in x and y with a value in place of each x^i y^j; an error says why there is none.
+fn sum_of_powers(
+    formula: &Fraction,
+    [x, y]: [&Symbol; 2],
+    expr: &Expr,
+    value: &dyn Fn(usize, usize) -> Result<Fraction, String>,
+) -> Result<Fraction, Diagnostic> {
+    let mut sum = Fraction::zero();
+    for (i, row) in coefficients_in(formula, x, expr)?.iter().enumerate() {
+        for (j, coefficient) in coefficients_in(row, y, expr)?.iter().enumerate() {
+            if !coefficient.is_zero() {
+                let value =
+                    value(i, j).map_err(|message| Diagnostic::error(Code::Arity, message).at(expr.span))?;
+                sum = sum.plus(&coefficient.times(&value));
+            }
+        }
+    }
+    Ok(sum)
 }
 
 /// The means σ_{i,n} of the elementary symmetric functions, for all i.
