@@ -165,12 +165,14 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
     formulas.dedup();
     let words_of = |formula: usize| around.get(formula.wrapping_sub(1)).cloned().unwrap_or_default();
     let claims = |role: Option<Role>| matches!(role, Some(Role::Claimed | Role::Always));
-    // "For f(0) = 1, f(1) = 3: f[0, 1] = 2", "For n = 1, m = 2 we have …"
+    // "For f(0) = 1, f(1) = 3: f[0, 1] = 2"
+    let after_colon = |words: &Around| words.left.trim_start().starts_with([':', '：']);
+    // "For n = 1, m = 2 we have …"
     let claimed: Vec<bool> = formulas
         .iter()
         .map(|&formula| {
             let words = words_of(formula);
-            claims(speech::role(&words, false)) || words.left.trim_start().starts_with([':', '：'])
+            claims(speech::role(&words, false)) || after_colon(&words)
         })
         .collect();
     let says_a_name = |formula: usize| {
@@ -207,7 +209,8 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             let consequent = comma && matches!(before, Role::Case | Role::All) && !claims_later;
             // "They vanish at $u$, and $a = b$": a name is no case that an equation goes on with.
             let of_name = before == Role::Case && says_a_name(formulas[at - 1]) && !says_a_name(formula);
-            if !claims(Some(before)) && !consequent && !of_name {
+            // "Put i = j + 1: …" introduces i, and what comes of it follows.
+            if !claims(Some(before)) && !consequent && !of_name && !after_colon(&words) {
                 (role, alternative) = (Some(before), or);
             }
         }
