@@ -28,6 +28,7 @@ mod notes;
 mod notes_commands;
 mod notes_corpus;
 mod notes_repairs;
+mod one_verdict;
 mod roundtrip;
 mod small_pages;
 mod weave;

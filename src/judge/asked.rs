@@ -10,7 +10,7 @@ use super::names::bases;
 use super::statement::{Chain, Place, Role, Said, Side, Statement};
 use crate::budget::{self, Limits};
 use crate::formula::source::SourceFile;
-use crate::formula::{Expr, Kind, Link};
+use crate::formula::{Expr, Kind, Rel};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::eval::{Env, Outcome};
 use crate::language::value::{Claim, Judgement, Value, Verdict};
@@ -24,9 +24,9 @@ pub(crate) fn refined(
     env: &Env,
     outcome: Result<Outcome, Diagnostic>,
 ) -> Result<Outcome, Diagnostic> {
-    let Kind::Chain(first, links) = &statement.kind else { return outcome };
+    let Kind::Chain(_, links) = &statement.kind else { return outcome };
     let outcome = outcome.map(|outcome| match env.get(&Symbol::new(PI)) {
-        None => without_numbers_as_letters(outcome, first, links),
+        None => without_numbers_as_letters(outcome, statement),
         Some(_) => outcome,
     });
     if bases(statement).iter().any(|base| env.get(&Symbol::new(base)).is_some()) {
@@ -37,35 +37,19 @@ pub(crate) fn refined(
             if claim.judgements.iter().any(is_open) =>
         {
             let findings = findings(statement, &[]);
-            let judged = claim.judgements.iter().zip(&findings).map(|(judgement, finding)| {
-                match verdict(finding).filter(|_| is_open(judgement)) {
-                    Some(verdict @ (Verdict::Proved | Verdict::Sampled)) => {
-                        Judgement { verdict, reasons: reasons(finding), witness: None, ..judgement.clone() }
-                    }
-                    _ => judgement.clone(),
-                }
-            });
-            let same = findings.len() == claim.judgements.len();
-            let claim = if same { Arc::new(Claim { judgements: judged.collect() }) } else { claim.clone() };
+            let claim = match findings.len() == claim.judgements.len() {
+                true => Arc::new(looked_at_again(&claim, &findings, statement)),
+                false => claim,
+            };
             Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
         }
         Err(error) if may_be_family(&error) || has_dots(statement) => {
             let findings = findings(statement, &[]);
-            let side = |expr: &Expr| Value::Text(write::text(expr));
-            let lefts = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
-            let judged: Option<Vec<Judgement>> = findings
-                .iter()
-                .zip(lefts.zip(links))
-                .map(|(finding, (left, link))| {
-                    Some(Judgement {
-                        rel: link.rel,
-                        left: side(left),
-                        right: side(&link.expr),
-                        verdict: verdict(finding)?,
-                        difference: None,
-                        witness: None,
-                        reasons: reasons(finding),
-                    })
+            let sides = sides(statement);
+            let judged = findings.iter().zip(sides.windows(2)).zip(links);
+            let judged: Option<Vec<Judgement>> = judged
+                .map(|((finding, sides), link)| {
+                    Some(asked(link.rel, verdict(finding)?, finding, [sides[0], sides[1]]))
                 })
                 .collect();
             match judged.filter(|judgements| judgements.len() == links.len()) {
@@ -91,22 +75,36 @@ pub(crate) fn under_conditions(statement: &Expr, conditions: &[Expr], env: &Env,
     if findings.len() != claim.judgements.len() {
         return claim;
     }
-    let judged =
-        claim.judgements.into_iter().zip(&findings).map(|(judgement, finding)| match verdict(finding) {
-            Some(verdict @ (Verdict::Proved | Verdict::Sampled)) if is_open(&judgement) => {
-                Judgement { verdict, reasons: reasons(finding), witness: None, ..judgement }
-            }
-            _ => judgement,
-        });
+    looked_at_again(&claim, &findings, statement)
+}
+
+/// The judgements of a claim, with what a page says where they are open.
+fn looked_at_again(claim: &Claim, findings: &[Finding], statement: &Expr) -> Claim {
+    let sides = sides(statement);
+    let judged = claim.judgements.iter().zip(findings).zip(sides.windows(2));
+    let judged = judged.map(|((judgement, finding), sides)| match verdict(finding) {
+        Some(verdict) if is_open(judgement) => asked(judgement.rel, verdict, finding, [sides[0], sides[1]]),
+        _ => judgement.clone(),
+    });
     Claim { judgements: judged.collect() }
 }
 
+/// What a page says of a relation.
+fn asked(rel: Rel, verdict: Verdict, finding: &Finding, sides: [&Expr; 2]) -> Judgement {
+    let [left, right] = sides.map(|side| Value::Text(write::text(side)));
+    Judgement { rel, left, right, verdict, difference: None, witness: None, reasons: reasons(finding) }
+}
+
+fn sides(chain: &Expr) -> Vec<&Expr> {
+    let Kind::Chain(first, links) = &chain.kind else { return Vec::new() };
+    std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr)).collect()
+}
+
 /// π is a number: a claim that fails for some value of the letter is not refuted.
-fn without_numbers_as_letters(mut outcome: Outcome, first: &Expr, links: &[Link]) -> Outcome {
+fn without_numbers_as_letters(mut outcome: Outcome, statement: &Expr) -> Outcome {
     let Value::Claim(claim) = &outcome.value else { return outcome };
-    let sides: Vec<bool> =
-        std::iter::once(first).chain(links.iter().map(|link| &link.expr)).map(names_pi).collect();
-    if claim.judgements.len() != links.len() {
+    let sides: Vec<bool> = sides(statement).into_iter().map(names_pi).collect();
+    if claim.judgements.len() + 1 != sides.len() {
         return outcome;
     }
     let judged =
@@ -156,9 +154,9 @@ fn reasons(finding: &Finding) -> Vec<String> {
 
 /// What a page would say of a claim under conditions.
 fn findings(claim: &Expr, conditions: &[Expr]) -> Vec<Finding> {
-    let Kind::Chain(first, links) = &claim.kind else { return Vec::new() };
+    let Kind::Chain(_, links) = &claim.kind else { return Vec::new() };
     let side = |expr: &Expr| Side { expr: expr.clone(), latex: write::latex(expr) };
-    let sides = std::iter::once(first.as_ref()).chain(links.iter().map(|link| &link.expr));
+    let sides = sides(claim).into_iter();
     let relations = links.iter().map(|link| (link.rel, link.span)).collect();
     let chain = Chain {
         universal: conditions.is_empty(),

@@ -358,7 +358,7 @@ impl Suspect<'_> {
             || (self.claimed() || self.chain.relations.len() > 1)
                 && numbers
                 && !(literal(left) && literal(right))
-            || self.is_constant_apart() && !numbers && (circular || plain)
+            || self.has_no_solution() && !numbers && (circular || plain)
     }
 
     /// Whether the sides are polynomials in the same names that agree in three terms and half of all.

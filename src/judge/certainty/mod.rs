@@ -173,7 +173,7 @@ impl Suspect<'_> {
             && self.at == 0
             && !self.chain.universal
             && self.tally.record.definitions.is_empty()
-            && !self.is_constant_apart()
+            && !self.has_no_solution()
             && !self.any(&mut product);
         let free = |argument: &Expr| match &argument.kind {
             Kind::Name(name) => {
@@ -199,10 +199,12 @@ impl Suspect<'_> {
             .then(|| "it may be an equation to be solved".to_owned())
     }
 
-    /// x = x + 1 has no solution.
-    fn is_constant_apart(&self) -> bool {
+    /// x = x + 1 has no solution, nor has 2x/(1 - x^2) = 2/(1 - x^2).
+    fn has_no_solution(&self) -> bool {
         match (&self.failure.left, &self.failure.right) {
-            (Value::Scalar(left), Value::Scalar(right)) => left.minus(right).as_rational().is_some(),
+            (Value::Scalar(left), Value::Scalar(right)) => {
+                left.minus(right).numerator().as_constant().is_some()
+            }
             _ => false,
         }
     }
