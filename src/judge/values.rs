@@ -89,6 +89,10 @@ fn order(judgement: &mut Judgement) {
         judgement.verdict = if true_everywhere { Verdict::Proved } else { Verdict::Refuted };
         return;
     }
+    if positive.variables().len() > 1 && inequality::holds_by_squares(&positive, strict) {
+        judgement.verdict = Verdict::Proved;
+        return;
+    }
     let witness = match inequality::decide(&positive, strict, &Range::default()) {
         Some(Decision::Holds) => {
             judgement.verdict = Verdict::Proved;

@@ -1,6 +1,7 @@
 //! Polynomials in one and in several variables, and their fractions.
 
 mod coefficients;
+mod definite;
 mod dense;
 mod dense_compose;
 mod dense_divide;
