@@ -209,12 +209,14 @@ impl Checker {
         let relevant = about(&earlier, &reached, &|expr| self.context.reached(&[expr], place));
         let mut relevant = relevant.into_iter();
         earlier.retain(|_| relevant.next() == Some(true));
+        let knot_letters = self.context.knot_letters(place, &sides);
         let facts = Facts {
+            given_knots: Rc::new(self.context.given_knots(&knot_letters, place)),
             near: earlier.iter().filter(|condition| place.sees(&condition.place)).count(),
             earlier: earlier.iter().map(|condition| condition.expr.clone()).collect(),
             ranges: earlier.iter().map(|condition| condition.ranges.clone()).collect(),
             reached,
-            knot_letters: self.context.knot_letters(place, &sides),
+            knot_letters,
         };
         Setting { chain, place, curve, facts: Rc::new(facts) }
     }

@@ -6,7 +6,7 @@
 
 use crate::language::lexicon::roles;
 use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::compare::{self, Outcome};
@@ -45,6 +45,7 @@ pub fn share(limits: &Limits, part: u64) -> u64 {
 }
 
 /// What a chain may rest on.
+#[derive(Default)]
 pub struct Facts {
     /// Conditions said before, those of the same section first, the latest first.
     pub earlier: Vec<Expr>,
@@ -56,6 +57,8 @@ pub struct Facts {
     pub reached: BTreeSet<String>,
     /// Letters whose members are knots.
     pub knot_letters: Vec<String>,
+    /// The knots that the page gives, by their numbers.
+    pub given_knots: Rc<BTreeMap<i64, Rational>>,
 }
 
 /// What surrounds a chain.
@@ -73,13 +76,14 @@ pub struct Setting<'a> {
 impl<'a> Setting<'a> {
     /// The same without the equations among the facts: what is tested may not rest on itself.
     pub(super) fn without_equations(&self) -> Setting<'a> {
-        let Facts { earlier, reached, knot_letters, .. } = &*self.facts;
+        let Facts { earlier, reached, knot_letters, given_knots, .. } = &*self.facts;
         let facts = Facts {
             earlier: earlier.iter().filter(|expr| is_range(expr)).cloned().collect(),
             ranges: Vec::new(),
             near: 0,
             reached: reached.clone(),
             knot_letters: knot_letters.clone(),
+            given_knots: given_knots.clone(),
         };
         Setting { facts: Rc::new(facts), curve: self.curve.clone(), ..*self }
     }
@@ -139,7 +143,7 @@ impl<'a> Trial<'a> {
             reading,
             memo: Memo::default(),
         };
-        let given = trial.context.given_knots(&trial.facts.knot_letters, trial.place);
+        let given = trial.facts.given_knots.clone();
         trial.reading =
             trial.reading.clone().with_uniform_knots(trial.has_integer_knots()).with_given_knots(given);
         trial

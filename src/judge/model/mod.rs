@@ -268,8 +268,8 @@ impl Model {
     }
 
     /// Knots that the page gives, by their numbers.
-    pub fn with_given_knots(mut self, knots: BTreeMap<i64, Rational>) -> Self {
-        self.given_knots = Rc::new(knots);
+    pub fn with_given_knots(mut self, knots: Rc<BTreeMap<i64, Rational>>) -> Self {
+        self.given_knots = knots;
         self
     }
 

@@ -11,7 +11,6 @@
 mod table;
 
 use std::cell::LazyCell;
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use self::table::{THEOREMS, Theorem};
@@ -27,7 +26,7 @@ use super::repair;
 use super::statement::{Chain, Place, Statement};
 use super::tally::Outcomes;
 use super::topic::Topic;
-use super::trial::{Facts, Setting, Trial};
+use super::trial::{Setting, Trial};
 use super::unfold;
 use super::witness;
 use crate::budget;
@@ -201,14 +200,7 @@ impl Checker {
 
     /// Two formulas without anything that the page says of their letters.
     fn bare<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
-        let facts = Facts {
-            earlier: Vec::new(),
-            ranges: Vec::new(),
-            near: 0,
-            reached: BTreeSet::new(),
-            knot_letters: Vec::new(),
-        };
-        let setting = Setting { facts: Rc::new(facts), curve: None, ..*setting };
+        let setting = Setting { facts: Rc::default(), curve: None, ..*setting };
         let nothing = Rc::new(Context::new(self.context.letters.clone()));
         let sides = vec![right, wanted];
         Trial::new(nothing, &setting, sides, vec![Rel::Eq], Choices::default(), &self.limits)
