@@ -100,6 +100,38 @@ fn equations_of_plane_curves() {
 }
 
 #[test]
+fn surfaces_of_four_curves() {
+    for curves in [
+        "bezier([0, 1]), bezier([1, 3]), bezier([0, 1, 1]), bezier([1, 3])",
+        "bezier([0, 4, 2], 1, 3), bezier([5, b], 1, 3), bezier([0, a, 5], 2, 4), bezier([2, b], 2, 4)",
+        "bezier([[0, 0], [1, 1], [2, 0]]), bezier([[0, 2], [2, 3]]), bezier([[0, 0], [0, 2]]), bezier([[2, 0], [3, 1], [2, 3]])",
+    ] {
+        let query = format!("derive(coons, {curves})");
+        assert!(assert_true(&query, &[], &derived(&[], &query)) > 8, "{query}");
+    }
+}
+
+#[test]
+fn multirational_blossoms() {
+    for (f, u, v) in [
+        ("1/t", "u", "v, w"),
+        ("1/t^2", "", "v, w"),
+        ("1/(2 - t)^3", "1", "0, 1, 3, 5"),
+        ("t/(t - 4)", "a", "1, 2"),
+        ("1/t", "", "2"),
+        ("1/t", "2", "3, 3"),
+        ("t^2 + 2 t - 1", "a, b, c", "d"),
+        ("t^3", "1, 2, 3", ""),
+        ("5", "a", "b"),
+    ] {
+        let query = format!("derive(multirational, {f}, [{u}], [{v}], variable=t)");
+        let derivation = derived(&[], &query);
+        let context = strings(&[&format!("F(t) := {f}")]);
+        assert!(assert_true(&query, &context, &derivation) > 1, "{query}");
+    }
+}
+
+#[test]
 fn sums_products_compositions() {
     for (f, m, g, n) in [
         ("t^2 + 2 t", 2, "t^3 + 1", 3),

@@ -242,7 +242,7 @@ pub(super) fn inequality(
     {
         match over_box(polynomial, strict, [x, y], [&first, &second]) {
             Some(None) => return Outcome::Holds,
-            Some(Some([a, b])) => return fails(vec![(x.clone(), a), (y.clone(), b)]),
+            Some(Some(point)) => return fails([x, y].into_iter().cloned().zip(point).collect()),
             None => {}
         }
     }
@@ -265,7 +265,7 @@ fn over_box(
     strict: bool,
     [x, y]: [&Symbol; 2],
     ranges: [&Range; 2],
-) -> Option<Option<[Rational; 2]>> {
+) -> Option<Option<Vec<Rational>>> {
     if d.total_degree()? > HIGHEST_DEGREE_OF_TWO {
         return None;
     }
@@ -273,14 +273,14 @@ fn over_box(
         let (a, b) = (range.lower.clone()?, range.upper.clone()?);
         (a < b).then_some([a, b])
     };
-    let region = Region::Rectangle(ends(ranges[0])?, ends(ranges[1])?);
+    let region = Region::Box(vec![ends(ranges[0])?, ends(ranges[1])?]);
     match positivity_on(d, &[x.clone(), y.clone()], &region) {
         // A sign on an open rectangle is that on the closed one.
         Ok(_) if !strict => Some(None),
         Ok(shown) => {
             let plain = shown.root_of_square.as_constant().is_some();
             let RegionShown::Coefficients(parts) = &shown.shown else { return None };
-            let all = || parts.iter().flat_map(|part| part.coefficients.iter().flatten());
+            let all = || parts.iter().flat_map(|part| part.coefficients.iter().map(|(_, c)| c));
             // Inside of a rectangle every Bernstein polynomial is positive.
             let inside = parts.len() == 1 && ranges.iter().all(|range| range.open == [true, true]);
             let positive = all().all(Signed::is_positive) || inside && all().any(Signed::is_positive);

@@ -19,15 +19,17 @@
 //! | divided differences; cubic splines | [`newton()`], [`moments()`] |
 //! | real roots in intervals of their own | [`roots()`] |
 //! | F ≥ 0 on an interval | [`positivity()`] |
-//! | F ≥ 0 on a rectangle or triangle; a box or tetrahedron | [`positivity_over`], [`positivity_in_space`] |
+//! | F ≥ 0 on a rectangle or triangle; a box or tetrahedron | [`positivity_over`] |
 //! | real roots by convex hulls | [`clipping()`] |
 //! | the β-matrix of G^k | [`connection_matrix`] |
 //! | the equation of a plane curve | [`implicit()`] |
+//! | Coons' surface; a multirational blossom | [`coons`]; [`multirational_steps`] |
 //! | all words, in all languages | [`words`] |
 //!
 //! References: those of the modules whose results are derived: [`crate::math::blossom`],
 //! [`crate::math::curve`], [`crate::math::spline`], [`crate::math::interpolate`].
 
+mod blend;
 mod calculus;
 mod clipping;
 mod combine;
@@ -37,6 +39,7 @@ mod join;
 mod lines;
 mod matrices;
 mod moments;
+mod multirational;
 mod newton;
 mod polar;
 mod positivity;
@@ -45,6 +48,7 @@ mod roots;
 mod schemes;
 pub mod words;
 
+pub use blend::coons;
 pub use calculus::{derivative, elevation, elevation_of_curve};
 pub use clipping::clipping;
 pub use combine::{Combination, combination};
@@ -53,9 +57,10 @@ pub use implicit::implicit;
 pub use join::joining;
 pub use matrices::{bernstein_matrix, power_matrix};
 pub use moments::moments;
+pub use multirational::multirational_steps;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
 pub use positivity::positivity;
-pub use region::{positivity_in_space, positivity_over};
+pub use region::positivity_over;
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

@@ -6,10 +6,7 @@ use super::lines::{chain, factor, line, power, sequence, subscript, term};
 use super::words::{Reason, Title};
 use crate::formula::{Expr, Kind};
 use crate::language::value::{Derivation, Line, Value, grouped_expr, polynomial_expr, symbol_expr};
-use crate::math::curve::{
-    Region, RegionFailure, RegionShown, Solid, SolidFailure, SolidShown, indices, positivity_in,
-    positivity_on,
-};
+use crate::math::curve::{Region, RegionFailure, RegionPart, RegionShown, positivity_on};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::system::{RealZero, SystemError};
@@ -23,7 +20,7 @@ use num_traits::One;
 /// Why it stays open.
 pub fn positivity_over(
     f: &MultiPoly,
-    unknowns: &[Symbol; 2],
+    unknowns: &[Symbol],
     region: &Region,
 ) -> Result<Derivation, SystemError> {
     let title = Title::Positivity.words();
@@ -40,78 +37,36 @@ pub fn positivity_over(
     let name = without_squares(&mut lines, &shown.root_of_square, &shown.rest, unknowns);
     match shown.shown {
         RegionShown::Coefficients(parts) => {
-            for part in parts {
-                let coefficients = match &part.region {
-                    Region::Rectangle(..) => {
-                        let (rows, columns) = (part.coefficients.len(), part.coefficients[0].len());
-                        let entry = |i: usize, j: usize| Fraction::from(part.coefficients[i][j].clone());
-                        let matrix = Value::Matrix(DMatrix::from_fn(rows, columns, entry)).to_expr();
-                        chain([Expr::name("b"), matrix])
-                    }
-                    Region::Triangle(_) => {
-                        let list = &part.coefficients[0];
-                        let n = (0..).find(|n| (n + 1) * (n + 2) / 2 >= list.len()).unwrap_or(0);
-                        let one = |(index, q): ([usize; 3], &Rational)| {
-                            chain([subscript("b", &index), Expr::number(q)])
-                        };
-                        sequence(indices(n).into_iter().zip(list).map(one).collect())
-                    }
-                };
-                lines.push(line(coefficients, Reason::NoneNegativeOver(corners(&part.region))));
-            }
+            lines.extend(
+                parts
+                    .iter()
+                    .map(|part| line(coefficients(part), Reason::NoneNegativeOver(place(&part.region)))),
+            );
         }
         RegionShown::CriticalPoints(zeros) => {
-            critical(&mut lines, name, &shown.rest, unknowns, &zeros, Reason::EdgesNotNegative);
+            let boundary =
+                if unknowns.len() == 2 { Reason::EdgesNotNegative } else { Reason::FacesNotNegative };
+            critical(&mut lines, name, &shown.rest, unknowns, &zeros, boundary);
         }
     }
     Ok(Derivation { title, lines, language: None })
 }
 
-/// The same on a box or tetrahedron.
-///
-/// Cost: that of [`positivity_in`].
-///
-/// # Errors
-/// Why it stays open.
-pub fn positivity_in_space(
-    f: &MultiPoly,
-    unknowns: &[Symbol; 3],
-    solid: &Solid,
-) -> Result<Derivation, SystemError> {
-    let title = Title::Positivity.words();
-    let mut lines =
-        vec![line(chain([at("F", letters(unknowns)), polynomial_expr(&formula(f))]), Reason::Given)];
-    let shown = match positivity_in(f, unknowns, solid) {
-        Ok(shown) => shown,
-        Err(SolidFailure::Open(error)) => return Err(error),
-        Err(SolidFailure::Negative(point)) => {
-            lines.push(negative_value(f, unknowns, &point));
-            return Ok(Derivation { title, lines, language: None });
+/// The coefficients of a part: a matrix over a rectangle, else one after the other.
+fn coefficients(part: &RegionPart) -> Expr {
+    let list = &part.coefficients;
+    match &part.region {
+        Region::Box(ends) if ends.len() == 2 => {
+            let columns = list.iter().take_while(|(index, _)| index[0] == 0).count();
+            let numbers = list.iter().map(|(_, c)| Fraction::from(c.clone()));
+            let matrix = DMatrix::from_row_iterator(list.len() / columns, columns, numbers);
+            chain([Expr::name("b"), Value::Matrix(matrix).to_expr()])
         }
-    };
-    let name = without_squares(&mut lines, &shown.root_of_square, &shown.rest, unknowns);
-    match shown.shown {
-        SolidShown::Coefficients(parts) => {
-            for part in parts {
-                let one =
-                    |(index, q): &(Vec<usize>, Rational)| chain([subscript("b", index), Expr::number(q)]);
-                let place = match &part.solid {
-                    Solid::Box(ends) => {
-                        ends.iter().map(|ends| format!("`{}`", list(ends))).collect::<Vec<_>>().join(" x ")
-                    }
-                    Solid::Tetrahedron(corners) => {
-                        format!("`[{}]`", corners.iter().map(|p| list(p)).collect::<Vec<_>>().join(", "))
-                    }
-                };
-                let all = sequence(part.coefficients.iter().map(one).collect());
-                lines.push(line(all, Reason::NoneNegativeOver(place)));
-            }
-        }
-        SolidShown::CriticalPoints(zeros) => {
-            critical(&mut lines, name, &shown.rest, unknowns, &zeros, Reason::FacesNotNegative);
+        _ => {
+            let one = |(index, q): &(Vec<usize>, Rational)| chain([subscript("b", index), Expr::number(q)]);
+            sequence(list.iter().map(one).collect())
         }
     }
-    Ok(Derivation { title, lines, language: None })
 }
 
 fn formula(p: &MultiPoly) -> Fraction {
@@ -182,10 +137,12 @@ fn list(numbers: &[Rational]) -> String {
 }
 
 /// A region in plain notation.
-fn corners(region: &Region) -> String {
+fn place(region: &Region) -> String {
     match region {
-        Region::Rectangle(u, v) => format!("`{}` x `{}`", list(u), list(v)),
-        Region::Triangle(corners) => {
+        Region::Box(ends) => {
+            ends.iter().map(|ends| format!("`{}`", list(ends))).collect::<Vec<_>>().join(" x ")
+        }
+        Region::Simplex(corners) => {
             let all: Vec<String> = corners.iter().map(|p| list(p)).collect();
             format!("`[{}]`", all.join(", "))
         }

@@ -22,6 +22,13 @@ const FIRST: Parameter = required("c", Takes::Curve, "a curve in u");
 
 const SECOND: Parameter = required("d", Takes::Curve, "the other curve");
 
+pub(super) const BOUNDARY: &[Parameter] = &[
+    required("bottom", Takes::Curve, "the boundary curve in u where v starts").shown("c_0"),
+    required("top", Takes::Curve, "the one where v ends").shown("c_1"),
+    required("left", Takes::Curve, "the boundary curve in v where u starts").shown("d_0"),
+    required("right", Takes::Curve, "the one where u ends").shown("d_1"),
+];
+
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "ruled",
@@ -47,29 +54,12 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "coons",
-        parameters: &[
-            required("bottom", Takes::Curve, "the boundary curve in u where v starts").shown("c_0"),
-            required("top", Takes::Curve, "the one where v ends").shown("c_1"),
-            required("left", Takes::Curve, "the boundary curve in v where u starts").shown("d_0"),
-            required("right", Takes::Curve, "the one where u ends").shown("d_1"),
-        ],
+        parameters: BOUNDARY,
         summary: "Coons' bilinearly blended surface of four boundary curves that meet at the corners",
         example: "coons(bezier([[0, 0], [1, 0]]), bezier([[0, 1], [1, 1]]), bezier([[0, 0], [0, 1]]), bezier([[1, 0], [2, 1], [1, 1]]))",
         call: |_, args| {
-            let curves = (0..4).map(|i| args.bezier(i)).collect::<Result<Vec<_>>>()?;
-            for (i, (_, form)) in curves.iter().enumerate() {
-                polynomial(args, i, *form)?;
-            }
-            let form = Form { scalar: curves.iter().all(|(_, form)| form.scalar), rational: false };
-            let mut list: Vec<BezierCurve<Fraction>> = curves.into_iter().map(|(curve, _)| curve).collect();
-            let in_v = list.split_off(2);
-            let ends = |curve: &BezierCurve<Fraction>| {
-                let (a, b) = curve.interval().ends();
-                [a.clone(), b.clone()]
-            };
-            let (u, v) = (ends(&list[0]), ends(&in_v[0]));
-            let s = curve::gordon_surface(&list, &v, &in_v, &u);
-            s.map(|s| tensor(s, form)).map_err(network_error).at(args.span(0).to(args.span(3)))
+            let (_, surface, form) = coons(args)?;
+            Ok(tensor(surface, form))
         },
         ..NEW
     },
@@ -116,6 +106,28 @@ pub(super) const TABLE: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// Two curves in u, two in v, and Coons' surface of them.
+#[expect(clippy::type_complexity, reason = "the curves by their parameter")]
+pub(super) fn coons(
+    args: &Arguments,
+) -> Result<([[BezierCurve<Fraction>; 2]; 2], curve::TensorPatch<Fraction>, Form)> {
+    let mut scalar = true;
+    let mut one = |i: usize| {
+        let (curve, form) = args.bezier(i)?;
+        polynomial(args, i, form)?;
+        scalar &= form.scalar;
+        Ok(curve)
+    };
+    let (in_u, in_v) = ([one(0)?, one(1)?], [one(2)?, one(3)?]);
+    let ends = |curve: &BezierCurve<Fraction>| {
+        let (a, b) = curve.interval().ends();
+        [a.clone(), b.clone()]
+    };
+    let surface = curve::gordon_surface(&in_u, &ends(&in_v[0]), &in_v, &ends(&in_u[0]));
+    let surface = surface.map_err(network_error).at(args.span(0).to(args.span(3)))?;
+    Ok(([in_u, in_v], surface, Form { scalar, rational: false }))
+}
 
 fn polynomial(args: &Arguments, i: usize, form: Form) -> Result<()> {
     match form.rational {

@@ -5,6 +5,7 @@ use crate::language::ops::errors::{curve_error, spline_error, wrong_kind};
 use std::sync::Arc;
 
 use super::Builtin;
+use super::blends::{BOUNDARY, coons};
 use super::interpolation::{self, ENDS, MOMENTS, SLOPES, Samples};
 use super::parameter::{
     CURVE, DEGREE, METHOD, NODES, Parameter, SPAN, SPLINE, Takes, VALUES, VARIABLE, many, named, optional,
@@ -12,6 +13,7 @@ use super::parameter::{
 };
 use super::polar::{POLAR, combine, method};
 use super::rational::homogeneous_coordinates;
+use super::rational_blossoms::{MULTIRATIONAL, function, multirational_error};
 use super::told::{LANG, told};
 use crate::language::derive::{self, Combination};
 use crate::language::diagnostic::{At, Code, Diagnostic, nearest};
@@ -225,6 +227,26 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
     Builtin {
+        name: "coons",
+        parameters: BOUNDARY,
+        summary: "Coons' surface of four curves as a Boolean sum",
+        example: "derive(coons, bezier([0, 1]), bezier([1, 3]), bezier([0, 1, 1]), bezier([1, 3]))",
+        call: |_, args| told(args, boolean_sum(args)?),
+        ..NEW
+    },
+    Builtin {
+        name: "multirational",
+        parameters: MULTIRATIONAL,
+        summary: "a multirational blossom by coefficients or divided differences",
+        example: "derive(multirational, 1/t, [u], [v, w])",
+        call: |_, args| {
+            let (f, t) = function(args, 0)?;
+            let steps = derive::multirational_steps(&f, &t, &args.scalars(1)?, &args.scalars(2)?);
+            told(args, steps.map_err(|error| multirational_error(args, error))?)
+        },
+        ..NEW
+    },
+    Builtin {
         name: "moments",
         parameters: &[NODES, VALUES, ENDS, SLOPES, MOMENTS],
         summary: "the moments of a cubic spline by its system of equations",
@@ -233,6 +255,21 @@ const SUBJECTS: &[Builtin] = &[
         ..NEW
     },
 ];
+
+/// Coons' surface; u and v are its parameters.
+fn boolean_sum(args: &Arguments) -> Result<Derivation> {
+    let ([in_u, in_v], surface, form) = coons(args)?;
+    let reserved = ["u", "v"].map(Symbol::new);
+    let symbols = |x: &Fraction| x.variables().iter().any(|s| reserved.contains(s));
+    for (i, curve) in in_u.iter().chain(&in_v).enumerate() {
+        let (a, b) = curve.interval().ends();
+        if symbols(a) || symbols(b) || curve.points().iter().any(|p| p.iter().any(symbols)) {
+            let error = Diagnostic::error(Code::Domain, "u and v are the parameters of the surface");
+            return Err(error.at(args.span(i)).hint("choose other letters for the points"));
+        }
+    }
+    Ok(derive::coons(&in_u, &in_v, &surface, form))
+}
 
 /// The equation of a plane curve.
 fn implicit(args: &Arguments) -> Result<Derivation> {

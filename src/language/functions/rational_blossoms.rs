@@ -22,6 +22,13 @@ const NEW: Builtin = Builtin::about("Polar forms");
 
 const FUNCTION: Parameter = required("F", Takes::Function, "a rational function of one variable");
 
+pub(super) const MULTIRATIONAL: &[Parameter] = &[
+    FUNCTION,
+    required("u", Takes::Scalars, "the arguments in which it is affine").shown("[u_1, ..., u_m]"),
+    required("v", Takes::Scalars, "the others").shown("[v_1, ..., v_n]"),
+    VARIABLE,
+];
+
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "multilinear",
@@ -41,36 +48,14 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "multirational",
-        parameters: &[
-            FUNCTION,
-            required("u", Takes::Scalars, "the arguments in which it is affine").shown("[u_1, ..., u_m]"),
-            required("v", Takes::Scalars, "the others").shown("[v_1, ..., v_n]"),
-            VARIABLE,
-        ],
+        parameters: MULTIRATIONAL,
         summary: "the multirational blossom f(u_1, ..., u_m / v_1, ..., v_n), where it is rational",
         example: "multirational(1/t, [u], [v, w])",
         call: |_, args| {
             let (f, t) = function(args, 0)?;
             let (above, below) = over_polynomials(&f, &t);
             let value = multirational(&above, &below, &args.scalars(1)?, &args.scalars(2)?);
-            value.map(Value::Scalar).map_err(|error| {
-                let (code, span, hint) = match error {
-                    MultirationalError::Degree { .. } => (
-                        Code::DegreeTooSmall,
-                        args.span(1),
-                        "the order is the number of u minus the number of v",
-                    ),
-                    MultirationalError::Logarithm { .. } => (
-                        Code::Irrational,
-                        args.span(2),
-                        "with one v more than u every rational function has a rational one",
-                    ),
-                    MultirationalError::Pole => {
-                        (Code::DivisionByZero, args.span(2), "choose v that are no poles of F")
-                    }
-                };
-                Diagnostic::error(code, error.to_string()).at(span).hint(hint)
-            })
+            value.map(Value::Scalar).map_err(|error| multirational_error(args, error))
         },
         ..NEW
     },
@@ -89,8 +74,23 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+pub(super) fn multirational_error(args: &Arguments, error: MultirationalError) -> Diagnostic {
+    let (code, span, hint) = match error {
+        MultirationalError::Degree { .. } => {
+            (Code::DegreeTooSmall, args.span(1), "the order is the number of u minus the number of v")
+        }
+        MultirationalError::Logarithm { .. } => (
+            Code::Irrational,
+            args.span(2),
+            "with one v more than u every rational function has a rational one",
+        ),
+        MultirationalError::Pole => (Code::DivisionByZero, args.span(2), "choose v that are no poles of F"),
+    };
+    Diagnostic::error(code, error.to_string()).at(span).hint(hint)
+}
+
 /// A formula or function, and its variable.
-fn function(args: &Arguments, i: usize) -> Result<(Fraction, Symbol)> {
+pub(super) fn function(args: &Arguments, i: usize) -> Result<(Fraction, Symbol)> {
     match args.value(i)? {
         Value::Scalar(f) => Ok((f.clone(), variable_of(f, args.variable()?).at(args.span(i))?)),
         Value::Function(function) if let Some((t, f)) = function.as_formula() => Ok((f.clone(), t.clone())),

@@ -9,10 +9,9 @@ use crate::language::eval::{Arguments, Evaluated};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::symbol_of;
 use crate::language::value::Value;
-use crate::math::curve::{Region, Solid};
+use crate::math::curve::Region;
 use crate::math::number::Rational;
 use crate::math::poly::Symbol;
-use num_traits::Zero;
 
 type Result<T> = std::result::Result<T, Diagnostic>;
 
@@ -32,70 +31,53 @@ pub(super) const TABLE: &[Builtin] = &[Builtin {
     ..Builtin::about("Roots of polynomials")
 }];
 
-/// Two intervals or three points.
-fn region(args: &Arguments) -> Result<Region> {
+/// An interval for each of d variables, or d + 1 points.
+fn region(args: &Arguments, dimension: usize) -> Result<Region> {
     let (value, span) = (args.value(1)?, args.span(1));
-    if let Some([u, v]) = pairs(value) {
-        if u[0] >= u[1] || v[0] >= v[1] {
-            let error = Diagnostic::error(Code::Domain, "an interval of the box is empty or a single number");
-            return Err(error.at(span).hint("give the lower ends first: [[0, 1], [0, 1]]"));
-        }
-        return Ok(Region::Rectangle(u, v));
-    }
-    let Some([p, q, r]) = pairs(value) else {
-        let error = wrong_kind("two intervals or three points with numbers", value).at(span);
-        return Err(error.hint("a box is [[0, 1], [0, 1]], a triangle [[0, 0], [1, 0], [0, 1]]"));
-    };
-    let area = (&q[0] - &p[0]) * (&r[1] - &p[1]) - (&q[1] - &p[1]) * (&r[0] - &p[0]);
-    if area.is_zero() {
-        let error = Diagnostic::error(Code::Degenerate, "the corners lie on a line").at(span);
-        return Err(error.hint("choose corners in general position"));
-    }
-    Ok(Region::Triangle([p, q, r]))
-}
-
-/// A list of so many pairs of numbers.
-fn pairs<const N: usize>(value: &Value) -> Option<[[Rational; 2]; N]> {
-    rows(value)
-}
-
-/// Three intervals or four points of space.
-fn solid(args: &Arguments) -> Result<Solid> {
-    let (value, span) = (args.value(1)?, args.span(1));
-    let solid = match (rows::<2, 3>(value), rows::<3, 4>(value)) {
-        (Some(ends), _) => Solid::Box(ends),
-        (_, Some(corners)) => Solid::Tetrahedron(corners),
-        _ => {
-            let error = wrong_kind("three intervals or four points of space with numbers", value).at(span);
-            return Err(error
+    let ends = || rows(value, dimension, 2)?.into_iter().map(|row| row.try_into().ok()).collect();
+    let boxed: Option<Vec<[Rational; 2]>> = ends();
+    let region =
+        boxed.map(Region::Box).or_else(|| rows(value, dimension + 1, dimension).map(Region::Simplex));
+    let Some(region) = region else {
+        return Err(if dimension == 2 {
+            wrong_kind("two intervals or three points with numbers", value)
+                .at(span)
+                .hint("a box is [[0, 1], [0, 1]], a triangle [[0, 0], [1, 0], [0, 1]]")
+        } else {
+            wrong_kind("three intervals or four points of space with numbers", value)
+                .at(span)
                 .hint("a box is [[0, 1], [0, 1], [0, 1]],")
-                .hint("a tetrahedron [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]"));
-        }
+                .hint("a tetrahedron [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]")
+        });
     };
-    if !solid.is_proper() {
-        let (code, message, hint) = match solid {
-            Solid::Box(_) => (
+    if !region.is_proper() {
+        let (code, message, hint) = match region {
+            Region::Box(_) => (
                 Code::Domain,
                 "an interval of the box is empty or a single number",
-                "give the lower ends first",
+                "give the lower ends first: [[0, 1], [0, 1]]",
             ),
-            Solid::Tetrahedron(_) => {
-                (Code::Degenerate, "the corners lie in a plane", "choose corners in general position")
-            }
+            Region::Simplex(_) => (
+                Code::Degenerate,
+                if dimension == 2 { "the corners lie on a line" } else { "the corners lie in a plane" },
+                "choose corners in general position",
+            ),
         };
         return Err(Diagnostic::error(code, message).at(span).hint(hint));
     }
-    Ok(solid)
+    Ok(region)
 }
 
-/// A list of N lists of M numbers.
-fn rows<const M: usize, const N: usize>(value: &Value) -> Option<[[Rational; M]; N]> {
-    let pair = |item: &Value| -> Option<[Rational; M]> {
+/// A list of so many lists of so many numbers.
+fn rows(value: &Value, count: usize, length: usize) -> Option<Vec<Vec<Rational>>> {
+    let row = |item: &Value| -> Option<Vec<Rational>> {
         let Value::List(items) = item else { return None };
-        items.iter().map(Value::as_rational).collect::<Option<Vec<_>>>()?.try_into().ok()
+        let numbers = items.iter().map(Value::as_rational).collect::<Option<Vec<_>>>()?;
+        (numbers.len() == length).then_some(numbers)
     };
     let Value::List(items) = value else { return None };
-    items.iter().map(pair).collect::<Option<Vec<_>>>()?.try_into().ok()
+    let found = items.iter().map(row).collect::<Option<Vec<_>>>()?;
+    (found.len() == count).then_some(found)
 }
 
 /// Why F ≥ 0 on the region, or where it is negative.
@@ -108,18 +90,15 @@ fn positivity(args: &Arguments) -> Evaluated {
         let error = Diagnostic::error(Code::Type, message).at(args.span(0));
         return Err(error.hint("give other symbols values first, and name the variables: [u, v]"));
     };
-    let shown = match unknowns.as_slice() {
-        [u, v] => derive::positivity_over(polynomial, &[u.clone(), v.clone()], &region(args)?),
-        [u, v, w] => {
-            derive::positivity_in_space(polynomial, &[u.clone(), v.clone(), w.clone()], &solid(args)?)
-        }
-        list => {
-            let message = format!("two or three variables are needed, there are {}", list.len());
-            let error = Diagnostic::error(Code::AmbiguousVariable, message).at(args.span(0));
-            return Err(error
-                .hint("name them in the order of the region: positivity_over(F, [[0, 1], [0, 1]], [u, v])"));
-        }
-    };
+    let count = unknowns.len();
+    if !(2..=3).contains(&count) {
+        let message = format!("two or three variables are needed, there are {count}");
+        let error = Diagnostic::error(Code::AmbiguousVariable, message).at(args.span(0));
+        return Err(
+            error.hint("name them in the order of the region: positivity_over(F, [[0, 1], [0, 1]], [u, v])")
+        );
+    }
+    let shown = derive::positivity_over(polynomial, &unknowns, &region(args, count)?);
     let derivation = shown.map_err(|error| {
         let message = format!("this stays open: {error}");
         let hint = "the sign of F is not known; subdivide the region, or lower the degree";

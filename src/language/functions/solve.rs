@@ -310,6 +310,9 @@ pub(super) fn system_error(error: SystemError) -> Diagnostic {
             "fewer unknowns, or lower degrees; resultant(F, G, x) eliminates x from two"
         }
         SystemError::Pairs => "resultant(F, G, x) eliminates x from two",
+        SystemError::Equation => {
+            "lower degrees: biquadratic patches, or triangular ones of degree 3, have equations that are found"
+        }
         SystemError::Entangled => "count_roots and resultant(F, G, x) tell more",
     };
     Diagnostic::error(Code::Unsupported, error.to_string()).hint(hint)

@@ -129,20 +129,38 @@ fn of_polynomial<C: Field>(a: &Coefficients<C>, order: usize, u: &[C], v: &[C]) 
 }
 
 fn of_negative_order<C: Field>(
-    mut a: Coefficients<C>,
-    mut b: Coefficients<C>,
+    a: Coefficients<C>,
+    b: Coefficients<C>,
     u: &[C],
     v: &[C],
 ) -> Result<C, MultirationalError> {
     let k = v.len() - u.len();
-    for _ in 1..k {
-        (a, b) = antiderivative(&a, &b).ok_or(MultirationalError::Logarithm { order: k - 1 })?;
-    }
+    let (a, b) = rational_antiderivative(&a, &b, k - 1)?;
+    let (a, b) = (Coefficients::new(a), Coefficients::new(b));
     // An argument u may cancel a pole.
     let (a, b) = lowest(a.times(&Coefficients::from_roots(u)), b).ok_or(MultirationalError::Pole)?;
     let difference =
         divided_difference(&a, &b, &Coefficients::from_roots(v)).ok_or(MultirationalError::Pole)?;
     Ok(difference.scaled(&Rational::from_integer(factorial(k - 1))))
+}
+
+/// A rational function with A/B as derivative of this order, by power coefficients of numerator and denominator.
+///
+/// Cost: for each order a linear system of size 2 deg B at most.
+///
+/// # Errors
+/// [`MultirationalError::Logarithm`], and [`MultirationalError::Pole`] for B = 0.
+pub fn rational_antiderivative<C: Field>(
+    numerator: &[C],
+    denominator: &[C],
+    order: usize,
+) -> Result<(Vec<C>, Vec<C>), MultirationalError> {
+    let (a, b) = (Coefficients::new(numerator.to_vec()), Coefficients::new(denominator.to_vec()));
+    let (mut a, mut b) = lowest(a, b).ok_or(MultirationalError::Pole)?;
+    for _ in 0..order {
+        (a, b) = antiderivative(&a, &b).ok_or(MultirationalError::Logarithm { order })?;
+    }
+    Ok((a.to_vec(), b.to_vec()))
 }
 
 /// A/B without common factors; `None` if B = 0.

@@ -35,7 +35,6 @@ mod rational;
 mod rational_surface;
 mod region;
 mod revolve;
-mod solid;
 mod space;
 mod sphere;
 mod surface_equation;
@@ -43,6 +42,7 @@ mod traits;
 mod triangle;
 mod triangulation;
 mod turn;
+mod vanishing;
 
 use std::fmt;
 
@@ -70,7 +70,6 @@ pub use rational::RationalCurve;
 pub use rational_surface::{RationalPatch, RationalTriangle};
 pub use region::{Region, RegionFailure, RegionPart, RegionPositivity, RegionShown, positivity_on};
 pub use revolve::{revolve, revolve_along};
-pub use solid::{Solid, SolidFailure, SolidPart, SolidPositivity, SolidShown, positivity_in};
 pub use space::{ParametricSurface, SpaceCurve};
 pub use sphere::{sphere_octant, sphere_octant_triangle};
 pub use surface_equation::{curve_equations, surface_equation};

@@ -12,7 +12,7 @@ use crate::budget;
 use crate::math::number::{Rational, integer};
 use crate::math::poly::{MonomialOrder, MultiPoly, Poly, RealRoot, Symbol};
 use crate::math::ring::Ring;
-use crate::math::system::{Bounds, RealZero, SystemError, common_zeros, image, real_zeros};
+use crate::math::system::{Bounds, RealZero, SystemError, common_zeros, image, real_zeros, within};
 
 /// A curve by homogeneous coordinates, polynomials of the parameter over an interval; the weight is the last of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +121,13 @@ impl SpaceCurve {
             return Err(SystemError::Infinite);
         }
         let bounds = [self.range.clone(), other.range.clone()];
-        let zeros = mixed_zeros(&equations, &unknowns, &bounds)?;
+        let zeros = match few_zeros(&equations, &unknowns) {
+            Some(zeros) => {
+                let inside = |zero: &RealZero| (0..2).all(|k| within(&zero.coordinates[k], &bounds[k]));
+                zeros.into_iter().filter(inside).collect()
+            }
+            None => mixed_zeros(&equations, &unknowns, &bounds)?,
+        };
         let kept = |zero: &RealZero| {
             !zero.coordinates[0].sign_of(self.weight()).is_eq()
                 && !zero.coordinates[1].sign_of(other.weight()).is_eq()
@@ -152,13 +158,9 @@ impl SpaceCurve {
             .map(|k| of(&self.coordinates[k]) * w2.clone() - surface.coordinates[k].clone() * w.clone())
             .collect();
         let zeros = real_zeros(&equations, &unknowns)?;
-        let inside = |x: &RealRoot, (lower, upper): &Bounds| {
-            let number = |q: &Rational| RealRoot::Rational(q.clone());
-            lower.as_ref().is_none_or(|a| *x >= number(a)) && upper.as_ref().is_none_or(|b| *x <= number(b))
-        };
         let kept = |zero: &RealZero| {
-            inside(&zero.coordinates[0], &self.range)
-                && (0..2).all(|k| inside(&zero.coordinates[k + 1], &surface.bounds[k]))
+            within(&zero.coordinates[0], &self.range)
+                && (0..2).all(|k| within(&zero.coordinates[k + 1], &surface.bounds[k]))
                 && surface.sides.iter().all(|side| zero.sign_of(side, &unknowns).is_ge())
                 && !zero.coordinates[0].sign_of(self.weight()).is_eq()
                 && !zero.sign_of(w2, &unknowns).is_eq()
@@ -210,6 +212,27 @@ fn on_coordinates<R: Ring>(equation: &MultiPoly, symbols: &[Symbol], coordinates
         sum += term;
     }
     sum
+}
+
+/// The common zeros of three equations or more, if polynomials in each unknown alone tell that they are few: that in s is a common factor of
+/// the resultants Res_t(f_1, f_2), Res_t(f_1, f_3), …
+fn few_zeros(equations: &[MultiPoly], unknowns: &[Symbol; 2]) -> Option<Vec<RealZero>> {
+    const FEW: usize = 8;
+    let mut system = equations.to_vec();
+    for (kept, other) in [(0, 1), (1, 0)] {
+        let mut common = MultiPoly::zero();
+        for f in &equations[1..] {
+            let resultant = equations[0].resultant(f, &unknowns[other]);
+            common = common.gcd(&resultant);
+        }
+        match common.degree_in(&unknowns[kept]) as usize {
+            _ if common.is_zero() || equations.len() < 3 => return None,
+            0 => return Some(Vec::new()),
+            1..=FEW => system.push(common),
+            _ => return None,
+        }
+    }
+    real_zeros(&system, unknowns).ok()
 }
 
 /// The common zeros of two combinations of equations without a common factor that have none themselves.

@@ -7,19 +7,26 @@
 //! D. Cox, J. Little, D. O'Shea, "Ideals, Varieties, and Algorithms", section 3.3.
 
 use crate::math::linalg::null_space;
+use crate::math::number::{Int, Rational};
 use crate::math::poly::{Fraction, MonomialOrder, MultiPoly, Poly, Symbol};
 use crate::math::ring::Ring;
 use crate::math::system::{SystemError, groebner_basis};
 use nalgebra::DMatrix;
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
+
+use super::vanishing::{Homogeneous, Vanishing};
+
+/// For a surface of a high degree with so few terms a Gröbner basis may be short.
+const FEW_TERMS: usize = 10;
 
 /// The polynomial in three symbols that is 0 on a surface and on its closure; `None` if the image is a curve or a point. Other symbols
 /// are coefficients.
 ///
-/// Cost: a Gröbner basis in six unknowns: bilinear and biquadratic patches of few terms, no bicubic ones.
+/// Cost: the solution of linear equations modulo primes for each degree d up to that of the equation, C(d + 3, 3) of them, so that biquadratic
+/// patches, with d = 8, are easily done; if d > 13, or other symbols occur, a Gröbner basis in six unknowns, for few terms only.
 ///
 /// # Errors
-/// [`SystemError::Pairs`].
+/// [`SystemError::Equation`] if d > 13; [`SystemError::Pairs`].
 ///
 /// ```
 /// use polarform::curve::surface_equation;
@@ -36,11 +43,50 @@ pub fn surface_equation(
     parameters: [&Symbol; 2],
     symbols: &[Symbol; 3],
 ) -> Result<Option<MultiPoly>, SystemError> {
+    let weight = common_denominator(coordinates);
+    let [x, y, z] =
+        coordinates.each_ref().map(|f| f.times(&Fraction::from(weight.clone())).numerator().clone());
+    let terms: usize = [&x, &y, &z, &weight].iter().map(|f| f.len()).sum();
+    if let Some(surface) = Homogeneous::new([&x, &y, &z, &weight], parameters) {
+        if is_curve([&x, &y, &z, &weight], parameters) {
+            return Ok(None);
+        }
+        match surface.least_form() {
+            Vanishing::Form(form) => return Ok(Some(positive(form, symbols))),
+            Vanishing::Beyond if terms > FEW_TERMS => return Err(SystemError::Equation),
+            Vanishing::Beyond => {}
+        }
+    }
     let mut free = eliminated(coordinates, &parameters, symbols)?.into_iter();
     Ok(match (free.next(), free.next()) {
         (Some(only), None) => Some(only),
         _ => None,
     })
+}
+
+/// Whether the points (X, Y, Z, W) form no surface: their derivatives and they are dependent.
+fn is_curve(coordinates: [&MultiPoly; 4], parameters: [&Symbol; 2]) -> bool {
+    let rows = [
+        coordinates.map(Clone::clone),
+        coordinates.map(|f| f.derivative(parameters[0])),
+        coordinates.map(|f| f.derivative(parameters[1])),
+    ];
+    let minor = |i: usize, j: usize| rows[1][i].times(&rows[2][j]).minus(&rows[1][j].times(&rows[2][i]));
+    [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]].iter().all(|&[i, j, k]| {
+        let sum = rows[0][i].times(&minor(j, k)).minus(&rows[0][j].times(&minor(i, k)));
+        sum.plus(&rows[0][k].times(&minor(i, j))).is_zero()
+    })
+}
+
+/// F(x, y, z) with a positive leading coefficient.
+fn positive(form: Vec<([u32; 3], Int)>, symbols: &[Symbol; 3]) -> MultiPoly {
+    let term = |(e, c): ([u32; 3], Int)| {
+        let powers = symbols.iter().cloned().zip(e).filter(|(_, e)| *e > 0).collect();
+        (powers, Rational::from_integer(c))
+    };
+    let found = MultiPoly::from_terms(form.into_iter().filter(|(_, c)| !c.is_zero()).map(term));
+    let lead = found.terms(MonomialOrder::Lex).into_iter().next();
+    if lead.is_some_and(|(_, c)| c.is_negative()) { -found } else { found }
 }
 
 /// Equations in symbols for the coordinates whose common zeros are a curve and its closure: the reduced Gröbner basis, for the graded reverse
@@ -225,6 +271,10 @@ mod tests {
                 let put: Vec<(Symbol, Fraction)> = symbols.iter().cloned().zip(coordinates.iter().cloned()).collect();
                 prop_assert!(Fraction::from(f.clone()).substitute(&put).unwrap().is_zero());
                 prop_assert_eq!(f.factors().factors.len(), 1);
+                // By elimination.
+                if let Ok(list) = eliminated(&coordinates, &[&p, &q], &symbols) {
+                    prop_assert_eq!(list, [f]);
+                }
             }
         }
     }

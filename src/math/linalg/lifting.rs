@@ -127,7 +127,7 @@ fn residues(digits: &[Vec<u64>], p: u64) -> Vec<Int> {
 }
 
 /// Numerators over one denominator that are congruent to the residues.
-fn recovered(residues: &[Int], modulus: &Int, guess: &Int) -> Option<(Vec<Int>, Int)> {
+pub(super) fn recovered(residues: &[Int], modulus: &Int, guess: &Int) -> Option<(Vec<Int>, Int)> {
     let half = modulus / Int::from(2);
     let likely = modulus.bits() * 3 / 4;
     let mut denominator = guess.clone();

@@ -18,6 +18,7 @@ mod characteristic;
 mod determinant;
 mod elimination;
 mod fraction_free;
+mod kernel;
 mod lifting;
 mod product;
 mod solutions;
@@ -32,6 +33,7 @@ use crate::math::number::{Int, Rational, over_one_denominator};
 use crate::math::ring::{Field, Ring};
 
 pub use characteristic::characteristic_polynomial;
+pub(crate) use kernel::{Kernel, kernel};
 pub use product::multiply;
 pub use solutions::{Solutions, solutions};
 

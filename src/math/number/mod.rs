@@ -18,7 +18,7 @@ pub use factors::prime_factors;
 pub use int::Int;
 pub(crate) use int::gcd_word;
 pub use literal::{LiteralError, parse_decimal, parse_scientific};
-pub(crate) use modular::{Modulus, primes};
+pub(crate) use modular::{Modulus, combine, primes};
 pub use root::exact_root;
 
 /// An exact rational number in lowest terms with positive denominator.

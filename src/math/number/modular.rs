@@ -9,6 +9,8 @@
 //! Math. Comp. 44 (1985); D. Harvey, "Faster arithmetic for number-theoretic
 //! transforms", J. Symb. Comp. 60 (2014).
 
+use super::Int;
+
 /// An odd prime below 2^62 with its Montgomery constants.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Modulus {
@@ -95,6 +97,25 @@ impl Modulus {
 /// Primes below 2^62 in decreasing order.
 pub(crate) fn primes() -> impl Iterator<Item = Modulus> {
     (0..).map(|k| (1u64 << 62) - 1 - 2 * k).filter(|&n| is_prime(n)).map(Modulus::new)
+}
+
+/// Changes `found`, known modulo `modulus`, to agree with `image` modulo p as well, keeping
+/// entries least in size. Returns whether nothing changed.
+pub(crate) fn combine(found: &mut [Int], modulus: &Int, image: &[u64], field: &Modulus) -> bool {
+    let p = field.p;
+    let inverse = field.invert(field.enter(modulus.mod_word(p)));
+    let mut stable = true;
+    for (x, &y) in found.iter_mut().zip(image) {
+        let difference = field.sub(y, x.mod_word(p));
+        if difference != 0 {
+            stable = false;
+            let k = field.canonical(field.mul(difference, inverse));
+            // x is in (−M/2, M/2), so with k in (−p/2, p/2) the new x is in (−pM/2, pM/2).
+            let k = if k > p / 2 { Int::from(k) - Int::from(p) } else { Int::from(k) };
+            *x += k * modulus;
+        }
+    }
+    stable
 }
 
 /// Miller–Rabin with the first twelve primes as bases, which is exact below 3·10^23

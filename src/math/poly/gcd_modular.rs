@@ -18,9 +18,8 @@ use super::dense_modular::{self, Modulus};
 use super::dense_ntt::{FIELDS, GENERATORS, ROOT_ORDER_LOG};
 use super::gcd_roots::{Recurrence, logarithms, weights};
 use super::multivariate::{Exponents, Terms};
-use super::univariate_gcd::combine;
 use crate::budget;
-use crate::math::number::Int;
+use crate::math::number::{Int, combine};
 
 type Term = (Exponents, Int);
 

@@ -14,10 +14,9 @@
 use num_traits::{One, Zero};
 
 use super::dense_modular::Modulus;
-use super::univariate_gcd::combine;
 use super::{Coefficients, MultiPoly, Poly, Symbol, dense, dense_modular};
 use crate::budget;
-use crate::math::number::{Int, Rational};
+use crate::math::number::{Int, Rational, combine};
 use crate::math::ring::Ring;
 
 /// From this many values on the remainder sequence is tried in their place.

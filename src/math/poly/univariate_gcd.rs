@@ -2,10 +2,10 @@
 
 use num_integer::Integer;
 
-use super::dense_modular::{self, Modulus};
+use super::dense_modular;
 use super::{Poly, dense, dense_divide};
 use crate::budget;
-use crate::math::number::{Int, Rational};
+use crate::math::number::{Int, Rational, combine};
 
 impl Poly {
     /// Quotient and remainder: self = quotient · divisor + remainder with the remainder
@@ -185,23 +185,4 @@ fn trimmed(mut v: Vec<u64>) -> Vec<u64> {
         v.pop();
     }
     v
-}
-
-/// Changes `found`, known modulo `modulus`, to agree with `image` modulo p as well, keeping
-/// entries least in size. Returns whether nothing changed.
-pub(super) fn combine(found: &mut [Int], modulus: &Int, image: &[u64], field: &Modulus) -> bool {
-    let p = field.p;
-    let inverse = field.invert(field.enter(modulus.mod_word(p)));
-    let mut stable = true;
-    for (x, &y) in found.iter_mut().zip(image) {
-        let difference = field.sub(y, x.mod_word(p));
-        if difference != 0 {
-            stable = false;
-            let k = field.canonical(field.mul(difference, inverse));
-            // x is in (−M/2, M/2), so with k in (−p/2, p/2) the new x is in (−pM/2, pM/2).
-            let k = if k > p / 2 { Int::from(k) - Int::from(p) } else { Int::from(k) };
-            *x += k * modulus;
-        }
-    }
-    stable
 }

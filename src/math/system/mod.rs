@@ -24,7 +24,7 @@ use crate::math::number::{Int, Rational, integer};
 use crate::math::poly::{AlgebraicNumber, MultiPoly, Poly, RealRoot, Symbol};
 
 pub use groebner::groebner_basis;
-pub use pair::{Bounds, common_zeros};
+pub use pair::{Bounds, common_zeros, within};
 pub use quotient::{MOST_SOLUTIONS, real_zeros};
 
 /// Why a system is not solved.
@@ -38,6 +38,8 @@ pub enum SystemError {
     Degrees,
     /// Finding its Gröbner basis takes more pairs of polynomials than are looked at.
     Pairs,
+    /// The equation of a surface has too many terms.
+    Equation,
     /// Two solutions stay on one line, or one stays double, in every direction that was tried.
     Entangled,
 }
@@ -54,6 +56,9 @@ impl fmt::Display for SystemError {
             }
             SystemError::Pairs => {
                 write!(f, "a Gröbner basis needs more than {} pairs of polynomials", groebner::MOST_PAIRS)
+            }
+            SystemError::Equation => {
+                f.write_str("the equation of the surface has a degree above 13, and so more than 560 terms")
             }
             SystemError::Entangled => f.write_str("a solution is multiple in every direction that was tried"),
         }

@@ -78,7 +78,8 @@ pub fn common_zeros(
     Ok(zeros)
 }
 
-fn within(x: &RealRoot, (lower, upper): &Bounds) -> bool {
+/// Whether a number lies within bounds.
+pub fn within(x: &RealRoot, (lower, upper): &Bounds) -> bool {
     let number = |q: &Rational| RealRoot::Rational(q.clone());
     lower.as_ref().is_none_or(|a| *x >= number(a)) && upper.as_ref().is_none_or(|b| *x <= number(b))
 }

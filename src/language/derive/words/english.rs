@@ -30,6 +30,8 @@ pub(super) fn title(title: Title) -> String {
         Title::Positivity => "The sign of a polynomial, by its Bernstein coefficients".into(),
         Title::Clipping => "Real roots by Bézier clipping".into(),
         Title::ConnectionMatrix(k) => format!("The beta-matrix of `G^{k}`"),
+        Title::Coons => "Coons' surface of four curves as a Boolean sum".into(),
+        Title::Multirational => "The multirational blossom".into(),
         Title::Implicit => "The equation of a curve by Bézout's determinant".into(),
         Title::Roots => "Real roots by Bernstein coefficients and Descartes' rule of signs".into(),
     }
@@ -246,6 +248,18 @@ pub(super) fn reason(reason: &Reason) -> String {
         }
 
         Reason::CommonRoot => "0 at the parameter of the point `(x, y)`".into(),
+        Reason::BoundaryCurves(t) => format!("the curves in `{t}`"),
+        Reason::Corners => "they meet at the corners".into(),
+        Reason::RuledBetween(c, t) => format!("the ruled surface between `{c}_0` and `{c}_1`, linear in `{t}`"),
+        Reason::BilinearOfCorners => "the bilinear surface of the corners, which is part of both".into(),
+        Reason::BooleanSum => "the Boolean sum: what both contain is counted once".into(),
+        Reason::AllFourCurves => "it contains all four curves".into(),
+        Reason::SeriesOfArguments(d) => format!("a series in `x`, wanted up to the power {d}"),
+        Reason::CoefficientsOfSeries(d) => format!("its coefficients; `t^k` has the blossom `e_k/binomial({d}, k)`"),
+        Reason::RationalAntiderivative => "a rational function with a multiple of `F` as derivative".into(),
+        Reason::DerivativeIs(1) => "its derivative".into(),
+        Reason::DerivativeIs(k) => format!("its derivative of order {k}"),
+        Reason::FactorsOfArguments => "with a factor for each argument in which the blossom is affine".into(),
         Reason::Bezout => "the coefficients of `t^i s^j` in `(P(t) Q(s) - P(s) Q(t))/(t - s)`".into(),
         Reason::Determinant => "0 where `P` and `Q` have a common root".into(),
         Reason::EquationOfCurve => "the irreducible factor that is 0 on the curve".into(),

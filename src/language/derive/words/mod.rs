@@ -52,6 +52,10 @@ pub enum Title {
     ConnectionMatrix(usize),
     /// The equation of a plane curve.
     Implicit,
+    /// Coons' surface.
+    Coons,
+    /// A multirational blossom.
+    Multirational,
 }
 
 /// What is asked of a cubic spline at its ends.
@@ -394,6 +398,30 @@ pub enum Reason {
     HullTooWide(Rational),
     /// One sign change on a short interval.
     HullOneRoot,
+
+    /// Curves whose parameter is u, or v.
+    BoundaryCurves(Symbol),
+    /// Where they meet.
+    Corners,
+    /// The ruled surface between two of them, linear in the other parameter.
+    RuledBetween(&'static str, Symbol),
+    /// The bilinear surface of the corners.
+    BilinearOfCorners,
+    /// Their sum without what both contain.
+    BooleanSum,
+    /// It contains all four curves.
+    AllFourCurves,
+
+    /// Its coefficients up to x^d are wanted.
+    SeriesOfArguments(usize),
+    /// e_0, …, e_d; t^k becomes e_k/C(d, k).
+    CoefficientsOfSeries(usize),
+    /// A rational function G.
+    RationalAntiderivative,
+    /// G^(k) is a multiple of F.
+    DerivativeIs(usize),
+    /// A factor t − u_i for each argument on the left.
+    FactorsOfArguments,
 
     /// G = F ∘ φ.
     ChangeOfParameter,
