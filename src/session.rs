@@ -3,6 +3,7 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+mod certified;
 mod clauses;
 mod completion;
 mod foreign;
@@ -152,7 +153,11 @@ impl Session {
         if let Some(answers) = self.run_continued(file, whole, equals)? {
             return Ok(answers);
         }
-        if let Some(formula) = self.spoken(file, whole)? {
+        let formula = match self.certified(file, whole)? {
+            Some(formula) => Some(formula),
+            None => self.spoken(file, whole)?,
+        };
+        if let Some(formula) = formula {
             let read = read_as(&formula, whole);
             let mut answer = self.evaluated(file, formula, equals, false)?;
             answer.outcome.notes.insert(0, read);

@@ -135,6 +135,7 @@ fn facts_of_the_subject() {
         "derivative(polar_total(u v, [u, v]), 2, 1)() = 0",
         // the best solution of too many equations
         "least_squares_solution([1, 0; 1, 1; 1, 2], [1, 2, 6]) = coefficients(least_squares([0, 1, 2], [1, 2, 6], 1))",
+        "least_squares([0, 1], [5, 5], 0)(3) = 5",
         "least_squares_solution([1; 1], [x, y], weights=[1, 3]) = [(x + 3y)/4]",
         "least_squares_solution([1, 2; 3, 5], [a, b]) = solve([1, 2; 3, 5], [a, b])",
         // both ways to a product and to a composition

@@ -5,4 +5,5 @@ pub(crate) mod families;
 pub mod letters;
 pub(crate) mod phrases;
 pub(crate) mod roles;
+pub(crate) mod signs;
 pub mod words;

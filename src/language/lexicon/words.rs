@@ -449,6 +449,8 @@ pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
 const TASKS: &[&str] = &[
     "show that",
     "prove that",
+    "prove",
+    "beweise",
     "verify that",
     "check that",
     "check whether",

@@ -55,6 +55,7 @@ pub(crate) const TABLE: &[Builtin] = &[
             let (samples, fit) = fitted(args)?;
             Ok(polynomial(&fit.power, samples.form, &samples.variable(args)?))
         },
+        gives_function: true,
         ..NEW
     },
     Builtin {
