@@ -112,6 +112,7 @@ const ALIASES: &[(&str, &str)] = &[
     ("kgV", "lcm"),
     ("kgv", "lcm"),
     ("ppcm", "lcm"),
+    ("polynomial_degree", "degree"),
     ("polynomial_gcd", "gcd"),
     ("polynomial_lcm", "lcm"),
     ("polynomial_quotient", "quotient"),

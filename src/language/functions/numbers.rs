@@ -7,7 +7,9 @@ use crate::language::eval::Arguments;
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::{division_by_zero, wrong_kind};
 use crate::language::value::Value;
-use crate::math::number::exact_root;
+use crate::math::number::{Rational, exact_root};
+use crate::math::poly::Fraction;
+use nalgebra::DMatrix;
 use num_traits::Zero;
 
 const NEW: Builtin = Builtin::about("Numbers");
@@ -68,7 +70,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "max",
-        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers")],
+        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers, also in one list")],
         summary: "the largest of some numbers",
         example: "max(1/2, 1/3)",
         call: |_, args| extreme(args, true),
@@ -76,7 +78,7 @@ pub(super) const TABLE: &[Builtin] = &[
     },
     Builtin {
         name: "min",
-        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers")],
+        parameters: &[many("a, b, ...", Takes::Number, 1, "the numbers, also in one list")],
         summary: "the smallest of some numbers",
         example: "min(1/2, 1/3)",
         call: |_, args| extreme(args, false),
@@ -106,15 +108,41 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "dot",
         parameters: &[
-            required("a", Takes::Point, "a point or vector"),
-            required("b", Takes::Point, "another one, of as many coordinates"),
+            required("a", Takes::Any, "a point, a matrix or the list of its rows"),
+            required("b", Takes::Any, "another one, of as many coordinates or rows"),
         ],
-        summary: "the scalar product of two points",
+        summary: "the scalar product of two points, or the product of matrices; also written a . b",
         example: "dot([1, 2], [3, 4])",
-        call: |_, args| match (args.value(0)?, args.value(1)?) {
-            (Value::List(a), Value::List(b)) => arithmetic::row_times_column(a, b),
-            (Value::List(_), b) => Err(wrong_kind("a point such as [1, 2]", b).at(args.span(1))),
-            (a, _) => Err(wrong_kind("a point such as [1, 2]", a).at(args.span(0))),
+        call: |_, args| {
+            for place in 0..2 {
+                let value = args.value(place)?;
+                if !matches!(value, Value::List(_) | Value::Matrix(_)) {
+                    return Err(wrong_kind("a point such as [1, 2]", value).at(args.span(place)));
+                }
+            }
+            arithmetic::inner(args.value(0)?, args.value(1)?)
+        },
+        ..NEW
+    },
+    Builtin {
+        name: "termwise",
+        parameters: &[
+            required("F", Takes::Any, "the function of two arguments, such as (x, y) -> x y"),
+            required("a", Takes::Any, "a list, a matrix or a number"),
+            required("b", Takes::Any, "another one, of the same size, or a number"),
+        ],
+        summary: "a function of the entries of lists or matrices, one by one; also a .* b and a.^2",
+        example: "termwise((x, y) -> x y, [1, 2], [3, 4])",
+        call: |machine, args| {
+            let Value::Function(function) = args.value(0)? else {
+                return Err(wrong_kind("a function such as (x, y) -> x y", args.value(0)?).at(args.span(0)));
+            };
+            let span = args.span(0);
+            let (left, right) = (args.span(1), args.span(2));
+            let mut each = |a: &Value, b: &Value| {
+                machine.call(function, vec![(a.clone(), left), (b.clone(), right)], span)
+            };
+            termwise(&mut each, args.value(1)?, args.value(2)?).at(right)
         },
         ..NEW
     },
@@ -142,13 +170,70 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
+/// The largest or smallest of numbers, which may stand in one list.
 fn extreme(args: &Arguments, largest: bool) -> Result<Value, Diagnostic> {
-    let mut best = args.rational(0)?;
-    for i in 1..args.len() {
-        let next = args.rational(i)?;
-        if (next > best) == largest {
-            best = next;
+    let numbers: Vec<Rational> = match args.value(0)? {
+        Value::List(items) if args.len() == 1 && !items.is_empty() => {
+            let number = |item: &Value| {
+                item.as_rational().ok_or_else(|| wrong_kind("a number", item).at(args.span(0)))
+            };
+            items.iter().map(number).collect::<Result<_, _>>()?
         }
+        _ => (0..args.len()).map(|i| args.rational(i)).collect::<Result<_, _>>()?,
+    };
+    let best = if largest { numbers.into_iter().max() } else { numbers.into_iter().min() };
+    Ok(best.map_or(Value::int(0), Value::number))
+}
+
+/// A function of each pair of entries; a number goes with all entries.
+fn termwise(
+    each: &mut dyn FnMut(&Value, &Value) -> Result<Value, Diagnostic>,
+    left: &Value,
+    right: &Value,
+) -> Result<Value, Diagnostic> {
+    let sizes = || {
+        Diagnostic::error(Code::Shape, "lists or matrices of different sizes have no pairs of entries")
+            .hint("make the numbers of rows, columns or items agree")
+    };
+    match (left, right) {
+        (Value::List(a), Value::List(b)) if a.len() != b.len() => Err(sizes()),
+        (Value::List(a), Value::List(b)) => a
+            .iter()
+            .zip(b.iter())
+            .map(|(a, b)| termwise(each, a, b))
+            .collect::<Result<_, _>>()
+            .map(Value::List),
+        (Value::List(a), b) if !matches!(b, Value::Matrix(_)) => {
+            a.iter().map(|a| termwise(each, a, b)).collect::<Result<_, _>>().map(Value::List)
+        }
+        (a, Value::List(b)) if !matches!(a, Value::Matrix(_)) => {
+            b.iter().map(|b| termwise(each, a, b)).collect::<Result<_, _>>().map(Value::List)
+        }
+        (Value::Matrix(a), Value::Matrix(b)) if a.shape() != b.shape() => Err(sizes()),
+        (Value::Matrix(a), Value::Matrix(b)) => entrywise(a, |i, x| {
+            let y = b.iter().nth(i).cloned().ok_or_else(sizes)?;
+            each(&Value::Scalar(x), &Value::Scalar(y))
+        }),
+        (Value::Matrix(a), b @ Value::Scalar(_)) => entrywise(a, |_, x| each(&Value::Scalar(x), b)),
+        (a @ Value::Scalar(_), Value::Matrix(b)) => entrywise(b, |_, y| each(a, &Value::Scalar(y))),
+        (Value::Matrix(_), _) | (_, Value::Matrix(_)) => Err(sizes()),
+        (a, b) => each(a, b),
     }
-    Ok(Value::number(best))
+}
+
+/// The matrix of the values at the entries, which come column by column with their number.
+fn entrywise(
+    matrix: &DMatrix<Fraction>,
+    mut value: impl FnMut(usize, Fraction) -> Result<Value, Diagnostic>,
+) -> Result<Value, Diagnostic> {
+    let scalar = |value: Value| match value {
+        Value::Scalar(formula) => Ok(formula),
+        other => Err(wrong_kind("a number or formula", &other)),
+    };
+    let entries: Vec<Fraction> = matrix
+        .iter()
+        .enumerate()
+        .map(|(i, entry)| value(i, entry.clone()).and_then(scalar))
+        .collect::<Result<_, _>>()?;
+    Ok(Value::Matrix(DMatrix::from_vec(matrix.nrows(), matrix.ncols(), entries)))
 }

@@ -197,6 +197,23 @@ pub(crate) fn row_times_column(row: &[Value], column: &[Value]) -> Result<Value>
     terms.try_fold(first, |sum, term| add(sum, term?))
 }
 
+/// The scalar product of two points, which may be columns, or the product of matrices, which may be lists of their rows.
+pub(crate) fn inner(left: &Value, right: &Value) -> Result<Value> {
+    match (left, right) {
+        (Value::List(rows), _) if is_grid(rows) => {
+            rows.iter().map(|row| inner(row, right)).collect::<Result<Vec<_>>>().map(Value::list)
+        }
+        (Value::List(a), Value::List(b)) => row_times_column(a, b),
+        (Value::Matrix(a), Value::Matrix(b)) if a.ncols() == 1 && a.shape() == b.shape() && a.nrows() > 1 => {
+            let entries = |column: &DMatrix<Fraction>| -> Vec<Value> {
+                column.iter().cloned().map(Value::Scalar).collect()
+            };
+            row_times_column(&entries(a), &entries(b))
+        }
+        _ => multiply(left.clone(), right.clone()),
+    }
+}
+
 /// A list of scalars as a column.
 fn column(items: &[Value]) -> Result<Value> {
     let entries: Option<Vec<Fraction>> = items.iter().map(|item| item.as_scalar().cloned()).collect();
@@ -304,6 +321,19 @@ fn matrix_power(m: DMatrix<Fraction>, k: i64) -> Result<Value> {
 pub(crate) fn transpose(value: Value) -> Result<Value> {
     match value {
         Value::Matrix(m) => Ok(Value::Matrix(m.transpose())),
+        // Rows become columns.
+        Value::List(rows) if is_grid(&rows) => {
+            let columns = match rows.first() {
+                Some(Value::List(row)) => row.len(),
+                _ => 0,
+            };
+            let entry = |row: &Value, at: usize| match row {
+                Value::List(items) => items.get(at).cloned(),
+                _ => None,
+            };
+            let column = |at: usize| Value::list(rows.iter().filter_map(|row| entry(row, at)).collect());
+            Ok(Value::list((0..columns).map(column).collect()))
+        }
         Value::List(items) => match column(&items)? {
             // A list is read as a row; its transpose is a column.
             Value::Matrix(m) => Ok(Value::Matrix(m)),
