@@ -70,6 +70,8 @@ pub(super) enum Role {
     Gap,
     /// A sign that is read as a word.
     Word,
+    /// `\%`, a hundredth
+    Percent,
     RowBreak,
     Begin,
     End,
@@ -137,6 +139,7 @@ impl Command {
             | Role::Slash
             | Role::Cross
             | Role::Circ
+            | Role::Percent
             | Role::Binary(_)
             | Role::Ellipsis => "operations and dots",
             Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text | Role::Word => {
@@ -469,6 +472,7 @@ const OTHERS: &[Command] = table! {
     "\\" "new row" Role::RowBreak;
     "cr" "new row" Role::RowBreak;
     "newline" "new row" Role::RowBreak;
+    "%" "a hundredth, behind a number" Role::Percent;
     "quad" "wide space; separates formulas" Role::Gap;
     "qquad" "wide space; separates formulas" Role::Gap;
     "hfill" "wide space; separates formulas" Role::Gap;

@@ -111,6 +111,10 @@ impl Lexer<'_> {
             }
             '<' if self.starts_with("<=") => self.push(Tok::Rel(Rel::Le), 2),
             '>' if self.starts_with(">=") => self.push(Tok::Rel(Rel::Ge), 2),
+            // n != 3; n!=3 is a factorial, as it is set
+            '!' if self.starts_with("!=") && self.text.piece(..self.at).ends_with([' ', '\t', '\n']) => {
+                self.push(Tok::Rel(Rel::Ne), 2)
+            }
             '-' if self.starts_with("->") => self.push(Tok::Rel(Rel::To), 2),
             _ => match ascii(c) {
                 Some(kind) => self.push(kind, 1),
@@ -145,6 +149,14 @@ impl Lexer<'_> {
                 let problem =
                     Diagnostic::error(Code::UnexpectedCharacter, "a letter after the point of a number")
                         .hint("write a product without the point: 2 x");
+                self.bad(start, start + 2, problem);
+            }
+            // (1, 2).x is no list of two formulas
+            1 if self.text.piece(..start).ends_with([')', ']'])
+                && self.rest().piece(1..).starts_with(|c: char| c.is_ascii_alphabetic()) =>
+            {
+                let problem = Diagnostic::error(Code::UnexpectedCharacter, "a letter after a point")
+                    .hint("write p[0] for the first coordinate of p, a blank between two formulas");
                 self.bad(start, start + 2, problem);
             }
             1 => {

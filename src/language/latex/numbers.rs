@@ -70,6 +70,21 @@ impl Lexer<'_> {
                 return Some((length + 1 + sign + count, Some(problem)));
             }
         }
+        // 12.5 e 3, which prints as 12.5e3
+        let apart = tail.trim_start_matches(' ');
+        if let Some(power) = apart.strip_prefix(['e', 'E']) {
+            let exponent = power.trim_start_matches(' ');
+            let count = digits(exponent);
+            if count > 0 && (apart.len() < tail.len() || exponent.len() < power.len()) {
+                let problem = malformed(rest.len() - exponent.len() + count)
+                    .reason("a power of ten, or the name e?")
+                    .hint(format!(
+                        "write {number} \\cdot 10^{{{}}} for the power of ten",
+                        exponent.piece(..count)
+                    ));
+                return Some((rest.len() - exponent.len() + count, Some(problem)));
+            }
+        }
         // 0.1\overline{6}
         if let Some(end) = repeating_end(rest, if parts == 1 { length + 1 } else { length })
             && (parts > 1 || tail.starts_with('.'))

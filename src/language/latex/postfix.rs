@@ -13,7 +13,7 @@ use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
 use crate::budget;
 use crate::formula::source::{Pieces, Span};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Quotient};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::syntax::special_call;
@@ -33,6 +33,7 @@ impl Reader<'_> {
                 | Tok::Prime(_)
                 | Tok::Raised(_)
                 | Tok::Bang
+                | Tok::Percent
                 | Tok::Open(_)
                 | Tok::Left(_),
             ) => self.suffixes(atom?, start, first),
@@ -61,10 +62,20 @@ impl Reader<'_> {
                     }
                     Ok(self.node(Kind::Factorial(Box::new(expr)), start))
                 }
+                // 25\%
+                Some(Tok::Percent) if matches!(expr.kind, Kind::Number(_)) => {
+                    let sign = self.bump();
+                    let hundred = Expr { span: sign, ..Expr::int(100) };
+                    let quotient = Kind::Div(Box::new(expr), Box::new(hundred), Quotient::Slash);
+                    let quotient = self.node(quotient, start);
+                    Ok(self.node(Kind::Group(Box::new(quotient)), start))
+                }
                 Some(Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren)) if self.takes_arguments(&expr) => {
                     self.applied(expr, start)
                 }
-                Some(Tok::Open(Fence::Square)) if self.indexes(&expr) => self.bracket_index(expr, start),
+                Some(Tok::Open(Fence::Square) | Tok::Left(Fence::Square)) if self.indexes(&expr) => {
+                    self.bracket_index(expr, start)
+                }
                 Some(Tok::Open(Fence::Curly) | Tok::Left(Fence::Curly)) if self.is_word(&expr, first) => {
                     self.applied_to_set(expr, start)
                 }
@@ -105,7 +116,7 @@ impl Reader<'_> {
         self.query
             && touches
             && !power
-            && self.tokens[close].kind == Tok::Close(Fence::Square)
+            && matches!(self.tokens[close].kind, Tok::Close(Fence::Square) | Tok::Right(Fence::Square))
             && (is_callee(base) || matches!(base.kind, Kind::Apply(..)))
             && close > self.pos + 1
             && (several || (self.pos + 1..close).all(index))

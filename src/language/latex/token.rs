@@ -58,6 +58,7 @@ pub(super) enum Tok {
     /// A binary operator read as a function of that name, such as `setminus`.
     Binary(&'static str),
     Bang,
+    Percent,
     Comma,
     Semicolon,
     Period,

@@ -71,6 +71,7 @@ impl Lexer<'_> {
             }
             Role::Word => self.push_from(start, Tok::Text(start as u32 + 1, end as u32), end),
             Role::Relation(rel) => self.push_from(start, Tok::Rel(rel), end),
+            Role::Percent => self.push_from(start, Tok::Percent, end),
             Role::Dot => self.push_from(start, Tok::Dot, end),
             Role::Star => self.push_from(start, Tok::Star, end),
             Role::Slash => self.push_from(start, Tok::Slash, end),
