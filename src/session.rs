@@ -116,7 +116,8 @@ impl Session {
     ) -> Result<Answer, Box<Failure>> {
         let mut answers = self.run_part(file, part, equals)?;
         let last = answers.pop().ok_or_else(|| {
-            let problem = Diagnostic::error(Code::Internal, "a statement without an answer");
+            let problem = Diagnostic::error(Code::Usage, "a name needs no declaration")
+                .hint("leave it out: a name without a value is a symbol");
             Box::new(Failure { problem, file: file.clone() })
         })?;
         Ok(last)
@@ -134,10 +135,29 @@ impl Session {
         let whole = part.unwrap_or(Span::new(0, file.text().len()));
         // t^2 + 2t = ?
         let text = file.slice(whole).trim_end();
+        // x = Symbol('x'): a name without a value is a symbol
+        if let Some(names) = foreign::scripts::declared(text) {
+            for name in names {
+                self.env.remove(&Symbol::new(name));
+            }
+            return Ok(Vec::new());
+        }
+        if let Some(start) = foreign::scripts::after_package(text) {
+            return self.run_part(file, Some(Span::new(whole.start + start, whole.end)), equals);
+        }
         let asked = text.trim_end_matches(['?', '？']).trim_end().strip_suffix('=');
         if let Some(formula) =
             asked.filter(|text| !text.trim().is_empty() && !text.ends_with([':', '<', '>', '=', '!']))
         {
+            if text.ends_with('=')
+                && file.slice(Span::new(whole.end, file.text().len())).trim_start().starts_with('#')
+            {
+                let problem = Diagnostic::error(Code::UnexpectedEnd, "nothing stands after '='")
+                    .at(Span::new(whole.start, whole.start + text.len()))
+                    .reason("# begins a comment")
+                    .hint("a function without a name is t -> t^2");
+                return Err(fail(problem));
+            }
             let part = Span::new(whole.start, whole.start + formula.len());
             return self.run_part(file, Some(part), Equals::Claims);
         }
@@ -201,6 +221,9 @@ impl Session {
         latex: bool,
     ) -> Result<Answer, Box<Failure>> {
         let span = statement.span;
+        if let Some(problem) = spelling::set_of_numbers(&statement, &|name| defines(&self.env, name)) {
+            return Err(Box::new(Failure { problem, file: file.clone() }));
+        }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);
@@ -353,9 +376,28 @@ fn read_in(env: &Env, file: &SourceFile, part: Option<Span>) -> Result<Expr, Dia
     match result {
         Ok(mut expr) => {
             expr.shift(span.start);
-            Ok(foreign::with_calls(expr, &|name| defines(env, name)))
+            let expr = foreign::with_calls(expr, &|name| defines(env, name));
+            Ok(foreign::with_scalar_products(expr, file, &|name| is_point(env, name)))
         }
-        Err(problem) => Err(problem.shifted(span.start)),
+        Err(problem) => {
+            let problem = problem.shifted(span.start);
+            let rest = file.slice(Span::new(span.end, file.text().len()));
+            let comment = rest.trim_start_matches([' ', '\t']).starts_with('#') || text.contains('#');
+            let open = matches!(problem.code, Code::UnexpectedEnd | Code::Unbalanced);
+            Err(match comment && open {
+                true => problem.hint("# begins a comment; a function without a name is t -> t^2"),
+                false => problem,
+            })
+        }
+    }
+}
+
+/// Whether a name stands for a point, which may be a column.
+fn is_point(env: &Env, name: &str) -> bool {
+    match env.get(&Symbol::new(name)) {
+        Some(Value::List(items)) => items.len() > 1,
+        Some(Value::Matrix(matrix)) => matrix.ncols() == 1,
+        _ => false,
     }
 }
 

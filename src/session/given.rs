@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use super::{Answer, Failure, Session, guarded, read_in};
+use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, call, named};
 use crate::judge::asked;
@@ -15,6 +15,7 @@ use crate::judge::inequality::{decided_in, interval, positive};
 use crate::judge::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals};
+use crate::language::functions::builtin;
 use crate::language::lexicon::letters;
 use crate::language::syntax::{self, Sentence};
 use crate::language::value::{Claim, Judgement, Value, Verdict};
@@ -160,6 +161,7 @@ impl Session {
     ) -> Failed<Option<Vec<Answer>>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let mut given = Vec::new();
+        let formula = self.read(file, sentence.formula)?;
         for (span, all) in &sentence.conditions {
             let read = self.read(file, *span)?;
             let items = match read.kind {
@@ -170,6 +172,13 @@ impl Session {
                 match &item.kind {
                     // for all t, u
                     Kind::Name(_) | Kind::Subscript(..) if *all => {}
+                    // t^2 <= t on [0, 1]
+                    _ if interval(&item).is_some() && matches!(formula.kind, Kind::Chain(..)) => {
+                        let name = self.only_variable(&formula, item.span).map_err(fail)?;
+                        let span = item.span;
+                        let within = Expr { span, ..Expr::relation(Expr { span, ..name }, Rel::In, item) };
+                        given.push(Given { file: file.clone(), statement: bounded(within) });
+                    }
                     Kind::Chain(..) => {
                         let statement = bounded(value_given(item).map_err(fail)?);
                         given.push(Given { file: file.clone(), statement });
@@ -178,7 +187,6 @@ impl Session {
                 }
             }
         }
-        let formula = self.read(file, sentence.formula)?;
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
         let several = matches!(&formula.kind, Kind::Sequence(items)
             if items.iter().all(|item| asks(item) || matches!(item.kind, Kind::Text(_))));
@@ -217,6 +225,19 @@ impl Session {
 }
 
 impl Session {
+    /// The one symbol of a claim, which runs through an interval.
+    fn only_variable(&self, claim: &Expr, place: Span) -> Result<Expr, Diagnostic> {
+        let symbol = |name: &String| !defines(&self.env, name) && builtin(name).is_none();
+        let names: Vec<String> = bases(claim).into_iter().filter(symbol).collect();
+        match names.as_slice() {
+            [name] => Ok(Expr::name(name)),
+            _ => Err(Diagnostic::error(Code::Usage, "which name runs through this interval?")
+                .at(place)
+                .reason("it is said of none")
+                .hint("write for t in [0, 1]")),
+        }
+    }
+
     /// The formula with the values put in that are given for symbols of functions defined before: G(3) with a = 1/2 after
     /// G(t) = t^2 + a. These are no longer among what is given.
     fn late(&self, formula: &Expr, given: &mut Vec<Given>) -> Option<Expr> {

@@ -1,10 +1,39 @@
 //! Remarks on spellings that have another meaning elsewhere: `[0,5; 1,5]`, `[1 -3 2]`, `2.5E2`.
 
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Sign};
+use crate::formula::{Accent, Expr, Kind, Rel, Sign};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval;
 use crate::language::write;
+
+/// Refuses ℝ where a number is wanted; what a relation such as ∈ is about, and indices, are no numbers.
+pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
+    let set = |expr: &Expr| match &expr.kind {
+        Kind::Accent(Accent::Blackboard, letter) => {
+            matches!(&letter.kind, Kind::Name(name) if matches!(name.as_str(), "N" | "Z" | "Q" | "R" | "C") && !known(name))
+        }
+        _ => false,
+    };
+    match &statement.kind {
+        _ if set(statement) => Some(
+            Diagnostic::error(Code::Unsupported, "a set of numbers has no value")
+                .at(statement.span)
+                .hint("say what belongs to it: t \\in \\mathbb{R}"),
+        ),
+        Kind::Chain(_, links) if links.iter().any(|link| !matches!(link.rel, Rel::Eq | Rel::Define)) => None,
+        Kind::Group(_) | Kind::Add(_) | Kind::Mul(_) | Kind::Div(..) | Kind::Chain(..) => {
+            let mut found = None;
+            statement.for_each_child(&mut |child| {
+                if found.is_none() {
+                    found = set_of_numbers(child, known);
+                }
+            });
+            found
+        }
+        Kind::Pow(base, _) => set_of_numbers(base, known),
+        _ => None,
+    }
+}
 
 /// Adds the remarks on a statement that was read from a file.
 pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {

@@ -98,6 +98,14 @@ impl Reader<'_> {
         }
         // From the inside out.
         drafts.reverse();
+        // the control points of the Bézier curve t^2
+        if let ([Draft { builtin: curve, .. }, Draft { builtin: points, .. }, ..], [formula]) =
+            (drafts.as_slice(), items.as_slice())
+            && (curve.name, points.name) == ("bezier", "control_points")
+            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        {
+            drafts.remove(0);
+        }
         // insert knot 1: knots 0, 0, 2, 2, control points 3, 4
         let knots = said.iter().any(|read| read.label == Label::Knots);
         if let Some(Draft { builtin: first, phrase, .. }) = drafts.first()

@@ -222,11 +222,12 @@ impl Machine {
         arithmetic::multiply(scalar, factor_value).at(span)
     }
 
-    /// Refuses p(t) and p(2) for a p without a value: around one name or number, parentheses group
-    /// nothing, so they were meant as a call.
+    /// Refuses p(t), p(2) and p([1, 2]) for a p without a value: around one name, number or list, parentheses
+    /// group nothing, so they were meant as a call.
     pub(super) fn is_no_lone_call(&mut self, callee: &Expr, inside: &Expr) -> Result<(), Diagnostic> {
         if self.reading.is_some()
-            || !(matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..)) || is_number(inside))
+            || !(matches!(inside.kind, Kind::Name(_) | Kind::Subscript(..) | Kind::List(_) | Kind::Tuple(_))
+                || is_number(inside))
         {
             return Ok(());
         }

@@ -35,6 +35,15 @@ impl Machine {
         span: Span,
     ) -> Evaluated {
         let Some((variable, formula)) = function.as_formula() else {
+            // f[2, 3] of a function of two variables is a call, as in Mathematica.
+            if function.shape.arity() == nodes.len() && nodes.len() > 1 {
+                let values = nodes.iter().map(|node| Ok((self.eval(node)?, node.span))).collect::<Result<
+                    _,
+                    Diagnostic,
+                >>(
+                )?;
+                return self.call(&std::sync::Arc::new(function.clone()), values, span);
+            }
             let error = Diagnostic::error(Code::Type, "divided differences are of functions of one variable");
             return Err(error.at(span).hint("divided_differences(nodes, values) takes values"));
         };

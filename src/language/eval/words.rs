@@ -126,7 +126,12 @@ impl Machine {
                     .hint(format!("write {} for the product", spaced())),
             ));
         }
-        match words::is_foreign_function(word) || (word.len() > FEW && !word.chars().all(is_letter)) {
+        // nPr(5, 2)
+        let elsewhere = called && words::elsewhere(word).is_some();
+        match elsewhere
+            || words::is_foreign_function(word)
+            || (word.len() > FEW && !word.chars().all(is_letter))
+        {
             true => Word::Refused(Box::new(self.unknown_word(word))),
             false => Word::Letters,
         }

@@ -207,7 +207,7 @@ const PHRASES: &[(Phrase, &str)] = &[
         "bézier point~ | bezier point~ | bézierpunkt~ | bezierpunkt~ | point~ de bézier | puntos de bézier | \
          puntos de bezier | punti di bézier | points de bezier | bezier ordinates | bézierordinaten | \
          bezierordinaten | bézier koeffizient~ | \
-         bézier control points | bezier control points | bézier coefficients | \
+         bézier control points | bezier control points | 贝塞尔控制点 | bézier coefficients | \
          bezier coefficients | bézier ordinates | 贝塞尔点",
     ),
     (
@@ -217,7 +217,7 @@ const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Function("bezier"),
-        "bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
+        "conic | conic section | kegelschnitt | conique | cónica | 二次曲线 | bezier | bézier | bezier curve~ | bézier curve~ | bezierkurve~ | bézierkurve~ | \
          curva~ de bézier | curva~ de bezier | curva~ di bézier | curva~ di bezier | \
          courbe de bézier | courbe de bezier | 贝塞尔曲线 | point on bezier | point on bezier curve | \
          bezier polynomial | bézier polynomial | bezier polygon | bezier segment | bézier segment",
@@ -373,6 +373,7 @@ const PHRASES: &[(Phrase, &str)] = &[
         Ordinal(3),
         "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
+    (Ordinal(1), "once | one | one time | einmal | une fois"),
     (Degree(5), "quintic~ | quintique~ | 五次"),
     (
         Of,
@@ -386,7 +387,7 @@ const PHRASES: &[(Phrase, &str)] = &[
         "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
-    (And, "and | und | et | 和"),
+    (And, "and | und | et | 和 | divided by | geteilt durch | divisé par | dividido por"),
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
@@ -400,7 +401,7 @@ const PHRASES: &[(Phrase, &str)] = &[
          sur l'intervalle | in the interval | interval | intervall | \
          intervalle | 区间 | sobre | en el intervalo | intervalo | nell'intervallo | intervallo",
     ),
-    (Phrase::Label(From), "from | desde | 从"),
+    (Phrase::Label(From), "from | desde | 从 | between | zwischen | entre"),
     (
         Phrase::Label(To),
         "to | hasta | bis | à | jusqu'à | auf grad | into | nach | in die | 到 | 转换为 | 转化为 | dans la | \

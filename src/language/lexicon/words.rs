@@ -79,6 +79,15 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("matrix", "a matrix is written [1, 2; 3, 4]; those between bases are change_of_basis(...)"),
     ("polyval", "a value of a polynomial is written t^3 - 2t + 5 at t = 3"),
     ("conv", "a product of polynomials is written (t + 2)(t + 3); coefficients(F) lists its coefficients"),
+    ("ones", "a matrix of ones with its numbers of rows and columns is ones(2, 2), a list [1 for i = 1..2]"),
+    (
+        "zeros",
+        "a matrix of zeros with its numbers of rows and columns is zeros(2, 2), the roots of F are roots(F)",
+    ),
+    ("nPr", "the number of arrangements is n!/(n-k)!, that of choices binomial(n, k)"),
+    ("ast", "a star for an argument has no value: write the function alone, f"),
+    ("cdot", "a dot for an argument has no value: write the function alone, f"),
+    ("kron", "products of matrices are A B and tensor products of polynomials polar_tensor(F)"),
     ("odd", "a claim says the same: F(-t) = -F(t)"),
     ("even", "a claim says the same: F(-t) = F(t)"),
     ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
@@ -245,6 +254,11 @@ pub(crate) fn aside(word: &str) -> Option<Aside> {
         return Some(Aside::Let);
     }
     ASIDES.iter().find(|(_, words)| words.contains(&small)).map(|(aside, _)| *aside)
+}
+
+/// Whether an interval may stand behind a word, through which the variable of a claim runs: on.
+pub(crate) fn is_before_interval(word: &str) -> bool {
+    ["on", "over", "auf", "sur"].contains(&word)
 }
 
 /// Whether a word is a sign with bounds below it, written without its backslash: `sum_{i=0}^n`, not `sum_rules`.
@@ -448,6 +462,15 @@ pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
 /// Words before what is to be shown.
 const TASKS: &[&str] = &[
     "show that",
+    "show",
+    "prove",
+    "verify",
+    "check",
+    "beweise",
+    "zeige",
+    "montrer",
+    "vérifier",
+    "证明",
     "prove that",
     "prove",
     "beweise",
@@ -469,7 +492,6 @@ const TASKS: &[&str] = &[
     "demuestra que",
     "muestra que",
     "dimostra che",
-    "证明",
     "验证",
 ];
 

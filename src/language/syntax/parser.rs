@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! statement  = item [ "/." item ] { "," item }        several: Sequence; F /. t -> 2
+//!            | "def" call ":" "return" item           a definition
 //! item       = definition                             also what stands in brackets
 //! definition = relation [ ":=" relation ]
 //! relation   = function { rel function }              = == != < <= > >= ≈ ≡ in ⊆ => <=>
@@ -9,9 +10,9 @@
 //! range      = sum [ ".." sum ]                       0..n
 //! sum        = [ "+" ] term { ( "+" | "-" ) term }
 //! term       = "-" term | product
-//! product    = factor { [ "*" | "/" | "mod" ] factor } from the left: 5/3 t = (5/3) t
+//! product    = factor { [ "*" | "/" | "mod" | "." | ".*" | "./" ] factor } from the left: 5/3 t = (5/3) t
 //! factor     = "-" factor | power { "∘" power }       "-" only after a sign
-//! power      = postfix [ ( "^" | "**" ) exponent ]    2^3^2 = 2^(3^2)
+//! power      = postfix [ ( "^" | "**" | ".^" ) exponent ] 2^3^2 = 2^(3^2)
 //! exponent   = "-" exponent | "{" items "}" | power
 //! postfix    = atom { "_" index | "'" | "!" | accent | "^{(" items ")}" | call | "." name call }
 //! call       = "(" items { ";" items } ")"            see below
@@ -104,6 +105,10 @@ enum Op {
     Div,
     /// `7 mod 3`
     Mod,
+    /// `A.v`, a scalar product or one of matrices
+    Dot,
+    /// `a .* b`, entry by entry: the operator behind the point
+    Termwise(TokenKind),
     Compose,
     Power,
     Range,
@@ -137,14 +142,15 @@ impl Op {
             Op::Range => strength::RANGE,
             Op::Add(_) => strength::SUM,
             Op::Sign(_) => strength::SIGN_OF_TERM,
-            Op::Mul | Op::Div | Op::Mod => strength::PRODUCT,
+            Op::Termwise(TokenKind::Caret) => strength::POWER,
+            Op::Mul | Op::Div | Op::Mod | Op::Dot | Op::Termwise(_) => strength::PRODUCT,
             Op::Compose => strength::COMPOSE,
             Op::Power => strength::POWER,
         }
     }
 
     fn groups_from_the_right(self) -> bool {
-        matches!(self, Op::Power | Op::Lambda | Op::Sign(_))
+        matches!(self, Op::Power | Op::Lambda | Op::Sign(_) | Op::Termwise(TokenKind::Caret))
     }
 }
 
@@ -211,7 +217,7 @@ impl<'a> Parser<'a> {
     }
 
     fn statement(&mut self) -> Parsed<Node> {
-        let mut first = self.expr()?;
+        let mut first = if self.at_definition() { self.definition_elsewhere()? } else { self.expr()? };
         while self.at_rules() {
             first = self.with_rules(first)?;
         }
@@ -318,7 +324,7 @@ impl<'a> Parser<'a> {
         let floor = if op.groups_from_the_right() { strength + 1 } else { strength };
         let left = self.reduce(stack, operand, floor)?;
         self.check_left(op, &left, token)?;
-        let two = self.at_assignment();
+        let two = self.at_assignment() || matches!(op, Op::Termwise(_));
         if op == Op::Mod || self.at_word_of() || !self.at_operand() {
             self.bump();
         }
@@ -363,6 +369,7 @@ impl<'a> Parser<'a> {
             TokenKind::Caret => Op::Power,
             TokenKind::Compose => Op::Compose,
             TokenKind::Name if token.spaced && self.text_of(token) == "mod" => Op::Mod,
+            TokenKind::Unknown if let Some(op) = self.point_operator() => op,
             TokenKind::DotDot => Op::Range,
             TokenKind::Arrow => Op::Lambda,
             TokenKind::Relation(_) if self.at_assignment() => match self.assigns_function() {
@@ -440,10 +447,12 @@ impl<'a> Parser<'a> {
             Op::Mul => Kind::Mul(vec![left, right]),
             Op::Div => Kind::Div(Box::new(left), Box::new(right), Quotient::Slash),
             Op::Compose => Kind::Compose(vec![left, right]),
-            Op::Mod => {
-                let name = Expr::new(Kind::Name("mod".to_owned()), token.span());
+            Op::Mod | Op::Dot => {
+                let name = if op == Op::Mod { "mod" } else { "dot" };
+                let name = Expr { span: token.span(), ..Expr::name(name) };
                 Kind::Apply(Box::new(name), vec![vec![left, right]])
             }
+            Op::Termwise(sign) => elsewhere::termwise(sign, left, right, token.span()),
             Op::Power => operand::power(left, right),
             Op::Range => Kind::Range(Box::new(left), Box::new(right)),
             Op::Lambda => Kind::Lambda(parameters(left), Box::new(right)),
@@ -451,7 +460,8 @@ impl<'a> Parser<'a> {
                 Kind::Chain(Box::new(left), vec![Link { rel, span: token.span(), expr: right }])
             }
         };
-        self.node(kind, span, height)
+        let within = if matches!(op, Op::Termwise(_)) { elsewhere::HEIGHT_OF_TERMWISE } else { 0 };
+        self.node(kind, span, height.max(within))
     }
 
     /// A flat node that has taken in one more child.

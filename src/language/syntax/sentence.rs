@@ -171,8 +171,11 @@ fn parts(text: &str, tokens: &[Token], known: &dyn Fn(&str) -> bool) -> Option<V
     Some(found)
 }
 
-/// Whether a colon here belongs to a function as Python writes it: lambda t: t^2.
+/// Whether a colon here belongs to a function as Python writes it: lambda t: t^2, def f(t): return t^2.
 fn after_lambda(text: &str, before: &[Token]) -> bool {
+    if before.first().is_some_and(|first| first.text(text) == "def") {
+        return true;
+    }
     let names =
         before.iter().rev().take_while(|token| matches!(token.kind, TokenKind::Name | TokenKind::Comma));
     names.skip(1).any(|token| token.text(text) == "lambda")
@@ -186,7 +189,11 @@ fn word(text: &str, tokens: &[Token], at: usize, known: &dyn Fn(&str) -> bool) -
         TokenKind::Name | TokenKind::If | TokenKind::For | TokenKind::And => {
             let apart = (at == 0 || token.spaced) && tokens.get(at + 1).is_none_or(|next| next.spaced);
             let apart = apart || written.chars().all(is_ideograph);
-            let aside = words::aside(written).filter(|_| apart && !known(written))?;
+            // on [0, 1]
+            let bracket =
+                tokens.get(at + 1).is_some_and(|next| next.kind == TokenKind::Open(Bracket::Square));
+            let interval = (bracket && words::is_before_interval(written)).then_some(Aside::Condition);
+            let aside = words::aside(written).or(interval).filter(|_| apart && !known(written))?;
             Some((aside, 1))
         }
         TokenKind::Command if words::is_text_command(written) => {

@@ -599,6 +599,16 @@ impl Reader<'_> {
         self.at += 1;
         while self.take(Phrase::Of) {}
         match self.next()? {
+            // between 0 and 1
+            Part::Piece(from)
+                if label == Label::From
+                    && let Some([Part::Phrase(Phrase::And, _), Part::Piece(to)]) =
+                        self.parts.get(self.at + 1..self.at + 3) =>
+            {
+                let to = Said { label: Label::To, what: What::Formula(*to) };
+                self.at += 3;
+                Some(vec![Said { label, what: What::Formula(from) }, to])
+            }
             Part::Piece(span) => {
                 self.at += 1;
                 // with 3 times, in 3 times
@@ -613,7 +623,7 @@ impl Reader<'_> {
                 let all = std::iter::once(span).chain(self.others());
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
             }
-            Part::Phrase(Phrase::Label(_) | Phrase::Degree(_), _) => Some(Vec::new()),
+            Part::Phrase(Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_), _) => Some(Vec::new()),
             // for the control points 0, 1
             Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,

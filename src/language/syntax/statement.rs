@@ -61,13 +61,18 @@ fn ends_sentence(text: &str, token: &Token) -> bool {
         TokenKind::Number => written.ends_with('.'),
         _ => false,
     };
+    if !stop {
+        return false;
+    }
     let rest = text.piece(token.span().end..);
     let next = rest.trim_start_matches([' ', '\t']);
-    let sentence =
-        next.starts_with(|c: char| c.is_uppercase() || is_ideograph(c)) && words::asks(next).is_none();
-    stop && (next.is_empty()
-        || next.starts_with(['\n', '#'])
-        || sentence && (rest != next || written == "。"))
+    // A . Vector([1, 2]) is a product
+    let word = next.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+    let factor = token.spaced && word.len() < next.len() && word.starts_with(['(', '[']);
+    let sentence = next.starts_with(|c: char| c.is_uppercase() || is_ideograph(c))
+        && words::asks(next).is_none()
+        && !factor;
+    next.is_empty() || next.starts_with(['\n', '#']) || sentence && (rest != next || written == "。")
 }
 
 /// Whether the last statement needs another line.

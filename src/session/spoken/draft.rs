@@ -135,6 +135,12 @@ impl Draft {
                 }];
             }
         }
+        // A polynomial is no list of points.
+        if let ("bezier", [formula]) = (self.builtin.name, items.as_slice())
+            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        {
+            return false;
+        }
         // t^2 as a spline
         if let ("bspline", [formula]) = (self.builtin.name, items.as_slice())
             && !matches!(formula.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Number(_))
@@ -292,6 +298,11 @@ impl Draft {
             }
             // the restriction to [0, 1/2]
             Label::To if matches!(first.kind, Kind::List(_)) => return self.take_interval(read),
+            // compose t^2 with t + 1
+            Label::With if self.builtin.name == "compose" && self.placed.len() == 1 => {
+                self.placed.extend(read.items);
+                return None;
+            }
             Label::Over | Label::With | Label::In => return self.take_interval(read),
             Label::Times => single(&["k", "times"]),
             Label::Number => single(&["i"]),

@@ -1,9 +1,31 @@
-//! What other systems write: `F.subs(t, 2)`, `F /. t -> 2`, `[1 2 3]`, `(0; 1)`.
+//! What other systems write: `F.subs(t, 2)`, `F /. t -> 2`, `[1 2 3]`, `(0; 1)`, `a .* b`, `A.v`, `np.dot(a, b)`.
 
 use super::super::token::{Bracket, Token, TokenKind};
 use super::operand::{Cell, Inside};
-use super::{Node, Parsed, Parser};
-use crate::formula::{Expr, Kind, Quotient, Rel};
+use super::{Node, Op, Parsed, Parser};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Quotient, Rel};
+
+/// Names before which a point says whose function follows: `np.dot(a, b)`.
+const LIBRARIES: &[&str] =
+    &["np", "numpy", "linalg", "la", "sp", "sympy", "sym", "math", "scipy", "LinearAlgebra"];
+
+/// How high what [`termwise`] adds is.
+pub(super) const HEIGHT_OF_TERMWISE: u32 = 4;
+
+/// An operator entry by entry: `a .* b` is termwise((x, y) -> x y, a, b).
+pub(super) fn termwise(sign: TokenKind, left: Expr, right: Expr, span: Span) -> Kind {
+    let name = |name: &str| Expr { span, ..Expr::name(name) };
+    let (x, y) = (name("x"), name("y"));
+    let parameters = vec![x.clone(), y.clone()];
+    let body = match sign {
+        TokenKind::Caret => Kind::Pow(Box::new(x), Box::new(y)),
+        TokenKind::Slash => Kind::Div(Box::new(x), Box::new(y), Quotient::Slash),
+        _ => Kind::Mul(vec![x, y]),
+    };
+    let each = Kind::Lambda(parameters, Box::new(Expr::new(body, span)));
+    Kind::Apply(Box::new(name("termwise")), vec![vec![Expr::new(each, span), left, right]])
+}
 
 impl Parser<'_> {
     /// `25%`; before another operand it is the sign of a remainder elsewhere.
@@ -99,6 +121,86 @@ impl Parser<'_> {
         token.is_some_and(|token| {
             token.kind == TokenKind::Unknown && !token.spaced && self.text_of(*token) == "."
         })
+    }
+
+    /// The operator that a point begins: `x.^2`, `a .* b`, or the point alone between operands, `A.v`.
+    pub(super) fn point_operator(&self) -> Option<Op> {
+        let [point, next] = self.tokens.get(self.at..self.at + 2)? else { return None };
+        if point.kind != TokenKind::Unknown || self.text_of(*point) != "." {
+            return None;
+        }
+        match next.kind {
+            TokenKind::Star | TokenKind::Slash | TokenKind::Caret if !next.spaced => {
+                Some(Op::Termwise(next.kind))
+            }
+            TokenKind::Name | TokenKind::Open(Bracket::Square | Bracket::Brace)
+                if next.spaced == point.spaced =>
+            {
+                Some(Op::Dot)
+            }
+            TokenKind::Open(Bracket::Paren) if next.spaced && point.spaced => Some(Op::Dot),
+            _ => None,
+        }
+    }
+
+    /// Takes the names of libraries before a name: `np.linalg.det(A)` is det(A).
+    pub(super) fn past_libraries(&mut self, mut name: Token) -> Token {
+        while LIBRARIES.contains(&self.text_of(name))
+            && self.is_point(self.tokens.get(self.at))
+            && self.tokens.get(self.at + 1).is_some_and(|next| next.kind == TokenKind::Name && !next.spaced)
+        {
+            self.bump();
+            name = self.bump();
+        }
+        name
+    }
+
+    /// Whether a function is defined here as in Python: `def f(t): return t**2`.
+    pub(super) fn at_definition(&self) -> bool {
+        let kind = |at: usize| self.tokens.get(self.at + at).map(|token| token.kind);
+        self.text_of(self.peek()) == "def"
+            && kind(1) == Some(TokenKind::Name)
+            && kind(2) == Some(TokenKind::Open(Bracket::Paren))
+    }
+
+    /// A definition of which [`Self::at_definition`] holds.
+    pub(super) fn definition_elsewhere(&mut self) -> Parsed<Node> {
+        let word = self.bump();
+        let head = self.operand(None)?;
+        if self.peek().kind != TokenKind::Colon {
+            return Err(self.unexpected());
+        }
+        let colon = self.bump();
+        if self.text_of(self.peek()) != "return" {
+            return Err(self.unexpected());
+        }
+        self.bump();
+        let body = self.expr()?;
+        let span = word.span().to(body.extent);
+        let height = head.height.max(body.height);
+        let link = Link { rel: Rel::Define, span: colon.span(), expr: body.expr };
+        self.node(Kind::Chain(Box::new(head.expr), vec![link]), span, height)
+    }
+
+    /// Whether the values of an index follow in parentheses of a call: `sum(i^2 for i in range(5))`.
+    pub(super) fn lists_in_call(&self, open: Token) -> bool {
+        let at = self.tokens.partition_point(|token| token.span().start < open.span().start);
+        let before = at.checked_sub(1).and_then(|at| self.tokens.get(at));
+        !open.spaced && before.is_some_and(|before| before.kind == TokenKind::Name)
+    }
+
+    /// The end of a range that goes on with a colon, `0:4`, as other systems write 0..4.
+    pub(super) fn range_by_colon(&mut self, values: Expr) -> Parsed<Expr> {
+        if self.peek().kind != TokenKind::Colon {
+            return Ok(values);
+        }
+        self.bump();
+        let end = self.expr()?.expr;
+        if self.peek().kind == TokenKind::Colon {
+            return Err(self.unexpected());
+        }
+        let span = values.span.to(end.span);
+        Ok(Expr::new(Kind::Range(Box::new(values), Box::new(end)), span))
     }
 
     /// Whether a method is called here: `.subs(t, 2)`.

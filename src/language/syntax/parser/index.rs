@@ -37,6 +37,14 @@ impl Parser<'_> {
         let span = base.extent.to(inside.span());
         let brackets = inside.span();
         let Items { list, height } = self.items(inside, "an index")?;
+        // f[x_, y_] := x^2 + y
+        let parameter = |item: &Expr| {
+            matches!(item.kind, Kind::Name(_)) && self.text.piece(item.span.end..).starts_with('_')
+        };
+        if list.iter().all(parameter) {
+            let height = height.max(base.height);
+            return self.node(Kind::Apply(Box::new(base.expr), vec![list]), span, height);
+        }
         let list = Expr::new(Kind::List(list), brackets);
         self.node(Kind::Subscript(Box::new(base.expr), vec![list]), span, height.max(base.height) + 1)
     }

@@ -128,6 +128,7 @@ impl Parser<'_> {
     /// A name, or the call of a special one.
     fn word(&mut self) -> Parsed<Node> {
         let token = self.bump();
+        let token = self.past_libraries(token);
         if self.at_call() && is_special(self.text_of(token)) {
             return self.special(token);
         }
@@ -393,7 +394,10 @@ impl Parser<'_> {
                 self.bump();
                 bar = Some(self.boxed()?);
             }
-            if bracket == Bracket::Square && self.peek().kind == TokenKind::For && rows.len() == 1 {
+            if self.peek().kind == TokenKind::For
+                && rows.len() == 1
+                && (bracket == Bracket::Square || bracket == Bracket::Paren && self.lists_in_call(open))
+            {
                 self.listed(&mut rows[0])?;
             }
             let end = self.peek();
@@ -429,7 +433,8 @@ impl Parser<'_> {
         if links.len() != 1 || !super::is_parameter(&name.kind) {
             return Err(self.unexpected());
         }
-        let values = links.remove(0).expr;
+        let values = self.range_by_colon(links.remove(0).expr)?;
+        let extent = extent.to(values.span);
         let body = Box::new(std::mem::replace(&mut item.expr, Expr::new(Kind::Ellipsis, extent)));
         let each = Expr::new(Kind::Lambda(vec![*name], body), extent);
         let map = Box::new(Expr::new(Kind::Name("map".to_owned()), extent));

@@ -85,7 +85,7 @@ impl Parser<'_> {
                 .reason("a bar may open or close")
                 .hint("write abs(x) for |x| within bars or braces, and {x | x > 0} for a set"),
             TokenKind::Colon => unexpected("':' has no meaning here".into())
-                .hint("write := to define a name, / to divide, 0..3 for a range"),
+                .hint("write := to define a name, / to divide, 0..3 for a range, [0..3] for its numbers"),
             TokenKind::For => unexpected(format!("{text} stands outside a list"))
                 .reason("only a list is made for several values")
                 .hint("write [i^2 for i = 0..3]")
@@ -120,6 +120,9 @@ impl Parser<'_> {
             "@" => "write F∘G or compose(F, G) for a composition",
             "'" | "`" => "write F' for a derivative",
             "?" => "remove it; a formula with = is a claim and gets an answer anyway",
+            "." if self.tokens.get(self.at + 1).is_some_and(|next| self.text_of(*next) == "(") => {
+                "write [f(t) for t = 0..2] for the values of a function"
+            }
             "." => "write 0.5 for a decimal, 0..3 for a range, * for a product",
             _ => "remove it, or write the operation you mean, for example t^2",
         };
@@ -238,6 +241,9 @@ impl Parser<'_> {
             kind if is_operator(kind) => {
                 let message = format!("two operators in a row: {operator} and {found}");
                 let hint = match kind {
+                    TokenKind::Slash if self.text_of(after) == "/" => {
+                        "a // b is a fraction in some languages, here a/b, and its whole part in others, here floor(a/b)".to_owned()
+                    }
                     TokenKind::Plus => format!("remove the {found} here: it changes nothing"),
                     _ => format!("remove {operator} or {found}, or write an operand between them"),
                 };

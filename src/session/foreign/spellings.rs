@@ -1,0 +1,312 @@
+//! Functions that have another form elsewhere: `Matrix([[1, 2], [3, 4]])`, `diff(F, x, y)`, `linspace(0, 1, 5)`.
+
+use crate::formula::source::Span;
+use crate::formula::{BigOp, Delimiter, Expr, Kind, Rel, Sign, Term, applied};
+use crate::language::syntax;
+
+use super::as_list;
+
+/// A call elsewhere, and what it is here; each letter stands for an argument.
+struct Template {
+    names: &'static [&'static str],
+    letters: &'static [&'static str],
+    meaning: &'static str,
+}
+
+/// The index of lists in [`TEMPLATES`].
+const INDEX: &str = "iota";
+
+const TEMPLATES: &[Template] = &[
+    Template {
+        names: &["linspace"],
+        letters: &["a", "b", "n"],
+        meaning: "[a + (b - a) iota/(n - 1) for iota = 0..n - 1]",
+    },
+    Template {
+        names: &["arange", "range"],
+        letters: &["a", "b", "s"],
+        meaning: "[a + s iota for iota = 0..ceil((b - a)/s) - 1]",
+    },
+    Template {
+        names: &["interp", "polyinterp"],
+        letters: &["a", "b", "x"],
+        meaning: "lagrange(a, b, variable=x)",
+    },
+    Template { names: &["Series", "series"], letters: &["F", "x", "a", "n"], meaning: "taylor(F, a, n, x)" },
+    Template { names: &["Range"], letters: &["b"], meaning: "[iota for iota = 1..b]" },
+    Template { names: &["Range"], letters: &["a", "b"], meaning: "[iota for iota = a..b]" },
+    Template { names: &["Total"], letters: &["a"], meaning: "sum(a)" },
+    Template { names: &["lcoeff", "LC"], letters: &["F", "x"], meaning: "coefficient(F, x, degree(F, x))" },
+    Template { names: &["floordiv", "iquo", "Quotient"], letters: &["a", "b"], meaning: "floor(a/b)" },
+];
+
+impl Template {
+    /// What a call means; `None` if it is none of these.
+    fn filled(&self, name: &str, arguments: &[Expr], span: Span) -> Option<Kind> {
+        let arguments: Vec<Expr> = arguments
+            .iter()
+            .flat_map(|argument| match &argument.kind {
+                // Series[F, {x, 0, 3}]
+                Kind::Set(items, None) => items.clone(),
+                _ => vec![argument.clone()],
+            })
+            .collect();
+        let own = arguments.iter().any(|argument| crate::judge::names::bases(argument).contains(INDEX));
+        if !self.names.contains(&name) || self.letters.len() != arguments.len() || own {
+            return None;
+        }
+        let mut meaning = syntax::parse(self.meaning).ok()?;
+        self.put_into(&mut meaning, &arguments, span);
+        match meaning.kind {
+            kind @ (Kind::Apply(..) | Kind::List(_)) => Some(kind),
+            _ => Some(Kind::Group(Box::new(meaning))),
+        }
+    }
+
+    fn put_into(&self, expr: &mut Expr, arguments: &[Expr], span: Span) {
+        expr.span = span;
+        // variable=x is no relation about x
+        if let Kind::Name(name) = &expr.kind
+            && let Some(at) = self.letters.iter().position(|letter| letter == name)
+        {
+            *expr = match &arguments[at].kind {
+                Kind::Name(_) | Kind::Number(_) | Kind::List(_) => arguments[at].clone(),
+                _ => arguments[at].clone().grouped(),
+            };
+            return;
+        }
+        expr.for_each_child_mut(&mut |child| self.put_into(child, arguments, span));
+    }
+}
+
+/// Calls as SymPy, Maple, MATLAB and Maxima have them, of functions with another form here.
+pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
+    let (callee, arguments) = match &expr.kind {
+        Kind::Apply(callee, groups) => match groups.as_slice() {
+            [arguments] => (callee, arguments.as_slice()),
+            _ => return None,
+        },
+        Kind::Subscript(callee, inside) => match inside.as_slice() {
+            [Expr { kind: Kind::List(arguments), .. }] => (callee, arguments.as_slice()),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Kind::Name(name) = &callee.kind else { return None };
+    let bracketed = matches!(expr.kind, Kind::Subscript(..));
+    if known(name) || bracketed && name.chars().count() < 2 {
+        return None;
+    }
+    let function = |name: &str| Expr { span: callee.span, ..Expr::name(name) };
+    let call = |name: &str, arguments: Vec<Expr>| applied(function(name), arguments, expr.span).kind;
+    let is_name = |expr: &Expr| matches!(expr.kind, Kind::Name(_) | Kind::Subscript(..));
+    let plain =
+        |expr: &Expr| !matches!(expr.kind, Kind::Chain(..) | Kind::List(_) | Kind::Tuple(_) | Kind::Set(..));
+    if let Some(meant) = TEMPLATES.iter().find_map(|template| template.filled(name, arguments, expr.span)) {
+        return Some(meant);
+    }
+    match (name.as_str(), arguments) {
+        // diff(F, x, y), F.derivative(t)
+        ("diff" | "derivative", [_, rest @ ..]) if rest.iter().any(|name| is_unknown(name, known)) => {
+            derivatives(arguments, expr.span, known)
+        }
+        // np.array([1, 2]), Vector([1, 2]), list(range(5))
+        (
+            "array" | "Array" | "Vector" | "vector" | "list" | "List" | "tuple" | "print" | "disp"
+            | "display" | "Point",
+            [item],
+        ) if !bracketed => Some(Kind::Group(Box::new(item.clone()))),
+        ("Point" | "vector" | "Vector", coordinates) if coordinates.len() > 1 => {
+            Some(Kind::Tuple(coordinates.to_vec()))
+        }
+        // range(5), arange(1, 5): the end is none of them
+        ("range" | "arange", [to]) if !bracketed => Some(numbers_below(&Expr::int(0), to, expr.span)),
+        ("range" | "arange", [from, to]) if !bracketed => Some(numbers_below(from, to, expr.span)),
+        ("ones", [rows, columns]) => filled(rows, columns, 1),
+        ("zeros", [rows, columns]) => filled(rows, columns, 0),
+        // Coefficients from the highest power down: polyval([1, -3, 2], 3), roots([1, -3, 2])
+        ("polyval", [Expr { kind: Kind::List(list), .. }, at])
+            if list.iter().all(plain) && !list.is_empty() =>
+        {
+            Some(Kind::Group(Box::new(in_powers(list, at))))
+        }
+        ("roots", [Expr { kind: Kind::List(list), .. }]) if list.len() > 1 && list.iter().all(plain) => {
+            Some(call("roots", vec![in_powers(list, &Expr { span: expr.span, ..Expr::name("t") })]))
+        }
+        // Matrix([1, 2]), a column
+        ("Matrix" | "matrix", [Expr { kind: Kind::List(items), .. }])
+            if !items.is_empty() && items.iter().all(plain) =>
+        {
+            Some(Kind::Matrix(
+                items.iter().map(|item| vec![Some(item.clone())]).collect(),
+                Delimiter::Bracket,
+            ))
+        }
+        // Matrix([[1, 2], [3, 4]]), matrix([1, 2], [3, 4])
+        ("Matrix" | "matrix", [Expr { kind: Kind::List(rows), .. }])
+            if rows.iter().all(|row| matches!(row.kind, Kind::List(_))) =>
+        {
+            matrix_of(rows)
+        }
+        ("matrix", rows) if rows.len() > 1 && rows.iter().all(|row| matches!(row.kind, Kind::List(_))) => {
+            matrix_of(rows)
+        }
+        ("Rational", [above, below]) => {
+            Some(Kind::Group(Box::new(above.clone().grouped().over(below.clone().grouped()))))
+        }
+        // {{1, 2}, {3, 4}}.{x, y}
+        ("dot" | "termwise", items) if items.iter().any(|item| matches!(item.kind, Kind::Set(..))) => {
+            Some(call(name, items.iter().cloned().map(as_list).collect()))
+        }
+        ("Eq" | "Equal", [left, right]) => Some(Expr::relation(left.clone(), Rel::Eq, right.clone()).kind),
+        ("Poly" | "Expr", [formula]) => Some(Kind::Group(Box::new(formula.clone()))),
+        ("Poly", [formula, name]) if is_name(name) => Some(Kind::Group(Box::new(formula.clone()))),
+        // limit(F, t, a), Limit[F, t -> a]
+        ("limit" | "Limit", [formula, name, goal]) if is_name(name) => Some(limit(formula, name, goal)),
+        ("limit" | "Limit", [formula, Expr { kind: Kind::Lambda(names, goal), .. }]) => {
+            match names.as_slice() {
+                [name] => Some(limit(formula, name, goal)),
+                _ => None,
+            }
+        }
+        // unapply(F, t), Lambda(t, F), Function[{t}, F]
+        ("unapply", [formula, names @ ..]) | ("Lambda", [names @ .., formula])
+            if !names.is_empty() && names.iter().all(is_name) =>
+        {
+            let lambda = Kind::Lambda(names.to_vec(), Box::new(formula.clone()));
+            Some(Kind::Group(Box::new(Expr::new(lambda, expr.span))))
+        }
+        ("Function", [Expr { kind: Kind::Set(names, None), .. }, formula]) if names.iter().all(is_name) => {
+            let lambda = Kind::Lambda(names.clone(), Box::new(formula.clone()));
+            Some(Kind::Group(Box::new(Expr::new(lambda, expr.span))))
+        }
+        // eval(F, t = 2), subs({t = 2, a = 3}, F), F.subs({x: 2}), F.subs([(x, 2)])
+        ("eval", [formula, values @ ..])
+            if !values.is_empty() && values.iter().all(|v| matches!(v.kind, Kind::Chain(..))) =>
+        {
+            plain(formula).then(|| call("subs", arguments.to_vec()))
+        }
+        (
+            "subs",
+            [Expr { kind: Kind::Set(values, None), .. }, formula]
+            | [formula, Expr { kind: Kind::Set(values, None), .. }],
+        ) if values.iter().all(|value| matches!(value.kind, Kind::Chain(..))) => {
+            Some(call("subs", std::iter::once(formula).chain(values).cloned().collect()))
+        }
+        ("subs", [formula, Expr { kind: Kind::List(pairs), .. }]) => {
+            let pair = |pair: &Expr| match pair.items()? {
+                [name, value] if is_name(name) => {
+                    Some(Expr { span: pair.span, ..Expr::relation(name.clone(), Rel::Eq, value.clone()) })
+                }
+                _ => None,
+            };
+            let values: Vec<Expr> = pairs.iter().map(pair).collect::<Option<_>>()?;
+            Some(call("subs", std::iter::once(formula.clone()).chain(values).collect()))
+        }
+        // integrate(F, (t, 0, 2))
+        ("integrate" | "Integral" | "integral", [formula, Expr { kind: Kind::Tuple(range), .. }]) => {
+            match range.as_slice() {
+                [name, _, _] if is_name(name) => {
+                    Some(call("integrate", std::iter::once(formula).chain(range).cloned().collect()))
+                }
+                _ => None,
+            }
+        }
+        // solve([x + y - 3, x - y - 1], [x, y]), solve({x + y = 3}, {x, y})
+        ("solve" | "Solve" | "NSolve" | "nsolve" | "linsolve", [equations, rest @ ..]) => {
+            let written = items_in(equations)?;
+            let claims = written.iter().all(|item| matches!(item.kind, Kind::Chain(..)));
+            let unknowns = matches!(rest, [names] if is_name(names) || items_in(names).is_some_and(|names| names.iter().all(is_name)));
+            if !(claims && !matches!(equations.kind, Kind::List(_)) || unknowns && written.iter().all(plain))
+            {
+                return None;
+            }
+            let equation = |item: &Expr| match &item.kind {
+                Kind::Chain(..) => item.clone(),
+                _ => Expr { span: item.span, ..Expr::relation(item.clone(), Rel::Eq, Expr::int(0)) },
+            };
+            let list = Expr::new(Kind::List(written.iter().map(equation).collect()), equations.span);
+            Some(call("solve", std::iter::once(list).chain(rest.iter().cloned().map(as_list)).collect()))
+        }
+        ("doit", [formula]) => Some(Kind::Group(Box::new(formula.clone()))),
+        _ => None,
+    }
+}
+
+/// Whether an expression is a name without a value.
+fn is_unknown(expr: &Expr, known: &dyn Fn(&str) -> bool) -> bool {
+    matches!(&expr.kind, Kind::Name(name) if !known(name))
+}
+
+/// The derivative by several names, each perhaps with its order behind it: diff(F, x, y), D[F, {x, 2}, y].
+pub(super) fn derivatives(arguments: &[Expr], span: Span, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
+    let (formula, rest) = arguments.split_first()?;
+    let mut whole = formula.clone();
+    let mut rest = rest.iter().peekable();
+    let mut count = 0;
+    while let Some(name) = rest.next() {
+        if !is_unknown(name, known) {
+            return None;
+        }
+        let mut own = vec![whole, name.clone()];
+        own.extend(rest.next_if(|next| !is_unknown(next, known)).cloned());
+        whole = applied(Expr { span, ..Expr::name("diff") }, own, span);
+        count += 1;
+    }
+    (count > 0).then_some(whole.kind)
+}
+
+/// The list of the integers from a number on that are below another one.
+fn numbers_below(from: &Expr, to: &Expr, span: Span) -> Kind {
+    let one = Expr { span, ..Expr::int(1) };
+    let last = match to.as_int() {
+        Some(end) => Expr { span, ..Expr::int(end - 1) },
+        None => {
+            let terms = [(Sign::Plus, to.clone().grouped()), (Sign::Minus, one)];
+            Expr { span, ..Expr::sum(terms.into_iter().map(|(sign, expr)| Term { sign, expr }).collect()) }
+        }
+    };
+    let first = Expr { span, ..from.clone() };
+    super::ranges::list_of(&Expr::name(INDEX), &Expr::name(INDEX), &first, &last)
+}
+
+/// A matrix with the same number everywhere.
+fn filled(rows: &Expr, columns: &Expr, number: i64) -> Option<Kind> {
+    const LARGEST: i64 = 100;
+    let size = |expr: &Expr| expr.as_int().filter(|size| (1..=LARGEST).contains(size));
+    let (rows, columns) = (size(rows)?, size(columns)?);
+    let row = || (0..columns).map(|_| Some(Expr::int(number))).collect();
+    Some(Kind::Matrix((0..rows).map(|_| row()).collect(), Delimiter::Bracket))
+}
+
+/// The polynomial with the given coefficients, from the highest power down.
+fn in_powers(coefficients: &[Expr], at: &Expr) -> Expr {
+    let last = coefficients.len() - 1;
+    let term = |(k, coefficient): (usize, &Expr)| {
+        let power = i64::try_from(last - k).unwrap_or(i64::MAX);
+        let mut factors = vec![coefficient.clone().grouped()];
+        if power > 0 {
+            factors.push(at.clone().grouped().power(Expr::int(power)));
+        }
+        Term { sign: Sign::Plus, expr: Expr::product(factors) }
+    };
+    Expr::sum(coefficients.iter().enumerate().map(term).collect())
+}
+
+/// The items of a list, a tuple or a set.
+fn items_in(expr: &Expr) -> Option<&[Expr]> {
+    match &expr.kind {
+        Kind::List(items) | Kind::Tuple(items) | Kind::Set(items, None) => Some(items),
+        _ => None,
+    }
+}
+
+fn matrix_of(rows: &[Expr]) -> Option<Kind> {
+    let row = |row: &Expr| Some(row.items()?.iter().cloned().map(Some).collect());
+    Some(Kind::Matrix(rows.iter().map(row).collect::<Option<_>>()?, Delimiter::Bracket))
+}
+
+fn limit(formula: &Expr, name: &Expr, goal: &Expr) -> Kind {
+    let lower = vec![Expr { span: name.span, ..Expr::relation(name.clone(), Rel::To, goal.clone()) }];
+    Kind::Big { op: BigOp::Limit, lower, upper: None, body: Box::new(formula.clone().grouped()) }
+}
