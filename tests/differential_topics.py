@@ -651,7 +651,7 @@ def inversion(r):
     point = [value(p, t) for p in lists]
 
     def right(lines):
-        found = re.findall(r"-?\d+(?:/\d+)?", lines[0].split("root_of")[0])
+        found = re.findall(r"-?\d+(?:/\d+)?", re.sub(r"root_of\([^)]*\)", "", lines[0]))
         return q(t) in [q(F(x)) for x in found]
 
     return f"inversion([{', '.join(map(of, lists))}], ({written(point[0])}, {written(point[1])}))", Lines(right)
