@@ -3,8 +3,7 @@
 use crate::formula::source::Pieces;
 
 /// Words that begin a line which only prepares what follows.
-const PREPARATIONS: &[&str] =
-    &["from", "import", "using", "syms", "restart", "clc", "clear", "close", "load", "pkg"];
+const PREPARATIONS: &[&str] = &["from", "import", "using", "syms"];
 
 /// Calls that declare a name to be a symbol, or a ring.
 const DECLARATIONS: &[&str] = &[
@@ -27,6 +26,7 @@ pub(in crate::session) fn declared(text: &str) -> Option<Vec<&str>> {
     let text = text.trim().trim_end_matches([':', ';']);
     let (first, rest) = word(text);
     if PREPARATIONS.contains(&first)
+        && (first != "from" || rest.contains(" import "))
         && rest.starts_with([' ', '\t'])
         && !rest.trim_start().starts_with(['=', ':', '('])
     {
@@ -86,7 +86,17 @@ mod tests {
         ] {
             assert_eq!(declared(text), Some(names), "{text}");
         }
-        for text in ["x = 3", "f = var", "clear = 2", "load(t)", "symbols = 3", "x = t'", "F = t^2"] {
+        for text in [
+            "x = 3",
+            "f = var",
+            "clear = 2",
+            "load(t)",
+            "symbols = 3",
+            "x = t'",
+            "F = t^2",
+            "from 1 to 2",
+            "clear t",
+        ] {
             assert_eq!(declared(text), None, "{text}");
         }
         assert_eq!(after_package("with(LinearAlgebra): det(A)"), Some(20));

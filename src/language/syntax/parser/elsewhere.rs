@@ -148,6 +148,9 @@ impl Parser<'_> {
         while LIBRARIES.contains(&self.text_of(name))
             && self.is_point(self.tokens.get(self.at))
             && self.tokens.get(self.at + 1).is_some_and(|next| next.kind == TokenKind::Name && !next.spaced)
+            && self.tokens.get(self.at + 2).is_some_and(|next| {
+                !next.spaced && (next.kind == TokenKind::Open(Bracket::Paren) || self.text_of(*next) == ".")
+            })
         {
             self.bump();
             name = self.bump();
