@@ -40,19 +40,95 @@ pub enum Topic {
     Difference,
     /// A knot that is inserted.
     Insertion,
+    /// Derivatives, tangents.
+    Derivative,
+    /// Integrals, moments of functions.
+    Integral,
+    /// Knots or data at equal distances.
+    Uniform,
+    /// Control points of a piece of a spline.
+    Conversion,
+    /// Second derivatives of a spline at its knots.
+    Moments,
+    /// Interpolation of values and derivatives.
+    Hermite,
+    /// Curvature and torsion.
+    Curvature,
+    /// Abscissae at which control points stand.
+    Greville,
+    /// Triangular patches, barycentric coordinates.
+    Triangle,
+    /// Patches over rectangles, surfaces.
+    Tensor,
+    /// Weights that are given other values, with the same curve.
+    StandardForm,
+    /// Subdivision of meshes.
+    Mesh,
+    /// Products of polynomials.
+    Product,
+    /// Recursions, algorithms.
+    Recursion,
+    /// Symmetric functions of several variables.
+    Symmetric,
+    /// Schemes that refine polygons.
+    Scheme,
+}
+
+/// The topics by the words of the table of theorems.
+const WORDS: &[(&str, Topic)] = &[
+    ("bezier-curve", Topic::BezierCurve),
+    ("bernstein", Topic::Bernstein),
+    ("polar-form", Topic::PolarForm),
+    ("control-points", Topic::ControlPoints),
+    ("elevation", Topic::Elevation),
+    ("subdivision", Topic::Subdivision),
+    ("first", Topic::First),
+    ("second", Topic::Second),
+    ("spline", Topic::Spline),
+    ("join", Topic::Join),
+    ("rational", Topic::Rational),
+    ("interpolation", Topic::Interpolation),
+    ("neville", Topic::Neville),
+    ("casteljau", Topic::Casteljau),
+    ("divided-difference", Topic::DividedDifference),
+    ("difference", Topic::Difference),
+    ("insertion", Topic::Insertion),
+    ("derivative", Topic::Derivative),
+    ("integral", Topic::Integral),
+    ("uniform", Topic::Uniform),
+    ("conversion", Topic::Conversion),
+    ("moments", Topic::Moments),
+    ("hermite", Topic::Hermite),
+    ("curvature", Topic::Curvature),
+    ("greville", Topic::Greville),
+    ("triangle", Topic::Triangle),
+    ("tensor", Topic::Tensor),
+    ("standard-form", Topic::StandardForm),
+    ("mesh", Topic::Mesh),
+    ("product", Topic::Product),
+    ("recursion", Topic::Recursion),
+    ("symmetric", Topic::Symmetric),
+    ("scheme", Topic::Scheme),
+];
+
+impl Topic {
+    /// The topic of a word of the table of theorems.
+    pub(super) fn of_word(word: &str) -> Option<Topic> {
+        WORDS.iter().find(|(known, _)| *known == word).map(|(_, topic)| *topic)
+    }
 }
 
 /// The topics of a section, and the degrees that it names by words: "cubic".
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Topics {
-    topics: u32,
+    topics: u64,
     degrees: u16,
 }
 
 impl Topics {
     /// Adds a topic.
     pub fn add(&mut self, topic: Topic) {
-        self.topics |= 1u32 << topic as u32;
+        self.topics |= 1u64 << topic as u32;
     }
 
     /// Adds a degree.
@@ -66,7 +142,7 @@ impl Topics {
     pub fn keep_side(&mut self, side: Option<Topic>) {
         for other in [Topic::First, Topic::Second] {
             if side.is_some_and(|side| side != other) {
-                self.topics &= !(1u32 << other as u32);
+                self.topics &= !(1u64 << other as u32);
             }
         }
     }
@@ -78,7 +154,7 @@ impl Topics {
 
     /// Whether it is spoken of.
     pub fn has(self, topic: Topic) -> bool {
-        self.topics & (1u32 << topic as u32) != 0
+        self.topics & (1u64 << topic as u32) != 0
     }
 
     /// The degrees, in increasing order.

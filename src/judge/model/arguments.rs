@@ -21,7 +21,7 @@ impl Model {
 
     /// The values of a list of arguments: with dots and braces written out and powers repeated.
     /// Dots without a count are filled up to `arity`.
-    pub(super) fn arguments(
+    pub(in crate::judge) fn arguments(
         &self,
         machine: &mut Machine,
         items: &[Expr],

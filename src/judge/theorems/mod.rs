@@ -1,71 +1,87 @@
 //! What the field knows of quantities that the page does not determine: degree elevation, knot insertion, …
 //!
-//! **Definition.** A claim is an *instance* of a theorem if the theorem belongs to a topic of the section, the left
-//! sides agree up to the letters, and the letters of the right side can be exchanged for those of the claim, points
-//! for points, knots for knots, sizes for sizes. The claim *fits* if both right sides are equal then, by the same
-//! trial as for any claim.
+//! **Definition.** A claim is an *instance* of a theorem if the theorem belongs to the topics of the section, and the
+//! letters of the theorem can be exchanged for those of the claim, families for families with as many indices, functions
+//! for functions, integers for integers, numbers or neighbours of integers. The claim *fits* if the difference of its
+//! sides is that of the theorem then but for a factor, in letters of which nothing else is known, for small integers.
 //!
 //! What fits is proved or sampled. What fits no theorem is wrong only if it is one slip away from one: a page may call
 //! anything c_i.
 
-mod table;
+mod entry;
+mod free;
+mod letters;
+mod roles;
+mod slips;
+#[cfg(test)]
+mod tests;
 
-use std::cell::LazyCell;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
-use self::table::{THEOREMS, Theorem};
+use self::entry::{Equation, Theorem, known};
+use self::free::Free;
+use self::letters::{Profile, Way, ways};
 use super::check::Checker;
-use super::compare;
-use super::context::{Context, Mark};
-use super::evaluator::evaluate_reading;
+use super::context::{Body, Context, Mark};
+use super::evaluator;
 use super::finding::{Finding, Verdict};
-use super::model::{Choices, Model};
-use super::names::{Head, bases, is_index_letter, own_names, walk};
+use super::integers::as_values;
+use super::model::{Choices, Model, holds};
+use super::names::{bases, walk};
 use super::object::Sort;
 use super::repair;
 use super::statement::{Chain, Place, Statement};
-use super::tally::Outcomes;
 use super::topic::Topic;
 use super::trial::{Setting, Trial};
 use super::unfold;
-use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::{latex, write};
+use crate::language::write;
+use crate::math::poly::{MonomialOrder, MultiPoly};
+use num_traits::{Signed, Zero};
 
-/// So many ways to exchange the letters are tried for one theorem.
-const MOST_WAYS: usize = 48;
+/// In so many instances a claim is compared with a theorem.
+const INSTANCES: usize = 8;
 
-/// A theorem as a tree: its left side, its right sides, each with whether it counts orders.
-struct Read {
-    theorem: &'static Theorem,
-    left: Expr,
-    rights: Vec<(Expr, bool)>,
+/// A claim as an instance of a theorem.
+#[derive(Clone)]
+struct Instance<'a> {
+    theorem: &'a Theorem,
+    equation: &'a Equation,
+    way: Way,
+    /// The sides of the theorem in the letters of the claim.
+    sides: [Expr; 2],
+    /// Right sides that are known to be wrong.
+    misremembered: Vec<Expr>,
+    /// For which integers it holds.
+    conditions: Vec<Expr>,
+    standing: Standing,
 }
 
-thread_local! {
-    static READ: Vec<Read> = THEOREMS.iter().filter_map(read).collect();
+/// What it means that a claim fits an instance.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Standing {
+    /// It is right.
+    Certain,
+    /// Nothing: the sizes or the letters may be others.
+    Doubtful,
+    /// It is wrong: the sizes are others than the page says.
+    Shifted,
 }
 
-fn read(theorem: &'static Theorem) -> Option<Read> {
-    let left = latex::read(theorem.left).ok()?;
-    let rights = [(Some(theorem.right), false), (theorem.by_order, true)];
-    let rights = rights.into_iter().filter_map(|(text, order)| Some((latex::read(text?).ok()?, order)));
-    Some(Read { theorem, left, rights: rights.collect() })
+/// A claim, and what its sides are in instances.
+struct Claim<'a> {
+    left: &'a Expr,
+    right: &'a Expr,
+    profile: Profile,
+    conditions: &'a [Expr],
+    place: &'a Place,
+    context: Rc<Context>,
 }
 
-/// A right side that a theorem may mean here.
-struct Instance {
-    theorem: &'static Theorem,
-    right: Expr,
-    /// Whether its sizes are those that the words of the page give, as far as they matter.
-    certain: bool,
-    /// Whether a size is taken for one less than it is said to be: what fits this only is a slip.
-    shifted: bool,
-}
-
-/// Letters of a theorem and what stands in their place.
-type Letters = Vec<(String, Expr)>;
+/// The values of integers.
+type Values = Vec<(String, i64)>;
 
 impl Checker {
     /// What the page leaves open the field may know.
@@ -84,8 +100,7 @@ impl Checker {
             if !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
                 continue;
             }
-            let setting = self.setting(chain, &statement.place, statement.curve());
-            let found = budget::run(&limits, || self.by_theorems(&setting, at, statement, finding));
+            let found = budget::run(&limits, || self.by_theorems(chain, at, statement, finding));
             let Ok(Some(found)) = found else { continue };
             if found.verdict == Verdict::Refuted {
                 Rc::make_mut(&mut self.context).forget(before);
@@ -94,19 +109,16 @@ impl Checker {
         }
     }
 
-    /// Judges a relation of a chain by what the field knows of its left side, if that decides it.
+    /// Judges a relation of a chain by what the field knows of it, if that decides it.
     fn by_theorems(
         &self,
-        setting: &Setting,
+        chain: &Chain,
         at: usize,
         statement: &Statement,
         finding: &Finding,
     ) -> Option<Finding> {
-        let chain = setting.chain;
         let (left, right) = (&chain.sides[at].expr, main_case(&chain.sides[at + 1].expr));
-        // Numbers may be equal by chance.
-        if chain.relations[at].0 != Rel::Eq
-            || Kinds::of(right).families.is_empty()
+        if !matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
             || chain.sides[at].is_unread()
             || chain.sides[at + 1].is_unread()
         {
@@ -114,138 +126,167 @@ impl Checker {
         }
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
-        let instances = READ.with(|known| {
-            let one_length = self.context.letters.has_one_length();
-            let uneven = self.context.has_uneven_knots(setting.place);
-            // Knots that have names may be at equal distances.
-            let even = |topic: Topic| if topic == Topic::Spline { !uneven } else { one_length };
-            let spoken = known.iter().filter(|Read { theorem, .. }| {
-                statement.topics.has(theorem.topic) && (!theorem.equal_lengths || even(theorem.topic))
-            });
-            spoken.flat_map(|read| self.instances(read, left, right, statement)).collect::<Vec<_>>()
-        });
-        // Numbers may be equal by chance.
-        let number = LazyCell::new(|| {
-            let model = Model::new(self.context.clone(), setting.place.clone(), Choices::default(), None);
-            let value = evaluate_reading(right, Rc::new(model), []);
-            value.is_ok_and(|value| compare::symbols(&value).is_empty())
-        });
-        let mut slip: Option<(&Instance, Expr)> = None;
-        let mut doubt = false;
-        for instance in &instances {
-            if long() {
+        let marked = [left, right].map(without_marks);
+        let plain = [left.clone(), right.clone()];
+        let forms = if marked == plain { vec![plain] } else { vec![plain, marked] };
+        for form in &forms {
+            let [left, right] = form;
+            let claim = self.claim(left, right, chain, &statement.place);
+            if claim.profile.letters.is_empty() {
                 return None;
             }
-            let outcomes = held(&self.bare(setting, right, &instance.right)).or_else(|| match *number {
-                true => None,
-                false => held(&self.with_what_is_given(setting, right, &instance.right)),
-            });
-            let Some(outcomes) = outcomes else { continue };
-            if !instance.certain {
-                doubt = true;
+            let known = known();
+            let instances = self.instances(&known, &claim, statement);
+            if let Some(found) = self.among(&claim, &instances, finding, &long) {
+                return found;
+            }
+        }
+        None
+    }
+
+    fn claim<'a>(&self, left: &'a Expr, right: &'a Expr, chain: &'a Chain, place: &'a Place) -> Claim<'a> {
+        let letters = &self.context.letters;
+        let applied = |base: &str| letters.is_function(base);
+        let profile = Profile::of(&[left, right], &letters.towers, &applied);
+        let context = Rc::new(Context::new(letters.clone()));
+        Claim { left, right, profile, conditions: &chain.conditions, place, context }
+    }
+
+    /// The verdict on a claim by its instances; nothing inside if it has to stay as it is.
+    fn among(
+        &self,
+        claim: &Claim,
+        instances: &[Instance],
+        finding: &Finding,
+        long: &dyn Fn() -> bool,
+    ) -> Option<Option<Finding>> {
+        let mut doubt = false;
+        let mut slip: Option<&Instance> = None;
+        for instance in instances {
+            if long() {
+                return Some(None);
+            }
+            if !claim.fits(instance) {
                 continue;
             }
-            if instance.shifted {
-                slip = instances
-                    .iter()
-                    .find(|other| {
-                        other.theorem.name == instance.theorem.name && other.certain && !other.shifted
-                    })
-                    .map(|meant| (meant, meant.right.clone()));
-                continue;
+            match instance.standing {
+                Standing::Doubtful => doubt = true,
+                Standing::Shifted => {
+                    slip = instances.iter().find(|other| {
+                        other.theorem.name == instance.theorem.name && other.standing == Standing::Certain
+                    });
+                }
+                Standing::Certain => {
+                    let ranged = !claim.profile.integers.is_empty();
+                    return Some(Some(Finding {
+                        verdict: if ranged { Verdict::Sampled } else { Verdict::Proved },
+                        reason: Some(format!("{}, as the field has it", instance.theorem.name)),
+                        witness: None,
+                        suggestion: None,
+                        ..finding.clone()
+                    }));
+                }
             }
-            let ranged = !outcomes.integers.is_empty() || outcomes.degrees;
-            return Some(Finding {
-                verdict: if ranged { Verdict::Sampled } else { Verdict::Proved },
-                reason: Some(format!("{}, as the field has it", instance.theorem.name)),
-                witness: None,
-                suggestion: None,
-                ..finding.clone()
-            });
         }
         if doubt {
-            return None;
+            return Some(None);
         }
-        let meant = instances
-            .iter()
-            .filter(|instance| instance.certain && !instance.shifted && alike(right, &instance.right));
-        let one_slip_away = |instance: &Instance| {
-            let edits = repair::edits(right, left, &None).into_iter();
-            let mut edits = edits.take_while(|_| !long());
-            edits.find(|edit| held(&self.bare(setting, edit, &instance.right)).is_some())
-        };
-        let (instance, repaired) = slip
-            .or_else(|| meant.into_iter().find_map(|instance| Some((instance, one_slip_away(instance)?))))?;
-        let outcomes = self.bare(setting, right, &instance.right).first(6);
-        let fails = &outcomes.tallies[0].fails;
-        let failure = fails.iter().find(|failure| failure.inner).or(fails.first())?;
-        Some(Finding {
+        let (instance, [left, right]) = slip
+            .map(|meant| (meant, meant.sides.clone()))
+            .or_else(|| claim.one_slip_away(instances, long))?;
+        let repaired = Expr::relation(left, Rel::Eq, right);
+        Some(Some(Finding {
             verdict: Verdict::Refuted,
             reason: Some(format!("it differs from {}", instance.theorem.name)),
-            witness: witness::counterexample(failure),
-            suggestion: Some(write::latex(&Expr::relation(left.clone(), Rel::Eq, repaired))),
+            witness: claim.witness(instance),
+            suggestion: Some(write::latex(&repaired)),
             ..finding.clone()
-        })
+        }))
     }
 
-    /// Two formulas with the points and knots that the page gives.
-    fn with_what_is_given<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
-        self.trial(&setting.without_equations(), &[right, wanted], &[Rel::Eq], Choices::default())
-    }
-
-    /// Whether two formulas are equal, whatever their letters mean.
-    pub(super) fn agree(&self, setting: &Setting, one: &Expr, other: &Expr) -> bool {
-        held(&self.bare(setting, one, other)).is_some()
-    }
-
-    /// Two formulas without anything that the page says of their letters.
-    fn bare<'a>(&self, setting: &Setting<'a>, right: &'a Expr, wanted: &'a Expr) -> Trial<'a> {
-        let setting = Setting { facts: Rc::default(), curve: None, ..*setting };
-        let nothing = Rc::new(Context::new(self.context.letters.clone()));
-        let sides = vec![right, wanted];
-        Trial::new(nothing, &setting, sides, vec![Rel::Eq], Choices::default(), &self.limits)
-    }
-
-    /// The right sides that a theorem may mean here.
-    fn instances(&self, read: &Read, left: &Expr, right: &Expr, statement: &Statement) -> Vec<Instance> {
-        let Some(letters) = left_letters(&read.left, left) else { return Vec::new() };
-        let theorem = read.theorem;
+    /// The theorems that a claim may be an instance of.
+    fn instances<'a>(&self, known: &'a [Theorem], claim: &Claim, statement: &Statement) -> Vec<Instance<'a>> {
+        let topics = statement.topics;
+        let one_length = self.context.letters.has_one_length();
+        let uneven = self.context.has_uneven_knots(claim.place);
+        let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
+        let degrees: Vec<i64> = topics.degrees().collect();
         let mut found = Vec::new();
-        // c_i = c_{i+n}, of a closed curve, is no formula for c_i.
-        let own =
-            |expr: &Expr, side: &Expr| Head::of(expr).is_some_and(|head| bases(side).contains(&head.base));
-        let marked = Head::of(left).is_some_and(|head| !head.upper.is_empty());
-        if !marked && own(left, right) && !read.rights.iter().any(|(theirs, _)| own(&read.left, theirs)) {
-            return found;
-        }
-        for (wanted, order) in &read.rights {
-            for letters in ways(theorem, wanted, right, &letters, statement) {
-                let size = letters.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size.clone());
-                let said = size.as_ref().and_then(|size| self.said_as_order(size, &statement.place));
-                let mut add = |letters: &Letters, certain: bool, shifted: bool| {
-                    let right = put(wanted, letters, left);
-                    found.push(Instance { theorem, right, certain, shifted });
-                };
-                if theorem.by_order.is_some() {
-                    // Where words say that it is the degree, the other is the likely slip. Many say order for the degree.
-                    match said {
-                        Some(true) if !order => add(&letters, false, false),
-                        Some(said) => add(&letters, true, said != *order),
-                        None => add(&letters, !order, false),
-                    }
+        for theorem in known {
+            if !theorem.is_spoken_of(topics) || theorem.even && !even(theorem) {
+                continue;
+            }
+            for equation in &theorem.equations {
+                if !claim.profile.may_be(&equation.profile) {
                     continue;
                 }
-                add(&letters, true, false);
-                // From degree n - 1 to n, or from n to n + 1
-                if let Some(size @ Expr { kind: Kind::Name(_), .. }) = &size {
-                    let less = size.clone().plus(-1);
-                    let by = |(letter, own): &(String, Expr)| match letter.as_str() {
-                        "n" => (letter.clone(), less.clone()),
-                        _ => (letter.clone(), own.clone()),
+                for way in ways(equation, claim.left, &claim.profile, &degrees) {
+                    let standing = self.standing(theorem, equation, &way, claim);
+                    let by = [way.letters.clone(), way.integers.clone()].concat();
+                    let put = |expr: &Expr| {
+                        let mut expr = expr.clone();
+                        unfold::put(&mut expr, &by);
+                        expr.without_spans()
                     };
-                    add(&letters.iter().map(by).collect(), said == Some(false), true);
+                    found.push(Instance {
+                        sides: [put(&equation.left), put(&equation.right)],
+                        misremembered: equation.misremembered.iter().map(put).collect(),
+                        conditions: theorem.conditions.iter().map(put).collect(),
+                        theorem,
+                        equation,
+                        way,
+                        standing,
+                    });
                 }
             }
+        }
+        found
+    }
+
+    /// What it means that a claim fits a theorem in a way.
+    fn standing(&self, theorem: &Theorem, equation: &Equation, way: &Way, claim: &Claim) -> Standing {
+        if way.letters.iter().any(|(theirs, ours)| roles::clash(theirs, ours, &self.context, claim.place)) {
+            return Standing::Doubtful;
+        }
+        let sizes =
+            way.integers.iter().skip(way.anchored).filter(|(letter, _)| letter != "i" && letter != "j");
+        for (_, value) in sizes.clone() {
+            let Kind::Add(_) = &value.kind else { continue };
+            let name = bases(value).into_iter().next().unwrap_or_default();
+            // Of degree n - 1, or of degree n raised from n - 1: words or sums tell.
+            let points = way.letters.iter().find(|(letter, _)| letter == "b").map(|(_, value)| value);
+            let said = self.said_as_order(&Expr::name(&name), claim.place) == Some(false)
+                || points.is_some_and(|points| self.sums_to(&name, points, claim.place));
+            return if said && !equation.order { Standing::Shifted } else { Standing::Doubtful };
+        }
+        if theorem.has_orders() {
+            let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size);
+            let said = size.and_then(|size| self.said_as_order(size, claim.place));
+            // Where words say that it is the degree, the other is the likely slip. Many say order for the degree.
+            return match said {
+                Some(true) if !equation.order => Standing::Doubtful,
+                Some(said) if said != equation.order => Standing::Shifted,
+                Some(_) => Standing::Certain,
+                None if equation.order => Standing::Doubtful,
+                None => Standing::Certain,
+            };
+        }
+        Standing::Certain
+    }
+
+    /// Whether a sum of the page over some points ends with a letter.
+    fn sums_to(&self, end: &str, points: &Expr, place: &Place) -> bool {
+        let bodies = self.context.definitions.iter().filter(|known| place.sees(&known.place));
+        let mut found = false;
+        for definition in bodies {
+            let Body::Formula(body) = &definition.body else { continue };
+            walk(body, &mut |part| {
+                if let Kind::Big { upper: Some(upper), body, .. } = &part.kind {
+                    let own = matches!(&upper.kind, Kind::Name(name) if name == end);
+                    let base = super::names::Head::of(points).map(|head| head.base);
+                    found |= own && base.is_some_and(|base| bases(body).contains(&base));
+                }
+            });
         }
         found
     }
@@ -268,207 +309,279 @@ impl Checker {
         }
         said.filter(|order| *order || !less)
     }
+
+    /// Whether two formulas are equal, whatever their letters mean.
+    pub(super) fn agree(&self, setting: &Setting, one: &Expr, other: &Expr) -> bool {
+        let setting = Setting { facts: Rc::default(), curve: None, ..*setting };
+        let nothing = Rc::new(Context::new(self.context.letters.clone()));
+        let trial =
+            Trial::new(nothing, &setting, vec![one, other], vec![Rel::Eq], Choices::default(), &self.limits);
+        repair::is_true(&trial.first(4), true) && repair::is_true(&trial.run(), false)
+    }
 }
 
-/// Whether a formula has about the form of a theorem: as many members of families, or one more or fewer of many,
+impl Claim<'_> {
+    /// What stands for the letters of the claim in an instance of a theorem.
+    fn free(&self, instance: &Instance, values: &Values) -> Rc<Free> {
+        let arity = |(letter, arity): &(String, Expr)| {
+            let (_, own) = instance.way.letters.iter().find(|(known, _)| known == letter)?;
+            let base = super::names::Head::of(own)?.base;
+            let mut arity = arity.clone();
+            unfold::put(&mut arity, &instance.way.integers);
+            let value = evaluator::machine()
+                .with_locals(as_values(values), |machine| machine.eval_int(&arity))
+                .ok()?;
+            Some((base, usize::try_from(value).ok()?))
+        };
+        let polar: Vec<(String, usize)> = instance.theorem.polar.iter().filter_map(arity).collect();
+        let mut raised = self.profile.raised.clone();
+        for letter in &instance.equation.profile.raised {
+            let own = instance.way.letters.iter().find(|(known, _)| known == letter);
+            raised.extend(own.and_then(|(_, own)| super::names::Head::of(own)).map(|head| head.base));
+        }
+        Rc::new(Free {
+            model: Model::new(self.context.clone(), self.place.clone(), Choices::default(), None),
+            functions: Rc::new(self.profile.functions(&polar)),
+            raised: Rc::new(raised),
+            world: None,
+        })
+    }
+
+    /// The values of integers for which an instance of a theorem is looked at, those in the middle of ranges first.
+    fn values(&self, instance: &Instance) -> Vec<Values> {
+        let names = &self.profile.integers;
+        let largest = [0i64, 6, 5, 4, 3].get(names.len()).copied().unwrap_or(0);
+        let mut all: Vec<Values> = vec![Vec::new()];
+        for name in names {
+            let longer = |values: &Values| {
+                (0..=largest)
+                    .map(|value| [values.clone(), vec![(name.clone(), value)]].concat())
+                    .collect::<Vec<_>>()
+            };
+            all = all.iter().flat_map(longer).collect();
+        }
+        all.retain(|values| {
+            let locals: Vec<_> = as_values(values).collect();
+            evaluator::machine()
+                .with_locals(locals, |machine| {
+                    let mut met = instance.conditions.iter().chain(self.conditions);
+                    let allowed = met.all(|condition| holds(machine, condition) != Some(false));
+                    let natural = instance
+                        .way
+                        .integers
+                        .iter()
+                        .all(|(_, value)| machine.eval_int(value).is_ok_and(|value| value >= 0));
+                    Ok(allowed && natural)
+                })
+                .unwrap_or(false)
+        });
+        all.sort_by_key(|values| {
+            let numbers: BTreeSet<i64> = values.iter().map(|(_, value)| *value).collect();
+            let extreme = values.iter().filter(|(_, value)| *value < 1).count();
+            (extreme + values.len() - numbers.len(), values.iter().map(|(_, value)| *value).sum::<i64>())
+        });
+        // Some in the middle, and some at the ends.
+        if all.len() > INSTANCES {
+            let last = all.split_off(all.len() - INSTANCES / 4);
+            all.truncate(INSTANCES - last.len());
+            all.extend(last);
+        }
+        all
+    }
+
+    /// Whether the claim fits an instance of a theorem.
+    fn fits(&self, instance: &Instance) -> bool {
+        self.is_instance(instance, self.left, self.right)
+    }
+
+    /// Whether the claim fits an instance of a theorem with other sides.
+    fn fits_sides(&self, instance: &Instance, left: &Expr, right: &Expr) -> bool {
+        let sides = [left, right].map(Clone::clone);
+        self.fits(&Instance { sides, ..instance.clone() })
+    }
+
+    fn is_instance(&self, instance: &Instance, left: &Expr, right: &Expr) -> bool {
+        let mut compared = 0;
+        for values in self.values(instance) {
+            let free = self.free(instance, &values);
+            let [one, other] = &instance.sides;
+            let Some(theirs) = key(&free, one, other, &values) else { continue };
+            // b_0 = a_0 is an instance of many a theorem, and says nothing of any.
+            let trivial = theirs.len() < 3
+                && !is_plain(other)
+                && self.profile.integers.is_empty()
+                && !instance.equation.profile.integers.is_empty();
+            match key(&free, left, right, &values) {
+                Some(ours) if ours == theirs && !trivial => compared += 1,
+                _ => return false,
+            }
+        }
+        compared > usize::from(!self.profile.integers.is_empty())
+    }
+
+    /// A theorem that one small edit of the claim leads to, and the sides with that.
+    fn one_slip_away<'a, 'b>(
+        &self,
+        instances: &'a [Instance<'b>],
+        long: &dyn Fn() -> bool,
+    ) -> Option<(&'a Instance<'b>, [Expr; 2])> {
+        let certain: Vec<&Instance> =
+            instances.iter().filter(|instance| instance.standing == Standing::Certain).collect();
+        if certain.is_empty() {
+            return None;
+        }
+        let rights = edits(self.right, self.left);
+        let lefts = edits(self.left, self.right);
+        // The value of an edit depends on the integers and on the numbers of arguments only.
+        let mut seen: HashMap<String, Vec<Option<MultiPoly>>> = HashMap::new();
+        let mut near: Vec<&Instance> = Vec::new();
+        for instance in certain {
+            let alike = alike(self.right, &instance.sides[1]) && alike(self.left, &instance.sides[0]);
+            if !alike || is_plain(self.right) != is_plain(&instance.equation.right) {
+                continue;
+            }
+            let all = self.values(instance);
+            let Some(values) = all.first() else { continue };
+            let free = self.free(instance, values);
+            let [one, other] = &instance.sides;
+            if long() {
+                return None;
+            }
+            let same = |theirs: &Expr, ours: &Expr| {
+                let theirs = free.value(theirs, values);
+                theirs.is_some() && theirs == free.value(ours, values)
+            };
+            let (left, right) = (same(one, self.left), same(other, self.right));
+            // The slip is on one side.
+            let edits = match (left, right) {
+                (true, false) => &rights,
+                (false, true) if !instance.is_about_a_letter() => &lefts,
+                _ => continue,
+            };
+            let Some(theirs) = key(&free, one, other, values) else { continue };
+            let put = |edit: &Expr| {
+                if left { [self.left.clone(), edit.clone()] } else { [edit.clone(), self.right.clone()] }
+            };
+            let place = format!("{left}{values:?}{:?}{:?}", free.functions, free.raised);
+            let keys = seen.entry(place).or_insert_with(|| {
+                let key = |edit: &Expr| {
+                    let [left, right] = put(edit);
+                    if long() { None } else { key(&free, &left, &right, values) }
+                };
+                edits.iter().map(key).collect()
+            });
+            let found = keys.iter().zip(edits.iter()).filter(|(key, _)| key.as_ref() == Some(&theirs));
+            let mut held = found
+                .map(|(_, edit)| put(edit))
+                .filter(|[left, right]| self.is_instance(instance, left, right));
+            if let Some(sides) = held.next() {
+                return Some((instance, sides));
+            }
+            if left {
+                near.push(instance);
+            }
+        }
+        // A slip that leaves nothing to be edited: a root, an exponent, a letter that is gone.
+        for instance in near {
+            let all = self.values(instance);
+            let Some(values) = all.first() else { continue };
+            let free = self.free(instance, values);
+            let [one, other] = &instance.sides;
+            let Some(ours) = key(&free, self.left, self.right, values) else { continue };
+            let spoilt = |right: &Expr| {
+                key(&free, one, right, values).as_ref() == Some(&ours)
+                    && self.fits_sides(instance, one, right)
+            };
+            if instance.slips().iter().any(|right| !long() && spoilt(right)) {
+                return Some((instance, [self.left.clone(), other.clone()]));
+            }
+        }
+        None
+    }
+
+    /// What the right side should be, in an instance.
+    fn witness(&self, instance: &Instance) -> Option<String> {
+        let all = self.values(instance);
+        let different = |values: &&Values| {
+            let free = self.free(instance, values);
+            free.value(self.right, values) != free.value(&instance.sides[1], values)
+        };
+        let values = all.iter().find(different)?;
+        let free = self.free(instance, values);
+        let (ours, theirs) = (free.value(self.right, values)?, free.value(&instance.sides[1], values)?);
+        let place: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let place = if place.is_empty() { String::new() } else { format!("{}: ", place.join(", ")) };
+        Some(format!("{place}left {theirs}, right {ours}")).filter(|text| text.chars().count() < 200)
+    }
+}
+
+/// The difference of two sides but for a factor; nothing if it is 0 or has no value.
+fn key(free: &Rc<Free>, left: &Expr, right: &Expr, values: &Values) -> Option<MultiPoly> {
+    use crate::math::ring::Ring;
+    budget::steps(64);
+    let difference = free.value(left, values)?.minus(&free.value(right, values)?);
+    if difference.is_zero() {
+        return None;
+    }
+    let numerator = difference.numerator().primitive_part();
+    let negative =
+        numerator.terms(MonomialOrder::Lex).first().is_some_and(|(_, factor)| factor.is_negative());
+    Some(if negative { -numerator } else { numerator })
+}
+
+impl Instance<'_> {
+    /// Whether it says what something is that has a name.
+    fn is_about_a_letter(&self) -> bool {
+        super::names::Head::of(&self.equation.left).is_some()
+    }
+
+    /// The right side with small slips, and in forms that are known to be wrong.
+    fn slips(&self) -> Vec<Expr> {
+        let [left, right] = &self.sides;
+        let mut slips = Vec::new();
+        slips::of(right, &mut slips);
+        slips.extend(self.misremembered.iter().cloned());
+        slips.extend(repair::edits(right, left, &None));
+        slips
+    }
+}
+
+/// Whether a formula has about the form of a side of a theorem: as many members of families, or one more or fewer of many,
 /// and no sum that has no terms to speak of.
-fn alike(right: &Expr, wanted: &Expr) -> bool {
+fn alike(own: &Expr, theirs: &Expr) -> bool {
     let members = |expr: &Expr| {
-        let (mut count, mut trivial) = (0usize, false);
+        let (mut count, mut sums, mut trivial) = (0usize, false, false);
         walk(expr, &mut |part| match &part.kind {
             Kind::Subscript(..) => count += 1,
-            Kind::Big { upper: Some(upper), .. } => {
-                trivial |= matches!(&upper.kind, Kind::Number(q) if *q <= crate::math::number::integer(1));
+            // Δ b_0 is b_1 - b_0.
+            Kind::Name(name) if name == "Delta" => count += 1,
+            Kind::Big { upper, .. } => {
+                sums = true;
+                let few = |upper: &Expr| upper.as_int().is_some_and(|last| last < 2);
+                trivial |= upper.as_ref().is_some_and(|upper| few(upper));
             }
             _ => {}
         });
-        (count, trivial)
+        (count, sums, trivial)
     };
-    let ((own, _), (theirs, trivial)) = (members(right), members(wanted));
-    let sum = |expr: &Expr| {
-        let mut found = false;
-        walk(expr, &mut |part| found |= matches!(part.kind, Kind::Big { .. }));
-        found
-    };
-    let written_out = sum(wanted) && !sum(right) && own > 1;
-    !trivial && (own == theirs || theirs > 2 && own.abs_diff(theirs) == 1 || written_out)
+    let ((ours, sums, _), (count, theirs_sum, trivial)) = (members(own), members(theirs));
+    let written_out = theirs_sum && !sums && ours > 1;
+    !trivial && (ours == count || count > 2 && ours.abs_diff(count) == 1 || written_out)
 }
 
-/// What came of two formulas that are equal wherever they make sense.
-fn held(trial: &Trial) -> Option<Outcomes> {
-    let quick = repair::is_true(&trial.first(4), true);
-    quick.then(|| trial.run()).filter(|outcomes| repair::is_true(outcomes, false))
+/// Whether a side is one thing.
+fn is_plain(expr: &Expr) -> bool {
+    matches!(
+        expr.kind,
+        Kind::Name(_) | Kind::Subscript(..) | Kind::Pow(..) | Kind::Apply(..) | Kind::Number(_)
+    )
 }
 
-/// The ways to put letters of the claim for those of a theorem that its left side leaves open.
-fn ways(
-    theorem: &Theorem,
-    wanted: &Expr,
-    right: &Expr,
-    letters: &Letters,
-    statement: &Statement,
-) -> Vec<Letters> {
-    let theirs = Kinds::of(wanted);
-    let ours = Kinds::of(right);
-    let given = |letter: &String| letters.iter().any(|(known, _)| known == letter);
-    let taken = |expr: &Expr| is_variable_of(expr) && letters.iter().any(|(_, known)| known.same_as(expr));
-    // "A cubic"; "a parabola, as a cubic".
-    let degrees: Vec<i64> = statement.topics.degrees().collect();
-    let degree = match (theorem.topic, degrees.as_slice()) {
-        (Topic::Elevation, &[from, to]) if to == from + 1 => Some(from),
-        (Topic::Spline | Topic::Join, &[only]) => Some(only),
-        _ => None,
-    };
-    let sizes: Vec<Expr> = ours.sizes.iter().cloned().chain(degree.map(Expr::int)).collect();
-    let mut all = vec![letters.clone()];
-    for (wanted, candidates) in
-        [(&theirs.families, &ours.families), (&theirs.sizes, &sizes), (&theirs.variables, &ours.variables)]
-    {
-        // The parameter t and the knots t_i are different things.
-        let others = all.first().map_or(0, Vec::len);
-        for letter in wanted {
-            let Kind::Name(letter) = &letter.kind else { return Vec::new() };
-            if given(letter) {
-                continue;
-            }
-            let mut next = Vec::new();
-            for way in &all {
-                let free = candidates.iter().filter(|candidate| {
-                    !taken(candidate) && !way[others..].iter().any(|(_, known)| known.same_as(candidate))
-                });
-                next.extend(free.map(|candidate| {
-                    let mut way = way.clone();
-                    way.push((letter.clone(), candidate.clone()));
-                    way
-                }));
-            }
-            next.truncate(MOST_WAYS);
-            all = next;
-        }
-    }
-    all
-}
-
-/// Whether it is a name of an integer, or of a variable: one stands for one thing only. The points b and b^{(1)} are
-/// two families with one letter.
-fn is_variable_of(expr: &Expr) -> bool {
-    matches!(&expr.kind, Kind::Name(name) if is_index_letter(name))
-}
-
-/// The letters of a formula by what they are used as.
-#[derive(Default)]
-struct Kinds {
-    /// With an index below.
-    families: Vec<Expr>,
-    /// Names of integers that no sum binds.
-    sizes: Vec<Expr>,
-    /// Other names.
-    variables: Vec<Expr>,
-}
-
-impl Kinds {
-    fn of(expr: &Expr) -> Kinds {
-        let mut kinds = Kinds::default();
-        let mut bound: Vec<String> = Vec::new();
-        walk(expr, &mut |part| {
-            if let Kind::Big { lower, .. } = &part.kind {
-                bound.extend(own_names(lower));
-            }
-        });
-        kinds.look(expr, &bound);
-        kinds
-    }
-
-    fn look(&mut self, expr: &Expr, bound: &[String]) {
-        let add = |list: &mut Vec<Expr>, expr: &Expr| {
-            if !list.iter().any(|known| known.same_as(expr)) {
-                list.push(expr.clone());
-            }
-        };
-        match &expr.kind {
-            Kind::Subscript(base, indices) => {
-                add(&mut self.families, base);
-                for index in indices {
-                    self.look(index, bound);
-                }
-            }
-            Kind::Name(name) if is_index_letter(name) => {
-                if !bound.contains(name) {
-                    add(&mut self.sizes, expr);
-                }
-            }
-            Kind::Name(name) if bound.contains(name) => {}
-            Kind::Name(_) | Kind::Accent(..) => add(&mut self.variables, expr),
-            _ => expr.for_each_child(&mut |child| self.look(child, bound)),
-        }
-    }
-}
-
-/// What the letters on the left of a theorem stand for in the left side of a claim, if that has its form.
-fn left_letters(pattern: &Expr, left: &Expr) -> Option<Letters> {
-    let (theirs, ours) = (Head::of(pattern)?, Head::of(left)?);
-    if theirs.arguments.is_some() != ours.arguments.is_some() || theirs.flat().len() != ours.flat().len() {
-        return None;
-    }
-    let inner = |index: &Expr| match &index.kind {
-        Kind::List(items) if items.len() == 1 => items[0].clone(),
-        Kind::Group(inner) => inner.as_ref().clone(),
-        _ => index.clone(),
-    };
-    let indices = |head: &Head| -> Vec<Expr> { head.lower.iter().chain(&head.upper).map(inner).collect() };
-    let (wanted, mut given) = (indices(&theirs), indices(&ours));
-    // b_i^{(1)}, b_i^*: a mark, not an index.
-    let mark = |index: &Expr| match &index.kind {
-        Kind::Name(name) => !is_index_letter(name),
-        Kind::Number(_) => ours.parenthesized,
-        Kind::Text(_) => true,
-        _ => false,
-    };
-    if given.len() == wanted.len() + 1 && ours.upper.len() == 1 && mark(&ours.upper[0]) {
-        given.pop();
-    }
-    if wanted.len() != given.len() {
-        return None;
-    }
-    let mut letters: Letters = vec![(theirs.base.clone(), base_of(left).clone())];
-    let pairs = wanted.iter().zip(&given).chain(theirs.flat().into_iter().zip(ours.flat()));
-    for (pattern, index) in pairs {
-        if !unify(pattern, index, &mut letters) {
-            return None;
-        }
-    }
-    Some(letters)
-}
-
-/// The letter of a name, with its marks.
-fn base_of(expr: &Expr) -> &Expr {
-    match &expr.kind {
-        Kind::Subscript(base, _) | Kind::Pow(base, _) | Kind::Upper(base, _) | Kind::Apply(base, _) => {
-            base_of(base)
-        }
-        _ => expr,
-    }
-}
-
-/// Whether an index has the form of a pattern; its letters are noted.
-fn unify(pattern: &Expr, index: &Expr, letters: &mut Letters) -> bool {
-    match (&pattern.kind, &index.kind) {
-        (Kind::Name(letter), _) => match letters.iter().find(|(known, _)| known == letter) {
-            Some((_, known)) => known.same_as(index),
-            None => {
-                letters.push((letter.clone(), index.clone()));
-                true
-            }
-        },
-        (Kind::Add(wanted), Kind::Add(given)) => {
-            wanted.len() == given.len()
-                && wanted.iter().zip(given).all(|(a, b)| a.sign == b.sign && unify(&a.expr, &b.expr, letters))
-        }
-        (Kind::Mul(wanted), Kind::Mul(given)) => {
-            wanted.len() == given.len() && wanted.iter().zip(given).all(|(a, b)| unify(a, b, letters))
-        }
-        _ => pattern.same_as(index),
-    }
+/// Small edits of a side.
+fn edits(side: &Expr, other: &Expr) -> Vec<Expr> {
+    let mut found = slips::of_matrices(side);
+    found.extend(repair::edits(side, other, &None));
+    found
 }
 
 /// The one case of a formula that is not a number, or the formula.
@@ -482,39 +595,22 @@ fn main_case(expr: &Expr) -> &Expr {
     }
 }
 
-/// A formula of a theorem in the letters of the claim, with the indices of a family above or below as the claim has
-/// them.
-fn put(expr: &Expr, letters: &Letters, left: &Expr) -> Expr {
-    let raised = Head::of(left).is_some_and(|head| head.lower.len() == 1 && head.upper.len() == 1);
+/// A formula in which b_i^{(1)} is a member of a family with another name.
+fn without_marks(expr: &Expr) -> Expr {
+    fn unmark(expr: &mut Expr) {
+        expr.for_each_child_mut(&mut unmark);
+        let Kind::Upper(base, upper) = &expr.kind else { return };
+        let ([mark], Kind::Subscript(letter, indices)) = (upper.as_slice(), &base.kind) else { return };
+        let mark = match &mark.kind {
+            Kind::Number(number) => number.to_string(),
+            Kind::Text(text) => text.clone(),
+            _ => return,
+        };
+        let Some(head) = super::names::Head::of(letter) else { return };
+        let name = Expr::new(Kind::Name(format!("{}({mark})", head.base)), letter.span);
+        expr.kind = Kind::Subscript(Box::new(name), indices.clone());
+    }
     let mut result = expr.clone();
-    unfold::put(&mut result, letters);
-    if raised {
-        raise(&mut result, base_of(left));
-    }
-    if Head::of(left).is_some_and(|head| head.parenthesized) {
-        parenthesize(&mut result);
-    }
-    result.without_spans()
-}
-
-/// w_i^{r-1} as w_i^{(r-1)}.
-fn parenthesize(expr: &mut Expr) {
-    expr.for_each_child_mut(&mut |child| parenthesize(child));
-    if let Kind::Pow(base, upper) = &expr.kind
-        && matches!(base.kind, Kind::Subscript(..))
-    {
-        *expr = Expr::new(Kind::Upper(base.clone(), vec![upper.as_ref().clone()]), expr.span);
-    }
-}
-
-/// N_{i,k} as N_i^k.
-fn raise(expr: &mut Expr, family: &Expr) {
-    expr.for_each_child_mut(&mut |child| raise(child, family));
-    if let Kind::Subscript(base, indices) = &expr.kind
-        && base.same_as(family)
-        && let [i, k] = indices.as_slice()
-    {
-        let lower = Expr::new(Kind::Subscript(base.clone(), vec![i.clone()]), expr.span);
-        *expr = Expr::new(Kind::Pow(Box::new(lower), Box::new(k.clone())), expr.span);
-    }
+    unmark(&mut result);
+    result
 }

@@ -1,0 +1,40 @@
+//! What letters of the table stand for, and whether a page uses a letter for something else.
+
+use crate::formula::Expr;
+use crate::judge::context::Context;
+use crate::judge::names::Head;
+use crate::judge::object::Sort;
+use crate::judge::statement::Place;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Points,
+    Knots,
+    Weights,
+    Lengths,
+    Slopes,
+}
+
+/// What a letter with an index stands for in the table, and usually elsewhere.
+fn usual(letter: &str) -> Option<Role> {
+    let bare = letter.rsplit(' ').next().unwrap_or(letter).split('(').next()?;
+    match bare {
+        "b" | "c" | "d" | "p" | "q" | "P" | "Q" | "B" | "C" | "D" | "V" => Some(Role::Points),
+        "t" | "x" | "u" | "tau" | "xi" => Some(Role::Knots),
+        "w" | "omega" => Some(Role::Weights),
+        "h" => Some(Role::Lengths),
+        "m" => Some(Role::Slopes),
+        _ => None,
+    }
+}
+
+/// Whether a letter of the page stands for something else than one of the table.
+pub(super) fn clash(theirs: &str, ours: &Expr, context: &Context, place: &Place) -> bool {
+    let (Some(role), Some(head)) = (usual(theirs), Head::of(ours)) else { return false };
+    let said = context.object(&head, place).and_then(|declared| match declared.object.sort {
+        Sort::ControlPoints => Some(Role::Points),
+        Sort::Knots | Sort::Nodes => Some(Role::Knots),
+        _ => None,
+    });
+    said.or_else(|| usual(&head.base)).is_some_and(|own| own != role)
+}

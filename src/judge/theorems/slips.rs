@@ -1,0 +1,64 @@
+//! Slips that leave nothing to be edited: what is gone has to be put back.
+
+use crate::formula::{Expr, Kind};
+use crate::judge::names::walk;
+
+/// A formula without one of its roots or exponents.
+pub(super) fn of(expr: &Expr, slips: &mut Vec<Expr>) {
+    let mut gone: Vec<(Expr, Expr)> = Vec::new();
+    walk(expr, &mut |part| match &part.kind {
+        Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "sqrt") => {
+            let body = groups.iter().flatten().next();
+            gone.extend(body.map(|body| (part.clone(), body.clone())));
+        }
+        Kind::Pow(base, _) if !matches!(base.kind, Kind::Subscript(..)) => {
+            gone.push((part.clone(), base.as_ref().clone()));
+        }
+        _ => {}
+    });
+    for (old, new) in gone {
+        let mut edit = expr.clone();
+        replace(&mut edit, &old, &new);
+        slips.push(edit);
+    }
+}
+
+fn replace(expr: &mut Expr, old: &Expr, new: &Expr) {
+    match expr.same_as(old) {
+        true => *expr = new.clone().grouped(),
+        false => expr.for_each_child_mut(&mut |child| replace(child, old, new)),
+    }
+}
+
+/// A formula in which a row of a matrix has the other sign, or two of its rows or columns are exchanged, or rows and
+/// columns.
+pub(super) fn of_matrices(expr: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    walk(expr, &mut |part| {
+        let Kind::Matrix(rows, delimiter) = &part.kind else { return };
+        let width = rows.first().map_or(0, Vec::len);
+        if rows.len() < 2 || width < 2 || rows.iter().any(|row| row.len() != width) {
+            return;
+        }
+        let mut add = |rows: Vec<Vec<Option<Expr>>>| {
+            let mut edit = expr.clone();
+            replace(&mut edit, part, &Expr::new(Kind::Matrix(rows, *delimiter), part.span));
+            found.push(edit);
+        };
+        for at in 0..rows.len() {
+            let mut negated = rows.clone();
+            for cell in negated[at].iter_mut() {
+                *cell = cell.take().map(Expr::negated);
+            }
+            add(negated);
+            for other in 0..at {
+                let mut exchanged = rows.clone();
+                exchanged.swap(at, other);
+                add(exchanged);
+            }
+        }
+        add((0..width).map(|column| rows.iter().map(|row| row[column].clone()).collect()).collect());
+        add(rows.iter().map(|row| row.iter().rev().cloned().collect()).collect());
+    });
+    found
+}
