@@ -5,6 +5,7 @@ use crate::judge::context::Context;
 use crate::judge::names::Head;
 use crate::judge::object::Sort;
 use crate::judge::statement::Place;
+use crate::language::lexicon::families::{self, Family};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
@@ -26,6 +27,21 @@ fn usual(letter: &str) -> Option<Role> {
         "m" => Some(Role::Slopes),
         _ => None,
     }
+}
+
+/// Whether a letter of the table is a basis function, and that of the page is none: b_i^r(t) are points of de Casteljau's
+/// algorithm, B_i^r(t) Bernstein polynomials.
+pub(super) fn is_no_basis(theirs: &str, ours: &Expr, context: &Context, place: &Place) -> bool {
+    let (family, sort) = match theirs {
+        "B" => (Family::Bernstein, Sort::Bernstein),
+        "N" => (Family::Spline, Sort::BSpline),
+        _ => return false,
+    };
+    let Some(head) = Head::of(ours) else { return false };
+    let named = [(1, 1), (2, 0)].iter().any(|(lower, upper)| {
+        families::notation(&head.base, *lower, *upper).is_some_and(|notation| notation.family == family)
+    });
+    !named && context.object(&head, place).is_none_or(|declared| declared.object.sort != sort)
 }
 
 /// Whether a letter of the page stands for something else than one of the table.

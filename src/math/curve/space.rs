@@ -222,8 +222,11 @@ fn few_zeros(equations: &[MultiPoly], unknowns: &[Symbol; 2]) -> Option<Vec<Real
     for (kept, other) in [(0, 1), (1, 0)] {
         let mut common = MultiPoly::zero();
         for f in &equations[1..] {
-            let resultant = equations[0].resultant(f, &unknowns[other]);
-            common = common.gcd(&resultant);
+            let free = [&equations[0], f].iter().all(|f| f.degree_in(&unknowns[other]) == 0);
+            // The resultant of two numbers is 1, whatever they are.
+            let eliminated =
+                if free { equations[0].gcd(f) } else { equations[0].resultant(f, &unknowns[other]) };
+            common = common.gcd(&eliminated);
         }
         match common.degree_in(&unknowns[kept]) as usize {
             _ if common.is_zero() || equations.len() < 3 => return None,
@@ -297,6 +300,22 @@ mod tests {
             for [s, t] in &found {
                 prop_assert_eq!(first.point(s), other.point(t));
             }
+        }
+
+        /// Curves in planes through one line: two equations may speak of one parameter only.
+        #[test]
+        fn flat_curves_meet_where_they_must(a in lists(1, 3), b in lists(1, 3), c in -2i64..3) {
+            let zero = vec![0];
+            let first = curve(&[a[0].clone(), zero.clone(), a[0].iter().map(|k| c * k).collect()], (None, None));
+            let other = curve(&[zero.clone(), b[0].clone(), zero], (None, None));
+            let Ok(found) = first.meetings(&other) else { return Ok(()) };
+            let roots = |f: &[i64]| poly(f).real_roots(None, None).unwrap_or_default();
+            let all: Vec<[RealRoot; 2]> = roots(&a[0])
+                .iter()
+                .flat_map(|(s, _)| roots(&b[0]).into_iter().map(|(t, _)| [s.clone(), t]))
+                .collect();
+            prop_assert_eq!(found.len(), all.len());
+            prop_assert!(all.iter().all(|pair| found.contains(pair)));
         }
 
         /// On a patch: a point of the surface is put on the curve, and the equation of the surface finds the same parameters.

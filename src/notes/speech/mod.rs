@@ -329,15 +329,28 @@ pub fn topics(words: &str, found: &mut Topics) {
             {
                 found.add_degree(*degree);
             }
-            if let Word::Noun(Sort::ControlPoints) = word
-                && !found.has(Topic::ControlPoints)
-                && !phrase.contains("boor")
+            if let Word::Noun(sort) = word
+                && let Some(topic) = topic_of(sort)
+                && !found.has(topic)
+                && !(topic == Topic::ControlPoints && phrase.contains("boor"))
                 && mentions(&text, phrase, true, language)
             {
-                found.add(Topic::ControlPoints);
+                found.add(topic);
             }
         }
     }
+}
+
+/// The topic of a section that speaks of such an object.
+fn topic_of(sort: &Sort) -> Option<Topic> {
+    Some(match sort {
+        Sort::ControlPoints => Topic::ControlPoints,
+        Sort::PolarForm => Topic::PolarForm,
+        Sort::Bernstein => Topic::Bernstein,
+        Sort::BezierCurve => Topic::BezierCurve,
+        Sort::BSpline | Sort::SplineCurve => Topic::Spline,
+        _ => return None,
+    })
 }
 
 /// Which of two parts, the left or the right one, words speak of last.
