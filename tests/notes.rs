@@ -226,6 +226,14 @@ fn what_lecturers_write_is_no_false_alarm() {
         let verdicts = verdicts(text);
         assert!(matches!(verdicts[..], [Verdict::Proved | Verdict::Sampled]), "{text}: {verdicts:?}");
     }
+    for text in [
+        // What is counted with the letter of B-splines; a range without an end.
+        "$N_{i,k}$ counts the subsets: $N_{i,k}=N_{i-1,k-1}+N_{i-1,k}$. Hence $$N_{m+n,k}=\\sum_{j=0}^{k}N_{m,j}\\,N_{n,k-j}.$$",
+        "From $e_{k+1}=a e_k+b$ we get $$e_k=e^*+a^k\\,(e_0-e^*),\\qquad k=0,1,2,\\dots$$ with $e^*=b/(1-a)$, and $$\\frac{e_{k+2}-e_{k+1}}{e_{k+1}-e_k}=a .$$",
+    ] {
+        let verdicts = verdicts(text);
+        assert!(!verdicts.contains(&Verdict::Refuted), "{text}: {verdicts:?}");
+    }
     let text = "$x(t) = \\frac{1-t^2}{1+t^2}$, $y(t) = \\frac{2t}{1+t^2}$. So $x(t)^2 + y(t)^2 = 1$ and $x(t)^2 = 1$.";
     let last: Vec<Verdict> = verdicts(text).split_off(2);
     assert!(matches!(last[..], [Verdict::Proved, Verdict::Refuted | Verdict::Undecided]), "{last:?}");

@@ -591,6 +591,15 @@ fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
                 result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
                 continue;
             }
+            // i = 0, 1, 2, …, without an end
+            if let (true, Some(last), Kind::Name(letter)) = (dots, taken.last(), &left.kind)
+                && is_index_letter(letter)
+            {
+                let whole = item.span.to(last.span);
+                let link = Link { rel: Rel::Ge, span: *span, expr: from.clone() };
+                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
+                continue;
+            }
             // k = 0, 1, 2
             let first = from.as_int();
             let consecutive =

@@ -19,6 +19,7 @@ use crate::judge::object::Sort;
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
+use crate::judge::topic::Topic;
 use crate::language::lexicon::words::is_function_word;
 use crate::language::lexicon::{families, roles};
 use crate::language::value::Value;
@@ -247,9 +248,12 @@ impl Suspect<'_> {
                 && !(head.lower.is_empty() && head.upper.is_empty())
                 && !head.lower.iter().chain(&head.upper).all(|index| matches!(index.kind, Kind::Number(_)))
         };
-        // N by its recursion is what everybody calls so.
-        let known =
-            |definition: &Definition| definition.is_recursive() && families::is_family(&definition.head.base);
+        // N by its recursion is what everybody calls so; numbers N_{i,k} that are counted are others.
+        let splines = self.statement.topics.has(Topic::Spline);
+        let known = |definition: &Definition| {
+            let function = splines || definition.head.arguments.is_some();
+            function && definition.is_recursive() && families::is_family(&definition.head.base)
+        };
         // f[0, 1] = 3, for the f of another exercise
         let here = &self.statement.place;
         let elsewhere = |definition: &Definition| {
