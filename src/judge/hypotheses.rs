@@ -133,20 +133,35 @@ fn rows(equations: &[MultiPoly], symbols: &[Symbol]) -> DMatrix<Fraction> {
 ///
 /// Cost: one elimination over the fractions of the other symbols.
 ///
-/// A parameter with a Greek letter of which the claim speaks, too, has one value: F(τ) = G(τ) where two curves meet.
+/// A parameter of which the claim speaks, too, has one value if it has a Greek letter, or if the hypothesis says that two
+/// unknown functions agree there: F(s) = G(s) where two curves meet.
 pub fn solve(
     hypotheses: &[(Value, Value)],
     claimed: &[&Value],
     wanted: &dyn Fn(&Symbol) -> bool,
 ) -> Option<Solution> {
     let spoken: BTreeSet<Symbol> = claimed.iter().flat_map(|value| compare::symbols(value)).collect();
-    let fixed = |symbol: &Symbol| spoken.contains(symbol) && letters::sign(symbol.base()).is_some();
-    let runs = |symbol: &Symbol| is_parameter(symbol) && !fixed(symbol);
-    let equations = hypotheses.iter().filter_map(|(a, b)| equations(a, b, &runs));
+    let equations = hypotheses.iter().filter_map(|(a, b)| {
+        let contact = is_contact(a, b);
+        let greek = |symbol: &Symbol| letters::sign(symbol.base()).is_some();
+        let fixed = |symbol: &Symbol| spoken.contains(symbol) && (contact || greek(symbol));
+        equations(a, b, &|symbol| is_parameter(symbol) && !fixed(symbol))
+    });
     let all: Vec<MultiPoly> = equations.flatten().collect();
     let mut symbols = linear_symbols(&all, wanted);
     symbols.retain(|symbol| !is_parameter(symbol));
     solved(&all, symbols)
+}
+
+/// Whether two values are those of two unknown functions.
+fn is_contact(a: &Value, b: &Value) -> bool {
+    let function = |value: &Value| {
+        let symbols = compare::symbols(value);
+        let mut members = symbols.iter().filter(|symbol| !symbol.is_plain());
+        let first = members.next().filter(|symbol| is_coefficient(symbol))?.base().to_owned();
+        members.all(|symbol| symbol.base() == first).then_some(first)
+    };
+    matches!((function(a), function(b)), (Some(f), Some(g)) if f != g)
 }
 
 fn solved(all: &[MultiPoly], symbols: Vec<Symbol>) -> Option<Solution> {
@@ -256,6 +271,16 @@ mod tests {
     fn contradictions_and_parameters_determine_nothing() {
         assert!(solve(&[(value("a_1"), value("1")), (value("a_1"), value("2"))], &[], &|_| true).is_none());
         assert!(solve(&[(value("u + v"), value("1"))], &[], &|_| true).is_none());
+    }
+
+    #[test]
+    fn functions_agree_where_they_meet() {
+        let functions = [0, 1].map(|k| {
+            let coefficient = |name: &str| Value::symbol(Symbol::new(name).numbered(k));
+            (coefficient("[F]"), coefficient("[G]"))
+        });
+        assert!(functions.iter().all(|(f, g)| is_contact(f, g) && !is_contact(f, f)));
+        assert!(!is_contact(&value("b_0 (1-t) + b_1 t"), &functions[0].0));
     }
 
     #[test]
