@@ -84,11 +84,7 @@ pub fn decide(d: &Fraction, strict: bool, range: &Range) -> Option<Decision> {
 /// Whether squares show that d ≥ 0, or d > 0, wherever it has a value: (a - b)^2 ≥ 0.
 pub fn holds_by_squares(d: &Fraction, strict: bool) -> bool {
     // The quotient has the sign of the product.
-    let below = d.denominator();
-    match below.as_constant() {
-        Some(_) => d.as_polynomial().is_some_and(|d| d.is_nonnegative_by_squares(strict)),
-        None => (d.numerator() * below).is_nonnegative_by_squares(strict),
-    }
+    (d.numerator() * d.denominator()).is_nonnegative_by_squares(strict)
 }
 
 /// What an inequality says is positive, or not negative (false).

@@ -16,6 +16,7 @@ use crate::judge::names::{Head, walk};
 use crate::judge::statement::Place;
 use crate::judge::{evaluator, repair, unfold};
 use crate::math::poly::{MonomialOrder, MultiPoly};
+use crate::math::ring::Ring;
 use num_traits::{Signed, Zero};
 
 /// In so many instances a claim is compared with a theorem.
@@ -257,7 +258,6 @@ impl Claim<'_> {
 
 /// The difference of two sides but for a factor; nothing if it is 0 or has no value.
 fn key(free: &Rc<Free>, left: &Expr, right: &Expr, values: &Values) -> Option<MultiPoly> {
-    use crate::math::ring::Ring;
     budget::steps(64);
     let difference = free.value(left, values)?.minus(&free.value(right, values)?);
     if difference.is_zero() {

@@ -80,6 +80,7 @@ impl Checker {
         }
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
+        let known = known();
         let plain = with_indices_apart([left, right]);
         let marked = plain.each_ref().map(without_marks);
         let forms = if marked == plain { vec![plain] } else { vec![plain, marked] };
@@ -89,7 +90,6 @@ impl Checker {
             if claim.profile.letters.is_empty() {
                 return None;
             }
-            let known = known();
             let instances = self.instances(&known, &claim, statement);
             if let Some(found) = self.among(&claim, &instances, finding, &long) {
                 return found;
@@ -307,11 +307,8 @@ fn with_indices_apart(sides: [&Expr; 2]) -> [Expr; 2] {
         expr.for_each_child_mut(&mut |child| split(child, several));
         let Kind::Subscript(base, indices) = &mut expr.kind else { return };
         let [Expr { kind: Kind::Mul(factors), .. }] = indices.as_slice() else { return };
-        let count = factors.len();
-        let named = Head::of(base).is_some_and(|head| several.contains(&(head.base, count)));
-        let apart = factors.clone();
-        if named {
-            *indices = apart;
+        if Head::of(base).is_some_and(|head| several.contains(&(head.base, factors.len()))) {
+            *indices = factors.clone();
         }
     }
     sides.map(|side| {

@@ -67,7 +67,6 @@ const SHAPES: &[(&str, Shape)] = &[
     ("croissante", Shape { order: 1, turned: false }),
     ("décroissante", Shape { order: 1, turned: true }),
     ("convexe", Shape { order: 2, turned: false }),
-    ("concave", Shape { order: 2, turned: true }),
 ];
 
 /// A claim taken apart; places are bytes of the text.
