@@ -1,4 +1,4 @@
-// Puts the page, its scripts, KaTeX with its fonts and the module into one HTML file: node bundle.mjs MODULE.gz PAGE
+// Puts the page, its scripts, KaTeX with its fonts and the module into one HTML file: node bundle.mjs MODULE.xz PAGE
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 
@@ -19,16 +19,17 @@ const PARTS = ["words", "reasons", "show", "engine", "ask", "check", "play", "li
 const script = `"use strict";(() => {\n${PARTS.map((name) => read(`page/${name}.js`)).join("\n")}\n})();`;
 const style = `${katexStyle()}\n${read("page/style.css")}`;
 const katex = read("node_modules/katex/dist/katex.min.js");
+const unpack = read("node_modules/xz-decompress/dist/package/xz-decompress.min.js");
 const version = read("Cargo.toml").match(/^version = "(.*)"/m)[1];
 const module = readFileSync(modulePath);
 
-for (const [name, text] of Object.entries({ script, katex, worker: read("page/worker.js") })) {
+for (const [name, text] of Object.entries({ script, katex, unpack, worker: read("page/worker.js") })) {
   if (/<\/script|<!--/i.test(text)) throw new Error(`${name} cannot stand in a page: it would end its element`);
 }
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 const policy = [
   "default-src 'none'",
-  `script-src ${hash(katex)} ${hash(script)} 'wasm-unsafe-eval'`,
+  `script-src ${hash(katex)} ${hash(unpack)} ${hash(script)} 'wasm-unsafe-eval'`,
   "worker-src blob:",
   `style-src ${hash(style)}`,
   "font-src data:",
@@ -37,7 +38,7 @@ const policy = [
   "form-action 'none'",
 ].join("; ");
 
-const values = { policy, style, katex, script, version, worker: read("page/worker.js"), module: module.toString("base64") };
+const values = { policy, style, katex, unpack, script, version, worker: read("page/worker.js"), module: module.toString("base64") };
 const page = read("page/index.html").replace(/\{\{(\w+)\}\}/g, (_, name) => values[name]);
 writeFileSync(pagePath, page);
 console.error(`build: ${pagePath}: ${Buffer.byteLength(page)} bytes`);
