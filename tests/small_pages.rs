@@ -1,6 +1,7 @@
 //! Small pages, each with one claim: the last relations of the page, with the verdict that they must get.
 //!
-//! A line `=== true` or `=== false` begins a page. What is wrong must be refuted; nothing else on any page may be.
+//! A line `=== true`, `=== false` or `=== open` begins a page. What is wrong must be refuted; nothing else on any page may
+//! be; what is open, since the page does not say enough, must not be confirmed either.
 //! Pages are added for what a lecturer writes: the same thing in several words and languages, true and false.
 
 use std::fmt::Write as _;
@@ -12,12 +13,22 @@ use polarform::formula::source::SourceFile;
 use polarform::judge::finding::{Finding, Verdict};
 use polarform::notes::{Options, check_document};
 
-/// The pages of a file: the line where each begins, whether its claim is true, and its text.
-fn pages(text: &str) -> Vec<(usize, bool, String)> {
-    let mut found: Vec<(usize, bool, String)> = Vec::new();
+/// The pages of a file: the line where each begins, whether its claim is true, if that can be said, and its text.
+fn pages(text: &str) -> Vec<(usize, Option<bool>, String)> {
+    let mut found: Vec<(usize, Option<bool>, String)> = Vec::new();
     for (line, words) in text.lines().enumerate() {
         match (words.strip_prefix("=== "), found.last_mut()) {
-            (Some(truth), _) => found.push((line + 1, truth.starts_with("true"), String::new())),
+            (Some(truth), _) => {
+                let truth = match truth.trim() {
+                    "true" => Some(true),
+                    "false" => Some(false),
+                    other => {
+                        assert_eq!(other, "open", "line {}", line + 1);
+                        None
+                    }
+                };
+                found.push((line + 1, truth, String::new()));
+            }
             (None, Some((_, _, page))) => {
                 page.push_str(words);
                 page.push('\n');
@@ -52,16 +63,17 @@ fn every_page_gets_its_verdict() {
             let claim = last(&report.findings, &page);
             let confirmed = |f: &&Finding| matches!(f.verdict, Verdict::Proved | Verdict::Sampled);
             let right = match truth {
-                true => claim.iter().any(confirmed),
-                false => claim.iter().any(|finding| finding.is_suspicious()),
+                Some(true) => claim.iter().any(confirmed),
+                Some(false) => claim.iter().any(|finding| finding.is_suspicious()),
+                None => !claim.iter().any(confirmed),
             };
             if !right {
                 let verdicts: Vec<&str> = claim.iter().map(|finding| finding.verdict.word()).collect();
-                let _ = writeln!(wrong, "{name}:{line}: {truth}, but it is {verdicts:?}");
+                let _ = writeln!(wrong, "{name}:{line}: {truth:?}, but it is {verdicts:?}");
             }
             let alarms = report.findings.iter().filter(|finding| {
                 finding.verdict == Verdict::Refuted
-                    && (truth || !claim.iter().any(|own| own.span == finding.span))
+                    && (truth != Some(false) || !claim.iter().any(|own| own.span == finding.span))
             });
             for alarm in alarms {
                 let _ = writeln!(wrong, "{name}:{line}: a false alarm: {}", alarm.latex);

@@ -37,6 +37,7 @@ impl Checker {
         let chain = setting.chain;
         let mut finding = blank(chain, at);
         let outcomes = &attempt.outcomes;
+        let earlier = &outcomes.tallies[..at + outcomes.tallies.len() - chain.relations.len()];
         finding.notes = self.notes(tally);
         let ranged = !outcomes.integers.is_empty() && !outcomes.fixed || outcomes.degrees;
         let range = || {
@@ -168,7 +169,8 @@ impl Checker {
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
         let refutation = match refutation {
             refute::Decision::Refuted { failure, reasons } => {
-                let suspect = Suspect { checker: self, tally, chain, at, statement, failure: &failure };
+                let suspect =
+                    Suspect { checker: self, tally, earlier, chain, at, statement, failure: &failure };
                 let doubt = suspect.doubt().or_else(|| {
                     let repair = repair::find(self, setting, at, attempt.choices, tally);
                     finding.suggestion = repair.as_ref().and_then(Repair::latex);
@@ -192,7 +194,8 @@ impl Checker {
                 }
             }
             refute::Decision::Far(failure, reason) => {
-                let suspect = Suspect { checker: self, tally, chain, at, statement, failure: &failure };
+                let suspect =
+                    Suspect { checker: self, tally, earlier, chain, at, statement, failure: &failure };
                 if suspect.doubt().is_none() && suspect.can_be_confirmed() {
                     let mut found = wrong(&finding, &failure, witness::reasons(&failure, tally));
                     found.evidence.push(Evidence::Names);
@@ -203,7 +206,7 @@ impl Checker {
             refute::Decision::Condition(_) | refute::Decision::Redefinition(_) => {
                 let failure = witness::best_failure(tally, outcomes, chain);
                 let slip = failure.filter(|failure| {
-                    let suspect = Suspect { checker: self, tally, chain, at, statement, failure };
+                    let suspect = Suspect { checker: self, tally, earlier, chain, at, statement, failure };
                     suspect.is_slip(|| {
                         let repair = repair::find(self, setting, at, attempt.choices, tally)?;
                         finding.suggestion = repair.latex();

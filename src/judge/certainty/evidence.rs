@@ -37,7 +37,7 @@ impl Suspect<'_> {
             (Evidence::ForAll, self.chain.universal && self.claimed()),
             (
                 Evidence::Field,
-                self.is_of_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece(),
+                self.continues_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece(),
             ),
             (Evidence::Closed, self.is_closed()),
             (Evidence::Calculation, self.is_calculation()),
@@ -236,6 +236,29 @@ impl Suspect<'_> {
                 Kind::Big { lower, upper: Some(upper), .. } => free(upper) && lower.iter().any(free),
                 _ => false,
             })
+    }
+
+    /// Whether it, or what is equal to its left side by the links before it, is of the field: in Σ i B_i^n(t) = nt = n(1 - t)
+    /// the last link says what Σ i B_i^n(t) is.
+    fn continues_the_field(&self) -> bool {
+        let mut at = self.at;
+        let mut earlier = self.earlier;
+        if self.is_of_the_field() {
+            return true;
+        }
+        while let [before @ .., tally] = earlier {
+            at -= 1;
+            let equal = matches!(self.chain.relations[at].0, Rel::Eq);
+            if !equal || tally.holds == 0 || !tally.fails.is_empty() || !self.is_equation() {
+                return false;
+            }
+            let link = Suspect { tally, earlier: before, at, ..*self };
+            if link.is_of_the_field() {
+                return true;
+            }
+            earlier = before;
+        }
+        false
     }
 
     /// Whether it speaks of what has a meaning for everybody here, or of all members of a family of functions that

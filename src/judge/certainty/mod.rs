@@ -14,6 +14,7 @@ use super::check::Checker;
 use super::compare;
 use super::context::{Definition, is_variable};
 use super::features::has_divided_differences;
+use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Sort;
 use super::statement::{Chain, Role, Statement};
@@ -30,6 +31,8 @@ use num_traits::Zero;
 pub(super) struct Suspect<'a> {
     pub(super) checker: &'a Checker,
     pub(super) tally: &'a Tally,
+    /// Of the links of the chain before this one.
+    pub(super) earlier: &'a [Tally],
     pub(super) chain: &'a Chain,
     pub(super) at: usize,
     pub(super) statement: &'a Statement,
@@ -44,8 +47,9 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 9] = [
+        let rules: [fn(&Self) -> Option<String>; 10] = [
             Self::of_one_that_exists,
+            Self::unrelated_functions,
             Self::new_function,
             Self::operator,
             Self::equation_to_be_solved,
@@ -67,6 +71,22 @@ impl Suspect<'_> {
             names.find(|name| is_intermediate(name) && self.is_only_argument(name, &|_| true))
         };
         said.or_else(between).map(|name| format!("it may be said of one {name} that exists"))
+    }
+
+    /// f(c, u, v) = g(c, u, v) for any f and g is claimed by nobody: what relates them was not understood.
+    fn unrelated_functions(&self) -> Option<String> {
+        let functions = |value: &Value| -> Option<BTreeSet<String>> {
+            let symbols = compare::symbols(value);
+            let members: Vec<&Symbol> = symbols.iter().filter(|symbol| !symbol.is_plain()).collect();
+            let unknown = !members.is_empty() && members.iter().all(|symbol| is_coefficient(symbol));
+            unknown.then(|| members.iter().map(|symbol| symbol.base().to_owned()).collect())
+        };
+        let (left, right) = (functions(&self.failure.left)?, functions(&self.failure.right)?);
+        let name =
+            |set: &BTreeSet<String>| set.iter().next().map(|own| own.trim_matches(['[', ']']).to_owned());
+        left.is_disjoint(&right).then(|| {
+            Some(format!("what relates {} and {} is not understood here", name(&left)?, name(&right)?))
+        })?
     }
 
     fn sides(&self) -> [&Expr; 2] {

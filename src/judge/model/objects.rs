@@ -209,6 +209,25 @@ impl Model {
                 let degree = self.stated_degree(machine, &object, &bound)?;
                 self.any_spline(machine, &object, head, degree, &x, expr)
             }
+            // A curve of which only the degree is said; where words speak of its points, without saying what they
+            // are, these are called as usual.
+            Sort::BezierCurve if object.points.is_empty() && !object.rational => {
+                let x = one?;
+                let degree = self.stated_degree(machine, &object, &bound)?;
+                let Some(curve) = &self.curve else {
+                    self.note_generic(format!(
+                        "{} is any curve of degree {degree} of line {line}",
+                        head.base
+                    ));
+                    return Some(Ok(Value::Scalar(self.generic(machine, head, degree, expr).value(&x))));
+                };
+                note("the Bézier curve");
+                let x = self.reparametrised(machine, &object, &x)?;
+                let point = |i: i64| variable(Symbol::new(&curve.points).numbered(i));
+                let terms =
+                    (0..=degree as i64).map(|i| point(i).times(&self.bernstein_value(degree as i64, i, &x)));
+                Ok(Value::Scalar(terms.fold(Fraction::zero(), |sum, term| sum.plus(&term))))
+            }
             Sort::BezierCurve => {
                 let x = one?;
                 let degree = self

@@ -29,7 +29,7 @@ use super::model::Choices;
 use super::names::{Head, bases, walk};
 use super::object::Sort;
 use super::repair;
-use super::statement::{Chain, Place, Statement};
+use super::statement::{Chain, Place, Role, Statement};
 use super::topic::Topic;
 use super::trial::{Setting, Trial};
 use super::unfold;
@@ -91,11 +91,25 @@ impl Checker {
                 return None;
             }
             let instances = self.instances(&known, &claim, statement);
-            if let Some(found) = self.among(&claim, &instances, finding, &long) {
+            let names = statement.role != Some(Role::Claimed)
+                && finding.verdict == Verdict::Definition
+                && self.names_a_value(left, right);
+            if let Some(found) = self.among(&claim, &instances, finding, names, &long) {
                 return found;
             }
         }
         None
+    }
+
+    /// d_1 = f(-1, 0, 1), where nothing on the page uses d yet: a value of f gets a name, whatever the field calls so.
+    fn names_a_value(&self, left: &Expr, right: &Expr) -> bool {
+        let used = |base: &String| {
+            self.context.definitions.iter().any(|definition| match &definition.body {
+                Body::Formula(body) => bases(body).contains(base),
+                Body::Value(_) => false,
+            })
+        };
+        matches!(right.kind, Kind::Apply(..)) && !bases(left).iter().any(used)
     }
 
     fn claim<'a>(&self, left: &'a Expr, right: &'a Expr, chain: &'a Chain, place: &'a Place) -> Claim<'a> {
@@ -112,6 +126,7 @@ impl Checker {
         claim: &Claim,
         instances: &[Instance],
         finding: &Finding,
+        names: bool,
         long: &dyn Fn() -> bool,
     ) -> Option<Option<Finding>> {
         let mut doubt = false;
@@ -142,7 +157,7 @@ impl Checker {
                 }
             }
         }
-        if doubt {
+        if doubt || names {
             return Some(None);
         }
         let (instance, [left, right]) = slip

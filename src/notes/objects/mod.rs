@@ -388,8 +388,11 @@ impl<'a> Reader<'a> {
             }
             return;
         }
+        // "f and g, their blossoms": no two are of one; the letters tell which is whose.
+        let several = object.sort == Sort::PolarForm
+            && matches!(names.as_slice(), [first, .., last] if bases(first) != bases(last));
         object.names = names;
-        object.of = of.into_iter().next();
+        object.of = of.into_iter().next().filter(|_| !several);
         self.found.entry(number).or_default().push(object);
     }
 
