@@ -10,7 +10,7 @@ use polarform::syntax;
 use proptest::prelude::*;
 
 /// What an answer may take in an unoptimised program on a busy machine.
-const SOON: Duration = Duration::from_secs(5);
+const SOON: Duration = Duration::from_secs(20);
 
 /// Each error of the corpus is printed as its page shows it; `UPDATE_CORPUS=1` writes the pages anew.
 #[test]

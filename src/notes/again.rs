@@ -7,6 +7,7 @@
 use std::collections::HashSet;
 use std::sync::atomic::Ordering;
 
+use super::fixes::in_own_words;
 use super::page::Options;
 use super::statement::statements;
 use crate::document::Document;
@@ -198,7 +199,8 @@ fn declare(checker: &mut Checker, options: &Options) {
     }
 }
 
-fn report(document: &Document, findings: Vec<Finding>, problems: &[Diagnostic]) -> FileReport {
+fn report(document: &Document, mut findings: Vec<Finding>, problems: &[Diagnostic]) -> FileReport {
+    findings.iter_mut().for_each(|finding| in_own_words(document, finding));
     let problems = [document.problems.as_slice(), problems].concat();
     FileReport { file: document.file.clone(), findings, problems }
 }

@@ -12,6 +12,7 @@ mod blocks;
 mod brackets;
 mod cases;
 mod conditions;
+mod fixes;
 mod objects;
 mod page;
 mod primes;

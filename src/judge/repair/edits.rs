@@ -1,6 +1,7 @@
 //! Small edits of a formula: an index moved, a letter exchanged, a sign, a factor.
 
 use super::exchanges::exchanges;
+use super::tidy::tidy;
 use crate::formula::{BinomialStyle, Expr, Kind, Rel, Sign, Term};
 use crate::judge::model::Curve;
 use crate::judge::names::{bases, integer_names, is_index_letter, own_names, walk};
@@ -34,8 +35,8 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
                 let mut all = expr.clone();
                 let places = replace_all(&mut all, node, &replacement);
                 if places > 1 {
-                    // Many of the same slip are another formula.
-                    let more = if places > MANY { LESS } else { 0 };
+                    // Many of the same slip are another formula; one alone is likelier.
+                    let more = if places > MANY { LESS } else { 1 };
                     found.push((cost + more, all));
                 }
             }
@@ -97,49 +98,7 @@ fn has_power_zero(expr: &Expr) -> bool {
     found
 }
 
-/// N(2x) for N(2x + 0), i + 2 for (i + 1) + 1
-fn tidy(edit: &mut Expr) {
-    edit.for_each_child_mut(&mut tidy);
-    let Kind::Add(terms) = &mut edit.kind else { return };
-    let number = |term: &Term| matches!(term.expr.kind, Kind::Number(_));
-    let inner = |expr: &Expr| match &expr.kind {
-        Kind::Add(inner) => Some(inner.clone()),
-        Kind::Group(group) => match &group.kind {
-            Kind::Add(inner) if inner.iter().any(number) => Some(inner.clone()),
-            _ => None,
-        },
-        _ => None,
-    };
-    let first = terms.first().filter(|first| first.sign == Sign::Plus).and_then(|first| inner(&first.expr));
-    if let Some(inner) = first
-        && (matches!(terms[0].expr.kind, Kind::Add(_)) || terms[1..].iter().any(number))
-    {
-        terms.splice(..1, inner);
-        let sum: Rational = terms.iter().fold(Rational::zero(), |sum, term| match &term.expr.kind {
-            Kind::Number(q) if term.sign == Sign::Plus => sum + q,
-            Kind::Number(q) => sum - q,
-            _ => sum,
-        });
-        if terms.iter().filter(|term| number(term)).count() > 1 && !terms.iter().all(number) {
-            terms.retain(|term| !number(term));
-            let sign = if sum.is_negative() { Sign::Minus } else { Sign::Plus };
-            terms.push(Term { sign, expr: Expr::number(&sum.abs()) });
-        }
-    }
-    drop_zeros(edit);
-}
-
-fn drop_zeros(edit: &mut Expr) {
-    if let Kind::Add(terms) = &mut edit.kind
-        && terms.len() > 1
-        && terms.iter().any(|term| is_zero(&term.expr))
-    {
-        terms.retain(|term| !is_zero(&term.expr));
-        *edit = Expr::sum(std::mem::take(terms));
-    }
-}
-
-fn is_zero(expr: &Expr) -> bool {
+pub(super) fn is_zero(expr: &Expr) -> bool {
     matches!(&expr.kind, Kind::Number(q) if *q == Rational::zero())
 }
 

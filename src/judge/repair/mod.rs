@@ -9,6 +9,7 @@
 mod edits;
 mod exchanges;
 mod number;
+mod tidy;
 
 pub(super) use self::edits::edits;
 

@@ -8,7 +8,6 @@
 
 mod excerpt;
 mod fingerprint;
-mod fixes;
 mod github;
 mod html;
 mod json;
@@ -24,8 +23,8 @@ mod tests;
 
 use std::ops::AddAssign;
 
+pub use super::fixes::{Fix, fixed, fixes};
 pub use fingerprint::{Rule, fingerprints};
-pub use fixes::{Fix, fixed, fixes};
 pub use github::render_github;
 pub use html::render_html;
 pub use json::render_json;

@@ -27,7 +27,7 @@ pub struct Fix {
 ///
 /// Cost: linear in the findings; for each, its tree is read a few times.
 pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
-    let notebook = report.file.name().ends_with(".ipynb");
+    let notebook = is_notebook(document);
     let mut all: Vec<(Span, Vec<Fix>)> = Vec::new();
     let wrong = report.findings.iter().filter(|finding| finding.verdict == Verdict::Refuted);
     for finding in wrong {
@@ -55,6 +55,27 @@ pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
         }
     }
     kept
+}
+
+/// Writes a suggestion as the author would: what is the same in the formula keeps its macros and spaces. Where only the
+/// whole could be replaced, and in plain notation, it stays as it is.
+pub(super) fn in_own_words(document: &Document, finding: &mut Finding) {
+    let Some(suggestion) = finding.suggestion.as_ref().filter(|_| finding.verdict == Verdict::Refuted) else {
+        return;
+    };
+    if is_notebook(document) || is_plain(document, finding) {
+        return;
+    }
+    let source = document.file.slice(finding.span);
+    let found = pieces(source, suggestion, Notation::Latex);
+    if found.iter().any(|fix| fix.span.start > 0 || fix.span.end < source.len()) {
+        let text = without_columns(&fixed(source, &found));
+        finding.suggestion = Some(text.split_whitespace().collect::<Vec<_>>().join(" "));
+    }
+}
+
+fn is_notebook(document: &Document) -> bool {
+    document.file.name().ends_with(".ipynb")
 }
 
 /// The text with the fixes in it.
@@ -143,7 +164,10 @@ fn pieces(source: &str, suggestion: &str, notation: Notation) -> Vec<Fix> {
         }
         for brace in [false, true] {
             let text = |span: Span, expr: &Expr| {
-                let text = notation.write(expr);
+                let mut text = notation.write(expr);
+                if !source.piece(span.range()).contains(' ') {
+                    text = text.replace(" + ", "+").replace(" - ", "-");
+                }
                 let brace = brace || !plain && signs(&text).len() > 1 && is_bare_argument(source, span.start);
                 match (brace, plain) {
                     (false, _) => text,
@@ -292,7 +316,7 @@ mod tests {
             (r"x^2 = y", r"x^{10} = y", r"x^{10} = y"),
             (r"d = b_2 -  2b_1 - b_0", r"d = b_2 - 2 b_1 + b_0", r"d = b_2 -  2b_1 + b_0"),
             (r"c = a^2 + ab+b^2", r"c = a^2 + 2 a b + b^2", r"c = a^2 + 2 ab+b^2"),
-            (r"c = \frac 1 n", r"c = \frac{1}{(n + 1)}", r"c = \frac 1 {(n + 1)}"),
+            (r"c = \frac 1 n", r"c = \frac{1}{(n + 1)}", r"c = \frac 1 {(n+1)}"),
             (r"c = a\alpha + b", r"c = a\beta + b", r"c = a\beta + b"),
         ] {
             let read = |text: &str| latex::read(&without_columns(text)).unwrap();
