@@ -82,7 +82,7 @@ impl Checker {
             let points = match object.sort {
                 Sort::ControlPoints if object.of.is_none() => &object.names,
                 Sort::BezierCurve => &object.points,
-                Sort::SplineCurve if segment || object.names.is_empty() && !object.knots.is_empty() => {
+                Sort::SplineCurve if segment || object.is_unnamed() && !object.knots.is_empty() => {
                     &object.points
                 }
                 _ => return None,
@@ -93,7 +93,7 @@ impl Checker {
                     let weights = object.weights.clone();
                     Some(Object { weights, ..bezier_curve(points.clone(), &degree) })
                 }
-                _ if object.names.is_empty() => Some(Object {
+                _ if object.is_unnamed() => Some(Object {
                     names: vec![Expr::name(CURVE)],
                     degree: Some(degree.clone()),
                     ..object.clone()

@@ -213,20 +213,44 @@ impl Checker {
                 && place.knows(&told.place, false)
         });
         let curves: Vec<Rc<Object>> = curves.take(2).map(|told| told.object.clone()).collect();
-        let [second, first] = curves.as_slice() else { return };
-        let (Some((_, end)), Some((start, _))) = (&first.interval, &second.interval) else { return };
-        if !end.same_as(start) {
-            return;
-        }
+        let adjacent = match curves.as_slice() {
+            [second, first] => match (&first.interval, &second.interval) {
+                (Some((_, end)), Some((start, _))) if end.same_as(start) => {
+                    Some((first.names[0].clone(), second.names[0].clone(), end.clone()))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some((first, second, end)) = adjacent.or_else(|| self.contact(place)) else { return };
         for k in 0..=order {
-            let value = |curve: &Object| {
-                let name = curve.names[0].clone();
+            let value = |name: &Expr| {
+                let name = name.clone();
                 let name = if k == 0 { name } else { Kind::Prime(Box::new(name), k as u32).into() };
                 Expr::apply(name, vec![end.clone()])
             };
-            let equation = Expr::relation(value(first), Rel::Eq, value(second));
+            let equation = Expr::relation(value(&first), Rel::Eq, value(&second));
             self.condition(equation, expr.span, false, place);
         }
+    }
+
+    /// "Two cubics F and G meet at a": the two polynomials of which the paragraph speaks, and the parameter that it
+    /// names last.
+    fn contact(&self, place: &Place) -> Option<(Expr, Expr, Expr)> {
+        let here = |other: &Place| other.group == place.group;
+        let told = self.context.objects.iter().filter(|told| here(&told.place));
+        let polynomials = told.filter(|told| told.object.sort == Sort::Polynomial);
+        let mut names: Vec<Expr> = Vec::new();
+        for name in polynomials.flat_map(|told| &told.object.names) {
+            if !names.iter().any(|known| known.same_as(name)) {
+                names.push(name.clone());
+            }
+        }
+        let [first, second] = names.as_slice() else { return None };
+        let (_, last) = self.context.heard.iter().rev().filter(|(other, _)| here(other)).nth(1)?;
+        let Kind::Name(parameter) = &last.kind else { return None };
+        let free = self.context.object_called(parameter, place).is_none();
+        free.then(|| (first.clone(), second.clone(), last.as_ref().clone()))
     }
 
     /// "There is one symmetric multiaffine f with f(t, …, t) = F(t)": f is the polar form of F.

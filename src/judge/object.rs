@@ -31,6 +31,8 @@ pub enum Sort {
     ControlPoints,
     /// The Lagrange polynomials of nodes.
     Lagrange,
+    /// The polynomial of least degree through points at nodes.
+    Interpolant,
     /// The Bernstein polynomials.
     Bernstein,
     /// Symmetric functions of variables.
@@ -74,6 +76,9 @@ impl Symmetric {
         }
     }
 }
+
+/// How a name begins that no page has, of something without a name.
+pub const UNNAMED: char = '\u{25ab}';
 
 /// So many knots are taken of a formula for all of them.
 const FORMULA_KNOTS: std::ops::Range<i64> = -4..13;
@@ -187,6 +192,17 @@ impl Object {
         if agree { heads.into_iter().zip(self.values.iter().cloned()).collect() } else { Vec::new() }
     }
 
+    /// Whether words say values that it has.
+    pub fn has_data(&self) -> bool {
+        !self.data.is_empty() || !self.points.is_empty()
+    }
+
+    /// Whether the page has no name for it.
+    pub fn is_unnamed(&self) -> bool {
+        let own = |name: &Expr| matches!(&name.kind, Kind::Name(name) if name.starts_with(UNNAMED));
+        self.names.iter().all(own)
+    }
+
     /// Whether it is a degree or an order.
     pub fn is_size(&self) -> bool {
         matches!(self.sort, Sort::Degree | Sort::Order)
@@ -213,6 +229,7 @@ impl Object {
                 | Sort::SplineCurve
                 | Sort::BezierCurve
                 | Sort::Lagrange
+                | Sort::Interpolant
                 | Sort::Bernstein
                 | Sort::Symmetric(_)
         )
@@ -234,7 +251,7 @@ impl Object {
                 self.degree.is_some() || indices.max() != Some(1)
             }
             Sort::Lagrange | Sort::Symmetric(_) => !self.knots.is_empty(),
-            Sort::BezierCurve => !self.points.is_empty(),
+            Sort::BezierCurve | Sort::Interpolant => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
             Sort::BSpline => self.degree.is_some(),
             _ => false,

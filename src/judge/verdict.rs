@@ -11,6 +11,7 @@ use super::conditions::CANNOT_HOLD;
 use super::finding::{Evidence, Finding, Verdict};
 use super::hypotheses;
 use super::names::{Head, bases};
+use super::object::UNNAMED;
 use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
@@ -297,7 +298,7 @@ impl Checker {
             let definition = &self.context.definitions[*number];
             notes.push(format!("{} as defined in line {}", definition.head.base, definition.line));
         }
-        for name in &tally.record.unknown {
+        for name in tally.record.unknown.iter().filter(|name| !name.starts_with(UNNAMED)) {
             notes.push(format!("{name} is any polynomial"));
         }
         notes

@@ -88,6 +88,10 @@ impl Model {
         if object.sort != Sort::PolarForm {
             return None;
         }
+        // f^{(+1)} has another number of arguments than f.
+        if !head.upper.is_empty() && object.name_for(head)?.upper.is_empty() {
+            return None;
+        }
         let bound = self.indices(machine, &object, head);
         self.stated_degree(machine, &object, &bound)
             .or_else(|| object.of.as_ref().and_then(|of| self.degree_of(machine, of)))
@@ -248,18 +252,16 @@ impl Model {
                     return Some(Err(Diagnostic::error(Code::Domain, message).at(expr.span)));
                 };
                 note("a Lagrange polynomial");
-                let others = nodes.iter().enumerate().filter(|(j, _)| *j != i);
-                let mut product = Fraction::from_rational(&integer(1));
-                for (_, node) in others {
-                    let factor =
-                        arithmetic::divide(Value::Scalar(x.minus(node)), Value::Scalar(nodes[i].minus(node)));
-                    match factor {
-                        Ok(Value::Scalar(factor)) => product = product.times(&factor),
-                        Ok(_) => return None,
-                        Err(error) => return Some(Err(error)),
-                    }
-                }
-                Ok(Value::Scalar(product))
+                lagrange(&nodes, i, &x).map(Value::Scalar)
+            }
+            Sort::Interpolant => {
+                let x = one?;
+                let nodes = self.nodes(machine, &object, &bound)?;
+                let values = self.points(machine, &object.points, &bound, nodes.len().checked_sub(1)?)?;
+                note("the interpolant");
+                let weights =
+                    (0..nodes.len()).map(|i| lagrange(&nodes, i, &x)).collect::<Result<Vec<_>, _>>();
+                weights.and_then(|weights| combination(&values, &weights))
             }
             Sort::Bernstein => {
                 let x = one?;
@@ -489,6 +491,19 @@ pub(super) fn polar_arguments(values: &[Value], expr: &Expr) -> Result<Vec<Argum
         _ => Err(unclear("what these arguments are", expr)),
     };
     values.iter().map(argument).collect()
+}
+
+/// The value of the Lagrange polynomial with number `i` of nodes.
+fn lagrange(nodes: &[Fraction], i: usize, x: &Fraction) -> Result<Fraction, Diagnostic> {
+    let mut product = Fraction::from_rational(&integer(1));
+    for (_, node) in nodes.iter().enumerate().filter(|(j, _)| *j != i) {
+        let above = Value::Scalar(x.minus(node));
+        match arithmetic::divide(above, Value::Scalar(nodes[i].minus(node)))? {
+            Value::Scalar(factor) => product = product.times(&factor),
+            _ => return Ok(Fraction::zero()),
+        }
+    }
+    Ok(product)
 }
 
 /// The coordinates of a point of the plane.

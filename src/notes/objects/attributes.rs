@@ -69,7 +69,14 @@ impl Reader<'_> {
                 Some(
                     Token::Comma
                         | Token::Word(
-                            Word::And | Word::Of | Word::With | Word::Der | Word::Filler | Word::Article
+                            Word::And
+                                | Word::Of
+                                | Word::With
+                                | Word::Der
+                                | Word::Filler
+                                | Word::The
+                                | Word::Same
+                                | Word::Article
                         )
                 )
             )
@@ -83,7 +90,8 @@ impl Reader<'_> {
 
     /// Reads "of degree n", "of F", "on the knots …", "with the control points …"; the token after it.
     pub(super) fn attribute(&self, at: usize, phrase: &mut Phrase) -> Option<usize> {
-        let Phrase { object, of, intervals, piece, anonymous, inner: within, .. } = phrase;
+        let Phrase { object, of, intervals, piece, anonymous, same, of_known, owner, inner: within, .. } =
+            phrase;
         if object.sort == Sort::BSpline
             && let Some((knots, end)) = self.support(at)
         {
@@ -138,6 +146,65 @@ impl Reader<'_> {
             Token::Word(Word::Owns)
                 if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
                     && matches!(self.tokens.get(at + 1), Some(token @ Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)) if object.is_without(token)) =>
+            {
+                &Word::With
+            }
+            // through the points (0, 1), (1, 3); which interpolates p_i, …, p_{i+r} at t_i, …, t_{i+r}
+            Token::Word(Word::Through | Word::On)
+                if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.has_data() =>
+            {
+                // On (0, 1) and (1, 2), but zu den Daten (0, 1) und (1, 2)
+                let start = self.after_nouns(at + 1);
+                let called = (at..start).any(|at| self.is(at, &Word::Noun(Sort::Symbols)));
+                if (called || self.is(at, &Word::Through))
+                    && let Some((data, end)) = self.data(start)
+                {
+                    object.data = data;
+                    return Some(end);
+                }
+                if self.is(at, &Word::Through)
+                    && let Some((points, nodes, end)) = self.points_at_nodes(at + 1)
+                {
+                    object.points = points;
+                    object.knots = nodes;
+                    object.sort = Sort::Interpolant;
+                    return Some(end);
+                }
+                &Word::On
+            }
+            // a polar form in n + 1 arguments
+            Token::Word(Word::Preposition | Word::With | Word::Of | Word::On)
+                if object.sort == Sort::PolarForm
+                    // "With d arguments" may be said beside one with d + 1.
+                    && self.number_at(next).is_some_and(|count| {
+                        !self.is(at, &Word::With) || !matches!(count.kind, Kind::Name(_))
+                    })
+                    && matches!(
+                        self.tokens.get(next + 1),
+                        Some(Token::Word(Word::Arguments | Word::Noun(Sort::Symbols)))
+                    ) =>
+            {
+                object.degree = self.number_at(next);
+                return Some(next + 2);
+            }
+            // in degree 4
+            Token::Word(Word::Preposition) if self.is(next, &Word::Degree) => &Word::Of,
+            // with the Bernstein polynomials of degree 4
+            Token::Word(Word::With | Word::Preposition)
+                if matches!(self.tokens.get(next), Some(Token::Word(Word::Noun(Sort::Bernstein)))) =>
+            {
+                let inner = self.phrase(next, Sort::Bernstein);
+                object.degree = Some(inner.object.degree?);
+                return Some(inner.to);
+            }
+            // 该曲线的控制点为 b_0, b_1, b_2
+            Token::Word(Word::Owns)
+                if *same
+                    && matches!(
+                        self.tokens.get(at + 1),
+                        Some(Token::Word(Word::Noun(Sort::ControlPoints)))
+                    )
+                    && object.points.is_empty() =>
             {
                 &Word::With
             }
@@ -203,7 +270,14 @@ impl Reader<'_> {
                         let mut at = next + 1;
                         while matches!(
                             self.tokens.get(at),
-                            Some(Token::Word(Word::Filler | Word::Article | Word::Be | Word::OfDegree(_)))
+                            Some(Token::Word(
+                                Word::Filler
+                                    | Word::The
+                                    | Word::Same
+                                    | Word::Article
+                                    | Word::Be
+                                    | Word::OfDegree(_)
+                            ))
                         ) {
                             at += 1;
                         }
@@ -242,7 +316,15 @@ impl Reader<'_> {
                                     .map(|name| name_in(name).unwrap_or_else(|| name.clone())),
                             );
                             of.extend(inner.of.iter().cloned());
-                            *anonymous |= of.is_empty() && *word == Word::Of;
+                            let known = inner.same || inner.definite && object.names.is_empty();
+                            if of.is_empty() && *word == Word::Of && known && !inner.new {
+                                *of_known = true;
+                            } else {
+                                *anonymous |= of.is_empty() && *word == Word::Of;
+                                if *anonymous && inner.object.degree.is_some() && inner.object.is_function() {
+                                    *owner = Some(inner.object.clone());
+                                }
+                            }
                         }
                         object.uniform |= inner.object.uniform;
                         object.rational |= inner.object.rational;

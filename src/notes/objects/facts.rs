@@ -14,24 +14,8 @@ use crate::notes::speech::Word;
 impl Reader<'_> {
     /// "p interpolates (0, 1), (1, 3)": data of the function that was spoken of last. Gives the token after them.
     pub(super) fn interpolated(&mut self, at: usize) -> usize {
-        let noun = |token: &Token| {
-            matches!(
-                token,
-                Token::Word(
-                    Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Nodes)
-                )
-            )
-        };
-        let start = (at + 1..self.tokens.len()).find(|&next| !noun(&self.tokens[next])).unwrap_or(at + 1);
-        let (items, end) = self.list(start);
-        let pair = |item: &Expr| match item.items() {
-            Some([x, y]) => Some((x.clone(), y.clone())),
-            _ => None,
-        };
-        let data: Option<Vec<(Expr, Expr)>> = items.iter().map(pair).collect();
-        let (Some(data), [name]) = (data.filter(|data| data.len() > 1), self.topic.as_slice()) else {
-            return at + 1;
-        };
+        let Some((data, end)) = self.data(at + 1) else { return at + 1 };
+        let [name] = self.talk.topic.as_slice() else { return at + 1 };
         let function = |object: &&mut Object| {
             matches!(object.sort, Sort::Polynomial | Sort::SplineCurve)
                 && object.points.is_empty()
@@ -42,6 +26,53 @@ impl Reader<'_> {
             object.data = data;
         }
         end
+    }
+
+    /// The token after the words for what numbers are: "the three points".
+    pub(super) fn after_nouns(&self, at: usize) -> usize {
+        let noun = |token: &Token| {
+            matches!(
+                token,
+                Token::Word(
+                    Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Nodes | Sort::ControlPoints)
+                )
+            ) || matches!(token, Token::Word(word) if word.is_filler())
+        };
+        (at..self.tokens.len()).find(|&next| !noun(&self.tokens[next])).unwrap_or(at)
+    }
+
+    /// The points (0, 1), (1, 3) from a token on, or the values 1, 3 at 0, 1, and the token after them.
+    pub(super) fn data(&self, at: usize) -> Option<(Vec<(Expr, Expr)>, usize)> {
+        let (items, end) = self.list(self.after_nouns(at));
+        let pair = |item: &Expr| match item.items() {
+            Some([x, y]) => Some((x.clone(), y.clone())),
+            _ => None,
+        };
+        let pairs: Option<Vec<(Expr, Expr)>> = items.iter().map(pair).collect();
+        if let Some(pairs) = pairs.filter(|pairs| pairs.len() > 1) {
+            return Some((pairs, end));
+        }
+        let (values, nodes, end) = self.points_at_nodes(at)?;
+        let dots = |items: &[Expr]| items.iter().any(|item| item.kind == Kind::Ellipsis);
+        let one_by_one = values.len() == nodes.len() && values.len() > 1 && !dots(&values) && !dots(&nodes);
+        one_by_one.then(|| (nodes.into_iter().zip(values).collect(), end))
+    }
+
+    /// "The points p_i, …, p_{i+r} at t_i, …, t_{i+r}", from a token on, and the token after them.
+    pub(super) fn points_at_nodes(&self, at: usize) -> Option<(Vec<Expr>, Vec<Expr>, usize)> {
+        let (values, end) = self.list(self.after_nouns(at));
+        if !self.is(end, &Word::On) && !self.is(end, &Word::Preposition) {
+            return None;
+        }
+        let (nodes, end) = self.list(self.after_nouns(end + 1));
+        (values.len() > 1 && values.len() == nodes.len()).then_some((values, nodes, end))
+    }
+
+    /// The points that end before a token, after a word for "through", and where that stands.
+    pub(super) fn data_before(&self, end: usize) -> Option<(usize, Vec<(Expr, Expr)>)> {
+        let through = (0..end).rev().find(|&at| self.is(at, &Word::Through))?;
+        let (data, after) = self.data(through + 1)?;
+        (after == end).then_some((through, data))
     }
 
     /// "The weights are w_0 = 1, w_1 = 2": those of the curve that was spoken of last. Gives the token after them.
@@ -142,8 +173,17 @@ impl Reader<'_> {
             _ => bases(item).is_empty(),
         };
         let names = last.map(|object| object.names.as_slice()).unwrap_or_default();
+        // T = (0, 0, 1, 2, 2), by its name
+        let defined = |name: &Expr| {
+            self.formulas.range(..=formula).rev().flat_map(|(_, said)| said).find_map(|said| {
+                match &said.kind {
+                    Kind::Chain(left, links) if left.same_as(name) => links[0].expr.elements(),
+                    _ => None,
+                }
+            })
+        };
         let items = match names {
-            [only] => only.elements().unwrap_or(names),
+            [only] => only.elements().or_else(|| defined(only)).unwrap_or(names),
             _ => names,
         };
         if items.len() > 1 && items.iter().all(given) { items.to_vec() } else { Vec::new() }
@@ -157,6 +197,8 @@ impl Reader<'_> {
                 Token::Stop
                     | Token::Word(
                         Word::Filler
+                            | Word::The
+                            | Word::Same
                             | Word::Article
                             | Word::Der
                             | Word::Be

@@ -6,6 +6,7 @@
 //! "f its polar form"), or after "by". What a phrase is, in four languages, is data of `speech`.
 
 mod attributes;
+mod coreference;
 mod facts;
 mod phrase;
 mod subject;
@@ -17,6 +18,7 @@ mod tokens;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::attributes::is_call;
+use self::coreference::Talk;
 use self::facts::in_order;
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
@@ -37,28 +39,29 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let places =
         statements.iter().map(|statement| (statement.place.formula, statement.place.clone())).collect();
     let mut found: BTreeMap<usize, Vec<Object>> = BTreeMap::new();
-    let mut topic: Vec<Expr> = Vec::new();
+    let mut talk = Talk::default();
     let mut rows: Vec<Row> = Vec::new();
-    for sentence in sentences {
+    for (count, sentence) in sentences.iter().enumerate() {
         match tables::row(sentence, &formulas) {
             Some(row) => rows.push(row),
             None => rows.clear(),
         }
         if let [xs, ys] = rows.as_slice() {
-            tables::tell(xs, ys, &topic, &mut found);
+            tables::tell(xs, ys, &talk.topic, &mut found);
         }
         let tokens = tokens(sentence);
         let mut reader = Reader {
             tokens,
             formulas: &formulas,
             places: &places,
-            topic,
+            talk,
+            count,
             listed: Vec::new(),
             taken: 0,
             found: &mut found,
         };
         reader.read();
-        topic = reader.topic;
+        talk = reader.talk;
     }
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
@@ -112,8 +115,10 @@ struct Reader<'a> {
     formulas: &'a BTreeMap<usize, Vec<Expr>>,
     /// Where the formulas stand.
     places: &'a BTreeMap<usize, Place>,
-    /// What "its" refers to.
-    topic: Vec<Expr>,
+    /// What was spoken of.
+    talk: Talk,
+    /// The number of the sentence.
+    count: usize,
     /// The families whose names were listed: x_0, …, x_n.
     listed: Vec<Vec<Expr>>,
     /// The tokens before this one belong to noun phrases already.
@@ -130,6 +135,11 @@ impl<'a> Reader<'a> {
         for at in 0..self.tokens.len() {
             self.size(at);
         }
+        self.read_phrases();
+        self.talk.interval = self.interval_in(self.tokens.len()).or(self.talk.interval.take());
+    }
+
+    fn read_phrases(&mut self) {
         let mut at = 0;
         while at < self.tokens.len() {
             match &self.tokens[at] {
@@ -169,7 +179,7 @@ impl<'a> Reader<'a> {
                         && matches!(left.kind, Kind::Name(_))
                         && matches!(links.as_slice(), [link] if is_made_of_functions(&link.expr))
                     {
-                        self.topic = vec![left.as_ref().clone()];
+                        self.talk.of(vec![left.as_ref().clone()]);
                     }
                     if let (Some(first), false) = (self.said(*number).first(), own) {
                         let beside = at > 1
@@ -188,6 +198,22 @@ impl<'a> Reader<'a> {
                 Token::Word(Word::With) => at = self.has(at),
                 Token::Word(Word::Multiplicity) => at = self.multiple(at),
                 Token::Word(Word::Through) => at = self.interpolated(at),
+                // "p_0, …, p_3 the Bézier points over [0, c], and q_0, …, q_3 those over [c, 1]"
+                Token::Word(Word::Those) if self.talk.points.is_some() => {
+                    let mut phrase = self.phrase(at, Sort::ControlPoints);
+                    if phrase.object.interval.is_none()
+                        && let Some(interval) = self.interval_at(at + 1)
+                    {
+                        phrase.object.interval = Some(interval);
+                        phrase.to = at + 2;
+                    }
+                    phrase.of.extend(self.talk.points.clone());
+                    at = phrase.to.max(at + 1);
+                    if phrase.object.interval.is_some() {
+                        self.take(phrase);
+                    }
+                }
+                Token::Word(Word::It | Word::Piece) => at = self.named_anew(at),
                 _ => at += 1,
             }
         }
@@ -199,19 +225,22 @@ impl<'a> Reader<'a> {
         if let Kind::Prime(function, _) = &named(call).kind
             && matches!(function.kind, Kind::Name(_))
         {
-            self.topic = vec![named(call)];
+            self.talk.of(vec![named(call)]);
             return;
         }
         let Some(head) = Head::of(call) else { return };
         let plain = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
         if head.arguments.is_some() && head.lower.is_empty() && head.upper.is_empty() {
+            let own = matches!(self.talk.topic.as_slice(), [one] if one.same_as(&named(call)));
             // P(t) = … and Q(t) = … with the polar forms p and q
             if !beside {
-                self.topic.clear();
+                self.talk.of(Vec::new());
             }
             match head.flat().iter().all(plain) {
-                true => self.topic.push(named(call)),
-                false => self.topic.clear(),
+                true => self.talk.topic.push(named(call)),
+                // p(0) = 1 is still about p.
+                false if own => self.talk.topic.push(named(call)),
+                false => self.talk.of(Vec::new()),
             }
         }
     }
@@ -225,16 +254,24 @@ impl<'a> Reader<'a> {
     }
 
     fn follows_article(&self, at: usize) -> bool {
-        let article = |word: &Word| matches!(word, Word::Article | Word::Filler | Word::Der | Word::Its);
+        let article = |word: &Word| {
+            matches!(word, Word::Article | Word::Filler | Word::The | Word::Same | Word::Der | Word::Its)
+        };
         at.checked_sub(1)
             .is_some_and(|before| matches!(&self.tokens[before], Token::Word(word) if article(word)))
     }
 
     fn take(&mut self, phrase: Phrase) {
-        let Phrase { mut object, mut of, intervals, piece, anonymous, from, to, named, inner } = phrase;
+        let Phrase { mut object, mut of, intervals, piece, anonymous, from, to, named, inner, .. } = phrase;
+        let Phrase { same, definite, of_known, owner, new, .. } = phrase;
         if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
             object.sort = Sort::SplineCurve;
             object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));
+        }
+        // "Regarded as a polynomial of degree 3"
+        if object.names.is_empty() && object.is_function() && from > 0 && self.is(from - 1, &Word::As) {
+            self.talk.viewed = object.degree.map(|degree| (self.count, degree));
+            return;
         }
         let subject = match named {
             Some(number) if !object.names.is_empty() => Some((object.names.clone(), number)),
@@ -249,7 +286,7 @@ impl<'a> Reader<'a> {
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
-            let names = match (of.as_slice(), self.topic.as_slice()) {
+            let names = match (of.as_slice(), self.talk.topic.as_slice()) {
                 ([one], _) => vec![one.clone()],
                 ([], [one]) if !anonymous => vec![one.clone()],
                 _ => Vec::new(),
@@ -264,28 +301,28 @@ impl<'a> Reader<'a> {
             }
             return;
         }
+        // "The Bézier points of p over [a, b]: b_0 = …"
+        let stop = matches!(self.tokens.get(to), Some(Token::Stop));
+        let subject = subject.or_else(|| {
+            let number = self.formula_at(to + 1).filter(|_| stop && object.sort == Sort::ControlPoints)?;
+            let [first @ Expr { kind: Kind::Chain(..), .. }, ..] = self.said(number) else { return None };
+            let names = self.siblings(&name_in(first)?, number);
+            (names.len() > 1 && !of.is_empty()).then_some((names, number))
+        });
         let Some((names, number)) = subject else {
-            // "A cubic Bézier curve with the control points …" without a name
-            if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
-                && !object.points.is_empty()
-                && let Some(number) = (from..to).find_map(|at| self.formula_at(at))
-            {
-                let lists = families(&object.points);
-                let several = lists.len() > 1 && lists.len() == intervals.len();
-                let found = self.found.entry(number).or_default();
-                if !several {
-                    found.push(object);
-                    return;
-                }
-                // "Two curves over [0, 1] and [1, 3] with the control points b_0, … and c_0, …"
-                for ((points, interval), at) in lists.into_iter().zip(intervals).zip(1..) {
-                    let names = vec![Expr::name(format!("\u{25ab}{at}"))];
-                    let interval = Some(interval);
-                    found.push(Object { names, points, interval, ..object.clone() });
-                }
-            }
+            self.take_unnamed(object, intervals, same, new, from, to);
             return;
         };
+        // "The curve is x(t) = …": the curve without a name that was spoken of
+        if (same || definite)
+            && matches!(object.sort, Sort::Function | Sort::BezierCurve | Sort::SplineCurve)
+            && object.points.is_empty()
+            && let [name] = names.as_slice()
+            && self.name_unnamed(name, number)
+        {
+            self.taken = to;
+            return;
+        }
         // "Its control points are a_0 = 1, a_1 = 0, …": all that the formula gives
         let names = match (&object.sort, names.as_slice()) {
             (Sort::ControlPoints, [only]) => self.siblings(only, number),
@@ -319,12 +356,46 @@ impl<'a> Reader<'a> {
             let other = before.checked_sub(1).map(|owner| &self.tokens[owner]);
             self.is(before, &Word::With) && !matches!(other, Some(Token::Unknown(_)))
         });
-        let takes = object.sort == Sort::PolarForm || object.sort == Sort::ControlPoints && owned;
-        if takes && of.is_empty() && !anonymous {
-            if object.sort == Sort::PolarForm && names.len() != self.topic.len() && !self.topic.is_empty() {
+        let points = object.sort == Sort::ControlPoints;
+        let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
+        // "A function that is affine …. Let f be a polar form": of another one
+        let other =
+            new && !of_known && self.talk.is_unnamed() && !(from > 0 && self.is(from - 1, &Word::With));
+        if takes && of.is_empty() && !anonymous && !other {
+            if object.sort == Sort::PolarForm
+                && names.len() != self.talk.topic.len()
+                && !self.talk.topic.is_empty()
+            {
                 return;
             }
-            of.extend(self.topic.iter().cloned());
+            of.extend(self.talk.topic.iter().cloned());
+        }
+        // "Let d_0, …, d_3 be the de Boor points": those of the curve without a name that was spoken of
+        if points && definite && of.is_empty() && !anonymous && self.gives_points(&names, number) {
+            self.taken = to;
+            return;
+        }
+        if object.sort == Sort::PolarForm || points {
+            if let Some((sentence, degree)) = &self.talk.viewed
+                && object.degree.is_none()
+                && (*sentence == self.count || self.is(from, &Word::Its))
+            {
+                object.degree = Some(degree.clone());
+            }
+            // On intervals of which nothing more is understood
+            let rest = (to..self.tokens.len()).find(|&at| self.interval_at(at).is_some());
+            if points && object.interval.is_none() && rest.is_some() {
+                return;
+            }
+            if let [owner] = of.as_slice()
+                && object.interval.is_none()
+            {
+                let owner = owner.clone();
+                if !self.of_piece(&mut object, &names, &owner, from, number) {
+                    return;
+                }
+            }
+            self.introduce(&of, number);
         }
         // "the Lagrange polynomials", right after their nodes
         let other = |items: &[Expr]| match (items.first(), names.first()) {
@@ -361,7 +432,13 @@ impl<'a> Reader<'a> {
         let names: Vec<Expr> =
             names.iter().map(|name| name_in(name).unwrap_or_else(|| name.clone())).collect();
         if function {
-            self.topic = names.clone();
+            self.talk.of(names.clone());
+        }
+        // "On this interval s is a polynomial"
+        let known =
+            || names.iter().all(|name| self.known(name).is_some_and(|known| known.sort == Sort::SplineCurve));
+        if object.sort == Sort::Polynomial && object.degree.is_none() && known() {
+            return;
         }
         // The monomial t^k is a polynomial: no name, as N_i^k is.
         let power =
@@ -393,6 +470,13 @@ impl<'a> Reader<'a> {
             && matches!(names.as_slice(), [first, .., last] if bases(first) != bases(last));
         object.names = names;
         object.of = of.into_iter().next().filter(|_| !several);
+        if object.sort == Sort::ControlPoints {
+            self.talk.points = object.of.clone();
+        }
+        // "The blossom f of a cubic": what may be spoken of again
+        if let (Some(owner), None) = (owner, &object.of) {
+            self.owned_by(owner, &object, from);
+        }
         self.found.entry(number).or_default().push(object);
     }
 
@@ -410,14 +494,6 @@ impl<'a> Reader<'a> {
         if found.len() > 1 { found } else { vec![name.clone()] }
     }
 
-    /// What was said last of a name.
-    fn known(&self, name: &Expr) -> Option<Object> {
-        let own = |object: &&Object| object.names.iter().any(|known| known.same_as(name));
-        let curves =
-            |object: &&Object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve | Sort::BezierCurve);
-        self.found.values().rev().flat_map(|list| list.iter().rev()).filter(curves).find(own).cloned()
-    }
-
     /// "Of degree n", "k is the order": which letter a size is.
     fn size(&mut self, at: usize) {
         let (sort, after) = match self.tokens[at] {
@@ -427,8 +503,12 @@ impl<'a> Reader<'a> {
             Token::Word(Word::OrderAfter) => (Sort::Order, true),
             _ => return,
         };
-        let link =
-            |token: &Token| matches!(token, Token::Word(Word::Be | Word::Article | Word::Der | Word::Filler));
+        let link = |token: &Token| {
+            matches!(
+                token,
+                Token::Word(Word::Be | Word::Article | Word::Der | Word::Filler | Word::The | Word::Same)
+            )
+        };
         let next = (at + 1..self.tokens.len()).find(|&next| !link(&self.tokens[next]));
         let last = (0..at).rev().find(|&last| !link(&self.tokens[last]));
         let formula = |at: Option<usize>| at.and_then(|at| self.formula_at(at));
@@ -455,7 +535,10 @@ impl<'a> Reader<'a> {
             return;
         };
         let mut article = false;
-        while let Some(Token::Word(word @ (Word::Be | Word::Filler | Word::Article))) = self.tokens.get(end) {
+        while let Some(Token::Word(
+            word @ (Word::Be | Word::Filler | Word::The | Word::Same | Word::Article),
+        )) = self.tokens.get(end)
+        {
             article |= *word == Word::Article;
             end += 1;
         }

@@ -20,6 +20,16 @@ pub(super) struct Phrase {
     pub(super) piece: bool,
     /// Whether it belongs to something without a name: the polar form of any quadratic.
     pub(super) anonymous: bool,
+    /// Whether it is what was spoken of before: the same curve.
+    pub(super) same: bool,
+    /// Whether it may be: the curve.
+    pub(super) definite: bool,
+    /// Whether it belongs to what was spoken of before.
+    pub(super) of_known: bool,
+    /// Something new without a name that it belongs to: the polar form of a cubic.
+    pub(super) owner: Option<Object>,
+    /// Whether it is something new: a curve.
+    pub(super) new: bool,
     /// Its first token and the one after it.
     pub(super) from: usize,
     pub(super) to: usize,
@@ -38,6 +48,11 @@ impl Phrase {
             intervals: Vec::new(),
             piece: false,
             anonymous: false,
+            same: false,
+            definite: false,
+            of_known: false,
+            owner: None,
+            new: false,
             from,
             to: from,
             named: None,
@@ -54,6 +69,8 @@ impl Reader<'_> {
                 token,
                 Token::Word(
                     Word::Filler
+                        | Word::The
+                        | Word::Same
                         | Word::Symmetric
                         | Word::Affine(_)
                         | Word::Article
@@ -66,6 +83,13 @@ impl Reader<'_> {
             )
         });
         matches!(rest, Some(Token::Word(Word::Noun(_)) | Token::Unknown(_)))
+    }
+
+    /// Whether nothing but a degree and a kind stands between an article and its noun.
+    fn is_bare(&self, from: usize, noun: usize) -> bool {
+        self.tokens[from..noun].iter().all(|token| {
+            matches!(token, Token::Word(Word::OfDegree(_) | Word::Uniform | Word::Rational | Word::Same))
+        })
     }
 
     pub(super) fn formula_at(&self, at: usize) -> Option<usize> {
@@ -94,7 +118,8 @@ impl Reader<'_> {
         let equation = |item: &Expr| matches!(item.kind, Kind::Chain(..));
         loop {
             // "with polar form f, G a quadratic": G begins another phrase.
-            if !items.is_empty() && (self.is(at + 1, &Word::Article) || self.is(at + 1, &Word::Its)) {
+            let article = |at: usize| self.is(at, &Word::Article) || self.is(at, &Word::Its);
+            if !items.is_empty() && (article(at + 1) || self.is(at + 1, &Word::Be) && article(at + 2)) {
                 break;
             }
             match self.tokens.get(at) {
@@ -137,6 +162,7 @@ impl Reader<'_> {
         let mut object = Object::new(sort);
         let mut phrase_of = Vec::new();
         let (mut piece, mut closed) = (false, false);
+        let (mut same, mut definite, mut new) = (false, false, false);
         // "symmetric"; "affine in each of its arguments", of which there may be so many
         let (mut symmetric, mut affine) = (false, None);
         let mut from = noun;
@@ -147,8 +173,26 @@ impl Reader<'_> {
         while let Some(before) = from.checked_sub(1) {
             match &self.tokens[before] {
                 Token::Word(
-                    Word::Filler | Word::Article | Word::Der | Word::Noun(Sort::Symbols | Sort::Vectors),
-                ) => closed = true,
+                    word @ (Word::Filler
+                    | Word::The
+                    | Word::Same
+                    | Word::Article
+                    | Word::Der
+                    | Word::Noun(Sort::Symbols | Sort::Vectors)),
+                ) => {
+                    closed = true;
+                    // "The curve", but not "the left curve"
+                    same |= *word == Word::Same;
+                    definite |= matches!(word, Word::The | Word::Der) && self.is_bare(from, noun);
+                    new |= *word == Word::Article;
+                }
+                // an n-variate form
+                Token::Word(Word::Arguments) if before > 0 && self.number_at(before - 1).is_some() => {
+                    if object.sort == Sort::PolarForm {
+                        object.degree = self.number_at(before - 1);
+                    }
+                    from = before;
+                }
                 Token::Word(Word::Symmetric) => symmetric = true,
                 Token::Word(Word::Affine(count)) => affine = Some(*count),
                 Token::Word(Word::OfDegree(degree)) => object.degree = Some(Expr::int(*degree)),
@@ -161,7 +205,7 @@ impl Reader<'_> {
                 }
                 Token::Word(Word::Its) => {
                     closed = true;
-                    phrase_of.extend(self.topic.iter().cloned());
+                    phrase_of.extend(self.talk.topic.iter().cloned());
                 }
                 // 3 次, F 的
                 Token::Word(mark @ (Word::DegreeAfter | Word::OrderAfter)) if before > 0 => {
@@ -174,6 +218,12 @@ impl Reader<'_> {
                     let Some((noun, items)) = self.list_before(before - 1) else { break };
                     object.knots = items;
                     from = noun + 1;
+                }
+                // 过点 (0, 1), (1, 3) 的
+                Token::Word(Word::Owns) if self.data_before(before).is_some() => {
+                    let Some((through, data)) = self.data_before(before) else { break };
+                    object.data = data;
+                    from = through + 1;
                 }
                 Token::Word(Word::Owns) if before > 0 => {
                     let Some(number) = self.formula_at(before - 1) else { break };
@@ -206,6 +256,8 @@ impl Reader<'_> {
         let mut at = noun + 1;
         while let Some(Token::Word(
             word @ (Word::Filler
+            | Word::The
+            | Word::Same
             | Word::Symmetric
             | Word::Affine(_)
             | Word::OfDegree(_)
@@ -276,15 +328,26 @@ impl Reader<'_> {
         if let Some(end) = self.values(&mut object, at, named) {
             at = end;
         }
-        let mut phrase =
-            Phrase { of: phrase_of, piece, to: at, named: number_of_name, ..Phrase::new(object, from) };
+        let mut phrase = Phrase {
+            of: phrase_of,
+            piece,
+            same,
+            definite,
+            new,
+            to: at,
+            named: number_of_name,
+            ..Phrase::new(object, from)
+        };
         // Knots and control points in a phrase are names of their own only if they are names.
         loop {
             let mut next = phrase.to;
             // 定义在 [0, 1] 与 [1, 3] 上,
             let after = self.is(next, &Word::On) && matches!(self.tokens.get(next + 1), Some(Token::Comma));
             next += usize::from(after);
-            while matches!(self.tokens.get(next), Some(Token::Comma | Token::Word(Word::Filler))) {
+            while matches!(
+                self.tokens.get(next),
+                Some(Token::Comma | Token::Word(Word::Filler | Word::The | Word::Same))
+            ) {
                 next += 1;
             }
             let Some(end) = self.attribute(next, &mut phrase) else { break };
@@ -317,6 +380,17 @@ impl Reader<'_> {
         // The cubic with the Bézier points …
         if matches!(object.sort, Sort::Polynomial | Sort::Function) && !object.points.is_empty() {
             object.sort = Sort::BezierCurve;
+        }
+        // A cubic curve
+        if object.sort == Sort::Function && object.degree.is_some() && affine.is_none() && !object.rational {
+            object.sort = Sort::Polynomial;
+        }
+        // "A uniform B-spline with the control points …" is a curve.
+        if object.sort == Sort::BSpline && !object.points.is_empty() {
+            object.sort = Sort::SplineCurve;
+        }
+        if let (Sort::PolarForm, Some(Some(count)), None) = (&object.sort, affine, &object.degree) {
+            object.degree = Some(Expr::int(count));
         }
         if let (Sort::Function, Some(count)) = (&object.sort, affine) {
             object.sort = if symmetric { Sort::PolarForm } else { Sort::Affine };

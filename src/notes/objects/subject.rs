@@ -14,9 +14,8 @@ impl Reader<'_> {
         let mut at = from;
         while let Some(before) = at.checked_sub(1) {
             match &self.tokens[before] {
-                Token::Word(Word::Be | Word::Filler | Word::Article | Word::Der) | Token::Comma => {
-                    at = before
-                }
+                Token::Word(Word::Be | Word::Filler | Word::The | Word::Same | Word::Article | Word::Der)
+                | Token::Comma => at = before,
                 // N sei der B-Spline
                 Token::Word(Word::Let)
                     if before.checked_sub(1).is_some_and(|name| self.formula_at(name).is_some()) =>
@@ -63,7 +62,15 @@ impl Reader<'_> {
         let governed = at.checked_sub(1).is_some_and(|before| {
             matches!(
                 &self.tokens[before],
-                Token::Word(Word::Of | Word::On | Word::With | Word::As | Word::Preposition | Word::Degree)
+                Token::Word(
+                    Word::Of
+                        | Word::On
+                        | Word::With
+                        | Word::As
+                        | Word::Through
+                        | Word::Preposition
+                        | Word::Degree
+                )
             )
         });
         Some((items, first?)).filter(|_| !governed)
@@ -76,7 +83,11 @@ impl Reader<'_> {
         let before = name.checked_sub(1).map(|before| &self.tokens[before]);
         let opens = matches!(
             before,
-            None | Some(Token::Comma | Token::Stop | Token::Word(Word::Filler | Word::Let | Word::And))
+            None | Some(
+                Token::Comma
+                    | Token::Stop
+                    | Token::Word(Word::Filler | Word::The | Word::Same | Word::Let | Word::And)
+            )
         );
         let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
         (opens && items.len() == self.said(number).len()).then_some((items, number))
@@ -96,9 +107,11 @@ impl Reader<'_> {
     pub(super) fn subject_after(&self, to: usize) -> Option<(Vec<Expr>, usize)> {
         let at = self.skip_fillers(to);
         // "The blossom of F, taken as a cubic, is f(u, v, w) = …"
-        let comma = matches!(self.tokens.get(at), Some(Token::Comma)) && self.is(at + 1, &Word::Be);
+        let comma = matches!(self.tokens.get(at), Some(Token::Comma))
+            && (self.is(at + 1, &Word::Be) || self.is(at + 1, &Word::By));
         let at = at + usize::from(comma);
-        let by = self.is(at, &Word::By) || self.is(at, &Word::Be);
+        // "Seine Polarform sei f"
+        let by = self.is(at, &Word::By) || self.is(at, &Word::Be) || at == to && self.is(at, &Word::Let);
         let number = self.formula_at(self.skip_fillers(at + 1)).filter(|_| by)?;
         // "The curve is x(t) = …, w(t) = …" says what x is.
         let said = self.said(number);

@@ -30,6 +30,11 @@ pub(super) fn tokens(sentence: &[Piece]) -> Vec<Token> {
     without_asides(found)
 }
 
+/// Whether a token changes nothing.
+fn is_filler(token: &Token) -> bool {
+    matches!(token, Token::Word(word) if word.is_filler())
+}
+
 /// F (over [0, 1]) and G (over [1, 2]): where they live is no part of the list.
 fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
     let mut found: Vec<Token> = Vec::with_capacity(tokens.len());
@@ -42,8 +47,14 @@ fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
             _ => 0,
         };
         let after_formula = matches!(found.last(), Some(Token::Formula(_)));
+        // its (trivariate) blossom
+        let inner = tokens[at + 1..].iter().take_while(|token| is_filler(token)).count();
+        let closed = matches!(tokens.get(at + 1 + inner), Some(Token::Stop));
         if aside > 0 && after_formula {
             at += aside;
+        } else if inner > 0 && closed && matches!(tokens[at], Token::Stop) {
+            found.extend_from_slice(&tokens[at + 1..=at + inner]);
+            at += inner + 2;
         } else {
             found.push(tokens[at].clone());
             at += 1;
@@ -52,17 +63,24 @@ fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
     found
 }
 
-/// "The i-th polynomial", "an n-variate form": the formula is a part of an adjective. Gives the words after it.
+/// "The i-th polynomial": the formula is a part of an adjective; "an n-variate form": it counts its arguments. Gives
+/// the words after it.
 fn after_ordinal<'a>(words: &'a str, found: &mut Vec<Token>) -> &'a str {
     let suffix = words.strip_prefix('-').filter(|rest| rest.starts_with(char::is_alphabetic));
     let (Some(rest), Some(Token::Formula(_))) = (suffix, found.last()) else { return words };
-    found.pop();
-    found.push(Token::Word(Word::Filler));
+    if matches!(speech::word(&speech::plain(rest)), Some((_, Word::Arguments))) {
+        found.push(Token::Word(Word::Arguments));
+    } else {
+        found.pop();
+        found.push(Token::Word(Word::Filler));
+    }
     rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '-')
 }
 
 fn words_of(words: &str, found: &mut Vec<Token>) {
     let words = speech::plain(words);
+    // Where the last number in words stands.
+    let mut counted: Option<(usize, i64)> = None;
     let mut rest = words.as_str();
     while let Some(c) = rest.chars().next() {
         if c == ' ' {
@@ -75,9 +93,17 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
             rest = rest.piece(end + 1..);
         } else if let Some((length, word)) = speech::word(rest) {
             let size = matches!(found.last(), Some(Token::Word(Word::Degree | Word::Order)));
+            if let (Word::Arguments, Some((at, count))) = (word, counted)
+                && at + 1 == found.len()
+            {
+                found[at] = Token::Number(count);
+            }
             found.push(match word {
                 Word::Count(count) if size => Token::Number(*count),
-                Word::Count(_) => Token::Word(Word::Filler),
+                Word::Count(count) => {
+                    counted = Some((found.len(), *count));
+                    Token::Word(Word::Filler)
+                }
                 word => Token::Word(word.clone()),
             });
             rest = rest.piece(length..);

@@ -52,6 +52,16 @@ pub enum Word {
     Be,
     /// "its".
     Its,
+    /// "those": things of the kind that was named last.
+    Those,
+    /// "it": what was spoken of.
+    It,
+    /// "the": what is spoken of may be known.
+    The,
+    /// "the same", "this": what is spoken of is known.
+    Same,
+    /// "arguments": the number before it is how many a polar form takes.
+    Arguments,
     /// "let".
     Let,
     /// "by": what follows is the name.
@@ -93,7 +103,7 @@ pub enum Word {
 impl Word {
     /// Whether it changes nothing of most things.
     pub fn is_filler(&self) -> bool {
-        matches!(self, Word::Filler | Word::Symmetric | Word::Affine(_))
+        matches!(self, Word::Filler | Word::The | Word::Same | Word::Symmetric | Word::Affine(_))
     }
 }
 
