@@ -192,6 +192,11 @@ impl Object {
         if agree { heads.into_iter().zip(self.values.iter().cloned()).collect() } else { Vec::new() }
     }
 
+    /// Whether nothing is said of it but its name and sort.
+    pub fn is_bare(&self) -> bool {
+        *self == Object { names: self.names.clone(), ..Object::new(self.sort.clone()) }
+    }
+
     /// Whether words say values that it has.
     pub fn has_data(&self) -> bool {
         !self.data.is_empty() || !self.points.is_empty()
@@ -308,10 +313,14 @@ impl Context {
         })
     }
 
-    /// Whether words of this section say what a letter stands for that another one used before.
+    /// Whether words of this section say what a letter stands for that another one used before, or those of a section
+    /// in between, which does not know that one: the last meaning counts.
     pub fn is_spoken_of_anew(&self, base: &str, since: &Place, place: &Place) -> bool {
-        let objects = self.objects_of(base).map(|declared| &declared.place);
-        objects.into_iter().any(|other| place.sees(other) && other.formula > since.formula)
+        let anew = |other: &Place| {
+            let between = !place.sees(since) && place.in_reach(other, false) && !other.sees(since);
+            other.formula > since.formula && (place.sees(other) || between)
+        };
+        self.objects_of(base).any(|declared| anew(&declared.place))
     }
 
     /// The names in formulas, and those that the definitions and objects of these lead to.

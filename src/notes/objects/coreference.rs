@@ -53,6 +53,15 @@ impl Reader<'_> {
         self.talk.unnamed.iter().chain(said).filter(curves).find(own).cloned()
     }
 
+    /// Whether each name of an object was spoken of as a function.
+    pub(super) fn is_known(&self, object: &Object) -> bool {
+        let said = |name: &Expr| {
+            let mut all = self.found.values().flatten().filter(|known| known.is_function());
+            all.any(|known| known.names.iter().any(|known| known.same_as(name)))
+        };
+        object.is_function() && object.names.iter().all(said)
+    }
+
     /// Takes in a phrase that no name belongs to: "a cubic Bézier curve", "the same curve has the control points …".
     pub(super) fn take_unnamed(
         &mut self,

@@ -470,6 +470,10 @@ impl<'a> Reader<'a> {
             && matches!(names.as_slice(), [first, .., last] if bases(first) != bases(last));
         object.names = names;
         object.of = of.into_iter().next().filter(|_| !several);
+        // "The same function F" says nothing new of F.
+        if (same || definite) && object.is_bare() && self.is_known(&object) {
+            return;
+        }
         if object.sort == Sort::ControlPoints {
             self.talk.points = object.of.clone();
         }
