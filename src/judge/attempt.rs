@@ -23,6 +23,7 @@ impl Checker {
     /// Tries the readings of ambiguous notations until one makes everything true; else the first.
     pub(super) fn attempts(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
         let best = self.best_reading(setting, sides, relations);
+        let best = self.by_coordinates(setting, sides, relations, &best).unwrap_or(best);
         self.settle_readings(&best, setting, sides, relations);
         best
     }
@@ -48,6 +49,44 @@ impl Checker {
                 self.settled.borrow_mut().insert(ambiguity, reading);
             }
         }
+    }
+
+    /// Where unknown functions meet points, as f(0, 1) = (3, 6): the coordinates one by one.
+    fn by_coordinates(
+        &self,
+        setting: &Setting,
+        sides: &[&Expr],
+        relations: &[Rel],
+        best: &Attempt,
+    ) -> Option<Attempt> {
+        let open = |attempt: &Attempt| {
+            attempt.outcomes.tallies.iter().any(|tally| tally.holds == 0 && tally.fails.is_empty())
+        };
+        let unclear = best.outcomes.tallies.iter().any(|tally| !tally.unclear.is_empty());
+        let unknown = best.outcomes.tallies.iter().any(|tally| {
+            let record = &tally.record;
+            !record.unknown.is_empty() || !record.generic.is_empty()
+        });
+        if !open(best) || !unclear || !unknown {
+            return None;
+        }
+        let count = sides.iter().find_map(|side| coordinates(side))?;
+        let mut found: Vec<Attempt> = Vec::new();
+        for number in 0..count {
+            let choices = Choices { coordinate: Some((number, count)), ..best.choices };
+            let outcomes = self.trial(setting, sides, relations, choices).run();
+            let attempt = Attempt { outcomes, choices, curve: setting.curve.clone() };
+            if open(&attempt) {
+                return None;
+            }
+            found.push(attempt);
+        }
+        let worth = |attempt: &Attempt| {
+            let tallies = &attempt.outcomes.tallies;
+            let fails = tallies.iter().any(|tally| !tally.fails.is_empty());
+            (fails, tallies.iter().map(|tally| tally.nonzero).sum::<usize>())
+        };
+        found.into_iter().max_by_key(worth)
     }
 
     fn best_reading(&self, setting: &Setting, sides: &[&Expr], relations: &[Rel]) -> Attempt {
@@ -354,4 +393,15 @@ pub fn beyond_degree(tally: &Tally, outcomes: &Outcomes, left: &Expr, right: &Ex
     let failed = !tally.fails.is_empty() && tally.fails.iter().all(|failure| small(failure.degree));
     (outcomes.degrees && outcomes.integers.is_empty() && largest < 3 && failed && tally.holds > 2)
         .then_some("true for all degrees for which there are these members")
+}
+
+/// How many coordinates the point has that a side is.
+fn coordinates(side: &Expr) -> Option<usize> {
+    let count = match &side.kind {
+        Kind::List(items) | Kind::Tuple(items) => items.len(),
+        Kind::Matrix(rows, _) if rows.iter().all(|row| row.len() == 1) => rows.len(),
+        Kind::Binomial(..) => 2,
+        _ => return None,
+    };
+    matches!(count, 2 | 3).then_some(count)
 }

@@ -209,6 +209,14 @@ impl Checker {
         if object.sort == Sort::SplineCurve && object.knots.is_empty() && object.points.is_empty() {
             object.knots = object.data.iter().map(|(x, _)| x.clone()).collect();
         }
+        // f(0, 1) in a table: a value of f says nothing of what f is.
+        if let (Sort::Symbols, [name @ Expr { kind: Kind::Apply(..), .. }], [value]) =
+            (&object.sort, object.names.as_slice(), object.values.as_slice())
+        {
+            let equation = Expr::relation(name.clone(), Rel::Eq, value.clone());
+            self.condition(equation, name.span, false, place);
+            return;
+        }
         let object = Rc::new(object);
         let declared = Declared { object: object.clone(), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);

@@ -4,11 +4,12 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
+use super::features::has_column;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Place, Said, Statement};
 use super::topic::Topic;
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
@@ -142,6 +143,8 @@ pub struct Letters {
     pub spline_sizes: BTreeSet<i64>,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
     degrees: [bool; 2],
+    /// Whether points are written as what looks like binomial coefficients.
+    columns: bool,
 }
 
 impl Definition {
@@ -199,7 +202,23 @@ fn has_factorials(expr: &Expr) -> bool {
     found
 }
 
+/// Whether a name is given a value that nobody writes as a binomial coefficient: b_1 = \binom{1}{3} is a point.
+fn gives_a_column(name: &Expr, value: &Expr) -> bool {
+    let column = matches!(&value.kind, Kind::Binomial(_, _, BinomialStyle::Stacked)) && has_column(value);
+    column && Head::of(name).is_some()
+}
+
 impl Letters {
+    /// Whether something above something is a point: no index stands in it.
+    pub fn is_column(&self, x: &Expr, y: &Expr) -> bool {
+        self.columns && [x, y].iter().all(|part| !bases(part).iter().any(|name| is_index_letter(name)))
+    }
+
+    /// Whether points are written as what looks like binomial coefficients.
+    pub fn has_columns(&self) -> bool {
+        self.columns
+    }
+
     /// Looks through all formulas.
     pub fn of(statements: &[Statement]) -> Self {
         let mut letters = Letters {
@@ -207,7 +226,7 @@ impl Letters {
             ..Letters::default()
         };
         letters.polar_forms = statements.iter().any(|statement| statement.topics.has(Topic::PolarForm));
-        let mut letters_seen = false;
+        let (mut letters_seen, mut columns) = (false, false);
         let mut look = |expr: &Expr| {
             walk(expr, &mut |part| letters.look(part));
         };
@@ -216,6 +235,8 @@ impl Letters {
                 Said::Chain(chain) => {
                     let sides = || chain.sides.iter().map(|side| &side.expr);
                     letters_seen |= sides().any(has_bernstein) && sides().any(has_factorials);
+                    let pairs = || chain.sides.windows(2);
+                    columns |= pairs().any(|pair| gives_a_column(&pair[0].expr, &pair[1].expr));
                     sides().for_each(&mut look);
                 }
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
@@ -223,6 +244,7 @@ impl Letters {
             }
         }
         letters.binomial_family = letters_seen;
+        letters.columns = columns;
         // p(0) = f_0: f is the letter of values, if it is applied to nothing.
         let Letters { functions, applied, members, .. } = &mut letters;
         functions.retain(|name| applied.contains(name) || members.get(name).is_none_or(|count| *count == 0));

@@ -43,6 +43,15 @@ impl Curve {
     }
 }
 
+impl Curve {
+    /// How many coordinates its points have, if all are given by them.
+    pub fn dimension(&self) -> Option<usize> {
+        let points = &self.object.as_ref()?.points;
+        let count = points.first()?.items()?.len();
+        points.iter().all(|point| point.items().is_some_and(|all| all.len() == count)).then_some(count)
+    }
+}
+
 impl Checker {
     /// The curves of which the section gives a formula or control points, those of words first, then the latest.
     pub(super) fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {

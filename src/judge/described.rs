@@ -57,6 +57,8 @@ enum Made {
     /// The control points of a part of it.
     Part(Expr, Expr),
     Itself,
+    /// One of its coordinates.
+    Coordinate(usize),
     PolarForm,
 }
 
@@ -76,7 +78,12 @@ pub(super) struct New {
 
 impl New {
     fn of(left: &Expr, right: &Expr) -> Option<New> {
-        let items = |expr: &Expr| expr.items().filter(|items| items.len() > 2).map(<[Expr]>::to_vec);
+        let items = |expr: &Expr| match &expr.kind {
+            Kind::Matrix(rows, _) if rows.len() > 2 && rows.iter().all(|row| row.len() == 1) => {
+                rows.iter().map(|row| row[0].clone()).collect()
+            }
+            _ => expr.items().filter(|items| items.len() > 2).map(<[Expr]>::to_vec),
+        };
         let given = items(right).filter(|items| items.iter().all(|item| item.kind != Kind::Ellipsis));
         let points = given.map(|items| items.len() as i64);
         if let Some(names) = items(left) {
@@ -234,7 +241,7 @@ impl Checker {
             return None;
         }
         // P(t) is on the curve with the points P_i.
-        let itself = matches!(meaning.made, Made::Itself);
+        let itself = matches!(meaning.made, Made::Itself | Made::Coordinate(_));
         let own = itself && meaning.curve.points.as_ref() == Some(&new.letter);
         // "For t = 1/2 we get the point c(1/2) = (b_0 + 2 b_1 + b_2)/4": a point made of its control points
         let point = itself
@@ -316,7 +323,12 @@ impl Checker {
                 0 if topics.has(Topic::Rational) => continue,
                 0 => {}
                 1 if curve.object.is_some() => {
-                    add(Made::Itself);
+                    // x(t) = …, y(t) = …
+                    let letter = ["x", "y", "z"].iter().position(|own| new.letter.eq_ignore_ascii_case(own));
+                    match letter.filter(|_| right.items().is_none() && curve.dimension().is_some()) {
+                        Some(number) => add(Made::Coordinate(number)),
+                        None => add(Made::Itself),
+                    }
                     continue;
                 }
                 count if topics.has(Topic::PolarForm) && degree.is_some_and(|own| own <= count as i64) => {
@@ -334,16 +346,22 @@ impl Checker {
                 continue;
             }
             let named = statement.near.has(Topic::ControlPoints) && statement.role != Some(Role::Introduced);
-            if named && curve.object.is_none() && !curve.segment && !topics.has(Topic::Subdivision) {
+            let part = topics.has(Topic::Subdivision) || topics.has(Topic::Half);
+            if named && curve.object.is_none() && !curve.segment && !part {
                 let part = self.interval_heard(&curve, &statement.place);
                 let (from, to) = part.unwrap_or_else(|| curve.interval.clone());
                 add(Made::Part(from, to));
             }
             if curve.segment {
                 add(Made::Part(curve.interval.0.clone(), curve.interval.1.clone()));
-            } else if topics.has(Topic::Subdivision) {
+            } else if part {
                 let part = self.interval_heard(&curve, &statement.place).or_else(|| {
-                    let middle = self.parameter_heard(&statement.place)?;
+                    let half = || {
+                        (topics.has(Topic::Half) && own_unit(&curve))
+                            .then(|| Expr::number(&(integer(1) / integer(2))))
+                    };
+                    let number = self.number_heard(&statement.place).or_else(half);
+                    let middle = number.or_else(|| self.parameter_heard(&statement.place))?;
                     let (from, to) = curve.interval.clone();
                     match (near.has(Topic::First), near.has(Topic::Second)) {
                         (true, false) => Some((from, middle)),
@@ -386,8 +404,8 @@ impl Checker {
         (!whole).then(|| (from.clone(), to.clone()))
     }
 
-    /// The parameter that the section speaks of: 1/2, t = 1/2, λ.
-    pub(super) fn parameter_heard(&self, place: &Place) -> Option<Expr> {
+    /// The number of which the section speaks as a parameter: 1/2, t = 1/2.
+    fn number_heard(&self, place: &Place) -> Option<Expr> {
         let number = |expr: &Expr| {
             let value = match &expr.kind {
                 Kind::Chain(left, links) if Head::of(left).is_some() => &links.last()?.expr,
@@ -396,11 +414,16 @@ impl Checker {
             let inside = matches!(value.kind, Kind::Number(_) | Kind::Div(..)) && bases(value).is_empty();
             inside.then(|| value.clone())
         };
+        self.heard(place).find_map(number)
+    }
+
+    /// The parameter that the section speaks of: 1/2, t = 1/2, λ.
+    pub(super) fn parameter_heard(&self, place: &Place) -> Option<Expr> {
         let letter = |expr: &Expr| match &expr.kind {
             Kind::Name(name) if is_variable(name) => Some(expr.clone()),
             _ => None,
         };
-        self.heard(place).find_map(number).or_else(|| self.heard(place).find_map(letter))
+        self.number_heard(place).or_else(|| self.heard(place).find_map(letter))
     }
 }
 
@@ -410,6 +433,7 @@ impl Meaning {
             Made::Elevated(_) => "the control points at a higher degree".to_owned(),
             Made::Part(..) => "the Bézier points of this part of the curve".to_owned(),
             Made::Itself => "the curve with these control points".to_owned(),
+            Made::Coordinate(_) => "a coordinate of the curve with these control points".to_owned(),
             Made::PolarForm if self.curve.object.is_some() => {
                 "the polar form of the curve with these control points".to_owned()
             }
@@ -436,11 +460,22 @@ impl Meaning {
             (Made::Elevated(by), _) => points(degree.clone().plus(*by), interval.clone()),
             (Made::Part(from, to), _) => points(degree.clone(), (from.clone(), to.clone())),
             (Made::Itself, Some(object)) => Object { names, ..object.clone() },
-            (Made::PolarForm | Made::Itself, _) => {
+            (Made::Coordinate(number), Some(object)) => {
+                let coordinate = |point: &Expr| point.items().and_then(|all| all.get(*number)).cloned();
+                let points = object.points.iter().filter_map(coordinate).collect();
+                Object { names, points, ..object.clone() }
+            }
+            (Made::PolarForm | Made::Itself | Made::Coordinate(_), _) => {
                 Object { names, of: Some(name.clone()), ..Object::new(Sort::PolarForm) }
             }
         }
     }
+}
+
+/// Whether a curve is parametrised by [0, 1].
+fn own_unit(curve: &Curve) -> bool {
+    let (from, to) = &curve.interval;
+    from.as_int() == Some(0) && to.as_int() == Some(1)
 }
 
 /// Whether a value is a sum of members of a letter, with numbers before them that have the sum 1.

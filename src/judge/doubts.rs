@@ -27,7 +27,8 @@ pub(super) fn of_meaning(
     }
     let used = tally.record.definitions.iter().map(|(number, _)| &checker.context.definitions[*number].body);
     let columns = used.into_iter().any(|body| matches!(body, Body::Formula(body) if has_column(body)));
-    if columns || has_column(left) || has_column(right) {
+    let read = checker.context.letters.has_columns();
+    if !read && (columns || has_column(left) || has_column(right)) {
         return Some("what looks like a binomial coefficient may be a column".to_owned());
     }
     // "at the same point B_{300}^3 = 1/27"

@@ -153,11 +153,13 @@ pub fn is_repeated(argument: &Expr) -> bool {
 /// Whether a binomial coefficient of numbers stands in a formula that nobody would write: 0 over 1 is a point.
 pub fn has_column(side: &Expr) -> bool {
     let mut found = false;
+    let negative = |entry: &Expr| matches!(&entry.kind, Kind::Add(terms) if terms.len() == 1);
     walk(side, &mut |part| {
-        if let Kind::Binomial(n, k, _) = &part.kind
-            && let (Kind::Number(n), Kind::Number(k)) = (&n.kind, &k.kind)
-        {
-            found |= k > n;
+        if let Kind::Binomial(n, k, _) = &part.kind {
+            found |= match (&n.kind, &k.kind) {
+                (Kind::Number(n), Kind::Number(k)) => k > n,
+                _ => bases(part).is_empty() && (negative(n) || negative(k)),
+            };
         }
     });
     found

@@ -22,6 +22,8 @@ pub enum Topic {
     First,
     /// The second, or right, of two parts.
     Second,
+    /// The halves of a curve.
+    Half,
     /// B-splines, their knots and algorithms.
     Spline,
     /// Where two curves meet.

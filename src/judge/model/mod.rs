@@ -65,9 +65,16 @@ pub struct Choices {
     /// The formula is about functions in general: those defined elsewhere by one formula are not
     /// meant.
     pub general: bool,
+    /// Points are read as one of their coordinates, which has this number among so many.
+    pub coordinate: Option<(usize, usize)>,
 }
 
 impl Choices {
+    /// Whether points with so many coordinates are read as one of them.
+    pub fn reads(&self, coordinates: usize) -> bool {
+        self.coordinate.is_some_and(|(_, count)| count == coordinates)
+    }
+
     /// The reading of a notation.
     pub fn reading(&mut self, ambiguity: Ambiguity) -> &mut bool {
         match ambiguity {
@@ -332,6 +339,18 @@ impl Reading for Model {
                     arithmetic::binomial(&k, &n).map_err(|error| error.at(expr.span))
                 }))
             }
+            Kind::Binomial(x, y, BinomialStyle::Stacked) if self.context.letters.is_column(x, y) => {
+                Some(self.point(machine, &[x.as_ref(), y.as_ref()], expr))
+            }
+            Kind::List(items) | Kind::Tuple(items) if self.choices.reads(items.len()) => {
+                Some(self.point(machine, &items.iter().collect::<Vec<_>>(), expr))
+            }
+            Kind::Matrix(rows, _)
+                if self.choices.reads(rows.len()) && rows.iter().all(|row| row.len() == 1) =>
+            {
+                let cells: Option<Vec<&Expr>> = rows.iter().map(|row| row[0].as_ref()).collect();
+                Some(self.point(machine, &cells?, expr))
+            }
             Kind::Matrix(rows, delimiter) => self.blocks(machine, rows, *delimiter, expr),
             Kind::Big { op, lower, upper, body } => {
                 self.unbounded(machine, *op, lower, upper.as_deref(), body, expr)
@@ -353,6 +372,22 @@ impl Reading for Model {
 }
 
 impl Model {
+    /// A point, or the coordinate of it that is meant.
+    fn point(&self, machine: &mut Machine, coordinates: &[&Expr], expr: &Expr) -> Evaluated {
+        let all: Vec<&Expr> = match self.choices.coordinate {
+            Some((number, count)) if count == coordinates.len() => return machine.eval(coordinates[number]),
+            _ => coordinates.to_vec(),
+        };
+        let cells = all.into_iter().map(|cell| machine.eval(cell)).collect::<Result<Vec<_>, _>>()?;
+        let scalar = |cell: Value| match cell {
+            Value::Scalar(x) => Some(x),
+            _ => None,
+        };
+        let column: Option<Vec<Fraction>> = cells.into_iter().map(scalar).collect();
+        let column = column.ok_or_else(|| shape("a coordinate that is no number", expr))?;
+        Ok(Value::Matrix(nalgebra::DMatrix::from_vec(column.len(), 1, column)))
+    }
+
     /// The value of a name with its indices.
     fn name(&self, machine: &mut Machine, expr: &Expr) -> Option<Evaluated> {
         let head = self.context.with_pairs_apart(Head::of(expr)?);

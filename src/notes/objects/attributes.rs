@@ -120,8 +120,7 @@ impl Reader<'_> {
             Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights)
                 if matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve)
                     && object.is_without(&self.tokens[at])
-                    && self.is(at + 1, &Word::Be)
-                    && self.formula_at(at + 2).is_some() =>
+                    && self.formula_at(at + 1 + usize::from(self.is(at + 1, &Word::Be))).is_some() =>
             {
                 &Word::With
             }
@@ -222,6 +221,18 @@ impl Reader<'_> {
                     next = self.skip_fillers(next + 1);
                     if *piece && self.is(next, &Word::Of) {
                         next = self.skip_fillers(next + 1);
+                    }
+                }
+                // "The Bézier points of the left piece, over [a, c]"
+                if *piece && object.sort == Sort::ControlPoints && object.interval.is_none() {
+                    let comma = usize::from(matches!(self.tokens.get(next), Some(Token::Comma)));
+                    let over = self.is(next + comma, &Word::On).then_some(next + comma + 1);
+                    let here = over.and_then(|over| Some((self.interval_at(over)?, over + 1)));
+                    let said = || self.interval_in(at).or(self.talk.interval.clone());
+                    if let Some((interval, end)) = here.or_else(|| Some((said()?.1, next))) {
+                        object.interval = Some(interval);
+                        *of_known = true;
+                        return Some(end);
                     }
                 }
                 // "Un polynôme de forme polaire f" has it.
@@ -350,7 +361,7 @@ impl Reader<'_> {
                         let (items, end) = self.list(next);
                         // zum Knotenvektor (0, 0, 0, 1, 1, 1)
                         if let [only] = items.as_slice()
-                            && let Some(knots) = only.elements().filter(|elements| elements.len() > 3)
+                            && let Some(knots) = right_side(only).elements().filter(|all| all.len() > 3)
                         {
                             object.knots = knots.to_vec();
                             return Some(end);
@@ -387,9 +398,14 @@ pub(super) fn listed(items: Vec<Expr>) -> Vec<Expr> {
     // with the control points P_0 = (1, 0), P_1 = (2, 3), with the weights w_0 = w_2 = 1, w_1 = 3, with the knots u_i = i
     let equation = |item: &&Expr| {
         matches!(&item.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq
-            && links[0].expr.items().is_none_or(|_| items.len() > 1))
+            && links[0].expr.elements().is_none_or(|_| items.len() > 1))
     };
+    let family = |item: &Expr| Head::of(item).map(|head| head.base);
     let items: Vec<Expr> = match items.first().filter(equation).and_then(name_in) {
+        // q_0 = p_3, q_1, q_2
+        Some(first) if items.iter().skip(1).all(|item| family(item) == family(&first)) => {
+            std::iter::once(first).chain(items.into_iter().skip(1)).collect()
+        }
         Some(_) => items.iter().filter(equation).flat_map(names_in).collect(),
         None => items,
     };
@@ -411,6 +427,14 @@ fn names_in(equation: &Expr) -> Vec<Expr> {
     let Kind::Chain(left, links) = &equation.kind else { return Vec::new() };
     let between = links.iter().rev().skip(1).rev().map(|link| &link.expr);
     std::iter::once(left.as_ref()).chain(between).filter_map(name_in).collect()
+}
+
+/// The right side of an equation, or a formula alone.
+fn right_side(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Chain(_, links) if links[0].rel == Rel::Eq => &links[0].expr,
+        _ => expr,
+    }
 }
 
 /// Whether it is, or gives, the value of a function: no knot.

@@ -46,6 +46,16 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
             Some(row) => rows.push(row),
             None => rows.clear(),
         }
+        let above = count.checked_sub(1).map(|before| sentences[before].as_slice());
+        for (name, value) in above.map(|above| tables::values(above, sentence, &formulas)).unwrap_or_default()
+        {
+            let number = sentence.iter().find_map(|piece| match piece {
+                Piece::Formula(number) => Some(*number),
+                Piece::Words(_) => None,
+            });
+            let own = Object { names: vec![name], values: vec![value], ..Object::new(Sort::Symbols) };
+            found.entry(number.unwrap_or_default()).or_default().push(own);
+        }
         if let [xs, ys] = rows.as_slice() {
             tables::tell(xs, ys, &talk.topic, &mut found);
         }
@@ -264,7 +274,9 @@ impl<'a> Reader<'a> {
     fn take(&mut self, phrase: Phrase) {
         let Phrase { mut object, mut of, intervals, piece, anonymous, from, to, named, inner, .. } = phrase;
         let Phrase { same, definite, of_known, owner, new, .. } = phrase;
-        if piece && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
+        // The middle piece of the B-spline N whose knots are 0, 1, 3, 4: N is all of it.
+        let whole = object.sort == Sort::BSpline && !object.knots.is_empty();
+        if piece && !whole && matches!(object.sort, Sort::BSpline | Sort::SplineCurve) {
             object.sort = Sort::SplineCurve;
             object.interval.get_or_insert_with(|| (Expr::int(0), Expr::int(1)));
         }
@@ -284,6 +296,13 @@ impl<'a> Reader<'a> {
                 .or_else(|| self.subject_of_clause(from)),
         };
         inner.into_iter().for_each(|phrase| self.take(phrase));
+        // "The curve with the control points (1, 0), (1, 1), (0, 1) is x(t) = …, y(t) = …": its coordinates
+        let plane = object.points.iter().any(|point| point.items().is_some());
+        let function = |said: &Expr| matches!(left_side(said).kind, Kind::Apply(..));
+        let subject = subject.filter(|(_, number)| {
+            let said = self.said(*number);
+            !plane || !(said.len() > 1 && said.iter().take(2).all(function))
+        });
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
             let names = match (of.as_slice(), self.talk.topic.as_slice()) {

@@ -7,6 +7,7 @@ use super::facts::degree_of_knots;
 use super::subject::{named, subject};
 use super::tokens::Token;
 use crate::formula::{Expr, Kind};
+use crate::judge::names::is_range;
 use crate::judge::object::{Object, Sort};
 
 /// A noun phrase.
@@ -109,6 +110,16 @@ impl Reader<'_> {
             at += 1;
         }
         at
+    }
+
+    /// The token after a range of a parameter and a comma: the curve x(t), t ∈ [0, 1], has …
+    pub(super) fn after_range(&self, at: usize) -> Option<usize> {
+        let noun = |token: &Token| matches!(token, Token::Word(Word::Noun(Sort::Symbols) | Word::Filler));
+        let formula = (at..self.tokens.len()).find(|&at| !noun(&self.tokens[at]))?;
+        let range = self.said(self.formula_at(formula)?);
+        let comma = matches!(self.tokens.get(formula + 1), Some(Token::Comma));
+        let one = matches!(range, [only] if is_range(only));
+        (one && comma).then_some(formula + 2)
     }
 
     /// The formulas and numbers from a token on, with commas and "and" between them, and the token after them.
@@ -350,7 +361,12 @@ impl Reader<'_> {
             ) {
                 next += 1;
             }
-            let Some(end) = self.attribute(next, &mut phrase) else { break };
+            let Some(end) = self
+                .attribute(next, &mut phrase)
+                .or_else(|| self.attribute(self.after_range(next)?, &mut phrase))
+            else {
+                break;
+            };
             phrase.to = end;
         }
         // A spline on the knots t_0, …, t_3, namely 0, 0, 1, 1

@@ -47,6 +47,37 @@ pub(super) fn row(pieces: &[Piece], formulas: &BTreeMap<usize, Vec<Expr>>) -> Op
     (bars > 1 && numbers && Head::of(name).is_some()).then_some(row)
 }
 
+/// The values of names in a table of two rows: f(0, 1), f(1, 1) above (0, 2), (3, 6).
+pub(super) fn values(
+    above: &[Piece],
+    below: &[Piece],
+    formulas: &BTreeMap<usize, Vec<Expr>>,
+) -> Vec<(Expr, Expr)> {
+    let cells = |row: &[Piece]| -> Option<Vec<Expr>> {
+        let mut found = Vec::new();
+        for piece in row {
+            match piece {
+                Piece::Formula(number) => match formulas.get(number)?.as_slice() {
+                    [one] => found.push(one.clone()),
+                    _ => return None,
+                },
+                Piece::Words(words) if words.chars().all(|c| c.is_whitespace() || c == '|') => {}
+                Piece::Words(_) => return None,
+            }
+        }
+        (row.len() > found.len()).then_some(found)
+    };
+    let (Some(names), Some(values)) = (cells(above), cells(below)) else { return Vec::new() };
+    let call = |name: &Expr| matches!(name.kind, Kind::Apply(..));
+    let given = |value: &Expr| bases(value).is_empty();
+    let fits = names.len() > 1 && names.len() == values.len();
+    if fits && names.iter().all(call) && values.iter().all(given) {
+        names.into_iter().zip(values).collect()
+    } else {
+        Vec::new()
+    }
+}
+
 /// Gives a function the data of two rows: the one that names the second row, p(x_i), or the one that was spoken of last.
 pub(super) fn tell(xs: &Row, ys: &Row, topic: &[Expr], found: &mut BTreeMap<usize, Vec<Object>>) {
     let own = match (&ys.name.kind, topic) {

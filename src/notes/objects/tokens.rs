@@ -50,7 +50,14 @@ fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
         // its (trivariate) blossom
         let inner = tokens[at + 1..].iter().take_while(|token| is_filler(token)).count();
         let closed = matches!(tokens.get(at + 1 + inner), Some(Token::Stop));
-        if aside > 0 && after_formula {
+        // a pour points de contrôle, dans l'ordre, (0, 0), …
+        let between = matches!(tokens[at], Token::Comma)
+            && inner > 0
+            && matches!(tokens.get(at + 1 + inner), Some(Token::Comma))
+            && matches!(tokens.get(at + 2 + inner), Some(Token::Formula(_)));
+        if between && matches!(found.last(), Some(Token::Word(Word::Noun(_) | Word::Be))) {
+            at += inner + 2;
+        } else if aside > 0 && after_formula {
             at += aside;
         } else if inner > 0 && closed && matches!(tokens[at], Token::Stop) {
             found.extend_from_slice(&tokens[at + 1..=at + inner]);

@@ -29,6 +29,7 @@ pub const TOPICS: &[(&str, Topic)] = &[
     ("other half", Topic::Second),
     ("right-hand part", Topic::Second),
     ("halves", Topic::Subdivision),
+    ("half", Topic::Half),
     ("half ", Topic::Subdivision),
     ("four-point", Topic::Subdivision),
     ("four point", Topic::Subdivision),
