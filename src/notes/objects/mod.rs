@@ -30,6 +30,7 @@ use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
 use crate::judge::statement::{Place, Said, Statement};
+use crate::language::lexicon::roles::is_variable;
 
 /// Puts a statement about each object before the first formula that speaks of it.
 ///
@@ -240,6 +241,15 @@ impl<'a> Reader<'a> {
         }
         let Some(head) = Head::of(call) else { return };
         let plain = |argument: &&Expr| matches!(argument.kind, Kind::Name(_));
+        // F(c) = G(c) is still about both.
+        let variable = |argument: &&Expr| matches!(&argument.kind, Kind::Name(name) if is_variable(name));
+        let topic = &self.talk.topic;
+        if topic.len() > 1
+            && topic.iter().any(|one| one.same_as(&named(call)))
+            && !head.flat().iter().all(variable)
+        {
+            return;
+        }
         if head.arguments.is_some() && head.lower.is_empty() && head.upper.is_empty() {
             let own = matches!(self.talk.topic.as_slice(), [one] if one.same_as(&named(call)));
             // P(t) = … and Q(t) = … with the polar forms p and q

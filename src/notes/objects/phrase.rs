@@ -112,6 +112,16 @@ impl Reader<'_> {
         at
     }
 
+    /// "A Bézier curve: control points b_0, b_1, b_2"
+    fn opens_points(&self, at: usize) -> bool {
+        let noun = matches!(
+            self.tokens.get(at + 1),
+            Some(Token::Word(Word::Noun(Sort::ControlPoints) | Word::Weights))
+        );
+        let list = at + 2 + usize::from(self.is(at + 2, &Word::Be));
+        matches!(self.tokens.get(at), Some(Token::Stop)) && noun && self.formula_at(list).is_some()
+    }
+
     /// The token after a range of a parameter and a comma: the curve x(t), t ∈ [0, 1], has …
     pub(super) fn after_range(&self, at: usize) -> Option<usize> {
         let noun = |token: &Token| matches!(token, Token::Word(Word::Noun(Sort::Symbols) | Word::Filler));
@@ -358,7 +368,8 @@ impl Reader<'_> {
             while matches!(
                 self.tokens.get(next),
                 Some(Token::Comma | Token::Word(Word::Filler | Word::The | Word::Same))
-            ) {
+            ) || self.opens_points(next)
+            {
                 next += 1;
             }
             let Some(end) = self

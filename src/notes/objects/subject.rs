@@ -73,14 +73,31 @@ impl Reader<'_> {
                 )
             )
         });
-        Some((items, first?)).filter(|_| !governed)
+        // Mit f bezeichnen wir …
+        let called = self.is(at + 1, &Word::Be)
+            && at.checked_sub(1).is_some_and(|with| {
+                let opens = with.checked_sub(1).map(|before| &self.tokens[before]);
+                self.is(with, &Word::With) && matches!(opens, None | Some(Token::Comma | Token::Stop))
+            });
+        Some((items, first?)).filter(|_| !governed || called)
     }
 
     /// "Write f for its blossom"
     pub(super) fn subject_of_notation(&self, from: usize) -> Option<(Vec<Expr>, usize)> {
         let name = from.checked_sub(2).filter(|_| self.is(from - 1, &Word::On))?;
-        let number = self.formula_at(name)?;
-        let before = name.checked_sub(1).map(|before| &self.tokens[before]);
+        let mut number = self.formula_at(name)?;
+        let mut said = self.said(number).to_vec();
+        // "Write f and g for the blossoms"
+        let mut first = name;
+        while let Some(gap) = first.checked_sub(2)
+            && (self.is(first - 1, &Word::And) || matches!(self.tokens[first - 1], Token::Comma))
+            && let Some(more) = self.formula_at(gap)
+            && !self.said(more).iter().any(|item| matches!(item.kind, Kind::Chain(..)))
+        {
+            (first, number) = (gap, more);
+            said.splice(0..0, self.said(more).iter().cloned());
+        }
+        let before = first.checked_sub(1).map(|before| &self.tokens[before]);
         let opens = matches!(
             before,
             None | Some(
@@ -89,8 +106,8 @@ impl Reader<'_> {
                     | Token::Word(Word::Filler | Word::The | Word::Same | Word::Let | Word::And)
             )
         );
-        let items: Vec<Expr> = self.said(number).iter().filter_map(name_in).collect();
-        (opens && items.len() == self.said(number).len()).then_some((items, number))
+        let items: Vec<Expr> = said.iter().filter_map(name_in).collect();
+        (opens && items.len() == said.len()).then_some((items, number))
     }
 
     /// 设 s 是节点 x_i 上的三次样条: what begins the clause is what its last noun says.
