@@ -16,6 +16,7 @@ use super::finding::{Finding, Verdict};
 use super::hypotheses::is_coefficient;
 use super::known::definable;
 use super::names::{Head, bases, contains, is_range};
+use super::object::UNNAMED;
 use super::refute::calls;
 use super::repair;
 use super::statement::{Chain, Role, Side, Statement};
@@ -160,7 +161,9 @@ impl Checker {
             if repaired.is_none() && (told < ENOUGH || !own(fact) || piece) {
                 return None;
             }
-            let told = write::text(&fact.expr);
+            // The page has no names for its curves.
+            let unnamed = bases(&fact.expr).iter().any(|name| name.starts_with(UNNAMED));
+            let told = if unnamed { "the join of the curves".to_owned() } else { write::text(&fact.expr) };
             let repaired = repaired.map(|repaired| Expr::relation(left.clone(), Rel::Eq, repaired));
             return Some(Finding {
                 verdict: Verdict::Refuted,

@@ -293,7 +293,8 @@ impl Checker {
 
     fn notes(&self, tally: &Tally) -> Vec<String> {
         let record = &tally.record;
-        let mut notes: Vec<String> = record.standard.union(&record.generic).cloned().collect();
+        let named = |note: &&String| !note.starts_with(UNNAMED);
+        let mut notes: Vec<String> = record.standard.union(&record.generic).filter(named).cloned().collect();
         for (number, _) in &tally.record.definitions {
             let definition = &self.context.definitions[*number];
             notes.push(format!("{} as defined in line {}", definition.head.base, definition.line));
