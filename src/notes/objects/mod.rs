@@ -311,7 +311,7 @@ impl<'a> Reader<'a> {
         let function = |said: &Expr| matches!(left_side(said).kind, Kind::Apply(..));
         let subject = subject.filter(|(_, number)| {
             let said = self.said(*number);
-            !plane || !(said.len() > 1 && said.iter().take(2).all(function))
+            !(plane && said.len() > 1 && said.iter().take(2).all(function))
         });
         // The control points of p are 1, 2, 4; p has the control points 1, 2, 4
         if object.sort == Sort::ControlPoints && object.names.is_empty() && !object.values.is_empty() {
