@@ -167,16 +167,22 @@ impl<'a> Trial<'a> {
         bound.iter().filter(|(name, _)| !given(name)).cloned().collect()
     }
 
-    /// Tries all small instances.
+    /// Tries all small instances, and larger ones if very few of the small ones make sense: of 1 < i < n - 1 the first is n = 4.
     pub fn run(&self) -> Outcomes {
-        self.run_some(None)
+        let outcomes = self.run_some(None, 0);
+        let tried = |tally: &Tally| tally.holds + tally.fails.len();
+        let few = outcomes.tallies.iter().any(|tally| (1..3).contains(&tried(tally)));
+        match few && outcomes.integers.len() > 1 && !outcomes.fixed {
+            true => self.run_some(None, 2),
+            false => outcomes,
+        }
     }
 
-    fn run_some(&self, count: Option<usize>) -> Outcomes {
+    fn run_some(&self, count: Option<usize>, more: i64) -> Outcomes {
         let integers = self.integers();
         let splines = self.has_pieces();
         let largest = LARGEST.get(integers.len()).copied().unwrap_or(1);
-        let largest = if splines { largest.min(3) } else { largest };
+        let largest = if splines { largest.min(3) } else { largest } + more;
         let mut outcomes = Outcomes {
             tallies: self.relations.iter().map(|_| Tally::default()).collect(),
             integers: integers.clone(),
@@ -191,7 +197,7 @@ impl<'a> Trial<'a> {
         let fixed: Vec<Option<i64>> = integers.iter().map(|name| self.fixed(name)).collect();
         outcomes.fixed = fixed.iter().all(Option::is_some);
         let opaque = has_divided_differences(&self.sides);
-        let largest = if opaque { largest.min(3) } else { largest };
+        let largest = if opaque { largest.min(3 + more) } else { largest };
         outcomes.largest = largest;
         let mut all: Vec<Vec<i64>> = Vec::new();
         let mut values = vec![0i64; integers.len()];
@@ -256,7 +262,7 @@ impl<'a> Trial<'a> {
 
     /// Tries a few instances only: the first in which nothing is extreme.
     pub fn first(&self, count: usize) -> Outcomes {
-        let mut outcomes = self.run_some(Some(count));
+        let mut outcomes = self.run_some(Some(count), 0);
         outcomes.largest = 0;
         outcomes
     }

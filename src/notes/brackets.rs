@@ -55,7 +55,8 @@ fn inside(bracket: &Expr) -> Option<&[Expr]> {
 /// The letter before a bracket with several items.
 fn call(function: &Expr, bracket: &Expr) -> Option<Head> {
     let several = inside(bracket).is_some_and(|items| items.len() > 1);
-    let plain = |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+    // s_j[u, v] is the polar form of a piece.
+    let plain = |head: &Head| head.lower.len() < 2 && head.upper.is_empty() && head.arguments.is_none();
     Head::of(function).filter(|head| several && plain(head))
 }
 
@@ -86,7 +87,8 @@ fn apply(expr: &mut Expr, letters: &BTreeSet<String>, called: &BTreeSet<String>)
 fn rename(callee: &mut Expr) {
     match &mut callee.kind {
         Kind::Name(name) => *name = bracketed(name),
-        Kind::Accent(Accent::Bold | Accent::Script | Accent::Blackboard, inner) => rename(inner),
+        Kind::Accent(Accent::Bold | Accent::Script | Accent::Blackboard, inner)
+        | Kind::Subscript(inner, _) => rename(inner),
         _ => {}
     }
 }

@@ -84,6 +84,13 @@ struct Reader<'a> {
     table: Table,
 }
 
+/// C^1, G^2: how smoothly curves meet.
+fn is_smoothness(expr: &Expr) -> bool {
+    let Kind::Pow(base, order) = &expr.kind else { return false };
+    matches!(&base.kind, Kind::Name(name) if name == "C" || name == "G")
+        && order.as_int().is_some_and(|order| (1..=4).contains(&order))
+}
+
 impl Reader<'_> {
     fn item(&mut self, item: &Item) {
         match item {
@@ -341,6 +348,9 @@ impl Reader<'_> {
                     }
                     _ => {
                         self.lies_in(&side);
+                        if is_smoothness(&side.expr) {
+                            self.topics.add(Topic::Join);
+                        }
                         self.push(Said::Bare(side, row.problems.clone()));
                     }
                 }

@@ -7,6 +7,7 @@ use std::rc::Rc;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::context::{Body, is_variable};
+use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, is_capital, is_index_letter};
 use crate::judge::object::{Declared, Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -308,7 +309,8 @@ impl Model {
                 let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };
                 let i = usize::try_from(machine.eval(index).ok()?.as_int()?).ok()?;
-                if self.is_made_of(of, &head.base) {
+                if self.is_made_of(of, &head.base) || object.interval.is_none() && self.hears_of_an_interval()
+                {
                     return None;
                 }
                 // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
@@ -336,6 +338,13 @@ impl Model {
             }
             _ => None,
         }
+    }
+
+    /// Whether the paragraph speaks of another interval than [0, 1], over which points may be meant.
+    fn hears_of_an_interval(&self) -> bool {
+        let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
+        let unit = |[from, to]: [&Expr; 2]| (from.as_int(), to.as_int()) == (Some(0), Some(1));
+        near.filter_map(|(_, expr)| interval(expr)).any(|(ends, open)| !unit(ends) && open != [true, true])
     }
 
     /// Whether the page gives a function by a formula with members of a letter: F(t) = Σ P_i B_i^n(t).

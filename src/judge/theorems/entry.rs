@@ -7,9 +7,11 @@
 //! c_i = \frac{i}{n+1} b_{i-1} + \left(1 - \frac{i}{n+1}\right) b_i
 //! ```
 //! `about` names topics of which the section has to speak, with bars between those of which one will do; `polar f(n)`
-//! says that f is symmetric with n arguments; `even` that all intervals have one length. Every other line is the
+//! says that f is symmetric with n arguments; `even` that all intervals have one length; `contact r` that two curves
+//! have contact of order r. Every other line is the
 //! equation, or the same one written in another way. After `order` n is an order, in the others a degree. `not` gives a right
-//! side of the equation before it that is often taken for it. `mean` says to the tests what the letters are, so that both
+//! side of the equation before it that is often taken for it, `or` one of which nothing can be said, since with it the
+//! left side is something else that is as usual. `mean` says to the tests what the letters are, so that both
 //! sides can be calculated from that.
 
 use std::collections::BTreeSet;
@@ -38,6 +40,8 @@ pub(super) struct Equation {
     pub(super) profile: Profile,
     /// Right sides that are often taken for it.
     pub(super) misremembered: Vec<Expr>,
+    /// Right sides with which the letter on the left stands for something else, as it does for many.
+    pub(super) conventions: Vec<Expr>,
 }
 
 /// A theorem of the field.
@@ -54,6 +58,8 @@ pub(super) struct Theorem {
     pub(super) conditions: Vec<Expr>,
     /// Whether all intervals have to have one length.
     pub(super) even: bool,
+    /// So many arguments are free where two curves meet; the page says with how many derivatives.
+    pub(super) contact: Option<String>,
     /// The equation in the ways in which it is written.
     pub(super) equations: Vec<Equation>,
 }
@@ -67,6 +73,7 @@ impl Theorem {
             meaning: "",
             conditions: Vec::new(),
             even: false,
+            contact: None,
             equations: Vec::new(),
         }
     }
@@ -107,8 +114,13 @@ impl Theorem {
                 let wrong = read(rest)?.without_spans();
                 self.equations.last_mut().ok_or("not what?")?.misremembered.push(wrong);
             }
+            "or" => {
+                let other = read(rest)?.without_spans();
+                self.equations.last_mut().ok_or("or what?")?.conventions.push(other);
+            }
             "where" => self.conditions = rest.split(';').map(read).collect::<Result<_, _>>()?,
             "even" => self.even = true,
+            "contact" => self.contact = Some(rest.to_owned()),
             _ => {
                 let (order, text) = if word == "order" { (true, rest) } else { (false, line) };
                 let Kind::Chain(left, links) = read(text)?.kind else { return Err("no equation".to_owned()) };
@@ -118,7 +130,8 @@ impl Theorem {
                 }
                 let profile = Profile::of(&[&left, &link.expr], &BTreeSet::new(), &|_| false);
                 let (left, right) = (left.without_spans(), link.expr.clone().without_spans());
-                self.equations.push(Equation { left, right, order, profile, misremembered: Vec::new() });
+                let (misremembered, conventions) = Default::default();
+                self.equations.push(Equation { left, right, order, profile, misremembered, conventions });
             }
         }
         Ok(())

@@ -5,14 +5,14 @@ use std::rc::Rc;
 
 use super::entry::{Equation, Theorem};
 use super::free::Free;
-use super::letters::{Profile, Way};
+use super::letters::{Profile, Way, is_end};
 use super::slips;
 use crate::budget;
 use crate::formula::{Expr, Kind};
 use crate::judge::context::Context;
 use crate::judge::integers::as_values;
 use crate::judge::model::{Choices, Model, holds};
-use crate::judge::names::{Head, walk};
+use crate::judge::names::{Head, is_index_letter, walk};
 use crate::judge::statement::Place;
 use crate::judge::{evaluator, repair, unfold};
 use crate::math::poly::{MonomialOrder, MultiPoly};
@@ -32,6 +32,8 @@ pub(super) struct Instance<'a> {
     pub(super) sides: [Expr; 2],
     /// Right sides that are known to be wrong.
     pub(super) misremembered: Vec<Expr>,
+    /// Right sides that are as usual, so that nothing can be said.
+    pub(super) conventions: Vec<Expr>,
     /// For which integers it holds.
     pub(super) conditions: Vec<Expr>,
     pub(super) standing: Standing,
@@ -160,6 +162,16 @@ impl Claim<'_> {
         compared > usize::from(!self.profile.integers.is_empty())
     }
 
+    /// Values of integers for which it is not what a theorem says.
+    fn where_it_differs(&self, instance: &Instance) -> Option<(Values, Rc<Free>)> {
+        let [one, other] = &instance.sides;
+        self.values(instance).into_iter().find_map(|values| {
+            let free = self.free(instance, &values);
+            let theirs = key(&free, one, other, &values)?;
+            (key(&free, self.left, self.right, &values) != Some(theirs)).then_some((values, free))
+        })
+    }
+
     /// A theorem that one small edit of the claim leads to, and the sides with that.
     pub(super) fn one_slip_away<'a, 'b>(
         &self,
@@ -181,9 +193,8 @@ impl Claim<'_> {
             if !alike || is_plain(self.right) != is_plain(&instance.equation.right) {
                 continue;
             }
-            let all = self.values(instance);
-            let Some(values) = all.first() else { continue };
-            let free = self.free(instance, values);
+            let Some((values, free)) = self.where_it_differs(instance) else { continue };
+            let values = &values;
             let [one, other] = &instance.sides;
             if long() {
                 return None;
@@ -224,9 +235,8 @@ impl Claim<'_> {
         }
         // A slip that leaves nothing to be edited: a root, an exponent, a letter that is gone.
         for instance in near {
-            let all = self.values(instance);
-            let Some(values) = all.first() else { continue };
-            let free = self.free(instance, values);
+            let Some((values, free)) = self.where_it_differs(instance) else { continue };
+            let values = &values;
             let [one, other] = &instance.sides;
             let Some(ours) = key(&free, self.left, self.right, values) else { continue };
             let spoilt = |right: &Expr| {
@@ -275,11 +285,28 @@ impl Instance<'_> {
         Head::of(&self.equation.left).is_some()
     }
 
+    /// Whether two letters stand for things of one kind, and which of them is which is certain.
+    fn may_be_exchanged(&self, one: &Expr, other: &Expr) -> bool {
+        let theirs = |own: &Expr| {
+            self.way.letters.iter().find(|(_, ours)| ours.same_as(own)).map(|(letter, _)| letter)
+        };
+        match (&one.kind, &other.kind) {
+            (Kind::Subscript(a, indices), Kind::Subscript(b, others)) => {
+                a.same_as(b) && indices.len() == others.len()
+            }
+            _ => match (theirs(one), theirs(other)) {
+                (Some(a), Some(b)) => self.way.ordered && is_end(a) && is_end(b),
+                _ => false,
+            },
+        }
+    }
+
     /// The right side with small slips, and in forms that are known to be wrong.
     pub(super) fn slips(&self) -> Vec<Expr> {
         let [left, right] = &self.sides;
         let mut slips = Vec::new();
         slips::of(right, &mut slips);
+        slips::exchanges(right, &|one, other| self.may_be_exchanged(one, other), &mut slips);
         slips.extend(self.misremembered.iter().cloned());
         slips.extend(repair::edits(right, left, &None));
         slips
@@ -291,10 +318,21 @@ impl Instance<'_> {
 fn alike(own: &Expr, theirs: &Expr) -> bool {
     let members = |expr: &Expr| {
         let (mut count, mut sums, mut trivial) = (0usize, false, false);
+        let mut different: Vec<&Expr> = Vec::new();
         walk(expr, &mut |part| match &part.kind {
-            Kind::Subscript(..) => count += 1,
+            Kind::Subscript(..) => {
+                count += 1;
+                if !different.iter().any(|known| known.same_as(part)) {
+                    different.push(part);
+                }
+            }
             // Δ b_0 is b_1 - b_0.
-            Kind::Name(name) if name == "Delta" => count += 1,
+            Kind::Mul(factors) => {
+                let delta = |part: &&Expr| {
+                    matches!(&part.kind, Kind::Name(name) if name == "Delta") || is_power(part)
+                };
+                count += factors.iter().filter(delta).count();
+            }
             Kind::Big { upper, .. } => {
                 sums = true;
                 let few = |upper: &Expr| upper.as_int().is_some_and(|last| last < 2);
@@ -302,19 +340,31 @@ fn alike(own: &Expr, theirs: &Expr) -> bool {
             }
             _ => {}
         });
-        (count, sums, trivial)
+        (count, different.len(), sums, trivial)
     };
-    let ((ours, sums, _), (count, theirs_sum, trivial)) = (members(own), members(theirs));
+    let (ours, our_kinds, sums, _) = members(own);
+    let (count, kinds, theirs_sum, trivial) = members(theirs);
     let written_out = theirs_sum && !sums && ours > 1;
-    !trivial && (ours == count || count > 2 && ours.abs_diff(count) == 1 || written_out)
+    let many = count > 2 && ours.abs_diff(count) == 1 || kinds > 2 && our_kinds == kinds;
+    !trivial && (ours == count || many || written_out)
+}
+
+/// Whether it is Δ^k.
+fn is_power(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Pow(base, _) if matches!(&base.kind, Kind::Name(name) if name == "Delta"))
 }
 
 /// Whether a side is one thing.
 fn is_plain(expr: &Expr) -> bool {
-    matches!(
-        expr.kind,
-        Kind::Name(_) | Kind::Subscript(..) | Kind::Pow(..) | Kind::Apply(..) | Kind::Number(_)
-    )
+    match &expr.kind {
+        // n(a - b) is a product.
+        Kind::Apply(callee, groups) => {
+            groups.iter().flatten().count() > 1
+                || !matches!(&callee.kind, Kind::Name(name) if is_index_letter(name))
+        }
+        Kind::Name(_) | Kind::Subscript(..) | Kind::Pow(..) | Kind::Number(_) => true,
+        _ => false,
+    }
 }
 
 /// Small edits of a side.

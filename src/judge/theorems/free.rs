@@ -123,6 +123,11 @@ impl Free {
             Kind::Prime(body, order) => Some((body.as_ref().clone(), i64::from(*order))),
             Kind::Accent(Accent::Dot, body) => Some((body.as_ref().clone(), 1)),
             Kind::Accent(Accent::Ddot, body) => Some((body.as_ref().clone(), 2)),
+            Kind::Derivative { variables, body: Some(body), .. } => {
+                let [(_, order)] = variables.as_slice() else { return None };
+                let order = order.as_ref().map_or(Ok(1), |order| machine.eval_int(order)).ok()?;
+                Some((body.as_ref().clone(), order))
+            }
             Kind::Subscript(base, lower) => {
                 let (base, order) = self.derived(machine, base)?;
                 (order > 0)

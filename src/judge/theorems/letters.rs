@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use super::entry::Equation;
 use super::free::{Functions, is_raised};
 use crate::formula::{Accent, Expr, Kind};
+use crate::judge::evaluator;
 use crate::judge::names::{Head, bases, integer_names, is_index_letter, own_names, walk};
+use crate::math::number::Rational;
 
 /// So many ways to exchange the letters are tried for one equation.
 const MOST_WAYS: usize = 120;
@@ -87,14 +89,22 @@ impl Profile {
             .collect()
     }
 
+    /// Whether a letter stands with indices, and not for a function.
+    pub(super) fn is_family(&self, base: &str) -> bool {
+        self.letters.iter().any(|letter| letter.base == base && letter.applied.is_none())
+    }
+
     fn count(&self, of: &Letter) -> usize {
         self.letters.iter().filter(|letter| letter.is_like(of)).count()
     }
 
-    /// Whether there are as many letters of each kind in both, and no more integers than in a theorem.
+    /// Whether there are as many letters of each kind in both, and no more integers than in a theorem. The ends of
+    /// intervals may be numbers.
     pub(super) fn may_be(&self, theorem: &Profile) -> bool {
+        let ends = || theorem.variables.iter().filter(|name| is_end_name(name)).count();
         self.letters.len() == theorem.letters.len()
-            && self.variables.len() == theorem.variables.len()
+            && (self.variables.len() == theorem.variables.len()
+                || ends() > 1 && self.variables.len() + ends() == theorem.variables.len())
             && self.integers.len() <= theorem.integers.len()
             && self.letters.iter().all(|letter| self.count(letter) == theorem.count(letter))
     }
@@ -104,6 +114,15 @@ impl Letter {
     fn is_like(&self, other: &Letter) -> bool {
         self.indices == other.indices && self.applied == other.applied
     }
+}
+
+/// Whether a letter of the table is an end of an interval.
+pub(super) fn is_end(letter: &str) -> bool {
+    matches!(letter, "u" | "v" | "w")
+}
+
+fn is_end_name(name: &Expr) -> bool {
+    matches!(&name.kind, Kind::Name(letter) if is_end(letter))
 }
 
 struct Look<'a> {
@@ -251,7 +270,9 @@ impl Look<'_> {
 /// A function without the marks of derivatives.
 fn undone(callee: &Expr) -> Option<&Expr> {
     match &callee.kind {
-        Kind::Prime(body, _) | Kind::Accent(Accent::Dot | Accent::Ddot, body) => Some(body),
+        Kind::Prime(body, _)
+        | Kind::Accent(Accent::Dot | Accent::Ddot, body)
+        | Kind::Derivative { body: Some(body), .. } => Some(body),
         Kind::Upper(body, _) if Head::of(body).is_some_and(|head| head.lower.is_empty()) => Some(body),
         _ => Some(callee),
     }
@@ -277,12 +298,79 @@ pub(super) struct Way {
     pub(super) integers: Letters,
     /// So many of the integers, the first ones, are indices on the left.
     pub(super) anchored: usize,
+    /// Whether the page says which of the ends of intervals is before which.
+    pub(super) ordered: bool,
+    /// What stands for both ends of an interval, if the theorem has one.
+    pub(super) ends: Vec<Expr>,
+}
+
+/// What the page says of sizes.
+pub(super) struct Said {
+    /// Degrees.
+    pub(super) degrees: Vec<i64>,
+    /// Intervals, the latest first.
+    pub(super) intervals: Vec<(Expr, Expr)>,
+}
+
+impl Said {
+    /// Numbers that are the ends of neighbouring intervals, if the page speaks of no others.
+    fn ends(&self, count: usize) -> Option<Vec<Expr>> {
+        let mut places: Vec<(Rational, Rational)> = Vec::new();
+        for (from, to) in &self.intervals {
+            if let (Some(from), Some(to)) = (number(from), number(to))
+                && !places.contains(&(from.clone(), to.clone()))
+            {
+                places.push((from, to));
+            }
+        }
+        places.sort();
+        let adjacent = places.windows(2).all(|pair| pair[0].1 == pair[1].0);
+        let all = places.first().map(|(from, _)| from).into_iter().chain(places.iter().map(|(_, to)| to));
+        (adjacent && places.len() + 1 == count).then(|| all.map(Expr::number).collect())
+    }
+
+    /// Whether a name stands before another one on the line, as intervals or else the alphabet tells.
+    fn in_order(&self, one: &Expr, other: &Expr) -> bool {
+        let base = |name: &Expr| Head::of(name).map(|head| head.base);
+        self.says_before(one, other) || !self.says_before(other, one) && base(one) <= base(other)
+    }
+
+    /// Whether intervals tell that a name stands before another one on the line.
+    fn says_before(&self, one: &Expr, other: &Expr) -> bool {
+        let mut reached = vec![one];
+        let mut at = 0;
+        while at < reached.len() {
+            let here = reached[at];
+            for (start, end) in &self.intervals {
+                if start.same_as(here) && !reached.iter().any(|known| known.same_as(end)) {
+                    reached.push(end);
+                }
+            }
+            at += 1;
+        }
+        reached.iter().skip(1).any(|place| place.same_as(other))
+    }
+}
+
+fn number(expr: &Expr) -> Option<Rational> {
+    match &expr.kind {
+        Kind::Number(number) => Some(number.clone()),
+        Kind::Div(..) if bases(expr).is_empty() => evaluator::machine().eval(expr).ok()?.as_rational(),
+        _ => None,
+    }
 }
 
 /// The ways to read a claim as an instance of an equation.
-pub(super) fn ways(equation: &Equation, left: &Expr, ours: &Profile, degrees: &[i64]) -> Vec<Way> {
+pub(super) fn ways(equation: &Equation, left: &Expr, ours: &Profile, said: &Said) -> Vec<Way> {
     let theirs = &equation.profile;
     let mut start = Way::default();
+    if ours.variables.len() < theirs.variables.len() {
+        let letters = theirs.variables.iter().filter(|name| is_end_name(name)).filter_map(Head::of);
+        let mut letters: Vec<String> = letters.map(|head| head.base).collect();
+        letters.sort();
+        let Some(ends) = said.ends(letters.len()) else { return Vec::new() };
+        start.letters.extend(letters.into_iter().zip(ends));
+    }
     if let (Some(pattern), Some(head)) = (Head::of(&equation.left), Head::of(left)) {
         let of = |profile: &Profile, base: &str| profile.letters.iter().find(|one| one.base == base).cloned();
         match (of(theirs, &pattern.base), of(ours, &head.base)) {
@@ -313,21 +401,25 @@ pub(super) fn ways(equation: &Equation, left: &Expr, ours: &Profile, degrees: &[
         all = extended(all, variable, &ours.variables.iter().collect::<Vec<_>>(), Some(&rivals));
     }
     // From a to b, not from b to a.
-    all.retain(|way| {
-        let end = |letter: &str| {
-            way.letters.iter().find(|(known, _)| known == letter).and_then(|(_, own)| Head::of(own))
-        };
-        let ends: Vec<String> = ["u", "v", "w"].into_iter().filter_map(end).map(|head| head.base).collect();
-        ends.is_sorted()
-    });
-    all.iter_mut().for_each(|way| way.anchored = way.integers.len());
+    let ends = |way: &Way| -> Vec<Expr> {
+        let end =
+            |letter: &str| way.letters.iter().find(|(known, _)| known == letter).map(|(_, own)| own.clone());
+        ["u", "v", "w"].into_iter().filter_map(end).filter(|end| Head::of(end).is_some()).collect()
+    };
+    all.retain(|way| ends(way).windows(2).all(|pair| said.in_order(&pair[0], &pair[1])));
+    for way in &mut all {
+        way.anchored = way.integers.len();
+        way.ends = ends(way);
+        way.ordered = way.ends.windows(2).all(|pair| said.says_before(&pair[0], &pair[1]));
+    }
     for integer in &theirs.integers {
         let names: Vec<Expr> = ours.integers.iter().map(Expr::name).collect();
         let mut candidates = names.clone();
         candidates.extend(names.iter().map(|name| name.clone().plus(-1)));
         candidates.extend(names.iter().map(|name| name.clone().plus(1)));
         if ours.integers.len() < theirs.integers.len() {
-            let said = degrees.iter().copied().chain(degrees.iter().map(|degree| degree - 1));
+            let degrees = said.degrees.iter();
+            let said = degrees.clone().copied().chain(degrees.map(|degree| degree - 1));
             let mut numbers: Vec<i64> = said.chain(0..=4).filter(|number| *number >= 0).collect();
             let mut seen = BTreeSet::new();
             numbers.retain(|number| seen.insert(*number));

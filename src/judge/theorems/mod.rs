@@ -17,25 +17,33 @@ mod slips;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use self::entry::{Equation, Theorem, known};
 use self::fit::{Claim, Instance, Standing};
-use self::letters::{Profile, Way, ways};
+use self::letters::{Profile, Said, Way, ways};
 use super::check::Checker;
 use super::context::{Body, Context, Mark};
+use super::evaluator;
 use super::finding::{Finding, Verdict};
+use super::inequality::interval;
+use super::integers::as_values;
 use super::model::Choices;
 use super::names::{Head, bases, walk};
 use super::object::Sort;
 use super::repair;
 use super::statement::{Chain, Place, Role, Statement};
-use super::topic::Topic;
+use super::topic::{Topic, Topics};
 use super::trial::{Setting, Trial};
 use super::unfold;
 use crate::budget;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Accent, Expr, Kind, Rel};
+use crate::language::lexicon::families;
 use crate::language::write;
+
+/// So often what members of families are is put for them.
+const UNFOLDINGS: usize = 2;
 
 impl Checker {
     /// What the page leaves open the field may know.
@@ -83,19 +91,30 @@ impl Checker {
         let known = known();
         let plain = with_indices_apart([left, right]);
         let marked = plain.each_ref().map(without_marks);
-        let forms = if marked == plain { vec![plain] } else { vec![plain, marked] };
+        let bare = marked.each_ref().map(without_parameters);
+        let mut forms = vec![plain, marked, bare];
+        for _ in 0..UNFOLDINGS {
+            let last = forms.last()?.clone();
+            forms.push(last.map(|side| self.with_members_unfolded(&side, chain, &statement.place)));
+        }
+        forms.dedup();
+        let mut doubt = false;
         for form in &forms {
             let [left, right] = form;
             let claim = self.claim(left, right, chain, &statement.place);
             if claim.profile.letters.is_empty() {
-                return None;
+                break;
             }
             let instances = self.instances(&known, &claim, statement);
             let names = statement.role != Some(Role::Claimed)
                 && finding.verdict == Verdict::Definition
                 && self.names_a_value(left, right);
-            if let Some(found) = self.among(&claim, &instances, finding, names, &long) {
-                return found;
+            match self.among(&claim, &instances, finding, names, &long) {
+                Some(Some(found)) => {
+                    return Some(found).filter(|found| !doubt || found.verdict != Verdict::Refuted);
+                }
+                Some(None) => doubt = true,
+                None => {}
             }
         }
         None
@@ -110,6 +129,27 @@ impl Checker {
             })
         };
         matches!(right.kind, Kind::Apply(..)) && !bases(left).iter().any(used)
+    }
+
+    /// A side with what the page says that members of its families are, other than the one it is about.
+    fn with_members_unfolded(&self, side: &Expr, chain: &Chain, place: &Place) -> Expr {
+        let own = Head::of(&chain.sides[0].expr).map(|head| head.base);
+        let mut result = side.clone();
+        let head = Head::of(side).filter(|head| head.arguments.is_none() && !head.lower.is_empty());
+        let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
+        if head.as_ref().is_some_and(given)
+            && let Some(value) = self.unfolded(side, place, Choices::default())
+        {
+            return value.without_spans();
+        }
+        result.for_each_child_mut(&mut |child| *child = self.with_members_unfolded(child, chain, place));
+        result
+    }
+
+    /// Whether another formula says what a member of a family is.
+    fn is_given(&self, head: &Head, place: &Place) -> bool {
+        let definition = self.context.visible(&head.base, place).next();
+        definition.is_some_and(|(_, definition, near)| near && definition.place.formula != place.formula)
     }
 
     fn claim<'a>(&self, left: &'a Expr, right: &'a Expr, chain: &'a Chain, place: &'a Place) -> Claim<'a> {
@@ -135,6 +175,10 @@ impl Checker {
             if long() {
                 return Some(None);
             }
+            doubt |= instance.conventions.iter().any(|right| {
+                claim.fits_sides(instance, &instance.sides[0], right)
+                    && instance.standing == Standing::Certain
+            });
             if !claim.fits(instance) {
                 continue;
             }
@@ -175,11 +219,14 @@ impl Checker {
 
     /// The theorems that a claim may be an instance of.
     fn instances<'a>(&self, known: &'a [Theorem], claim: &Claim, statement: &Statement) -> Vec<Instance<'a>> {
-        let topics = statement.topics;
+        let mut topics = spoken(statement.topics, [claim.left, claim.right]);
+        if self.order_of_contact(claim.place).is_some() {
+            topics.add(Topic::Join);
+        }
         let one_length = self.context.letters.has_one_length();
         let uneven = self.context.has_uneven_knots(claim.place);
         let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
-        let degrees: Vec<i64> = topics.degrees().collect();
+        let said = Said { degrees: topics.degrees().collect(), intervals: self.intervals_heard(claim.place) };
         let mut found = Vec::new();
         for theorem in known {
             if !theorem.is_spoken_of(topics) || theorem.even && !even(theorem) {
@@ -189,8 +236,8 @@ impl Checker {
                 if !claim.profile.may_be(&equation.profile) {
                     continue;
                 }
-                for way in ways(equation, claim.left, &claim.profile, &degrees) {
-                    let standing = self.standing(theorem, equation, &way, claim);
+                for way in ways(equation, claim.left, &claim.profile, &said) {
+                    let standing = self.standing(theorem, equation, &way, claim, &said);
                     let by = [way.letters.clone(), way.integers.clone()].concat();
                     let put = |expr: &Expr| {
                         let mut expr = expr.clone();
@@ -200,6 +247,7 @@ impl Checker {
                     found.push(Instance {
                         sides: [put(&equation.left), put(&equation.right)],
                         misremembered: equation.misremembered.iter().map(put).collect(),
+                        conventions: equation.conventions.iter().map(put).collect(),
                         conditions: theorem.conditions.iter().map(put).collect(),
                         theorem,
                         equation,
@@ -212,13 +260,64 @@ impl Checker {
         found
     }
 
+    /// The intervals that the section speaks of, the latest first, and pairs of names of which one is said to be less.
+    fn intervals_heard(&self, place: &Place) -> Vec<(Expr, Expr)> {
+        let mut found = Vec::new();
+        for expr in self.heard(place) {
+            match &expr.kind {
+                Kind::Chain(left, links)
+                    if links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le)) =>
+                {
+                    let sides: Vec<&Expr> =
+                        std::iter::once(left.as_ref()).chain(links.iter().map(|link| &link.expr)).collect();
+                    let names =
+                        sides.windows(2).filter(|pair| pair.iter().all(|side| Head::of(side).is_some()));
+                    found.extend(names.map(|pair| (pair[0].clone(), pair[1].clone())));
+                }
+                Kind::List(_) | Kind::Apply(..) => {
+                    found.extend(interval(expr).map(|([from, to], _)| (from.clone(), to.clone())));
+                }
+                _ => {}
+            }
+        }
+        found
+    }
+
     /// What it means that a claim fits a theorem in a way.
-    fn standing(&self, theorem: &Theorem, equation: &Equation, way: &Way, claim: &Claim) -> Standing {
+    fn standing(
+        &self,
+        theorem: &Theorem,
+        equation: &Equation,
+        way: &Way,
+        claim: &Claim,
+        said: &Said,
+    ) -> Standing {
         let unlike = |theirs: &str, ours: &Expr| {
             roles::clash(theirs, ours, &self.context, claim.place)
                 || roles::is_no_basis(theirs, ours, &self.context, claim.place)
         };
-        if way.letters.iter().any(|(theirs, ours)| unlike(theirs, ours)) {
+        // What a ratio is the page says.
+        let given = |(theirs, ours): &(String, Expr)| {
+            theirs == "a" && Head::of(ours).is_some_and(|head| self.is_given(&head, claim.place))
+        };
+        if way.letters.iter().any(given) {
+            return Standing::Doubtful;
+        }
+        let named = |letter: &String| equation.profile.is_family(letter) || letter.starts_with(['B', 'N']);
+        if way.letters.iter().any(|(theirs, ours)| named(theirs) && unlike(theirs, ours)) {
+            return Standing::Doubtful;
+        }
+        if let Some(standing) = self.contact(theorem, way, claim.place) {
+            return standing;
+        }
+        let within =
+            |name: &Expr| said.intervals.iter().any(|(from, to)| from.same_as(name) || to.same_as(name));
+        // The points are those of the interval spoken of last.
+        if let ([from, to], [latest, .., _]) = (way.ends.as_slice(), said.intervals.as_slice())
+            && within(from)
+            && within(to)
+            && !(latest.0.same_as(from) && latest.1.same_as(to))
+        {
             return Standing::Doubtful;
         }
         let sizes =
@@ -246,6 +345,71 @@ impl Checker {
             };
         }
         Standing::Certain
+    }
+
+    /// What the order of contact that the page supposes makes of a theorem on contact.
+    fn contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
+        let (_, free) = way.integers.iter().find(|(letter, _)| theorem.contact.as_ref() == Some(letter))?;
+        let order = self.order_of_contact(place)?;
+        // Both are a name or a neighbour of one.
+        let parts = |expr: &Expr| match &expr.kind {
+            Kind::Add(_) => {
+                let at = |value: i64| {
+                    let names: Vec<_> = bases(expr).into_iter().map(|name| (name, value)).collect();
+                    evaluator::machine().with_locals(as_values(&names), |machine| machine.eval_int(expr)).ok()
+                };
+                Some((bases(expr), at(0)?))
+            }
+            Kind::Name(_) => Some((bases(expr), 0)),
+            _ => expr.as_int().map(|value| (BTreeSet::new(), value)),
+        };
+        let ((letter, own), (other, supposed)) = (parts(free)?, parts(&order)?);
+        Some(match own - supposed {
+            _ if letter != other => Standing::Doubtful,
+            0 => Standing::Certain,
+            1 => Standing::Shifted,
+            _ => Standing::Doubtful,
+        })
+    }
+
+    /// The r of F^{(k)}(a) = G^{(k)}(a) for k = 0, …, r.
+    fn order_of_contact(&self, place: &Place) -> Option<Expr> {
+        let index = |side: &Expr| {
+            let Kind::Apply(callee, _) = &side.kind else { return None };
+            let head = Head::of(callee).filter(|head| head.parenthesized)?;
+            match head.upper.as_slice() {
+                [Expr { kind: Kind::Name(index), .. }] => Some(index.clone()),
+                _ => None,
+            }
+        };
+        let supposed = |expr: &Expr| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            let [link] = links.as_slice() else { return None };
+            index(left).filter(|own| index(&link.expr).as_ref() == Some(own))
+        };
+        let open = self.context.conditions.iter().flat_map(|condition| {
+            std::iter::once(&condition.expr).chain(&condition.ranges).map(|expr| (expr, &condition.place))
+        });
+        let said = self.context.heard.iter().map(|(place, expr)| (&**expr, place));
+        let all: Vec<&Expr> =
+            open.chain(said).filter(|(_, other)| place.knows(other, false)).map(|(expr, _)| expr).collect();
+        let index = all.iter().rev().find_map(|expr| supposed(expr))?;
+        all.iter().rev().find_map(|expr| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            let last = &links.last()?.expr;
+            let about = |side: &Expr| matches!(&side.kind, Kind::Name(name) if *name == index);
+            match (&last.kind, links.as_slice()) {
+                (Kind::Range(_, last), [link]) if about(left) && link.rel == Rel::Eq => {
+                    Some(last.as_ref().clone())
+                }
+                (_, [first, second]) if about(&first.expr) && left.as_int() == Some(0) => match second.rel {
+                    Rel::Le => Some(last.clone()),
+                    Rel::Lt => Some(last.clone().plus(-1)),
+                    _ => None,
+                },
+                _ => None,
+            }
+        })
     }
 
     /// Whether a sum of the page over some points ends with a letter.
@@ -294,6 +458,21 @@ impl Checker {
     }
 }
 
+/// What a section and the form of a claim in it speak of.
+fn spoken(mut topics: Topics, sides: [&Expr; 2]) -> Topics {
+    for side in sides {
+        walk(side, &mut |part| match &part.kind {
+            Kind::Derivative { .. } | Kind::Accent(Accent::Dot | Accent::Ddot, _) => {
+                topics.add(Topic::Derivative);
+            }
+            Kind::Apply(callee, _) if matches!(callee.kind, Kind::Prime(..)) => topics.add(Topic::Derivative),
+            Kind::Integral { .. } => topics.add(Topic::Integral),
+            _ => {}
+        });
+    }
+    topics
+}
+
 /// The one case of a formula that is not a number, or the formula.
 fn main_case(expr: &Expr) -> &Expr {
     let Kind::Cases(cases) = &expr.kind else { return expr };
@@ -305,7 +484,7 @@ fn main_case(expr: &Expr) -> &Expr {
     }
 }
 
-/// b_{ijk} beside b_{i-1,j,k}: indices that are written together.
+/// b_{ijk} beside b_{i-1,j,k}: indices that are written together; p_{i,…,k}, the first and the last index.
 fn with_indices_apart(sides: [&Expr; 2]) -> [Expr; 2] {
     let mut several: Vec<(String, usize)> = Vec::new();
     for side in sides {
@@ -321,6 +500,13 @@ fn with_indices_apart(sides: [&Expr; 2]) -> [Expr; 2] {
     fn split(expr: &mut Expr, several: &[(String, usize)]) {
         expr.for_each_child_mut(&mut |child| split(child, several));
         let Kind::Subscript(base, indices) = &mut expr.kind else { return };
+        // p_{i,…,k}: from i to k
+        if let [_, dots, _] = indices.as_slice()
+            && dots.kind == Kind::Ellipsis
+        {
+            indices.remove(1);
+            return;
+        }
         let [Expr { kind: Kind::Mul(factors), .. }] = indices.as_slice() else { return };
         if Head::of(base).is_some_and(|head| several.contains(&(head.base, factors.len()))) {
             *indices = factors.clone();
@@ -331,6 +517,22 @@ fn with_indices_apart(sides: [&Expr; 2]) -> [Expr; 2] {
         split(&mut side, &several);
         side
     })
+}
+
+/// A formula in which the points b_i^r(t) of an algorithm are written b_i^r.
+fn without_parameters(expr: &Expr) -> Expr {
+    let mut result = expr.clone();
+    result.for_each_child_mut(&mut |child| *child = without_parameters(child));
+    let Kind::Apply(callee, groups) = &result.kind else { return result };
+    let name = |item: &&Expr| matches!(item.kind, Kind::Name(_));
+    let one = matches!(groups.as_slice(), [group] if matches!(group.as_slice(), [item] if name(&item)));
+    let point = Head::of(callee).is_some_and(|head| {
+        let (lower, upper) = (head.lower.len(), head.upper.len());
+        head.arguments.is_none()
+            && lower + upper > 1
+            && families::notation(&head.base, lower, upper).is_none()
+    });
+    if one && point { callee.as_ref().clone() } else { result }
 }
 
 /// A formula in which b_i^{(1)} is a member of a family with another name.

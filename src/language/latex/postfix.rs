@@ -201,7 +201,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Arguments: lists with semicolons between.
+    /// Arguments: lists with semicolons or bars between, f(u_1, u_2 | v_1).
     pub fn groups_in(&mut self, window: Window) -> Result<Vec<Vec<Expr>>> {
         if self.is_blank(window.clone()) {
             return Ok(vec![Vec::new()]);
@@ -211,7 +211,7 @@ impl Reader<'_> {
 
     fn groups(&mut self) -> Result<Vec<Vec<Expr>>> {
         let mut groups = vec![self.list()?];
-        while self.eat(Tok::Semicolon).is_some() {
+        while self.eat(Tok::Semicolon).or_else(|| self.eat(Tok::Mid)).is_some() {
             groups.push(self.items()?);
         }
         Ok(groups)

@@ -107,7 +107,8 @@ impl Reader<'_> {
     fn ends_items(&self, kind: Tok) -> bool {
         match kind {
             Tok::Semicolon => !self.row,
-            Tok::Bar | Tok::Mid => self.in_set,
+            Tok::Bar => self.in_set,
+            Tok::Mid => self.in_set || !self.row,
             Tok::Rel(Rel::Colon) => self.in_set || self.colon_ends,
             _ => false,
         }

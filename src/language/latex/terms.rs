@@ -240,6 +240,10 @@ impl Reader<'_> {
     pub fn operand(&mut self) -> Result<Expr> {
         let start = self.start();
         let first = self.postfix();
+        let first = match first {
+            Ok(delta) if is_difference(&delta) => self.difference(delta, true),
+            _ => first,
+        };
         match self.peek() {
             Some(Tok::Binary("mod")) => first,
             Some(Tok::Circ | Tok::Cross | Tok::Binary(_)) => self.composed(first?, start),
@@ -261,7 +265,8 @@ impl Reader<'_> {
                 self.skip_gaps();
                 // 2 \times -3
                 let signed = operator == Tok::Cross && matches!(self.peek(), Some(Tok::Plus | Tok::Minus));
-                list.push(if signed { self.signed(Self::postfix)? } else { self.postfix()? });
+                let item = if signed { self.signed(Self::postfix)? } else { self.postfix()? };
+                list.push(if is_difference(&item) { self.difference(item, false)? } else { item });
             }
             let kind = match operator {
                 Tok::Circ => Kind::Compose(list),
@@ -273,6 +278,22 @@ impl Reader<'_> {
             left = self.node(kind, start);
         }
         Ok(left)
+    }
+
+    /// Δb_i as a factor of a product of vectors, Δb_0 × Δb_1; if it is the first one, a × has to follow.
+    fn difference(&mut self, delta: Expr, first: bool) -> Result<Expr> {
+        let member = matches!(self.peek(), Some(Tok::Letter(_) | Tok::Symbol(_) | Tok::Command(_)));
+        if !member || !self.peek().is_some_and(|kind| self.goes_on(kind)) {
+            return Ok(delta);
+        }
+        let before = self.pos;
+        let next = self.postfix()?;
+        if !matches!(next.kind, Kind::Subscript(..)) || first && self.peek() != Some(Tok::Cross) {
+            self.pos = before;
+            return Ok(delta);
+        }
+        let span = delta.span.to(next.span);
+        Ok(Expr::new(Kind::Mul(vec![delta, next]), span))
     }
 
     /// Whether an operand may begin with this token.
@@ -325,5 +346,14 @@ impl Reader<'_> {
     /// Whether a token of that kind stands before the next one.
     fn is_after(&self, test: impl Fn(Tok) -> bool) -> bool {
         self.pos.checked_sub(1).is_some_and(|at| test(self.tokens[at].kind))
+    }
+}
+
+/// Whether it is the sign of a difference, Δ or Δ^k.
+fn is_difference(expr: &Expr) -> bool {
+    match &expr.kind {
+        Kind::Name(name) => name == "Delta",
+        Kind::Pow(base, _) => is_difference(base),
+        _ => false,
     }
 }

@@ -22,6 +22,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("nous obtenons", Role::Claimed),
     Before("on arrive à", Role::Claimed),
     Before("conduit à", Role::Claimed),
+    Before("conduit à l'équation", Role::Claimed),
+    Before("on obtient l'équation", Role::Claimed),
     Before("on en tire", Role::Claimed),
     Before("il en résulte que", Role::Claimed),
     Before("il en résulte", Role::Claimed),

@@ -38,6 +38,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("man erhält", Role::Claimed),
     Before("man findet", Role::Claimed),
     Before("findet man", Role::Claimed),
+    Before("führt auf die gleichung", Role::Claimed),
+    Before("führt zu der gleichung", Role::Claimed),
     Before("liefert", Role::Claimed),
     Before("ergibt", Role::Claimed),
     Before("lautet", Role::Claimed),
