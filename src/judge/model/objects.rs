@@ -151,7 +151,10 @@ impl Model {
                     Some(middle) => {
                         self.moved(Some(middle), || self.polar_form(machine, head, of, arguments, expr))
                     }
-                    None => self.polar_form(machine, head, of, arguments, expr),
+                    // β_i^n, of B_i^n
+                    None => machine.with_locals(bound.clone(), |machine| {
+                        self.polar_form(machine, head, of, arguments, expr)
+                    }),
                 })
             })?,
             // "the cubics B_0^3, …" says nothing new of what has a meaning.

@@ -57,7 +57,9 @@ impl Profile {
                     Kind::Integral { variable, .. } => bound.extend(Head::of(variable).map(|head| head.base)),
                     _ => {}
                 }
-                if is_raised(part, &BTreeSet::new()) {
+                // Nobody writes b_i^1 for a power.
+                let first = matches!(&part.kind, Kind::Pow(base, one) if one.as_int() == Some(1) && matches!(base.kind, Kind::Subscript(..)));
+                if first || is_raised(part, &BTreeSet::new()) {
                     profile.raised.extend(Head::of(part).map(|head| head.base));
                 }
             });

@@ -30,7 +30,7 @@ use super::finding::{Finding, Verdict};
 use super::inequality::interval;
 use super::integers::as_values;
 use super::model::Choices;
-use super::names::{Head, bases, walk};
+use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Sort;
 use super::repair;
 use super::statement::{Chain, Place, Role, Statement};
@@ -89,7 +89,8 @@ impl Checker {
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
         let known = known();
-        let plain = with_indices_apart([left, right]);
+        let polar = statement.topics.has(Topic::PolarForm);
+        let plain = with_indices_apart([left, right]).map(|side| with_repetitions(&side, polar));
         let marked = plain.each_ref().map(without_marks);
         let bare = marked.each_ref().map(without_parameters);
         let mut forms = vec![plain, marked, bare];
@@ -135,7 +136,8 @@ impl Checker {
     fn with_members_unfolded(&self, side: &Expr, chain: &Chain, place: &Place) -> Expr {
         let own = Head::of(&chain.sides[0].expr).map(|head| head.base);
         let mut result = side.clone();
-        let head = Head::of(side).filter(|head| head.arguments.is_none() && !head.lower.is_empty());
+        let head = Head::of(side).filter(|head| head.arguments.is_none());
+        let head = head.filter(|head| !head.lower.is_empty() || !is_index_letter(&head.base));
         let given = |head: &Head| own.as_ref() != Some(&head.base) && self.is_given(head, place);
         if head.as_ref().is_some_and(given)
             && let Some(value) = self.unfolded(side, place, Choices::default())
@@ -309,6 +311,12 @@ impl Checker {
         }
         if let Some(standing) = self.contact(theorem, way, claim.place) {
             return standing;
+        }
+        // Of another degree than words say.
+        let size = way.integers.iter().find(|(letter, _)| letter == "n").and_then(|(_, size)| size.as_int());
+        let degree = size.map(|size| size - i64::from(equation.order));
+        if degree.is_some_and(|degree| !said.degrees.is_empty() && !said.degrees.contains(&degree)) {
+            return Standing::Doubtful;
         }
         let within =
             |name: &Expr| said.intervals.iter().any(|(from, to)| from.same_as(name) || to.same_as(name));
@@ -519,6 +527,29 @@ fn with_indices_apart(sides: [&Expr; 2]) -> [Expr; 2] {
     })
 }
 
+/// A formula in which f(a^{⟨k⟩}, b) has a brace with a count, and so has f(a^k, b) where polar forms are spoken of.
+fn with_repetitions(expr: &Expr, polar: bool) -> Expr {
+    let mut result = expr.clone();
+    result.for_each_child_mut(&mut |child| *child = with_repetitions(child, polar));
+    let Kind::Apply(_, groups) = &mut result.kind else { return result };
+    if groups.iter().map(Vec::len).sum::<usize>() < 2 {
+        return result;
+    }
+    for item in groups.iter_mut().flatten() {
+        let repeated = match &item.kind {
+            Kind::Upper(base, counts) if counts.len() == 1 => Some((base, &counts[0])),
+            Kind::Pow(base, count) if polar && !bases(count).is_empty() => Some((base, count.as_ref())),
+            _ => None,
+        };
+        if let Some((base, count)) = repeated
+            && matches!(base.kind, Kind::Name(_) | Kind::Number(_) | Kind::Accent(..))
+        {
+            item.kind = Kind::Brace(vec![base.as_ref().clone()], Some(Box::new(count.clone())));
+        }
+    }
+    result
+}
+
 /// A formula in which the points b_i^r(t) of an algorithm are written b_i^r.
 fn without_parameters(expr: &Expr) -> Expr {
     let mut result = expr.clone();
@@ -538,7 +569,22 @@ fn without_parameters(expr: &Expr) -> Expr {
 /// A formula in which b_i^{(1)} is a member of a family with another name.
 fn without_marks(expr: &Expr) -> Expr {
     fn unmark(expr: &mut Expr) {
+        // N_i'(t) is a derivative, y_0' the slope beside y_0.
+        if let Kind::Apply(callee, groups) = &mut expr.kind
+            && matches!(callee.kind, Kind::Prime(..))
+        {
+            return groups.iter_mut().flatten().for_each(unmark);
+        }
         expr.for_each_child_mut(&mut unmark);
+        if let Kind::Prime(base, order) = &expr.kind
+            && let Kind::Subscript(letter, indices) = &base.kind
+            && let Some(head) = Head::of(letter)
+        {
+            let marks = "'".repeat(*order as usize);
+            let name = Expr::new(Kind::Name(format!("{}{marks}", head.base)), letter.span);
+            expr.kind = Kind::Subscript(Box::new(name), indices.clone());
+            return;
+        }
         // b_i^*
         if let Kind::Pow(base, _) | Kind::Upper(base, _) | Kind::Accent(_, base) = &expr.kind
             && let Kind::Subscript(letter, indices) = &base.kind
