@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::{Body, Context};
+use super::inequality::interval;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::statement::Place;
 use crate::formula::{Expr, Kind, Rel, Sign};
@@ -348,7 +349,7 @@ impl Context {
     }
 
     /// The letters whose members are knots: those that words call so, or between which a B-spline is defined to
-    /// be 1, or of whose members a claim has differences in denominators; else t.
+    /// be 1 or lives, or of whose members a claim has differences in denominators; else t.
     pub fn knot_letters(&self, place: &Place, sides: &[&Expr]) -> Vec<String> {
         let mut found = self.stated_knots(place);
         if found.is_empty() {
@@ -509,6 +510,25 @@ impl Context {
                     add(left);
                     add(&two.expr);
                 }
+            }
+        }
+        if found.is_empty() { self.ends_of_supports(place) } else { found }
+    }
+
+    /// The letters of the ends of intervals [u_i, u_{i+p+1}], [u_j, u_{j+1}).
+    fn ends_of_supports(&self, place: &Place) -> Vec<String> {
+        let letter = |end: &Expr| {
+            let head = Head::of(end).filter(|head| head.arguments.is_none() && head.upper.is_empty())?;
+            head.lower.iter().any(|index| !bases(index).is_empty()).then_some(head.base)
+        };
+        let heard = self.heard.iter().filter(|(other, _)| place.knows(other, false));
+        let mut found: Vec<String> = Vec::new();
+        for ([from, to], _) in heard.filter_map(|(_, expr)| interval(expr)) {
+            if let (Some(one), Some(other)) = (letter(from), letter(to))
+                && one == other
+                && !found.contains(&one)
+            {
+                found.push(one);
             }
         }
         found

@@ -27,7 +27,7 @@ pub(super) fn as_arguments(statements: &mut [Statement]) {
                     letters.extend(pairs.filter_map(|pair| call(&pair[0], &pair[1]).map(|head| head.base)));
                 }
                 Kind::Apply(callee, groups) if groups.iter().flatten().count() == 1 => {
-                    called.extend(Head::of(callee).map(|head| head.base));
+                    called.extend(Head::of(underived(callee)).map(|head| head.base));
                 }
                 _ => {}
             });
@@ -38,6 +38,14 @@ pub(super) fn as_arguments(statements: &mut [Statement]) {
     }
     for statement in statements {
         each(statement, &mut |expr| apply(expr, &letters, &called));
+    }
+}
+
+/// A function without the marks of derivatives: F of F'(t).
+fn underived(callee: &Expr) -> &Expr {
+    match &callee.kind {
+        Kind::Prime(function, _) | Kind::Accent(Accent::Dot | Accent::Ddot, function) => function,
+        _ => callee,
     }
 }
 

@@ -292,3 +292,10 @@ pub(super) fn is_condition(expr: &Expr, follows: bool) -> bool {
         _ => false,
     }
 }
+
+/// C^1, G^2: how smoothly curves meet.
+pub(super) fn is_smoothness(expr: &Expr) -> bool {
+    let Kind::Pow(base, order) = &expr.kind else { return false };
+    matches!(&base.kind, Kind::Name(name) if name == "C" || name == "G")
+        && order.as_int().is_some_and(|order| (1..=4).contains(&order))
+}

@@ -7,7 +7,7 @@
 use super::blocks::Blocks;
 use super::brackets;
 use super::cases::read_conditions;
-use super::conditions::{announces_condition, attach, is_condition, is_condition_word};
+use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
 use super::objects;
 use super::primes;
 use super::sentence;
@@ -82,13 +82,6 @@ struct Reader<'a> {
     trailing: Option<(Rel, Span)>,
     formula: usize,
     table: Table,
-}
-
-/// C^1, G^2: how smoothly curves meet.
-fn is_smoothness(expr: &Expr) -> bool {
-    let Kind::Pow(base, order) = &expr.kind else { return false };
-    matches!(&base.kind, Kind::Name(name) if name == "C" || name == "G")
-        && order.as_int().is_some_and(|order| (1..=4).contains(&order))
 }
 
 impl Reader<'_> {

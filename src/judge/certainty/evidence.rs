@@ -14,6 +14,7 @@ use crate::judge::context::{Body, Definition, Source, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
 use crate::judge::hypotheses::is_coefficient;
+use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, contains, is_index_letter};
 use crate::judge::object::Sort;
 use crate::judge::refute::calls;
@@ -234,13 +235,26 @@ impl Suspect<'_> {
         within > 0 && within == all
     }
 
-    /// Σ_{i=j-k}^j P_i N_{i,k}(t), the splines that are not 0 between two knots: true between these two.
+    /// Σ_{i=j-k}^j P_i N_{i,k}(t), the splines that are not 0 between two knots: true between these two. Where t is said
+    /// to lie in [t_j, t_{j+1}) it is tried there.
     fn is_of_one_piece(&self) -> bool {
         let free = |bound: &Expr| {
             let names = bases(bound);
             self.failure.integers.iter().any(|(name, _)| names.contains(name) && !roles::is_size(name))
         };
+        let between = |condition: &Expr| {
+            let Kind::Chain(_, links) = &condition.kind else { return false };
+            let ends =
+                links.iter().filter(|link| link.rel == Rel::In).filter_map(|link| interval(&link.expr));
+            ends.map(|([from, _], _)| from)
+                .any(|from| Head::of(from).is_some_and(|head| head.lower.iter().any(&free)))
+        };
+        let place = &self.statement.place;
+        let known =
+            self.checker.context.conditions.iter().filter(|known| place.knows(&known.place, known.assumed));
+        let mut said = self.chain.conditions.iter().chain(known.map(|known| &known.expr));
         self.failure.around.is_some()
+            && !said.any(between)
             && self.any(&mut |part| match &part.kind {
                 Kind::Big { lower, upper: Some(upper), .. } => free(upper) && lower.iter().any(free),
                 _ => false,

@@ -84,6 +84,12 @@ impl Theorem {
             && self.about.iter().all(|group| group.iter().any(|topic| topics.has(*topic)))
     }
 
+    /// One topic of each group.
+    #[cfg(test)]
+    pub(super) fn first_topics(&self) -> impl Iterator<Item = Topic> {
+        self.about.iter().filter_map(|group| group.first().copied())
+    }
+
     /// Whether it differs by whether n is a degree or an order.
     pub(super) fn has_orders(&self) -> bool {
         self.equations.iter().any(|equation| equation.order)

@@ -4,6 +4,7 @@
 //! derivatives are taken from `math`, and points are values of the polar form.
 
 mod meaning;
+mod spoilt;
 
 use std::rc::Rc;
 
@@ -47,6 +48,19 @@ fn sides(
         .chain(rights.iter().copied())
         .map(|side| free.value(side, &behind.integers))
         .collect()
+}
+
+/// The left side and others where the letters are known.
+fn random_sides(
+    theorem: &Theorem,
+    equation: &Equation,
+    rights: &[&crate::formula::Expr],
+    integers: Vec<(String, i64)>,
+) -> Option<Vec<Fraction>> {
+    let variables = equation.profile.variables.iter().map(crate::language::write::text).collect();
+    let (order, seed) = (equation.order, 7);
+    let behind = Behind { meaning: theorem.meaning, integers, order, variables, seed };
+    sides(theorem, equation, rights, &behind)
 }
 
 fn instances(theorem: &Theorem, profile: &Profile) -> Vec<Vec<(String, i64)>> {

@@ -1,0 +1,189 @@
+//! What it means that a claim fits a theorem: which sizes, letters and intervals the page speaks of decides.
+
+use std::collections::BTreeSet;
+
+use super::entry::{Equation, Theorem};
+use super::fit::{Claim, Standing};
+use super::letters::{Said, Way};
+use super::roles;
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::check::Checker;
+use crate::judge::context::Body;
+use crate::judge::evaluator;
+use crate::judge::integers::as_values;
+use crate::judge::names::{Head, bases, walk};
+use crate::judge::object::Sort;
+use crate::judge::statement::Place;
+
+impl Checker {
+    /// What it means that a claim fits a theorem in a way.
+    pub(super) fn standing(
+        &self,
+        theorem: &Theorem,
+        equation: &Equation,
+        way: &Way,
+        claim: &Claim,
+        said: &Said,
+    ) -> Standing {
+        let unlike = |theirs: &str, ours: &Expr| {
+            roles::clash(theirs, ours, &self.context, claim.place)
+                || roles::is_no_basis(theirs, ours, &self.context, claim.place)
+        };
+        // What a ratio is the page says.
+        let given = |(theirs, ours): &(String, Expr)| {
+            theirs == "a" && Head::of(ours).is_some_and(|head| self.is_given(&head, claim.place))
+        };
+        if way.letters.iter().any(given) {
+            return Standing::Doubtful;
+        }
+        let named = |letter: &String| equation.profile.is_family(letter) || letter.starts_with(['B', 'N']);
+        if way.letters.iter().any(|(theirs, ours)| named(theirs) && unlike(theirs, ours)) {
+            return Standing::Doubtful;
+        }
+        if let Some(standing) = self.contact(theorem, way, claim.place) {
+            return standing;
+        }
+        // Of another degree than words say.
+        let size = way.integers.iter().find(|(letter, _)| letter == "n").and_then(|(_, size)| size.as_int());
+        let degree = size.map(|size| size - i64::from(equation.order));
+        if degree.is_some_and(|degree| !said.degrees.is_empty() && !said.degrees.contains(&degree)) {
+            return Standing::Doubtful;
+        }
+        let within =
+            |name: &Expr| said.intervals.iter().any(|(from, to)| from.same_as(name) || to.same_as(name));
+        // The points are those of the interval spoken of last.
+        if let ([from, to], [latest, .., _]) = (way.ends.as_slice(), said.intervals.as_slice())
+            && within(from)
+            && within(to)
+            && !(latest.0.same_as(from) && latest.1.same_as(to))
+        {
+            return Standing::Doubtful;
+        }
+        let sizes =
+            way.integers.iter().skip(way.anchored).filter(|(letter, _)| letter != "i" && letter != "j");
+        for (_, value) in sizes.clone() {
+            let Kind::Add(_) = &value.kind else { continue };
+            let name = bases(value).into_iter().next().unwrap_or_default();
+            // Of degree n - 1, or of degree n raised from n - 1: words or sums tell.
+            let points = way.letters.iter().find(|(letter, _)| letter == "b").map(|(_, value)| value);
+            let said = self.said_as_order(&Expr::name(&name), claim.place) == Some(false)
+                || theorem.has_orders() && self.context.spline_has_degree(claim.place) == Some(true)
+                || points.is_some_and(|points| self.sums_to(&name, points, claim.place));
+            return if said && !equation.order { Standing::Shifted } else { Standing::Doubtful };
+        }
+        if theorem.has_orders() {
+            let size = way.integers.iter().find(|(letter, _)| letter == "n").map(|(_, size)| size);
+            let said = size.and_then(|size| self.said_as_order(size, claim.place));
+            // Where words say that it is the degree, the other is the likely slip. Many say order for the degree.
+            return match said {
+                Some(true) if !equation.order => Standing::Doubtful,
+                Some(said) if said != equation.order => Standing::Shifted,
+                Some(_) => Standing::Certain,
+                None if equation.order => Standing::Doubtful,
+                None => Standing::Certain,
+            };
+        }
+        Standing::Certain
+    }
+
+    /// What the order of contact that the page supposes makes of a theorem on contact.
+    fn contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
+        let (_, free) = way.integers.iter().find(|(letter, _)| theorem.contact.as_ref() == Some(letter))?;
+        let order = self.order_of_contact(place)?;
+        // Both are a name or a neighbour of one.
+        let parts = |expr: &Expr| match &expr.kind {
+            Kind::Add(_) => {
+                let at = |value: i64| {
+                    let names: Vec<_> = bases(expr).into_iter().map(|name| (name, value)).collect();
+                    evaluator::machine().with_locals(as_values(&names), |machine| machine.eval_int(expr)).ok()
+                };
+                Some((bases(expr), at(0)?))
+            }
+            Kind::Name(_) => Some((bases(expr), 0)),
+            _ => expr.as_int().map(|value| (BTreeSet::new(), value)),
+        };
+        let ((letter, own), (other, supposed)) = (parts(free)?, parts(&order)?);
+        Some(match own - supposed {
+            _ if letter != other => Standing::Doubtful,
+            0 => Standing::Certain,
+            1 => Standing::Shifted,
+            _ => Standing::Doubtful,
+        })
+    }
+
+    /// The r of F^{(k)}(a) = G^{(k)}(a) for k = 0, …, r.
+    pub(super) fn order_of_contact(&self, place: &Place) -> Option<Expr> {
+        let index = |side: &Expr| {
+            let Kind::Apply(callee, _) = &side.kind else { return None };
+            let head = Head::of(callee).filter(|head| head.parenthesized)?;
+            match head.upper.as_slice() {
+                [Expr { kind: Kind::Name(index), .. }] => Some(index.clone()),
+                _ => None,
+            }
+        };
+        let supposed = |expr: &Expr| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            let [link] = links.as_slice() else { return None };
+            index(left).filter(|own| index(&link.expr).as_ref() == Some(own))
+        };
+        let open = self.context.conditions.iter().flat_map(|condition| {
+            std::iter::once(&condition.expr).chain(&condition.ranges).map(|expr| (expr, &condition.place))
+        });
+        let said = self.context.heard.iter().map(|(place, expr)| (&**expr, place));
+        let all: Vec<&Expr> =
+            open.chain(said).filter(|(_, other)| place.knows(other, false)).map(|(expr, _)| expr).collect();
+        let index = all.iter().rev().find_map(|expr| supposed(expr))?;
+        all.iter().rev().find_map(|expr| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            let last = &links.last()?.expr;
+            let about = |side: &Expr| matches!(&side.kind, Kind::Name(name) if *name == index);
+            match (&last.kind, links.as_slice()) {
+                (Kind::Range(_, last), [link]) if about(left) && link.rel == Rel::Eq => {
+                    Some(last.as_ref().clone())
+                }
+                (_, [first, second]) if about(&first.expr) && left.as_int() == Some(0) => match second.rel {
+                    Rel::Le => Some(last.clone()),
+                    Rel::Lt => Some(last.clone().plus(-1)),
+                    _ => None,
+                },
+                _ => None,
+            }
+        })
+    }
+
+    /// Whether a sum of the page over some points ends with a letter.
+    fn sums_to(&self, end: &str, points: &Expr, place: &Place) -> bool {
+        let bodies = self.context.definitions.iter().filter(|known| place.sees(&known.place));
+        let mut found = false;
+        for definition in bodies {
+            let Body::Formula(body) = &definition.body else { continue };
+            walk(body, &mut |part| {
+                if let Kind::Big { upper: Some(upper), body, .. } = &part.kind {
+                    let own = matches!(&upper.kind, Kind::Name(name) if name == end);
+                    let base = Head::of(points).map(|head| head.base);
+                    found |= own && base.is_some_and(|base| bases(body).contains(&base));
+                }
+            });
+        }
+        found
+    }
+
+    /// Whether words say that a size is an order (true), or a degree (false).
+    fn said_as_order(&self, size: &Expr, place: &Place) -> Option<bool> {
+        let Kind::Name(letter) = &size.kind else { return None };
+        let spoken = self.context.sizes_of(letter).filter(|declared| place.in_reach(&declared.place, false));
+        let (mut said, mut less) = (None, false);
+        for declared in spoken {
+            // "of degree n - 1": n is no degree.
+            let other =
+                declared.object.degree.as_ref().is_some_and(|degree| degree.same_as(&size.clone().plus(-1)));
+            match declared.object.sort {
+                _ if other => less = true,
+                Sort::Order => said = said.or(Some(true)),
+                Sort::Degree => said = said.or(Some(false)),
+                _ => {}
+            }
+        }
+        said.filter(|order| *order || !less)
+    }
+}
