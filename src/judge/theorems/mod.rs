@@ -26,11 +26,11 @@ use self::fit::{Claim, Instance, Standing};
 use self::forms::{main_case, with_indices_apart, with_repetitions, without_marks, without_parameters};
 use self::letters::{Profile, Said, ways};
 use super::check::Checker;
-use super::context::{Context, Mark};
+use super::context::{Body, Context, Mark};
 use super::finding::{Finding, Verdict};
 use super::inequality::interval;
 use super::model::Choices;
-use super::names::{Head, is_index_letter, walk};
+use super::names::{Head, bases, is_index_letter, walk};
 use super::repair;
 use super::statement::{Chain, Place, Role, Statement};
 use super::topic::{Topic, Topics};
@@ -57,11 +57,17 @@ impl Checker {
         }
         let limits = self.limits.clone();
         for (at, finding) in findings.iter_mut().enumerate() {
-            if !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
+            // Of curves that meet a model knows nothing but what equations say.
+            let joined = finding.verdict == Verdict::Refuted
+                && self.smoothness(&statement.place).is_some_and(|order| order > 0);
+            if !joined && !matches!(finding.verdict, Verdict::Definition | Verdict::Undecided) {
                 continue;
             }
             let found = budget::run(&limits, || self.by_theorems(chain, at, statement, finding));
             let Ok(Some(found)) = found else { continue };
+            if joined && found.verdict == Verdict::Refuted {
+                continue;
+            }
             if found.verdict == Verdict::Refuted {
                 Rc::make_mut(&mut self.context).forget(before);
             }
@@ -104,7 +110,7 @@ impl Checker {
             if claim.profile.letters.is_empty() {
                 break;
             }
-            let instances = self.instances(&known, &claim, statement);
+            let instances = self.instances(&known, &claim, statement, finding);
             let names = statement.role != Some(Role::Claimed)
                 && finding.verdict == Verdict::Definition
                 && self.names_a_value(left, right);
@@ -218,18 +224,29 @@ impl Checker {
     }
 
     /// The theorems that a claim may be an instance of.
-    fn instances<'a>(&self, known: &'a [Theorem], claim: &Claim, statement: &Statement) -> Vec<Instance<'a>> {
+    fn instances<'a>(
+        &self,
+        known: &'a [Theorem],
+        claim: &Claim,
+        statement: &Statement,
+        finding: &Finding,
+    ) -> Vec<Instance<'a>> {
         let mut topics = spoken(statement.topics, [claim.left, claim.right]);
-        if self.order_of_contact(claim.place).is_some() {
+        let smooth = self.smoothness(claim.place).is_some_and(|order| order > 0);
+        if smooth || self.order_of_contact(claim.place).is_some() {
             topics.add(Topic::Join);
         }
+        let refuted = finding.verdict == Verdict::Refuted;
         let one_length = self.context.letters.has_one_length();
         let uneven = self.context.has_uneven_knots(claim.place);
         let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
         let said = Said { degrees: topics.degrees().collect(), intervals: self.intervals_heard(claim.place) };
         let mut found = Vec::new();
         for theorem in known {
-            if !theorem.is_spoken_of(topics) || theorem.even && !even(theorem) {
+            if !theorem.is_spoken_of(topics)
+                || theorem.even && !even(theorem)
+                || refuted && theorem.contact.is_none()
+            {
                 continue;
             }
             for equation in &theorem.equations {

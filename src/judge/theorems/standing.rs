@@ -88,6 +88,10 @@ impl Checker {
 
     /// What the order of contact that the page supposes makes of a theorem on contact.
     fn contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
+        if let Some(needed) = theorem.contact.as_ref().and_then(|order| order.parse::<i64>().ok()) {
+            let known = self.smoothness(place).is_some_and(|order| order >= needed);
+            return Some(if known { Standing::Certain } else { Standing::Doubtful });
+        }
         let (_, free) = way.integers.iter().find(|(letter, _)| theorem.contact.as_ref() == Some(letter))?;
         let order = self.order_of_contact(place)?;
         // Both are a name or a neighbour of one.
@@ -109,6 +113,47 @@ impl Checker {
             1 => Standing::Shifted,
             _ => Standing::Doubtful,
         })
+    }
+
+    /// How many derivatives of two curves agree where they meet, as C^2 or equations F''(a) = G''(a) say, if they
+    /// say one thing.
+    pub(super) fn smoothness(&self, place: &Place) -> Option<i64> {
+        let derived = |side: &Expr| match &side.kind {
+            Kind::Apply(callee, _) => match &callee.kind {
+                Kind::Prime(function, order) => Some((Head::of(function)?.base, i64::from(*order))),
+                _ => Some((Head::of(callee).filter(|head| head.upper.is_empty())?.base, 0)),
+            },
+            _ => None,
+        };
+        let mut said: BTreeSet<i64> = BTreeSet::new();
+        let mut equated: BTreeSet<i64> = BTreeSet::new();
+        for (_, expr) in self.context.heard.iter().filter(|(other, _)| place.knows(other, false)) {
+            match &expr.kind {
+                Kind::Pow(base, order) if matches!(&base.kind, Kind::Name(name) if name == "C") => {
+                    said.extend(order.as_int());
+                }
+                Kind::Chain(left, links) => {
+                    if let [link] = links.as_slice()
+                        && link.rel == Rel::Eq
+                        && let (Some((one, order)), Some((other, same))) =
+                            (derived(left), derived(&link.expr))
+                        && one != other
+                        && order == same
+                    {
+                        equated.insert(order);
+                    }
+                }
+                _ => {}
+            }
+        }
+        // Up to the first order that no equation has
+        let reached = (0..).take_while(|order| equated.contains(order)).last();
+        match (said.first(), said.last(), reached) {
+            (Some(least), Some(most), None) if least == most => Some(*least),
+            (Some(least), Some(most), Some(reached)) if least == most && *least == reached => Some(reached),
+            (None, None, reached) => reached,
+            _ => None,
+        }
     }
 
     /// The r of F^{(k)}(a) = G^{(k)}(a) for k = 0, …, r.
