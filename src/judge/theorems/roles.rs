@@ -41,13 +41,13 @@ pub(super) fn is_no_basis(theirs: &str, ours: &Expr, context: &Context, place: &
     let named = [(1, 1), (2, 0)].iter().any(|(lower, upper)| {
         families::notation(&head.base, *lower, *upper).is_some_and(|notation| notation.family == family)
     });
-    !named && context.object(&head, place).is_none_or(|declared| declared.object.sort != sort)
+    !named && context.object_called(&head.base, place).is_none_or(|declared| declared.object.sort != sort)
 }
 
 /// Whether a letter of the page stands for something else than one of the table.
 pub(super) fn clash(theirs: &str, ours: &Expr, context: &Context, place: &Place) -> bool {
     let (Some(role), Some(head)) = (usual(theirs), Head::of(ours)) else { return false };
-    let said = context.object(&head, place).and_then(|declared| match declared.object.sort {
+    let said = context.object_called(&head.base, place).and_then(|declared| match declared.object.sort {
         Sort::ControlPoints => Some(Role::Points),
         Sort::Knots | Sort::Nodes => Some(Role::Knots),
         _ => None,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::entry::{Equation, Theorem};
 use super::fit::{Claim, Standing};
-use super::letters::{Said, Way};
+use super::letters::{Said, Way, is_end};
 use super::roles;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::check::Checker;
@@ -14,6 +14,7 @@ use crate::judge::integers::as_values;
 use crate::judge::names::{Head, bases, walk};
 use crate::judge::object::Sort;
 use crate::judge::statement::Place;
+use crate::judge::topic::Topic;
 
 impl Checker {
     /// What it means that a claim fits a theorem in a way.
@@ -40,13 +41,12 @@ impl Checker {
         if way.letters.iter().any(|(theirs, ours)| named(theirs) && unlike(theirs, ours)) {
             return Standing::Doubtful;
         }
-        if let Some(standing) = self.contact(theorem, way, claim.place) {
+        if let Some(standing) = self.standing_of_contact(theorem, way, claim.place) {
             return standing;
         }
-        // Of another degree than words say.
-        let size = way.integers.iter().find(|(letter, _)| letter == "n").and_then(|(_, size)| size.as_int());
-        let degree = size.map(|size| size - i64::from(equation.order));
-        if degree.is_some_and(|degree| !said.degrees.is_empty() && !said.degrees.contains(&degree)) {
+        if self.is_of_another_size(theorem, equation, way, said, claim.place)
+            || is_over_another_interval(theorem, equation, said)
+        {
             return Standing::Doubtful;
         }
         let within =
@@ -86,8 +86,37 @@ impl Checker {
         Standing::Certain
     }
 
+    /// Whether an instance with a number for the degree has none that the page names, by words or as the last of some
+    /// points.
+    fn is_of_another_size(
+        &self,
+        theorem: &Theorem,
+        equation: &Equation,
+        way: &Way,
+        said: &Said,
+        place: &Place,
+    ) -> bool {
+        let number = |letter: &str| {
+            let at = way.integers.iter().position(|(known, _)| known == letter)?;
+            Some((at < way.anchored, way.integers[at].1.as_int()?))
+        };
+        let Some((anchored, size)) = number("n") else { return false };
+        let degree = size - i64::from(equation.order);
+        let listed = |degree: i64| {
+            way.letters.iter().filter_map(|(_, own)| Head::of(own)).any(|head| {
+                self.context.listed(&head.base, place).is_some_and(|(_, last)| last.as_int() == Some(degree))
+            })
+        };
+        let known = |degree: i64| said.degrees.contains(&degree) || listed(degree);
+        let raised = number("r").filter(|_| theorem.is_about(Topic::Elevation));
+        if raised.is_some_and(|(_, by)| !known(degree + by)) {
+            return true;
+        }
+        !known(degree) && (!anchored || !said.degrees.is_empty())
+    }
+
     /// What the order of contact that the page supposes makes of a theorem on contact.
-    fn contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
+    fn standing_of_contact(&self, theorem: &Theorem, way: &Way, place: &Place) -> Option<Standing> {
         if let Some(needed) = theorem.contact.as_ref().and_then(|order| order.parse::<i64>().ok()) {
             let known = self.smoothness(place).is_some_and(|order| order >= needed);
             return Some(if known { Standing::Certain } else { Standing::Doubtful });
@@ -231,4 +260,15 @@ impl Checker {
         }
         said.filter(|order| *order || !less)
     }
+}
+
+/// Whether an equation over [0, 1] is claimed where the section speaks of another interval.
+fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said) -> bool {
+    let unit = |(from, to): &(Expr, Expr)| (from.as_int(), to.as_int()) == (Some(0), Some(1));
+    let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
+    let over_unit = ["curve", "powers", "casteljau", "hermite"];
+    let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
+    theorem.meaning.split(' ').any(|word| over_unit.contains(&word))
+        && !equation.profile.variables.iter().any(lengths)
+        && said.intervals.iter().any(|ends| numbers(ends) && !unit(ends))
 }
