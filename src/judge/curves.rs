@@ -6,6 +6,7 @@ use super::check::Checker;
 use super::context::{Body, Definition, is_variable};
 use super::described::{New, member};
 use super::evaluator::{self, evaluate_reading};
+use super::inequality::interval;
 use super::model::Model;
 use super::names::{Head, bases, walk};
 use super::object::{Declared, Object, Sort};
@@ -56,7 +57,7 @@ impl Checker {
     /// The curves of which the section gives a formula or control points, those of words first, then the latest.
     pub(super) fn curves(&self, new: &New, right: &Expr, statement: &Statement) -> Vec<Curve> {
         let place = &statement.place;
-        let mut found = self.curves_in_words(new, place);
+        let mut found = self.curves_in_words(new, statement);
         found.extend(self.curves_by_formula(new, right, statement));
         let (spline, bernstein) =
             (statement.topics.has(Topic::Spline), statement.topics.has(Topic::Bernstein));
@@ -78,7 +79,8 @@ impl Checker {
     }
 
     /// "A cubic Bézier curve with the control points b_0, …, b_3"
-    fn curves_in_words(&self, new: &New, place: &Place) -> Vec<Curve> {
+    fn curves_in_words(&self, new: &New, statement: &Statement) -> Vec<Curve> {
+        let place = &statement.place;
         let here = |declared: &&Declared| place.knows(&declared.place, false);
         let curve = |declared: &Declared| {
             let object = &*declared.object;
@@ -89,7 +91,8 @@ impl Checker {
             }
             let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
             let points = match object.sort {
-                Sort::ControlPoints if object.of.is_none() => &object.names,
+                // Those of a B-spline are no Bézier points.
+                Sort::ControlPoints if object.of.is_none() && !statement.near.has(Topic::Spline) => &object.names,
                 Sort::BezierCurve => &object.points,
                 Sort::SplineCurve if segment || object.is_unnamed() && !object.knots.is_empty() => {
                     &object.points
@@ -111,11 +114,32 @@ impl Checker {
             };
             let name = if own.is_some() { Expr::name(CURVE) } else { object.names[0].clone() };
             let mut curve = Curve::new(name, degree);
-            curve.interval = object.interval.clone().unwrap_or(curve.interval);
+            curve.interval = match (&object.interval, self.intervals_beside(&declared.place).as_slice()) {
+                (Some(own), _) => own.clone(),
+                (None, []) => curve.interval,
+                // "x has over [0, 2] the control points …"
+                (None, [one]) if object.sort == Sort::ControlPoints => one.clone(),
+                (None, _) if object.sort == Sort::ControlPoints => return None,
+                (None, _) => curve.interval,
+            };
             curve.points = points.first().and_then(Head::of).map(|head| head.base);
             Some(Curve { object: own, segment, ..curve })
         };
         self.context.objects.iter().rev().filter(here).filter_map(curve).collect()
+    }
+
+    /// The different intervals in the paragraph of a place.
+    fn intervals_beside(&self, place: &Place) -> Vec<(Expr, Expr)> {
+        let mut found: Vec<(Expr, Expr)> = Vec::new();
+        for (_, expr) in self.context.heard.iter().filter(|(other, _)| other.group == place.group) {
+            if let Kind::List(_) = &expr.kind
+                && let Some(([from, to], _)) = interval(expr)
+                && !found.iter().any(|(a, b)| a.same_as(from) && b.same_as(to))
+            {
+                found.push((from.clone(), to.clone()));
+            }
+        }
+        found
     }
 
     /// x(t) = (1 - t)^2 b_0 + …; "for a quadratic (1 - t)^2 b_0 + …"
