@@ -112,7 +112,8 @@ impl Checker {
         if raised.is_some_and(|(_, by)| !known(degree + by)) {
             return true;
         }
-        !known(degree) && (!anchored || !said.degrees.is_empty())
+        let free = !anchored || !said.degrees.is_empty();
+        free && !known(degree)
     }
 
     /// What the order of contact that the page supposes makes of a theorem on contact.
