@@ -148,6 +148,9 @@ impl Checker {
                 self.diagonal(chain, statement);
                 self.operators(chain, &statement.place);
                 let before = self.context.mark();
+                if equates_values(chain) {
+                    Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
+                }
                 if let Some(mut findings) = self.unasserted(chain, statement) {
                     Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
                     // What two curves have to fulfil where they meet is known.
@@ -365,4 +368,11 @@ pub fn of_side(side: &Side, verdict: Verdict, relation: usize) -> Finding {
     let span = side.expr.span;
     let finding = Finding::new(span, span, side.latex.clone(), write::latex(&side.expr), relation);
     Finding { verdict, ..finding }
+}
+
+/// Whether it says that two functions or their derivatives have one value somewhere: F'(a) = G'(a).
+fn equates_values(chain: &Chain) -> bool {
+    let call = |side: &Side| matches!(side.expr.kind, Kind::Apply(..)) && !side.is_unread();
+    matches!(chain.sides.as_slice(), [one, other] if call(one) && call(other))
+        && matches!(chain.relations.as_slice(), [(Rel::Eq, _)])
 }
