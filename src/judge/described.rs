@@ -246,6 +246,7 @@ impl Checker {
         // "For t = 1/2 we get the point c(1/2) = (b_0 + 2 b_1 + b_2)/4": a point made of its control points
         let point = itself
             && new.point.is_some()
+            && !statement.topics.has(Topic::Join)
             && is_mean_of(&failure.right, meaning.curve.points.as_deref().unwrap_or_default());
         let evidence = match (certain, own || point) {
             (true, _) => Evidence::Names,

@@ -213,6 +213,14 @@ impl Reader<'_> {
             object.interval = interval;
             return true;
         }
+        // "A cubic x is given over [a, b] by its Bézier points"
+        let whole = known.as_ref().is_none_or(|known| known.interval.is_none());
+        if !spline && whole && object.sort == Sort::ControlPoints {
+            // The points of a piece between knots are those of the spline.
+            let knot = |end: &Expr| Head::of(end).is_some_and(|head| head.index().is_some());
+            let interval = self.interval_in(from).map(|(_, interval)| interval);
+            object.interval = interval.filter(|(a, b)| !knot(a) && !knot(b));
+        }
         let Some(known) = known.filter(|_| spline) else { return true };
         if known.interval.is_some() {
             return true;

@@ -25,7 +25,7 @@ use self::subject::{left_side, name_in, named};
 use self::tables::Row;
 use self::tokens::{Token, tokens};
 use super::sentence::Piece;
-use super::speech::Word;
+use super::speech::{self, Word};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
@@ -74,6 +74,9 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         reader.read();
         talk = reader.talk;
     }
+    for sentence in sentences {
+        told_before(sentence, statements, &mut found);
+    }
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
         object.sort = Sort::Other("rational".into());
@@ -87,6 +90,29 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         all.push(statement);
     }
     *statements = all;
+}
+
+/// "x''(0) = 6 (b_2 - 2b_1 + b_0), where x has the points b_0, …, b_3": what is said after a claim of what it speaks of
+/// is said for it.
+fn told_before(sentence: &[Piece], statements: &[Statement], found: &mut BTreeMap<usize, Vec<Object>>) {
+    let claims = |number: &usize| {
+        statements.iter().any(|statement| {
+            statement.place.formula == *number
+                && matches!(&statement.said, Said::Chain(chain) if chain.relations[0].0 == Rel::Eq)
+        })
+    };
+    let mut claim = None;
+    let mut after = false;
+    for piece in sentence {
+        match piece {
+            Piece::Words(words) => after |= claim.is_some() && speech::explains(words),
+            Piece::Formula(number) if after => {
+                let (Some(claim), Some(objects)) = (claim, found.remove(number)) else { continue };
+                found.entry(claim).or_default().extend(objects);
+            }
+            Piece::Formula(number) => claim = claim.or(Some(*number).filter(claims)),
+        }
+    }
 }
 
 /// What the formula with a number says, in its parts.

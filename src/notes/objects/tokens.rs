@@ -3,6 +3,7 @@
 use super::super::sentence::Piece;
 use super::super::speech::{self, Word};
 use crate::formula::source::Pieces;
+use crate::judge::object::Sort;
 
 /// A part of a sentence, as far as it matters here.
 #[derive(Clone, Debug)]
@@ -105,7 +106,12 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
             {
                 found[at] = Token::Number(count);
             }
+            // with points b_0, …, b_3
+            if *word == Word::WithPoints {
+                found.push(Token::Word(Word::With));
+            }
             found.push(match word {
+                Word::WithPoints => Token::Word(Word::Noun(Sort::ControlPoints)),
                 Word::Count(count) if size => Token::Number(*count),
                 Word::Count(count) => {
                     counted = Some((found.len(), *count));

@@ -52,6 +52,8 @@ pub enum Word {
     Be,
     /// "its".
     Its,
+    /// "with points": if a curve has them, they are its control points.
+    WithPoints,
     /// "those": things of the kind that was named last.
     Those,
     /// "it": what was spoken of.
@@ -361,6 +363,15 @@ fn topic_of(sort: &Sort) -> Option<Topic> {
         Sort::BSpline | Sort::SplineCurve => Topic::Spline,
         _ => return None,
     })
+}
+
+/// Whether words begin to say what stands in the formula before them.
+pub fn explains(words: &str) -> bool {
+    let text = plain(words);
+    let text = text.trim_start_matches([',', ' ', '，']);
+    let words = LANGUAGES.iter().map(|language| &language.conditions);
+    let mut words = words.flat_map(|conditions| conditions.values.iter().chain(conditions.cases.first()));
+    words.any(|word| text.starts_with(word))
 }
 
 /// Which of two parts, the left or the right one, words speak of last.
