@@ -404,7 +404,7 @@ fn suggestions_are_in_the_words_of_the_author() {
             "\\mathbf{C}'(t)=n\\sum_{i=0}^{n-1}(\\mathbf{P}_{i+1}-\\mathbf{P}_{i})\\,B_{i,n-1}(t)",
         ),
         (
-            "$$\\begin{aligned}B_i^n(t)&=\\Bigl(1-t\\Bigr)\\,B_i^{n-1}(t)\\\\&\\quad+t\\,B_{i}^{n-1}(t)\\end{aligned}$$",
+            "$$\\begin{aligned}B_i^n(t)&=\\Bigl(1-t\\Bigr)\\,B_i^{n-1}(t)\\\\&\\quad+t\\,B_{i+1}^{n-1}(t)\\end{aligned}$$",
             "B_i^n(t) =\\Bigl(1-t\\Bigr)\\,B_i^{n-1}(t) \\quad+t\\,B_{i-1}^{n-1}(t)",
         ),
         (

@@ -92,7 +92,9 @@ impl Checker {
             let segment = object.sort == Sort::SplineCurve && object.uniform && object.interval.is_some();
             let points = match object.sort {
                 // Those of a B-spline are no Bézier points.
-                Sort::ControlPoints if object.of.is_none() && !statement.near.has(Topic::Spline) => &object.names,
+                Sort::ControlPoints if object.of.is_none() && !statement.near.has(Topic::Spline) => {
+                    &object.names
+                }
                 Sort::BezierCurve => &object.points,
                 Sort::SplineCurve if segment || object.is_unnamed() && !object.knots.is_empty() => {
                     &object.points

@@ -20,7 +20,6 @@ use crate::judge::object::Sort;
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
 use crate::judge::statement::Role;
-use crate::judge::tally::Tally;
 use crate::judge::topic::Topic;
 use crate::language::lexicon::words::is_function_word;
 use crate::language::lexicon::{families, roles};
@@ -41,7 +40,6 @@ impl Suspect<'_> {
                 Evidence::Field,
                 self.continues_the_field() && !self.may_be_a_condition() && !self.is_of_one_piece(),
             ),
-            (Evidence::Field, self.contradicts_a_join()),
             (Evidence::Closed, self.is_closed()),
             (Evidence::Calculation, self.is_calculation()),
             (Evidence::Value, self.is_value()),
@@ -51,13 +49,6 @@ impl Suspect<'_> {
         let data = self.are_data();
         let counts = |evidence: &Evidence| !data || *evidence == Evidence::ForAll;
         shown.into_iter().filter(|(e, holds)| *holds && counts(e)).map(|(evidence, _)| evidence).collect()
-    }
-
-    /// Whether it follows from how two curves meet what its left side is, and it claims something else.
-    fn contradicts_a_join(&self) -> bool {
-        let Tally { determined, beyond, fails, .. } = self.tally;
-        let all = *determined > 0 && determined + beyond == fails.len();
-        all && self.claimed() && self.statement.topics.has(Topic::Join)
     }
 
     /// Whether one side is a value of a polynomial that may be any, and the other one a number: f(1, 1) = 5 says something

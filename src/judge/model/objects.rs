@@ -236,6 +236,9 @@ impl Model {
                     (0..=degree as i64).map(|i| point(i).times(&self.bernstein_value(degree as i64, i, &x)));
                 Ok(Value::Scalar(terms.fold(Fraction::zero(), |sum, term| sum.plus(&term))))
             }
+            Sort::BezierCurve if self.may_be_elsewhere(head, &object) => {
+                return Some(Err(unclear("over which interval this curve is", expr)));
+            }
             Sort::BezierCurve => {
                 let x = one?;
                 let degree = self
@@ -368,6 +371,23 @@ impl Model {
             Value::Scalar(x) => Some(x),
             _ => None,
         }
+    }
+
+    /// Whether the paragraph speaks of an interval other than [0, 1] before it says what the curve is, which says of none:
+    /// "x has over [0, 2] the control points …".
+    fn may_be_elsewhere(&self, head: &Head, object: &Object) -> bool {
+        let Some(said) = self.object(head).map(|declared| &declared.place) else { return false };
+        let other = |expr: &Expr| match &expr.kind {
+            Kind::List(ends) => {
+                let ends: Vec<Option<i64>> = ends.iter().map(Expr::as_int).collect();
+                ends.len() == 2 && ends != [Some(0), Some(1)]
+            }
+            _ => false,
+        };
+        object.interval.is_none()
+            && self.context.heard.iter().any(|(place, expr)| {
+                place.group == said.group && place.formula <= said.formula && other(expr)
+            })
     }
 
     /// A polynomial with symbols as coefficients.

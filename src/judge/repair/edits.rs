@@ -35,8 +35,8 @@ pub(in crate::judge) fn edits(expr: &Expr, other: &Expr, curve: &Option<Curve>) 
                 let mut all = expr.clone();
                 let places = replace_all(&mut all, node, &replacement);
                 if places > 1 {
-                    // Many of the same slip are another formula; one alone is likelier.
-                    let more = if places > MANY { LESS } else { 1 };
+                    // Many of the same slip are another formula.
+                    let more = if places > MANY { LESS } else { 0 };
                     found.push((cost + more, all));
                 }
             }
