@@ -19,6 +19,7 @@ use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind};
 use crate::judge::{asked, doubtful, evaluator};
+use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
@@ -181,6 +182,8 @@ impl Session {
             let read = read_as(&formula, whole);
             let mut answer = self.evaluated(file, formula, equals, false)?;
             answer.outcome.notes.insert(0, read);
+            answer.outcome.fails =
+                matches!(&answer.outcome.value, Value::Derivation(shown) if shows_negative_value(shown));
             return Ok(vec![answer]);
         }
         if let Some(answers) = self.run_asked(file, whole, equals)? {

@@ -113,6 +113,23 @@ fn results_on_one_stream_and_messages_on_the_other() {
 }
 
 #[test]
+fn what_is_to_be_proved_and_fails_has_the_status_of_a_refuted_claim() {
+    for (claim, status) in [
+        ("prove t^2 - 2 >= 0 on [0, 1]", 1),
+        ("prove t^2 - 2 >= 0 on [2, 3]", 0),
+        ("is t^3 convex on [-1, 1]?", 1),
+        ("prove (t^2 - 2)^2 > 0 on [0, 2]", 1),
+        ("prove (t^2 - 2)^2 > 0 on [0, 1]", 0),
+        // The zero may be excluded.
+        ("(t^2 - 2)^2 > 0 where 0 <= t <= 2 and t^2 > 3", 2),
+        // What a function tells is no claim.
+        ("positivity(t^2 - 2, 0, 1)", 0),
+    ] {
+        assert_eq!(run(&["eval", claim]).status, Some(status), "{claim}");
+    }
+}
+
+#[test]
 fn messages_as_data() {
     let bad = run(&["polar", "1/t", "--format", "json"]);
     let json: serde_json::Value = serde_json::from_str(&bad.err).expect("one JSON value");

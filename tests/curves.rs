@@ -117,6 +117,8 @@ fn facts_of_the_subject() {
         "convert(cubic_spline([0, 1, 2], [0, 1, 0]), bspline)(1/2) = cubic_spline([0, 1, 2], [0, 1, 0])(1/2)",
         "insert_knots(bspline(1, [t_0, t_1, t_2, t_3], [d_0, d_1]), t, span=1)(t_2) = d_1",
         "derivatives_at(sphere_octant([0, 0, 0], 1), 0, 0, 1) = [[[1, 0, 0], [0, 0, 2]], [[0, 2, 0]]]",
+        // surfaces with base points
+        "length(intersections([t, t, t], torus(3, 1)[0])) = 0",
         // parts of splines, also rational and over several intervals
         "part(bspline(1, [0, 0, 1, 2, 2], [d_0, d_1, d_2]), 1/2, 2) = bspline(1, [1/2, 1/2, 1, 2, 2], [(d_0 + d_1)/2, d_1, d_2])",
         "subdivide(bspline(2, [0, 0, 0, 1, 1, 1], [b_0, b_1, b_2]), 1/2)[0] = subdivide(bezier([b_0, b_1, b_2]), 1/2)[0]",

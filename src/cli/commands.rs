@@ -411,6 +411,7 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
             Verdict::Refuted => Status::Refuted,
             Verdict::Undecided => Status::Failed,
         },
+        _ if answer.outcome.fails => Status::Refuted,
         _ => Status::Fine,
     })
 }

@@ -33,7 +33,7 @@ pub(crate) fn refined(
         return outcome;
     }
     match outcome {
-        Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
+        Ok(Outcome { value: Value::Claim(claim), defined: None, notes, fails: false })
             if claim.judgements.iter().any(is_open) =>
         {
             let findings = findings(statement, &[]);
@@ -41,7 +41,7 @@ pub(crate) fn refined(
                 true => Arc::new(looked_at_again(&claim, &findings, statement)),
                 false => claim,
             };
-            Ok(Outcome { value: Value::Claim(claim), defined: None, notes })
+            Ok(Outcome { value: Value::Claim(claim), defined: None, notes, fails: false })
         }
         Err(error) if may_be_family(&error) || has_dots(statement) => {
             let findings = findings(statement, &[]);
@@ -55,7 +55,7 @@ pub(crate) fn refined(
             match judged.filter(|judgements| judgements.len() == links.len()) {
                 Some(judgements) => {
                     let value = Value::Claim(Arc::new(Claim { judgements }));
-                    Ok(Outcome { value, defined: None, notes: Vec::new() })
+                    Ok(Outcome { value, defined: None, notes: Vec::new(), fails: false })
                 }
                 None => Err(error),
             }

@@ -103,8 +103,8 @@ fn positive_of(rel: Rel, left: &Value, right: &Value) -> Option<(Fraction, bool)
     })
 }
 
-/// An inequality in one variable or two, decided in the ranges that conditions which are linear in one of them give. What fails there may
-/// be excluded by other conditions. `None` if they give no range, or nothing can be said.
+/// An inequality in one variable or two, decided in the ranges that conditions which are linear in one of them give. A counterexample may
+/// be excluded by other conditions; what is refuted without one is not. `None` if they give no range, or nothing can be said.
 pub fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgement> {
     let (d, strict) = positive(claim)?;
     let variables = d.variables();
@@ -123,6 +123,12 @@ pub fn decided_in(claim: &Judgement, conditions: &[Judgement]) -> Option<Judgeme
         ([_], [range]) => match decide(&d, strict, range)? {
             Decision::Holds => with(Verdict::Proved, None),
             Decision::Fails(point) => refuted(vec![point]),
+            // Nothing else excludes that root.
+            Decision::Zero(root) if conditions.iter().all(|one| is_linear(one, &variables[0])) => {
+                let mut judgement = with(Verdict::Refuted, None)?;
+                judgement.reasons.push(format!("the sides are equal at the root of {root}"));
+                Some(judgement)
+            }
             Decision::Zero(_) | Decision::Pole => None,
         },
         ([x, y], [first, second]) => match over_box(d.as_polynomial()?, strict, [x, y], [first, second])? {
@@ -155,6 +161,10 @@ fn linear_range(variable: &Symbol, conditions: &[Judgement]) -> Option<Range> {
         (Some(a), Some(b)) => a < b,
         _ => true,
     })
+}
+
+fn is_linear(condition: &Judgement, variable: &Symbol) -> bool {
+    positive(condition).is_some_and(|(c, _)| linear(&c, variable).is_some())
 }
 
 /// c_0 and c_1 of c_0 + c_1 t with numbers, c_1 not 0.

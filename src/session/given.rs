@@ -375,7 +375,7 @@ impl Conditions {
             }
             if !holds(judgement)
                 && let Some(decided) = decided_in(judgement, &self.judgements)
-                && (holds(&decided) || self.allow(session, &decided))
+                && (holds(&decided) || decided.witness.is_none() || self.allow(session, &decided))
             {
                 return decided;
             }

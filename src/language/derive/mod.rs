@@ -60,7 +60,7 @@ pub use moments::moments;
 pub use multirational::multirational_steps;
 pub use newton::newton;
 pub use polar::{Names, polar, polar_of_curve};
-pub use positivity::positivity;
+pub use positivity::{positivity, shows_negative_value};
 pub use region::positivity_over;
 pub use roots::roots;
 pub use schemes::{casteljau, de_boor, insertion, mean_of_two, polar_label, shown_as_means};

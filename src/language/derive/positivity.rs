@@ -12,6 +12,11 @@ use crate::math::poly::{Fraction, Poly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::One;
 
+/// Whether a derivation ends with a value of F that is negative.
+pub fn shows_negative_value(shown: &Derivation) -> bool {
+    shown.lines.last().is_some_and(|line| line.reason == Reason::Negative.words())
+}
+
 /// F ≥ 0 on [a, b] by Bernstein coefficients that are not negative, which are values of the polar form, or a value of F that is
 /// negative. An end that is `None` is none.
 ///

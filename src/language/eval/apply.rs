@@ -568,8 +568,28 @@ impl Machine {
             {
                 Ok(Value::Text(word.clone()))
             }
-            _ => self.eval(item),
+            _ => {
+                if function.takes_unknowns(slot) {
+                    self.unknowns_of_curves(item);
+                }
+                self.eval(item)
+            }
         }
+    }
+
+    /// A remark on the unknown c_0 where c is a curve: that is its control point.
+    fn unknowns_of_curves(&mut self, unknowns: &Expr) {
+        if let Kind::Subscript(base, _) = &unknowns.kind
+            && let Some(curve) = name_of(base, self)
+            && matches!(self.lookup(&curve), Some(Value::Geometry(_)))
+            && name_of(unknowns, self).is_none_or(|name| self.lookup(&name).is_none())
+        {
+            let message = format!("this is a control point of {curve}, no unknown of its own");
+            let note = Diagnostic::note(Code::AmbiguousVariable, message).at(unknowns.span);
+            return self
+                .note(note.hint(format!("use another letter than {curve} for the points or the curve")));
+        }
+        unknowns.for_each_child(&mut |child| self.unknowns_of_curves(child));
     }
 
     pub(crate) fn eval_factorial(&mut self, body: &Expr) -> Evaluated {

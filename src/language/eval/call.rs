@@ -8,9 +8,9 @@ use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::{Clause, Function, Parameter, Shape, Value};
 use crate::math::number::Rational;
-use crate::math::poly::{Fraction, Symbol};
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 impl Machine {
     /// Calls a function with its index and bracket arguments.
@@ -115,8 +115,8 @@ impl Machine {
 
 impl Machine {
     /// f(1̂, t) of a form that is written as a formula: an affine function c_0 + c_1 t_1 has the value
-    /// c_1 v at a vector v. `None` without vectors, and for functions of one argument that are linear: those
-    /// take vectors to vectors.
+    /// c_1 v at a vector v, and so in each argument if these are points. `None` without vectors, and for functions of one
+    /// argument that are linear: those take vectors to vectors.
     fn at_vectors(
         &mut self,
         function: &Arc<Function>,
@@ -131,7 +131,10 @@ impl Machine {
         let Some(formula) = &clause.formula else {
             let Some(coordinates) = self.coordinates_of(function) else { return Ok(None) };
             let value = |coordinate: &Value| match coordinate {
-                Value::Function(function) => self.call(function, values.to_vec(), span),
+                Value::Function(one) => {
+                    let one = Function { shape: function.shape, ..(**one).clone() };
+                    self.call(&Arc::new(one), values.to_vec(), span)
+                }
                 other => Ok(other.clone()),
             };
             return coordinates
@@ -140,31 +143,61 @@ impl Machine {
                 .collect::<Result<_, _>>()
                 .map(|all| Some(Value::point(all)));
         };
-        let (mut slope, mut lengths, mut points) = (formula.clone(), Fraction::one(), Vec::new());
-        for (name, argument) in bindings {
-            match argument {
-                Value::Vector(v) => {
-                    slope = slope.derivative(name);
-                    if slope.variables().contains(name) {
-                        let message = format!("this is not affine in {name}, so it takes no vector there");
-                        return Err(Diagnostic::error(Code::Domain, message).at(span).hint(
-                            "polar forms take vectors, such as hat(1): they are affine in each argument",
-                        ));
+        // A vector has no coordinates of its own among those of the other arguments: each argument is one step.
+        let (outside, size) = (function.shape.lower + function.shape.upper, function.shape.dimension.max(1));
+        let all: Vec<(&Parameter, &Value)> =
+            clause.parameters.iter().zip(values).map(|(parameter, (value, _))| (parameter, value)).collect();
+        let (indices, inner) = all.split_at(outside.min(all.len()));
+        let (mut slope, mut given) = (formula.clone(), Vec::new());
+        for argument in indices.chunks(1).chain(inner.chunks(size)) {
+            let named = argument.iter().filter_map(|(parameter, value)| match parameter {
+                Parameter::Name(name) => Some((name, *value)),
+                Parameter::Exactly(_) => None,
+            });
+            let (mut along, mut names) = (Vec::new(), Vec::new());
+            for (name, value) in named {
+                match value {
+                    Value::Vector(v) => {
+                        // v may have symbols that are names of arguments.
+                        let length = Symbol::new(&format!("\u{25e6}{}", given.len()));
+                        let factor = Fraction::from(MultiPoly::symbol(length.clone()));
+                        along.push(slope.derivative(name).times(&factor));
+                        names.push(name);
+                        given.push((length, v.clone()));
                     }
-                    lengths = lengths.times(v);
+                    Value::Scalar(point) => given.push((name.clone(), point.clone())),
+                    _ => return Ok(None),
                 }
-                Value::Scalar(point) => points.push((name.clone(), point.clone())),
-                _ => return Ok(None),
+            }
+            if along.is_empty() {
+                continue;
+            }
+            if along.len() < argument.len() {
+                let message = "an argument has coordinates of a vector and of a point";
+                return Err(Diagnostic::error(Code::Type, message).at(span).hint("a vector is hat([1, 2])"));
+            }
+            slope = along.iter().fold(Fraction::zero(), |sum, part| sum.plus(part));
+            if let Some(name) = names.into_iter().find(|name| slope.variables().contains(name)) {
+                let message = format!("this is not affine in {name}, so it takes no vector there");
+                return Err(Diagnostic::error(Code::Domain, message)
+                    .at(span)
+                    .hint("polar forms take vectors, such as hat(1): they are affine in each argument"));
             }
         }
-        if let [(name, Value::Vector(_))] = bindings {
-            let start = formula.substitute(&[(name.clone(), Fraction::zero())]);
-            if start.is_ok_and(|start| start.is_zero()) {
+        if inner.len() == size
+            && bindings.len() == size
+            && inner.iter().all(|(_, v)| matches!(v, Value::Vector(_)))
+        {
+            let origin: Vec<_> = bindings.iter().map(|(name, _)| (name.clone(), Fraction::zero())).collect();
+            if formula.substitute(&origin).is_ok_and(|start| start.is_zero()) {
                 return Ok(None);
             }
         }
-        let slope = slope.substitute(&points).map_err(|_| division_by_zero()).at(span)?;
-        Ok(Some(Value::Scalar(slope.times(&lengths))))
+        slope
+            .substitute(&given)
+            .map_err(|_| division_by_zero())
+            .at(span)
+            .map(|value| Some(Value::Scalar(value)))
     }
 }
 

@@ -23,6 +23,8 @@ pub struct Outcome {
     pub defined: Option<Symbol>,
     /// Remarks: readings that somebody might not expect.
     pub notes: Vec<Diagnostic>,
+    /// Whether something was claimed that fails, where the value is what shows it and no claim.
+    pub fails: bool,
 }
 
 /// How `=` is understood at the top of a statement.
@@ -47,7 +49,7 @@ pub fn evaluate(expr: &Expr, env: &mut Env, equals: Equals, tools: Tools) -> Res
     if let Some(name) = &defined {
         env.set(name.clone(), value.clone().plain());
     }
-    Ok(Outcome { value, defined, notes: machine.notes })
+    Ok(Outcome { value, defined, notes: machine.notes, fails: false })
 }
 
 /// The symbols of refuted equations that may be meant as unknowns: one in a polynomial equation, or those of

@@ -30,6 +30,9 @@ pub trait Callable {
     /// Whether a polynomial is expected at that place.
     fn takes_polynomial(&self, place: usize) -> bool;
 
+    /// Whether unknowns of equations are expected there.
+    fn takes_unknowns(&self, slot: Slot) -> bool;
+
     /// Whether a function whose values are points is given as the list of its coordinates.
     fn takes_coordinates(&self) -> bool;
 

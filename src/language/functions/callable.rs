@@ -247,6 +247,16 @@ impl Callable for Builtin {
         parameter.is_some_and(|parameter| matches!(parameter.kind, Takes::Polynomial | Takes::Function))
     }
 
+    fn takes_unknowns(&self, slot: Slot) -> bool {
+        match slot {
+            Slot::Name(name) => name == "unknowns",
+            Slot::Place(place) => self.parameter_lists().any(|list| {
+                let parameter = list.iter().filter(|parameter| parameter.has_place()).nth(place);
+                parameter.is_some_and(|parameter| parameter.name == "unknowns")
+            }),
+        }
+    }
+
     fn takes_coordinates(&self) -> bool {
         let first = self.parameters.iter().find(|parameter| parameter.has_place());
         first.is_none_or(|parameter| parameter.kind != Takes::Any)

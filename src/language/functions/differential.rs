@@ -136,11 +136,14 @@ fn still(error: CurveError, args: &Arguments) -> Diagnostic {
                 .at(args.span(1))
                 .hint("derivatives_at(c, t, 3) shows them")
         }
-        CurveError::DimensionsOf { left, right } => Diagnostic::error(
-            Code::Shape,
-            format!("a curve with {right} coordinates is needed, this one has {left}"),
-        )
-        .at(args.span(0)),
+        CurveError::DimensionsOf { left, right } => {
+            let message = format!("a curve with {right} coordinates is needed, this one has {left}");
+            let error = Diagnostic::error(Code::Shape, message).at(args.span(0));
+            match left {
+                1 => error.hint("a symbol is a number here: write points by their coordinates, [x_0, y_0]"),
+                _ => error,
+            }
+        }
         other => curve_error(other).at(args.span(0)),
     }
 }

@@ -156,11 +156,21 @@ fn twice(error: SystemError, args: &Arguments) -> Diagnostic {
     }
 }
 
-/// Infinitely many common points.
-fn overlap(args: &Arguments) -> Diagnostic {
-    Diagnostic::error(Code::Degenerate, "they have infinitely many points in common")
+/// A curve that lies on F = 0.
+fn lies_there(args: &Arguments) -> Diagnostic {
+    Diagnostic::error(Code::Degenerate, "the whole curve lies there")
         .at(args.span(1))
-        .hint("one is a part of the other, or one is a point: implicit(c) is the equation")
+        .hint("implicit(c) is its equation")
+}
+
+/// Infinitely many solutions, which may be complex or outside of the domains, or belong to one point.
+fn overlap(args: &Arguments) -> Diagnostic {
+    let message = "the equations of the parameters have infinitely many complex solutions";
+    let error = Diagnostic::error(Code::Degenerate, message).at(args.span(1));
+    error.hint(match args.value(1).is_ok_and(is_surface) {
+        true => "intersections(c, implicit_surface(s)) has the parameters of the curve alone",
+        false => "one may be a part of the other, beyond their ends, or a point: implicit(c) is the equation",
+    })
 }
 
 fn intersections(machine: &mut Machine, args: &Arguments) -> Result<Value> {
@@ -182,7 +192,7 @@ fn intersections(machine: &mut Machine, args: &Arguments) -> Result<Value> {
                 .at(args.span(1))
                 .hint("give it a value first; a curve is a list of its coordinates: [t, t^2]"));
         }
-        let found = curve.on(&equation, &symbols).ok_or_else(|| overlap(args))?;
+        let found = curve.on(&equation, &symbols).ok_or_else(|| lies_there(args))?;
         let rows = found.into_iter().map(|t| (vec![t.clone()], degree(&t)));
         return table(machine, args, &["t"], &|t| curve.point(t).to_vec(), rows.collect());
     }
@@ -218,7 +228,7 @@ fn in_space(machine: &mut Machine, args: &Arguments) -> Result<Value> {
     if let Some(equation) = equation(args)? {
         same(3)?;
         only_space(args, &equation)?;
-        let found = curve.on(&equation, &letters_of_space()).ok_or_else(|| overlap(args))?;
+        let found = curve.on(&equation, &letters_of_space()).ok_or_else(|| lies_there(args))?;
         let rows = found.into_iter().map(|t| (vec![t.clone()], degree(&t)));
         return table(machine, args, &["t"], &point, rows.collect());
     }

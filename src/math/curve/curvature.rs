@@ -22,7 +22,7 @@ fn squared_area<C: Ring>(u: &[C], v: &[C]) -> C {
 /// κ² from c' and c''.
 ///
 /// # Errors
-/// [`CurveError::Degenerate`] where c' is 0, [`CurveError::DimensionsOf`].
+/// [`CurveError::Degenerate`] where c' is 0, [`CurveError::DimensionsOf`], also for curves with one coordinate.
 ///
 /// ```
 /// use polarform::curve::squared_curvature;
@@ -33,6 +33,9 @@ fn squared_area<C: Ring>(u: &[C], v: &[C]) -> C {
 /// ```
 pub fn squared_curvature<C: Field>(first: &[C], second: &[C]) -> Result<C, CurveError> {
     same_dimension(first, second)?;
+    if first.len() < 2 {
+        return Err(CurveError::DimensionsOf { left: first.len(), right: 2 });
+    }
     let speed = dot(first, first);
     let cube = speed.times(&speed).times(&speed);
     let inverse = cube.inverse().ok_or(CurveError::Degenerate)?;
@@ -151,6 +154,7 @@ mod tests {
         assert_eq!(squared_curvature(&zero, &[z(1), z(2)]), Err(CurveError::Degenerate));
         assert_eq!(squared_curvature(&[z(1), z(1)], &zero), Ok(z(0)));
         assert_eq!(squared_curvature(&zero, &[z(1)]), Err(CurveError::DimensionsOf { left: 2, right: 1 }));
+        assert_eq!(squared_curvature(&[z(1)], &[z(1)]), Err(CurveError::DimensionsOf { left: 1, right: 2 }));
         assert_eq!(turn(&[z(1)], &[z(1)]), Err(CurveError::DimensionsOf { left: 1, right: 2 }));
         let line = [z(1), z(2), z(3)];
         assert_eq!(torsion(&line, &line, &line), Err(CurveError::Degenerate));

@@ -154,19 +154,25 @@ impl SpaceCurve {
         let of = |f: &Poly| f.value_in(&MultiPoly::symbol(t.clone()));
         let count = self.coordinates.len() - 1;
         let (w, w2) = (of(self.weight()), &surface.coordinates[count]);
-        let equations: Vec<MultiPoly> = (0..count)
+        let mut equations: Vec<MultiPoly> = (0..count)
             .map(|k| of(&self.coordinates[k]) * w2.clone() - surface.coordinates[k].clone() * w.clone())
             .collect();
-        let zeros = real_zeros(&equations, &unknowns)?;
+        // At base points of the surface, often complex ones, the equations hold for all t: their weight has no inverse.
+        let mut all = unknowns.to_vec();
+        let weights = w * w2.clone();
+        if weights.as_constant().is_none() {
+            let inverse = Symbol::new("\u{25e7}");
+            equations.push(weights * MultiPoly::symbol(inverse.clone()) - MultiPoly::constant(integer(1)));
+            all.push(inverse);
+        }
+        let zeros = real_zeros(&equations, &all)?;
         let kept = |zero: &RealZero| {
             within(&zero.coordinates[0], &self.range)
                 && (0..2).all(|k| within(&zero.coordinates[k + 1], &surface.bounds[k]))
-                && surface.sides.iter().all(|side| zero.sign_of(side, &unknowns).is_ge())
-                && !zero.coordinates[0].sign_of(self.weight()).is_eq()
-                && !zero.sign_of(w2, &unknowns).is_eq()
+                && surface.sides.iter().all(|side| zero.sign_of(side, &all).is_ge())
         };
         let found = zeros.into_iter().filter(kept);
-        Ok(found.filter_map(|zero| zero.coordinates.try_into().ok()).collect())
+        Ok(found.filter_map(|zero| zero.coordinates[..3].to_vec().try_into().ok()).collect())
     }
 }
 
@@ -349,6 +355,33 @@ mod tests {
                 let on = line.on(&equation, &symbols).unwrap();
                 prop_assert!(found.iter().all(|[t, _, _]| on.contains(t)));
             }
+        }
+    }
+
+    /// The unit sphere by (2 u, 2 v, u^2 + v^2 - 1)/(u^2 + v^2 + 1), whose coordinates all vanish at complex u and v. Lines that are no
+    /// tangents meet it where its equation says.
+    #[test]
+    fn base_points_are_no_common_points() {
+        let names = ["u", "v"].map(Symbol::new);
+        let [u, v] = names.clone().map(MultiPoly::symbol);
+        let one = || MultiPoly::constant(z(1));
+        let squares = u.clone() * u.clone() + v.clone() * v.clone();
+        let coordinates = vec![u.scaled(&z(2)), v.scaled(&z(2)), squares.clone() - one(), squares + one()];
+        let sphere = ParametricSurface {
+            coordinates,
+            parameters: names,
+            bounds: Default::default(),
+            sides: Vec::new(),
+        };
+        let symbols = ["x", "y", "z"].map(Symbol::new);
+        let [x, y, z] = symbols.clone().map(MultiPoly::symbol);
+        let equation = x.clone() * x + y.clone() * y + z.clone() * z - one();
+        for (point, direction) in [([0, 0, 0], [1, 1, 1]), ([1, 0, 2], [0, 1, -1]), ([0, 3, 0], [1, 1, 0])] {
+            let lists: Vec<Vec<i64>> = (0..3).map(|k| vec![point[k], direction[k]]).collect();
+            let line = curve(&lists, (None, None));
+            let found: Vec<RealRoot> =
+                line.on_surface(&sphere).unwrap().into_iter().map(|[t, ..]| t).collect();
+            assert_eq!(found, line.on(&equation, &symbols).unwrap(), "{point:?} {direction:?}");
         }
     }
 
