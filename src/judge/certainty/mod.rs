@@ -47,8 +47,9 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 10] = [
+        let rules: [fn(&Self) -> Option<String>; 11] = [
             Self::of_one_that_exists,
+            Self::join_of_any_degree,
             Self::unrelated_functions,
             Self::new_function,
             Self::operator,
@@ -71,6 +72,13 @@ impl Suspect<'_> {
             names.find(|name| is_intermediate(name) && self.is_only_argument(name, &|_| true))
         };
         said.or_else(between).map(|name| format!("it may be said of one {name} that exists"))
+    }
+
+    /// Curves of degree n that join: the instances that are solved leave too much open.
+    fn join_of_any_degree(&self) -> Option<String> {
+        let any = self.tally.determined > 0 && !self.failure.integers.is_empty();
+        (any && self.statement.topics.has(Topic::Join))
+            .then(|| "how curves of any degree join is not followed here".to_owned())
     }
 
     /// f(c, u, v) = g(c, u, v) for any f and g is claimed by nobody: what relates them was not understood.

@@ -319,6 +319,12 @@ impl Model {
                 {
                     return None;
                 }
+                // Points over [v, w] beside a curve over [u, v] may be those of another one that joins it.
+                if let Some(own) = &object.interval
+                    && self.hears_of_a_neighbour(own)
+                {
+                    return None;
+                }
                 // p(t) = Σ b_i B_i^n(t): inside of p they are symbols.
                 let value = self.once(&head.base, || {
                     let bound = self.indices(machine, &object, head);
@@ -351,6 +357,13 @@ impl Model {
         let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
         let unit = |[from, to]: [&Expr; 2]| (from.as_int(), to.as_int()) == (Some(0), Some(1));
         near.filter_map(|(_, expr)| interval(expr)).any(|(ends, open)| !unit(ends) && open != [true, true])
+    }
+
+    /// Whether the paragraph speaks of an interval that ends where this one begins, or begins where it ends.
+    fn hears_of_a_neighbour(&self, (start, end): &(Expr, Expr)) -> bool {
+        let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
+        let neighbour = |[from, to]: [&Expr; 2]| to.same_as(start) || from.same_as(end);
+        near.filter_map(|(_, expr)| interval(expr)).any(|(ends, _)| neighbour(ends))
     }
 
     /// Whether the page gives a function by a formula with members of a letter: F(t) = Σ P_i B_i^n(t).
