@@ -5,7 +5,7 @@ use super::lists::{combination, index_of_support};
 use std::rc::Rc;
 
 use super::{Bound, Evaluated, Model};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::context::{Body, is_variable};
 use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, is_capital, is_index_letter};
@@ -137,6 +137,10 @@ impl Model {
                 self.any_affine(&object, head, degree, arguments, expr)
             }
             Sort::Affine => return None,
+            // f_j, the polar form of a spline on some piece
+            Sort::PolarForm if self.is_local() && object.interval.is_none() && !head.lower.is_empty() => {
+                return Some(Err(unclear("of which piece this is the polar form", expr)));
+            }
             Sort::PolarForm => self.once(&format!("polar form {}", head.base), || {
                 let of = object.of.as_ref()?;
                 note("the polar form");
@@ -319,9 +323,11 @@ impl Model {
                 {
                     return None;
                 }
-                // Points over [v, w] beside a curve over [u, v] may be those of another one that joins it.
+                // Points over [v, w] beside a curve over [u, v] without a name may be those of another one.
+                let unnamed = |own: Head| self.object(&own).is_some_and(|known| known.object.is_unnamed());
                 if let Some(own) = &object.interval
                     && self.hears_of_a_neighbour(own)
+                    && Head::of(of).is_some_and(unnamed)
                 {
                     return None;
                 }
@@ -356,7 +362,24 @@ impl Model {
     fn hears_of_an_interval(&self) -> bool {
         let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
         let unit = |[from, to]: [&Expr; 2]| (from.as_int(), to.as_int()) == (Some(0), Some(1));
-        near.filter_map(|(_, expr)| interval(expr)).any(|(ends, open)| !unit(ends) && open != [true, true])
+        // 1/2 ≤ t ≤ 1
+        let part = |expr: &Expr| match &expr.kind {
+            Kind::Chain(from, links) => {
+                let up = links.iter().all(|link| matches!(link.rel, Rel::Le | Rel::Lt));
+                links.len() == 2
+                    && up
+                    && bases(from).is_empty()
+                    && bases(&links[1].expr).is_empty()
+                    && !unit([from, &links[1].expr])
+            }
+            _ => false,
+        };
+        let conditions = self.context.conditions.iter().filter(|own| own.place.group == self.place.group);
+        conditions.map(|own| &own.expr).any(part)
+            || near.clone().any(|(_, expr)| part(expr))
+            || near
+                .filter_map(|(_, expr)| interval(expr))
+                .any(|(ends, open)| !unit(ends) && open != [true, true])
     }
 
     /// Whether the paragraph speaks of an interval that ends where this one begins, or begins where it ends.
