@@ -159,7 +159,7 @@ impl Machine {
                 match value {
                     Value::Vector(v) => {
                         // v may have symbols that are names of arguments.
-                        let length = Symbol::new(&format!("\u{25e6}{}", given.len()));
+                        let length = Symbol::new(format!("\u{25e6}{}", given.len()));
                         let factor = Fraction::from(MultiPoly::symbol(length.clone()));
                         along.push(slope.derivative(name).times(&factor));
                         names.push(name);
