@@ -17,7 +17,7 @@ for (const [name, words] of Object.entries(WORDS)) {
 
 const sources = ["src/judge", "src/notes", "src/language", "src/math/blossom"]
   .flatMap((folder) => readdirSync(new URL(folder, root), { recursive: true }).map((file) => `${folder}/${file}`))
-  .filter((file) => file.endsWith(".rs"))
+  .filter((file) => /\.(rs|txt)$/.test(file))
   .map((file) => readFileSync(new URL(file, root), "utf8"))
   .join("\n");
 // A sentence may be put together of several: its parts are looked for.
