@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::features::has_column;
+use super::inequality::interval;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Place, Said, Statement};
@@ -452,6 +453,15 @@ impl Context {
     /// Keeps what is only named or supposed.
     pub fn hear(&mut self, expr: &Expr, place: &Place) {
         self.heard.push((place.clone(), Rc::new(expr.clone())));
+    }
+
+    /// The intervals in the paragraph of a place, with the numbers of their formulas, and which of their ends are open.
+    pub fn intervals_beside(
+        &self,
+        place: &Place,
+    ) -> impl DoubleEndedIterator<Item = (usize, [&Expr; 2], [bool; 2])> {
+        let beside = self.heard.iter().filter(|(other, _)| other.group == place.group);
+        beside.filter_map(|(other, expr)| interval(expr).map(|(ends, open)| (other.formula, ends, open)))
     }
 
     /// The first and the last number of the members of a letter, as the page lists them last.

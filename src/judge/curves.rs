@@ -6,7 +6,6 @@ use super::check::Checker;
 use super::context::{Body, Definition, is_variable};
 use super::described::{New, member};
 use super::evaluator::{self, evaluate_reading};
-use super::inequality::interval;
 use super::model::Model;
 use super::names::{Head, bases, walk};
 use super::object::{Declared, Object, Sort};
@@ -116,28 +115,26 @@ impl Checker {
             };
             let name = if own.is_some() { Expr::name(CURVE) } else { object.names[0].clone() };
             let mut curve = Curve::new(name, degree);
-            curve.interval = match (&object.interval, self.intervals_beside(&declared.place).as_slice()) {
-                (Some(own), _) => own.clone(),
-                (None, []) => curve.interval,
-                // "x has over [0, 2] the control points …"
-                (None, [one]) if object.sort == Sort::ControlPoints => one.clone(),
-                (None, _) if object.sort == Sort::ControlPoints => return None,
-                (None, _) => curve.interval,
-            };
+            curve.interval =
+                match (&object.interval, self.closed_intervals_beside(&declared.place).as_slice()) {
+                    (Some(own), _) => own.clone(),
+                    (None, []) => curve.interval,
+                    // "x has over [0, 2] the control points …"
+                    (None, [one]) if object.sort == Sort::ControlPoints => one.clone(),
+                    (None, _) if object.sort == Sort::ControlPoints => return None,
+                    (None, _) => curve.interval,
+                };
             curve.points = points.first().and_then(Head::of).map(|head| head.base);
             Some(Curve { object: own, segment, ..curve })
         };
         self.context.objects.iter().rev().filter(here).filter_map(curve).collect()
     }
 
-    /// The different intervals in the paragraph of a place.
-    fn intervals_beside(&self, place: &Place) -> Vec<(Expr, Expr)> {
+    /// The different closed intervals in the paragraph of a place.
+    fn closed_intervals_beside(&self, place: &Place) -> Vec<(Expr, Expr)> {
         let mut found: Vec<(Expr, Expr)> = Vec::new();
-        for (_, expr) in self.context.heard.iter().filter(|(other, _)| other.group == place.group) {
-            if let Kind::List(_) = &expr.kind
-                && let Some(([from, to], _)) = interval(expr)
-                && !found.iter().any(|(a, b)| a.same_as(from) && b.same_as(to))
-            {
+        for (_, [from, to], open) in self.context.intervals_beside(place) {
+            if open == [false, false] && !found.iter().any(|(a, b)| a.same_as(from) && b.same_as(to)) {
                 found.push((from.clone(), to.clone()));
             }
         }

@@ -15,7 +15,7 @@ use super::compare;
 use super::context::{Mark, is_variable};
 use super::curves::Curve;
 use super::finding::{Evidence, Finding, Verdict};
-use super::inequality::interval;
+use super::inequality::is_unit;
 use super::names::{Head, bases};
 use super::object::{Declared, Object, Sort};
 use super::repair;
@@ -398,9 +398,7 @@ impl Checker {
 
     /// The part of its interval that the paragraph speaks of.
     fn interval_heard(&self, curve: &Curve, place: &Place) -> Option<(Expr, Expr)> {
-        let latest = self.context.heard.iter().rev().filter(|(other, _)| other.group == place.group);
-        let mut intervals = latest.filter_map(|(_, expr)| interval(expr));
-        let ([from, to], _) = intervals.next()?;
+        let (_, [from, to], _) = self.context.intervals_beside(place).next_back()?;
         let whole = from.same_as(&curve.interval.0) && to.same_as(&curve.interval.1);
         (!whole).then(|| (from.clone(), to.clone()))
     }
@@ -476,7 +474,7 @@ impl Meaning {
 /// Whether a curve is parametrised by [0, 1].
 fn own_unit(curve: &Curve) -> bool {
     let (from, to) = &curve.interval;
-    from.as_int() == Some(0) && to.as_int() == Some(1)
+    is_unit([from, to])
 }
 
 /// Whether a value is a sum of members of a letter, with numbers before them that have the sum 1.

@@ -348,6 +348,11 @@ pub(crate) fn interval(expr: &Expr) -> Option<([&Expr; 2], [bool; 2])> {
     Some(([a, b], open))
 }
 
+/// Whether an interval is that from 0 to 1.
+pub(crate) fn is_unit([from, to]: [&Expr; 2]) -> bool {
+    (from.as_int(), to.as_int()) == (Some(0), Some(1))
+}
+
 fn of_interval(expr: &Expr) -> Option<Range> {
     let ([a, b], open) = interval(expr)?;
     Some(Range { lower: Some(constant(a)?), upper: Some(constant(b)?), open })

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::{Bound, Evaluated, Model};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::context::{Body, is_variable};
-use crate::judge::inequality::interval;
+use crate::judge::inequality::is_unit;
 use crate::judge::names::{Head, bases, is_capital, is_index_letter};
 use crate::judge::object::{Declared, Object, Sort};
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -360,8 +360,7 @@ impl Model {
 
     /// Whether the paragraph speaks of another interval than [0, 1], over which points may be meant.
     fn hears_of_an_interval(&self) -> bool {
-        let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
-        let unit = |[from, to]: [&Expr; 2]| (from.as_int(), to.as_int()) == (Some(0), Some(1));
+        let mut near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
         // 1/2 ≤ t ≤ 1
         let part = |expr: &Expr| match &expr.kind {
             Kind::Chain(from, links) => {
@@ -370,23 +369,23 @@ impl Model {
                     && up
                     && bases(from).is_empty()
                     && bases(&links[1].expr).is_empty()
-                    && !unit([from, &links[1].expr])
+                    && !is_unit([from, &links[1].expr])
             }
             _ => false,
         };
         let conditions = self.context.conditions.iter().filter(|own| own.place.group == self.place.group);
         conditions.map(|own| &own.expr).any(part)
-            || near.clone().any(|(_, expr)| part(expr))
-            || near
-                .filter_map(|(_, expr)| interval(expr))
-                .any(|(ends, open)| !unit(ends) && open != [true, true])
+            || near.any(|(_, expr)| part(expr))
+            || self
+                .context
+                .intervals_beside(&self.place)
+                .any(|(_, ends, open)| !is_unit(ends) && open != [true, true])
     }
 
     /// Whether the paragraph speaks of an interval that ends where this one begins, or begins where it ends.
     fn hears_of_a_neighbour(&self, (start, end): &(Expr, Expr)) -> bool {
-        let near = self.context.heard.iter().filter(|(place, _)| place.group == self.place.group);
-        let neighbour = |[from, to]: [&Expr; 2]| to.same_as(start) || from.same_as(end);
-        near.filter_map(|(_, expr)| interval(expr)).any(|(ends, _)| neighbour(ends))
+        let mut near = self.context.intervals_beside(&self.place);
+        near.any(|(_, [from, to], _)| to.same_as(start) || from.same_as(end))
     }
 
     /// Whether the page gives a function by a formula with members of a letter: F(t) = Σ P_i B_i^n(t).
@@ -413,16 +412,9 @@ impl Model {
     /// "x has over [0, 2] the control points …".
     fn may_be_elsewhere(&self, head: &Head, object: &Object) -> bool {
         let Some(said) = self.object(head).map(|declared| &declared.place) else { return false };
-        let other = |expr: &Expr| match &expr.kind {
-            Kind::List(ends) => {
-                let ends: Vec<Option<i64>> = ends.iter().map(Expr::as_int).collect();
-                ends.len() == 2 && ends != [Some(0), Some(1)]
-            }
-            _ => false,
-        };
         object.interval.is_none()
-            && self.context.heard.iter().any(|(place, expr)| {
-                place.group == said.group && place.formula <= said.formula && other(expr)
+            && self.context.intervals_beside(said).any(|(formula, ends, open)| {
+                formula <= said.formula && open == [false, false] && !is_unit(ends)
             })
     }
 

@@ -10,6 +10,7 @@ use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::check::Checker;
 use crate::judge::context::Body;
 use crate::judge::evaluator;
+use crate::judge::inequality::is_unit;
 use crate::judge::integers::as_values;
 use crate::judge::names::{Head, bases, walk};
 use crate::judge::object::Sort;
@@ -275,7 +276,7 @@ impl Checker {
 
 /// Whether an equation over [0, 1] is claimed where the section speaks of another interval.
 fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said) -> bool {
-    let unit = |(from, to): &(Expr, Expr)| (from.as_int(), to.as_int()) == (Some(0), Some(1));
+    let unit = |(from, to): &(Expr, Expr)| is_unit([from, to]);
     let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
     let over_unit = ["curve", "powers", "casteljau", "hermite"];
     let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
