@@ -250,6 +250,7 @@ impl Checker {
         earlier.retain(|_| relevant.next() == Some(true));
         let knot_letters = self.context.knot_letters(place, &sides);
         let facts = Facts {
+            contacts: self.contacts(place),
             given_knots: Rc::new(self.context.given_knots(&knot_letters, place)),
             near: earlier.iter().filter(|condition| place.sees(&condition.place)).count(),
             earlier: earlier.iter().map(|condition| condition.expr.clone()).collect(),

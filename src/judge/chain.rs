@@ -252,15 +252,13 @@ impl Checker {
         if start == 0
             && let Some(reason) = lint::joins(&self.context, chain, place)
         {
-            let follows = (statement.role == Some(Role::Claimed) || chain.universal) && {
-                let [left, right] = [&chain.sides[0].expr, &chain.sides[1].expr];
-                let reached = self.context.reached(&[left, right], place);
-                reached.iter().any(|base| self.is_constrained(base, place))
-            };
+            let follows = chain.universal || self.concludes(statement);
             if follows {
                 self.judge(chain, 0, statement, curve.clone(), None, &mut findings);
             }
-            if !matches!(findings[0].verdict, Verdict::Proved | Verdict::Sampled) {
+            if !matches!(findings[0].verdict, Verdict::Proved | Verdict::Sampled)
+                && findings[0].evidence != [Evidence::Facts]
+            {
                 let relation =
                     Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, chain.sides[1].expr.clone());
                 if chain.relations[0].0 == Rel::Eq && !follows {

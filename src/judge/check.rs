@@ -95,7 +95,11 @@ impl Checker {
         match &statement.said {
             Said::Chain(chain) => self.seen.extend(chain.sides.iter().flat_map(|side| bases(&side.expr))),
             Said::Condition(side) | Said::Bare(side, _) => self.seen.extend(bases(&side.expr)),
-            Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
+            Said::Object(_)
+            | Said::Contact(_)
+            | Said::Triangles(..)
+            | Said::Declaration(..)
+            | Said::Queries(..) => {}
         }
     }
 
@@ -103,6 +107,15 @@ impl Checker {
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
             Said::Object(object) => self.object(object, &statement.place),
+            Said::Contact(contact) => {
+                let context = Rc::make_mut(&mut self.context);
+                if contact.possible.is_none() {
+                    context.unread.insert(statement.place.group);
+                }
+                if !contact.certain.is_empty() {
+                    context.contacts.push((statement.place.clone(), contact.clone()));
+                }
+            }
             Said::Triangles(readings, formulas) => self.triangle(readings, formulas, statement),
             Said::Queries(text, span) => self.queries(text, &statement.place, *span),
             Said::Condition(side) => {

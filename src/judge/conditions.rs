@@ -45,6 +45,11 @@ impl Conditions<'_> {
         if !matches!(plain, Outcome::Fails(_)) {
             return plain;
         }
+        if rel == Rel::Eq
+            && let Some(outcome) = self.by_contact(trial, left, right, bound, degree, tally)
+        {
+            return outcome;
+        }
         let mut solved: Vec<(Symbol, crate::math::poly::Fraction)> = Vec::new();
         let mut plain = plain;
         // Numbers stay what they are, whatever was said before.

@@ -8,7 +8,7 @@ use super::features::has_column;
 use super::inequality::interval;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
-use super::statement::{Place, Said, Statement};
+use super::statement::{Contact, Place, Said, Statement};
 use super::topic::Topic;
 use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel};
 use crate::language::lexicon::families::{self, Family};
@@ -82,6 +82,10 @@ pub struct Context {
     pub objects: Vec<Declared>,
     /// What was only named or supposed, in the order it was met: x_0, …, x_n; t = 1/2.
     pub heard: Vec<(Place, Rc<Expr>)>,
+    /// The paragraphs with words that are not understood.
+    pub unread: BTreeSet<u32>,
+    /// What words said of functions that agree.
+    pub contacts: Vec<(Place, Contact)>,
     /// How letters are used in the whole document.
     pub letters: Letters,
     /// The numbers of the definitions and of the objects of each letter.
@@ -241,7 +245,11 @@ impl Letters {
                     sides().for_each(&mut look);
                 }
                 Said::Condition(side) | Said::Bare(side, _) => look(&side.expr),
-                Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
+                Said::Object(_)
+                | Said::Contact(_)
+                | Said::Triangles(..)
+                | Said::Declaration(..)
+                | Said::Queries(..) => {}
             }
         }
         letters.binomial_family = letters_seen;

@@ -53,6 +53,8 @@ pub enum Evidence {
     ForAll,
     /// It speaks of what the field, or the page, determines.
     Field,
+    /// All facts about its functions leave it open.
+    Facts,
     /// Nothing in it needs a meaning.
     Closed,
     /// It calculates with numbers, or says x = x + 1.
@@ -74,6 +76,7 @@ impl Evidence {
             Evidence::Near => "a small change makes it true",
             Evidence::ForAll => "it is said of all values",
             Evidence::Field => "what it speaks of is determined",
+            Evidence::Facts => "what is said of its functions leaves it open",
             Evidence::Closed => "nothing in it needs a meaning",
             Evidence::Calculation => "it is a calculation",
             Evidence::Value => "the function is given right there",

@@ -195,18 +195,57 @@ fn solved(all: &[MultiPoly], symbols: Vec<Symbol>) -> Option<Solution> {
     if homogeneous && pivots.iter().enumerate().any(|(row, &pivot)| alone(row, pivot)) {
         return None;
     }
-    let solution = pivots.iter().enumerate().map(|(row, &pivot)| {
-        let mut value = zero().minus(&matrix[(row, symbols.len())]);
+    let solution = solution(&matrix, &pivots, &symbols).into_iter();
+    let numbers = numbers.into_iter().map(|(symbol, number)| (symbol, Fraction::from(number)));
+    Some(Solution { values: solution.chain(numbers).collect(), sampled })
+}
+
+/// The general solution of equations in the symbols that are asked for, all others being any numbers. `None` if they
+/// are not linear, too many, or contradict each other.
+///
+/// Cost: one elimination over the fractions of the other symbols.
+pub fn general(
+    equations: &[(Value, Value)],
+    unknown: &dyn Fn(&Symbol) -> bool,
+) -> Option<Vec<(Symbol, Fraction)>> {
+    let mut all: Vec<MultiPoly> = Vec::new();
+    for (a, b) in equations {
+        let numerators = differences(a, b)?.into_iter().map(|difference| difference.numerator().clone());
+        all.extend(numerators.filter(|numerator| !numerator.is_empty()));
+    }
+    let symbols: BTreeSet<Symbol> =
+        all.iter().flat_map(|equation| equation.variables()).filter(|s| unknown(s)).cloned().collect();
+    let linear = |equation: &MultiPoly| {
+        let terms = equation.terms(crate::math::poly::MonomialOrder::Lex);
+        let degree = |powers: &[(Symbol, u32)]| -> u32 {
+            powers.iter().filter(|(symbol, _)| unknown(symbol)).map(|(_, power)| power).sum()
+        };
+        terms.iter().all(|(powers, _)| degree(powers) < 2)
+    };
+    if symbols.is_empty() || symbols.len() > MOST || all.len() > MOST || !all.iter().all(linear) {
+        return None;
+    }
+    let work = all.len() * symbols.len() * all.len().min(symbols.len());
+    budget::steps(u32::try_from(4 * work).unwrap_or(u32::MAX));
+    let symbols: Vec<Symbol> = symbols.into_iter().rev().collect();
+    let Echelon { matrix, pivots } = linalg::reduced_row_echelon(&rows(&all, &symbols));
+    (!pivots.contains(&symbols.len())).then(|| solution(&matrix, &pivots, &symbols))
+}
+
+/// The names of the pivots in terms of the other ones.
+fn solution(matrix: &DMatrix<Fraction>, pivots: &[usize], symbols: &[Symbol]) -> Vec<(Symbol, Fraction)> {
+    let zero = Fraction::from(MultiPoly::zero());
+    let value = |(row, &pivot): (usize, &usize)| {
+        let mut value = zero.minus(&matrix[(row, symbols.len())]);
         for (column, symbol) in symbols.iter().enumerate().skip(pivot + 1) {
             let entry = &matrix[(row, column)];
-            if *entry != zero() {
+            if *entry != zero {
                 value = value.minus(&entry.times(&Fraction::from(MultiPoly::symbol(symbol.clone()))));
             }
         }
         (symbols[pivot].clone(), value)
-    });
-    let numbers = numbers.into_iter().map(|(symbol, number)| (symbol, Fraction::from(number)));
-    Some(Solution { values: solution.chain(numbers).collect(), sampled })
+    };
+    pivots.iter().enumerate().map(value).collect()
 }
 
 /// Whether an equation can be read as saying what the members of a family are that stands on one of its

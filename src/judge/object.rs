@@ -223,6 +223,22 @@ impl Object {
         }
     }
 
+    /// Whether it is any polynomial, spline or polar form, of a degree that is a number.
+    pub fn is_any_polynomial(&self) -> bool {
+        let numeric = self.degree.as_ref().is_some_and(|degree| degree.as_int().is_some());
+        let given = |knot: &Expr| knot.as_number().is_some() || knot.kind == Kind::Ellipsis;
+        numeric
+            && match self.sort {
+                Sort::Polynomial => true,
+                Sort::BezierCurve => self.points.is_empty() && !self.rational,
+                Sort::PolarForm => self.of.is_none(),
+                Sort::SplineCurve => {
+                    self.points.is_empty() && !self.knots.is_empty() && self.knots.iter().all(given)
+                }
+                _ => false,
+            }
+    }
+
     /// Whether it can be applied to arguments.
     pub fn is_function(&self) -> bool {
         matches!(

@@ -201,6 +201,19 @@ pub struct Triangle {
     pub columns: Vec<Vec<Side>>,
 }
 
+/// What words say of functions that agree somewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// The functions, as far as the sentence names them.
+    pub names: Vec<Expr>,
+    /// Where they agree.
+    pub places: Vec<Expr>,
+    /// The orders of the derivatives that agree for sure.
+    pub certain: Vec<u32>,
+    /// Those that may be said to agree; nothing if the words are not understood.
+    pub possible: Option<Vec<u32>>,
+}
+
 /// What a formula says.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Said {
@@ -212,6 +225,8 @@ pub enum Said {
     Bare(Side, Vec<Diagnostic>),
     /// What words say that names stand for.
     Object(Box<Object>),
+    /// What words say of functions that agree somewhere.
+    Contact(Contact),
     /// A table of numbers in the shape of a triangle, by its columns or by its rows; the cells that are formulas.
     Triangles(Vec<Triangle>, Vec<Side>),
     /// A declaration by comment.
@@ -237,13 +252,15 @@ pub struct Statement {
     pub gap: String,
     /// Whether these words deny it.
     pub denied: bool,
+    /// Whether its sentence draws a conclusion before it, or says nothing but it.
+    pub concludes: bool,
 }
 
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
         let (topics, near, gap) = Default::default();
-        Statement { said, place, role: None, topics, near, gap, denied: false }
+        Statement { said, place, role: None, topics, near, gap, denied: false, concludes: false }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -48,6 +48,8 @@ pub struct Tally {
     pub gap: Option<String>,
     /// Failures in which the hypotheses say what the left side is.
     pub determined: usize,
+    /// Failures for the general solution of all that is said of functions that agree.
+    pub related: usize,
     /// Failures in which they say what other members of its family are, but leave it open.
     pub beyond: usize,
     /// Whether numbers were put for names.

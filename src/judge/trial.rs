@@ -17,6 +17,7 @@ use super::features::{ends_of_sums, has_divided_differences, has_groups, highest
 use super::integers::{advance, as_values, equated_index, is_inner, is_outside, last_values};
 use super::model::{Choices, Curve, Model, Record, holds};
 use super::names::{integer_names, is_index_letter, is_range};
+use super::related::Contacts;
 use super::statement::{Chain, Place};
 use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
@@ -53,6 +54,8 @@ pub struct Facts {
     pub ranges: Vec<Vec<Expr>>,
     /// So many of them stand in the same section.
     pub near: usize,
+    /// What words say of functions that agree.
+    pub contacts: Contacts,
     /// The names in the chain, and those that what is known of these leads to.
     pub reached: BTreeSet<String>,
     /// Letters whose members are knots.
@@ -81,6 +84,7 @@ impl<'a> Setting<'a> {
             earlier: earlier.iter().filter(|expr| is_range(expr)).cloned().collect(),
             ranges: Vec::new(),
             near: 0,
+            contacts: Contacts::default(),
             reached: reached.clone(),
             knot_letters: knot_letters.clone(),
             given_knots: given_knots.clone(),

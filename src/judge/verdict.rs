@@ -8,6 +8,7 @@ use super::certainty::Suspect;
 use super::check::{Checker, blank};
 use super::compare;
 use super::conditions::CANNOT_HOLD;
+use super::doubts;
 use super::finding::{Evidence, Finding, Verdict};
 use super::hypotheses;
 use super::names::{Head, bases};
@@ -166,6 +167,14 @@ impl Checker {
             }),
             ..finding.clone()
         };
+        let related = tally.related > 0 && tally.related == tally.fails.len() && self.concludes(statement);
+        if let (true, Some(failure), None) =
+            (related, tally.fails.first(), doubts::of_meaning(self, tally, chain, at, statement))
+        {
+            finding.evidence = vec![Evidence::Facts];
+            let reason = "it does not follow from what is said of these functions".to_owned();
+            return Judged::Verdict(Box::new(wrong(&finding, failure, reason)));
+        }
         let mut unfounded = None;
         let refutation = refute::decide(self, tally, outcomes, chain, at, statement, head);
         let refutation = match refutation {

@@ -71,6 +71,8 @@ fn start(said: &Said) -> usize {
         Said::Chain(chain) => chain.sides.first().map_or(0, |side| side.expr.span.start),
         Said::Condition(side) | Said::Bare(side, _) => side.expr.span.start,
         Said::Object(object) => object.names.first().map_or(0, |name| name.span.start),
+        // It has no place of its own.
+        Said::Contact(_) => usize::MAX,
         Said::Triangles(readings, _) => {
             let first = readings.first().and_then(|triangle| triangle.columns[0].first());
             first.map_or(0, |side| side.expr.span.start)

@@ -43,7 +43,11 @@ pub fn listing(document: &Document) -> Vec<Finding> {
                 }
                 findings.push(finding);
             }
-            Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
+            Said::Object(_)
+            | Said::Contact(_)
+            | Said::Triangles(..)
+            | Said::Declaration(..)
+            | Said::Queries(..) => {}
         }
     }
     findings

@@ -40,7 +40,11 @@ pub(super) fn each(statement: &mut Statement, work: &mut dyn FnMut(&mut Expr)) {
             chain.sides.iter_mut().map(|side| &mut side.expr).chain(&mut chain.conditions).for_each(work);
         }
         Said::Condition(side) | Said::Bare(side, _) => work(&mut side.expr),
-        Said::Object(_) | Said::Triangles(..) | Said::Declaration(..) | Said::Queries(..) => {}
+        Said::Object(_)
+        | Said::Contact(_)
+        | Said::Triangles(..)
+        | Said::Declaration(..)
+        | Said::Queries(..) => {}
     }
 }
 

@@ -208,7 +208,9 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             // "If a = 0, b = 1": after the comma comes what is claimed, unless a "then" comes.
             let consequent = comma && matches!(before, Role::Case | Role::All) && !claims_later;
             // "They vanish at $u$, and $a = b$": a name is no case that an equation goes on with.
-            let of_name = before == Role::Case && says_a_name(formulas[at - 1]) && !says_a_name(formula);
+            let of_name = matches!(before, Role::Case | Role::All)
+                && says_a_name(formulas[at - 1])
+                && !says_a_name(formula);
             // "Put i = j + 1: …" introduces i, and what comes of it follows.
             if !claims(Some(before)) && !consequent && !of_name && !after_colon(&words) {
                 (role, alternative) = (Some(before), or);
@@ -229,7 +231,15 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             && matches!(&statement.said, Said::Chain(chain) if gives_member(chain))
     });
     let several = members.count() > 1;
+    let first = formulas.first().map(|&formula| words_of(formula).left).unwrap_or_default();
+    let alone = first.trim().is_empty() || speech::goes_on_from_before(&first);
     for statement in statements.iter_mut() {
+        let before =
+            formulas.iter().zip(&roles).take_while(|(formula, _)| **formula < statement.place.formula);
+        let follows = before.into_iter().any(|(_, (role, _))| claims(*role));
+        let told = formulas.iter().take_while(|formula| **formula <= statement.place.formula);
+        let concluded = || told.into_iter().any(|&formula| speech::concludes(&words_of(formula).left));
+        statement.concludes = alone || follows || concluded();
         let (mut role, _) = role_of(statement);
         if let Said::Chain(chain) = &mut statement.said {
             chain.universal = quantified || role == Some(Role::Always);

@@ -68,6 +68,7 @@ const REASONS = {
     // what is wrong
     ["the sides differ", "两边不同"],
     ["they differ", "两者不同"],
+    ["it does not follow from what is said of these functions", "由关于这些函数的说明推不出此式"],
     ["left minus right is {}", "左边减右边等于 {}"],
     ["left minus right is {} for {}", "{2} 时,左边减右边等于 {1}"],
     ["{} differs", "{} 不同"],

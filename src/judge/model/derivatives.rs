@@ -5,6 +5,7 @@ use super::definitions::OPEN_PIECE;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::names::{Head, bases};
+use crate::judge::values::symbols;
 use crate::language::eval::Machine;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
@@ -151,7 +152,11 @@ impl Model {
             }
         });
         let Some(variable) = definition else {
-            return Some(Err(unclear("what is differentiated here", expr)));
+            // x''' of a cubic is a constant.
+            let here = Symbol::new(FRESH.repeat(2));
+            let value = self.derivative(machine, body, order, &[vec![Value::symbol(here.clone())]], expr);
+            let constant = value.ok().filter(|value| !symbols(value).contains(&here));
+            return Some(constant.ok_or_else(|| unclear("what is differentiated here", expr)));
         };
         let variable = Symbol::new(&variable);
         let own = vec![vec![Value::symbol(variable)]];

@@ -143,6 +143,9 @@ impl Model {
             }
             Sort::PolarForm => self.once(&format!("polar form {}", head.base), || {
                 let of = object.of.as_ref()?;
+                if let Some(value) = self.of_any_piece(machine, &object, head, of, arguments, expr) {
+                    return Some(value);
+                }
                 note("the polar form");
                 // Of the piece on an interval.
                 let piece = object.interval.as_ref().filter(|_| self.is_local()).and_then(|(from, to)| {
@@ -471,6 +474,36 @@ impl Model {
             return Err(Diagnostic::error(Code::Arity, message).at(expr.span));
         }
         self.polar_value(machine, of, arguments.len(), arguments, expr)
+    }
+
+    /// The polar form of a piece of a spline of which no control points are given: in terms of its powers and kinks, or,
+    /// where its knots are not known, of any polynomial.
+    fn of_any_piece(
+        &self,
+        machine: &mut Machine,
+        object: &Object,
+        head: &Head,
+        of: &Expr,
+        arguments: &[Value],
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let (spline, _) = self.declared(&Head::of(of)?)?;
+        let (_, end) = object.interval.as_ref()?;
+        if spline.sort != Sort::SplineCurve || !spline.points.is_empty() || self.is_local() {
+            return None;
+        }
+        let degree = self.stated_degree(machine, &spline, &Bound::new())?;
+        let place = machine.eval(end).ok()?;
+        let outer = self.place_of_derivative.replace(Some(place.as_scalar()?.clone()));
+        let value = self.polar_form(machine, head, of, arguments, expr);
+        self.place_of_derivative.replace(outer);
+        match value {
+            Err(_) if head.lower.is_empty() && degree == arguments.len() => {
+                let free = Object { degree: Some(Expr::int(degree as i64)), ..Object::new(Sort::PolarForm) };
+                Some(self.any_affine(&free, head, degree, arguments, expr))
+            }
+            value => Some(value),
+        }
     }
 
     /// The value of the polar form of degree `degree` of a polynomial, in each coordinate.

@@ -32,8 +32,12 @@ impl Model {
         expr: &Expr,
     ) -> Evaluated {
         let letter = self.letter_of_knots(object, &head.base);
-        let given: Option<Vec<Fraction>> =
-            object.knots.iter().map(|knot| Some(Fraction::from_rational(knot.as_number()?))).collect();
+        let given: Option<Vec<Fraction>> = object
+            .knots
+            .iter()
+            .filter(|knot| knot.kind != Kind::Ellipsis)
+            .map(|knot| Some(Fraction::from_rational(knot.as_number()?)))
+            .collect();
         let given = given.filter(|given| !given.is_empty());
         let knots: Vec<(i64, Fraction)> = match given {
             Some(given) => (0..).zip(given).collect(),
@@ -68,9 +72,12 @@ impl Model {
         };
         let smooth = (0..=degree).map(|i| variable(name.numbered(i as i64)).times(&power(x, i)));
         let first = degree as i64 + 1 - KNOTS.start;
-        let kinks = before
-            .iter()
-            .map(|(j, knot)| variable(name.numbered(first + j)).times(&power(&x.minus(knot), degree)));
+        // At a knot that is there twice one derivative less agrees.
+        let kinks = before.iter().enumerate().filter_map(|(at, (j, knot))| {
+            let times = before[..at].iter().filter(|(_, other)| other == knot).count();
+            let exponent = degree.checked_sub(times)?;
+            Some(variable(name.numbered(first + j)).times(&power(&x.minus(knot), exponent)))
+        });
         Ok(Value::Scalar(smooth.chain(kinks).fold(Fraction::zero(), |sum, term| sum.plus(&term))))
     }
 

@@ -6,9 +6,11 @@
 //! "f its polar form"), or after "by". What a phrase is, in four languages, is data of `speech`.
 
 mod attributes;
+mod contact;
 mod coreference;
 mod facts;
 mod phrase;
+mod pieces;
 mod subject;
 mod tables;
 #[cfg(test)]
@@ -23,7 +25,7 @@ use self::facts::in_order;
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
 use self::tables::Row;
-use self::tokens::{Token, tokens};
+use self::tokens::{Token, tokens, without_smoothness};
 use super::sentence::Piece;
 use super::speech::{self, Word};
 use crate::formula::{Expr, Kind, Link, Rel};
@@ -50,17 +52,14 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         let above = count.checked_sub(1).map(|before| sentences[before].as_slice());
         for (name, value) in above.map(|above| tables::values(above, sentence, &formulas)).unwrap_or_default()
         {
-            let number = sentence.iter().find_map(|piece| match piece {
-                Piece::Formula(number) => Some(*number),
-                Piece::Words(_) => None,
-            });
+            let number = contact::numbers(sentence).first().copied();
             let own = Object { names: vec![name], values: vec![value], ..Object::new(Sort::Symbols) };
             found.entry(number.unwrap_or_default()).or_default().push(own);
         }
         if let [xs, ys] = rows.as_slice() {
             tables::tell(xs, ys, &talk.topic, &mut found);
         }
-        let tokens = tokens(sentence);
+        let tokens = without_smoothness(tokens(sentence), &formulas);
         let mut reader = Reader {
             tokens,
             formulas: &formulas,
@@ -82,7 +81,11 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
         object.sort = Sort::Other("rational".into());
     }
     let mut all = Vec::with_capacity(statements.len() + found.len());
+    let mut contacts = contact::contacts(sentences, &formulas);
     for statement in statements.drain(..) {
+        for contact in contacts.remove(&statement.place.formula).unwrap_or_default() {
+            all.push(Statement::new(Said::Contact(contact), statement.place.clone()));
+        }
         for object in found.remove(&statement.place.formula).unwrap_or_default() {
             let said = Said::Object(Box::new(object));
             all.push(Statement::new(said, statement.place.clone()));
@@ -259,7 +262,9 @@ impl<'a> Reader<'a> {
     /// "its" refers to the function that was spoken of last, not to a member of a family nor to a value.
     fn speak_of(&mut self, call: &Expr, beside: bool) {
         // "The derivative F' is … Its blossom"
+        let value = matches!(&call.kind, Kind::Apply(_, groups) if !groups.iter().flatten().all(|own| matches!(own.kind, Kind::Name(_))));
         if let Kind::Prime(function, _) = &named(call).kind
+            && !value
             && matches!(function.kind, Kind::Name(_))
         {
             self.talk.of(vec![named(call)]);
@@ -328,6 +333,7 @@ impl<'a> Reader<'a> {
             _ => self
                 .subjects_before(from, matches!(object.sort, Sort::Symbols | Sort::Vectors))
                 .or_else(|| self.subject_after(to))
+                .or_else(|| self.subject_after(self.after_intervals(to)?))
                 .or_else(|| self.subject_of_notation(from))
                 .or_else(|| self.subject_of_clause(from)),
         };
@@ -413,6 +419,10 @@ impl<'a> Reader<'a> {
         });
         let points = object.sort == Sort::ControlPoints;
         let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
+        if self.of_pieces(&object, &names, &of, number) {
+            self.taken = to;
+            return;
+        }
         // "A function that is affine …. Let f be a polar form": of another one
         let other =
             new && !of_known && self.talk.is_unnamed() && !(from > 0 && self.is(from - 1, &Word::With));

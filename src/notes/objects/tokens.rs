@@ -1,8 +1,11 @@
 //! The words of a sentence, as far as they matter for what names stand for.
 
+use std::collections::BTreeMap;
+
 use super::super::sentence::Piece;
 use super::super::speech::{self, Word};
 use crate::formula::source::Pieces;
+use crate::formula::{Expr, Kind};
 use crate::judge::object::Sort;
 
 /// A part of a sentence, as far as it matters here.
@@ -110,6 +113,12 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
             if *word == Word::WithPoints {
                 found.push(Token::Word(Word::With));
             }
+            // du second degré
+            if let Word::HasDegree(degree) = word {
+                found.extend([Token::Word(Word::Of), Token::Word(Word::Degree), Token::Number(*degree)]);
+                rest = rest.piece(length..);
+                continue;
+            }
             found.push(match word {
                 Word::WithPoints => Token::Word(Word::Noun(Sort::ControlPoints)),
                 Word::Count(count) if size => Token::Number(*count),
@@ -155,4 +164,18 @@ fn words_of(words: &str, found: &mut Vec<Token>) {
             rest = rest.piece(c.len_utf8()..);
         }
     }
+}
+
+/// "A C^2 cubic spline" is a cubic spline.
+pub(super) fn without_smoothness(tokens: Vec<Token>, formulas: &BTreeMap<usize, Vec<Expr>>) -> Vec<Token> {
+    let smooth = |number: &usize| {
+        matches!(formulas.get(number).map(Vec::as_slice), Some([Expr { kind: Kind::Pow(letter, _), .. }])
+            if matches!(&letter.kind, Kind::Name(name) if name == "C"))
+    };
+    let adjective = |at: usize| {
+        let noun = matches!(tokens.get(at + 1), Some(Token::Word(Word::OfDegree(_) | Word::Noun(_))));
+        matches!(&tokens[at], Token::Formula(number) if noun && smooth(number))
+    };
+    let kept = (0..tokens.len()).filter(|&at| !adjective(at)).collect::<Vec<_>>();
+    kept.into_iter().map(|at| tokens[at].clone()).collect()
 }

@@ -6,6 +6,7 @@
 
 mod blocks;
 mod chinese;
+mod contact;
 mod english;
 mod french;
 mod german;
@@ -13,6 +14,7 @@ mod german;
 mod tests;
 
 pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
+pub use contact::{Agreement, concludes, cues};
 
 use std::borrow::Cow;
 
@@ -32,6 +34,10 @@ pub enum Word {
     OfDegree(i64),
     /// "degree".
     Degree,
+    /// "of the second degree".
+    HasDegree(i64),
+    /// "which": what follows is no noun.
+    Relative,
     /// "order", which is the degree and one.
     Order,
     /// 次: the number before it is a degree.
