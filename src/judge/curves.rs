@@ -80,7 +80,7 @@ impl Checker {
     /// "A cubic Bézier curve with the control points b_0, …, b_3"
     fn curves_in_words(&self, new: &New, statement: &Statement) -> Vec<Curve> {
         let place = &statement.place;
-        let here = |declared: &&Declared| place.knows(&declared.place, false);
+        let here = |declared: &&Declared| place.knows(&declared.place, declared.object.local);
         let curve = |declared: &Declared| {
             let object = &*declared.object;
             // The points p_i are no new points p_i; the curve p is another thing.

@@ -164,6 +164,10 @@ impl Checker {
             return;
         }
         let Some(new) = New::of(&left.expr, &right.expr) else { return };
+        // What its paragraph tells as a whole needs no guess.
+        if self.context.is_told(&new.letter, place) {
+            return;
+        }
         let limits = self.limits.clone();
         let kept = self.context.clone();
         let finding = findings[0].clone();

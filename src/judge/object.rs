@@ -113,6 +113,8 @@ pub struct Object {
     pub data: Vec<(Expr, Expr)>,
     /// Whether the second derivatives of a spline vanish at its ends.
     pub natural: bool,
+    /// Whether its paragraph as a whole says it, and only for itself.
+    pub local: bool,
 }
 
 impl Object {
@@ -132,6 +134,7 @@ impl Object {
             rational: false,
             data: Vec::new(),
             natural: false,
+            local: false,
         }
     }
 
@@ -276,6 +279,8 @@ impl Object {
             Sort::BezierCurve | Sort::Interpolant => !self.points.is_empty(),
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
             Sort::BSpline => self.degree.is_some(),
+            // Points of this very curve, as its paragraph says
+            Sort::ControlPoints => self.local && self.of.is_some(),
             _ => false,
         }
     }
@@ -296,7 +301,7 @@ impl Context {
     /// What a head is, as far as words tell: the latest object of its name, those of the same section first.
     pub fn object(&self, head: &Head, place: &Place) -> Option<&Declared> {
         let alive = |declared: &&Declared| {
-            place.in_reach(&declared.place, false) && declared.object.name_for(head).is_some()
+            place.in_reach(&declared.place, declared.object.local) && declared.object.name_for(head).is_some()
         };
         let found = self.objects_of(&head.base).filter(alive);
         found
@@ -456,7 +461,11 @@ impl Context {
             })
         };
         let said = || {
-            let here = self.objects.iter().rev().filter(|declared| place.knows(&declared.place, false));
+            let here = self
+                .objects
+                .iter()
+                .rev()
+                .filter(|declared| place.knows(&declared.place, declared.object.local));
             let splines = here.filter(|d| matches!(d.object.sort, Sort::SplineCurve | Sort::BSpline));
             splines.filter_map(|declared| declared.object.degree.as_ref()?.as_int()).find_map(|degree| {
                 let sizes = &self.letters.spline_sizes;
@@ -473,7 +482,8 @@ impl Context {
     /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1), perhaps by a name
     /// for it, or the knots of its latest spline.
     fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
-        let here = self.objects.iter().rev().filter(|declared| place.knows(&declared.place, false));
+        let here =
+            self.objects.iter().rev().filter(|declared| place.knows(&declared.place, declared.object.local));
         let lists = here.map(|declared| match declared.object.sort {
             Sort::Knots => declared.object.names.as_slice(),
             Sort::SplineCurve => declared.object.knots.as_slice(),
@@ -507,7 +517,7 @@ impl Context {
                 found.push(letter.clone());
             }
         };
-        let alive = |declared: &&Declared| place.in_reach(&declared.place, false);
+        let alive = |declared: &&Declared| place.in_reach(&declared.place, declared.object.local);
         for declared in self.objects.iter().filter(alive) {
             if declared.object.sort == Sort::Knots {
                 declared.object.names.iter().for_each(&mut add);
@@ -563,9 +573,17 @@ impl Context {
             })
     }
 
+    /// Whether the paragraph as a whole tells what a letter is: a curve, its points.
+    pub fn is_told(&self, base: &str, place: &Place) -> bool {
+        let own = |expr: &Expr| Head::of(expr).is_some_and(|head| head.base == base);
+        let here =
+            self.objects.iter().rev().filter(|told| told.object.local && place.knows(&told.place, true));
+        here.map(|told| &told.object).any(|object| object.names.iter().chain(&object.points).any(own))
+    }
+
     /// What stands in the place of a name whatever its indices are.
     pub fn object_called(&self, base: &str, place: &Place) -> Option<&Declared> {
-        self.objects_of(base).find(|declared| place.in_reach(&declared.place, false))
+        self.objects_of(base).find(|declared| place.in_reach(&declared.place, declared.object.local))
     }
 
     /// The same, if it is any function of a class that the page names.

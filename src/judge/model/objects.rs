@@ -329,6 +329,7 @@ impl Model {
                 // Points over [v, w] beside a curve over [u, v] without a name may be those of another one.
                 let unnamed = |own: Head| self.object(&own).is_some_and(|known| known.object.is_unnamed());
                 if let Some(own) = &object.interval
+                    && !object.local
                     && self.hears_of_a_neighbour(own)
                     && Head::of(of).is_some_and(unnamed)
                 {

@@ -5,6 +5,7 @@
 //! speaks of, follows it at once ("the polar form f of F"), or stands before it ("let f be the polar form of F",
 //! "f its polar form"), or after "by". What a phrase is, in four languages, is data of `speech`.
 
+mod account;
 mod attributes;
 mod contact;
 mod coreference;
@@ -76,6 +77,7 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     for sentence in sentences {
         told_before(sentence, statements, &mut found);
     }
+    account::tell(sentences, &account::Page { formulas: &formulas, places: &places }, &mut found);
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
         object.sort = Sort::Other("rational".into());

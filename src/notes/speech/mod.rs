@@ -10,11 +10,13 @@ mod contact;
 mod english;
 mod french;
 mod german;
+mod hints;
 #[cfg(test)]
 mod tests;
 
 pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
 pub use contact::{Agreement, concludes, cues};
+pub use hints::{Hint, hint};
 
 use std::borrow::Cow;
 

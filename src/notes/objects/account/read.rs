@@ -1,0 +1,512 @@
+//! What the words, lists and intervals of a paragraph are together.
+
+use std::collections::BTreeMap;
+
+use super::lists::{self, List, Role, lists};
+use super::signs::Sign;
+use super::{Account, Page, Points, formulas};
+use crate::formula::{Accent, Expr, Kind, Rel, Sign as Plus, Term};
+use crate::judge::inequality::interval;
+use crate::judge::names::{Head, bases, is_index_letter, walk};
+use crate::judge::object::{Sort, UNNAMED};
+use crate::judge::topic::{Topic, Topics};
+use crate::language::lexicon::families;
+use crate::language::lexicon::roles::{is_control_point, is_variable};
+use crate::math::number::integer;
+use crate::notes::speech::Hint;
+
+/// A paragraph that is read.
+pub(super) struct Told<'a> {
+    pub all: &'a [Sign],
+    pub page: &'a Page<'a>,
+    pub topics: Topics,
+}
+
+impl Told<'_> {
+    pub fn account(&self, numbers: Vec<usize>) -> Option<Account> {
+        let spline = self.one_curve()?;
+        let all = lists(self.all, self.page);
+        let degrees: Vec<i64> = self.degrees();
+        let mut families: Vec<List> = Vec::new();
+        let mut knots = Vec::new();
+        let mut data = None;
+        for list in all {
+            match list.role {
+                Role::Points => families.push(list),
+                Role::Knots if knots.is_empty() && spline => knots = list.items,
+                Role::Values(ref nodes) if data.is_none() => data = Some((list.items.clone(), nodes.clone())),
+                Role::Index => {}
+                _ => return None,
+            }
+        }
+        let mut letters = Vec::new();
+        let mut calls = Vec::new();
+        let mut names: BTreeMap<String, i64> = BTreeMap::new();
+        for expr in numbers.iter().flat_map(|number| self.page.said(*number)) {
+            if let Kind::Name(name) = &expr.kind {
+                *names.entry(name.clone()).or_default() -= 1;
+            }
+            if matches!(expr.kind, Kind::Chain(..)) {
+                letters.extend(bases(expr));
+            }
+            walk(expr, &mut |part| {
+                if let Kind::Name(name) = &part.kind {
+                    *names.entry(name.clone()).or_default() += 1;
+                }
+                if let Kind::Apply(callee, _) = &part.kind
+                    && let Kind::Name(name) = &callee.kind
+                {
+                    *names.entry(name.clone()).or_default() -= 1;
+                }
+                calls.extend(call(part));
+            });
+        }
+        // c (1 - d) + d (1 - c) is no value of c.
+        calls.retain(|call: &Call| {
+            call.derived || !matches!(&call.name.kind, Kind::Name(name) if names.get(name).is_some_and(|count| *count > 0))
+        });
+        if families.is_empty() && !spline {
+            families.extend(self.unlisted(&numbers, data.as_ref().map(|(values, _)| values.as_slice())));
+        }
+        let formula = match (families.is_empty(), &data, spline) {
+            (false, None, false) => self.formula(&numbers)?,
+            _ => None,
+        };
+        let polar = self.polar_form(&calls)?;
+        let name = self.name(&calls, polar.as_ref(), formula.as_ref())?;
+        let degree = degrees.first().copied();
+        let mut account =
+            Account { numbers, letters, name, degree, points: Vec::new(), data, formula, knots, polar };
+        if spline {
+            account.spline(families)?;
+        } else {
+            account.points = self.points(families, &account, &degrees)?;
+            if account.points.is_empty() && account.data.is_none() {
+                return None;
+            }
+        }
+        Some(account)
+    }
+
+    /// Points that equations speak of and no list: "two control points coincide: b_1 = b_0".
+    fn unlisted(&self, numbers: &[usize], values: Option<&[Expr]>) -> Option<List> {
+        let noun = self.all.iter().rposition(|sign| *sign == Sign::Hint(Hint::Points))?;
+        let after = formulas(&self.all[noun..]).next()?;
+        let mut letters: Vec<String> = Vec::new();
+        for said in
+            numbers.iter().filter(|number| **number >= after).flat_map(|number| self.page.said(*number))
+        {
+            walk(said, &mut |part| {
+                if let Some(head) =
+                    Head::of(part).filter(|head| head.index().and_then(Expr::as_int).is_some())
+                    && head.arguments.is_none()
+                    && !letters.contains(&head.base)
+                {
+                    letters.push(head.base);
+                }
+            });
+        }
+        let data: Vec<String> =
+            values.into_iter().flatten().filter_map(Head::of).map(|head| head.base).collect();
+        letters.retain(|letter| !data.contains(letter));
+        match letters.as_slice() {
+            [one] if is_control_point(one) => Some(List::unlisted(one)),
+            _ => None,
+        }
+    }
+
+    /// Whether one curve is spoken of, and whether it is a spline; nothing if there may be more than one.
+    fn one_curve(&self) -> Option<bool> {
+        let (mut spline, mut bezier, mut any) = (false, false, false);
+        let mut new = 0;
+        let mut again = false;
+        for (at, sign) in self.all.iter().enumerate() {
+            match sign {
+                Sign::Hint(Hint::Again) => again = true,
+                Sign::OfDegree(_) => any = true,
+                Sign::Curve(sort) => {
+                    any = true;
+                    spline |= matches!(sort, Sort::SplineCurve | Sort::BSpline);
+                    bezier |= *sort == Sort::BezierCurve;
+                }
+                _ => {}
+            }
+            if !matches!(sign, Sign::Curve(_) | Sign::OfDegree(_)) {
+                continue;
+            }
+            let before = at.checked_sub(1).map(|before| &self.all[before]);
+            match before {
+                // Two cubics
+                Some(Sign::Number(count)) if *count > 1 => return None,
+                // An adjective that is not known may change everything.
+                Some(Sign::Unknown)
+                    if matches!(at.checked_sub(2).map(|b| &self.all[b]), Some(Sign::Article)) =>
+                {
+                    return None;
+                }
+                Some(Sign::Article) if !again => new += 1,
+                _ => {}
+            }
+        }
+        (any && new < 2 && !(spline && bezier)).then_some(spline)
+    }
+
+    /// The degrees that words say, in their order.
+    fn degrees(&self) -> Vec<i64> {
+        let mut found = Vec::new();
+        for (at, sign) in self.all.iter().enumerate() {
+            let degree = match sign {
+                Sign::OfDegree(degree) => Some(*degree),
+                Sign::Degree => self.all[at + 1..].iter().take(3).find_map(|next| match next {
+                    Sign::Number(degree) => Some(*degree),
+                    Sign::Formula(number) => self.page.said(*number).first().and_then(Expr::as_int),
+                    _ => None,
+                }),
+                _ => None,
+            };
+            found.extend(degree.filter(|degree| !found.contains(degree)));
+        }
+        found
+    }
+
+    /// The name of the curve: the only function with values that is no polar form.
+    fn name(&self, calls: &[Call], polar: Option<&Expr>, formula: Option<&Expr>) -> Option<Expr> {
+        let mut found: Option<&Call> = None;
+        for call in calls.iter().filter(|call| call.arguments < 2) {
+            if polar.is_some_and(|polar| polar.same_as(&call.name)) {
+                continue;
+            }
+            match found {
+                Some(known) if !known.name.same_as(&call.name) => return None,
+                Some(known) if known.derived || !call.derived => {}
+                _ => found = Some(call),
+            }
+        }
+        let unnamed = Expr::name(format!("{UNNAMED}{}", formulas(self.all).next().unwrap_or_default()));
+        let Some(call) = found.filter(|_| formula.is_none()) else { return Some(unnamed) };
+        // "Its derivative is y(t) = …": another function, unless the curve is called so.
+        let other = [Topic::Derivative, Topic::PolarForm].into_iter().any(|topic| self.topics.has(topic));
+        if other && !call.derived && !self.is_called(&call.name) {
+            return None;
+        }
+        Some(call.name.clone())
+    }
+
+    /// Whether words call the curve by a name: the curve x, x a cubic.
+    fn is_called(&self, name: &Expr) -> bool {
+        let named = |sign: &Sign| match sign {
+            Sign::Formula(number) => {
+                let first = self.page.said(*number).first();
+                first.is_some_and(|said| {
+                    said.same_as(name) || matches!(&said.kind, Kind::Apply(own, _) if own.same_as(name))
+                })
+            }
+            _ => false,
+        };
+        let curve = |sign: &Sign| matches!(sign, Sign::Curve(_) | Sign::OfDegree(_));
+        let near = |at: usize| {
+            let before = self.all[..at].iter().rev().find(|sign| **sign != Sign::Filler);
+            let after = self.all[at + 1..]
+                .iter()
+                .find(|sign| !matches!(sign, Sign::Filler | Sign::Article | Sign::Join));
+            before.is_some_and(curve) || after.is_some_and(curve)
+        };
+        (0..self.all.len()).any(|at| named(&self.all[at]) && near(at))
+    }
+
+    /// The polar form of the curve, if one is spoken of; nothing if that may be that of something else.
+    fn polar_form(&self, calls: &[Call]) -> Option<Option<Expr>> {
+        let count = self.all.iter().filter(|sign| **sign == Sign::PolarForm).count();
+        let mut several = calls.iter().filter(|call| call.arguments > 1 && !call.derived);
+        match (count, several.next()) {
+            (0, None) => Some(None),
+            (0, Some(_)) => None,
+            (_, None) => Some(None),
+            (_, Some(first)) => {
+                let one = several.all(|call| call.name.same_as(&first.name));
+                let cut = self.topics.has(Topic::Derivative);
+                (one && !cut).then(|| Some(first.name.clone()))
+            }
+        }
+    }
+
+    /// The formula of the curve: a sum in a variable, or what a function is defined as. Nothing if there are several.
+    fn formula(&self, numbers: &[usize]) -> Option<Option<Expr>> {
+        let mut found: Option<Expr> = None;
+        let last = numbers.last();
+        for number in numbers.iter().filter(|number| Some(*number) != last) {
+            for said in self.page.said(*number) {
+                let own = match &said.kind {
+                    Kind::Add(_) => Some(said)
+                        .filter(|sum| bases(sum).iter().filter(|name| is_variable(name)).count() == 1),
+                    Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
+                        (Kind::Apply(function, arguments), [link])
+                            if link.rel == Rel::Eq
+                                && matches!(function.kind, Kind::Name(_))
+                                && matches!(arguments.concat().as_slice(), [Expr { kind: Kind::Name(name), .. }] if is_variable(name)) =>
+                        {
+                            Some(function.as_ref())
+                        }
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                if let Some(own) = own {
+                    if found.is_some() {
+                        return None;
+                    }
+                    found = Some(own.clone());
+                }
+            }
+        }
+        Some(found)
+    }
+
+    /// The intervals of the paragraph in their order, each once in a row.
+    fn intervals(&self) -> Vec<(usize, (Expr, Expr))> {
+        let mut found: Vec<(usize, (Expr, Expr))> = Vec::new();
+        for (at, sign) in self.all.iter().enumerate() {
+            let own = match sign {
+                Sign::Formula(number) => match self.page.said(*number) {
+                    [one] => closed(one),
+                    _ => None,
+                },
+                Sign::Hint(Hint::Unit) => Some((Expr::int(0), Expr::int(1))),
+                Sign::Hint(Hint::SameInterval) => found.last().map(|(_, last)| last.clone()),
+                _ => None,
+            };
+            found.extend(own.map(|own| (at, own)));
+        }
+        found
+    }
+
+    /// The families with their intervals, that of the least degree first.
+    fn points(&self, families: Vec<List>, account: &Account, degrees: &[i64]) -> Option<Vec<Points>> {
+        let count = families.len();
+        let given = account.data.is_some() || account.formula.is_some();
+        let parts = self.parts();
+        let intervals = self.intervals();
+        let unit = (Expr::int(0), Expr::int(1));
+        let again = |list: &List| {
+            let from =
+                self.all[..list.at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1);
+            let from = self.all[..from.saturating_sub(1)]
+                .iter()
+                .rposition(|sign| *sign == Sign::End)
+                .map_or(0, |end| end + 1);
+            let to = self.all[list.at..]
+                .iter()
+                .position(|sign| *sign == Sign::End)
+                .map_or(self.all.len(), |end| list.at + end);
+            self.all[from..to].iter().any(|sign| {
+                matches!(
+                    sign,
+                    Sign::Its | Sign::Hint(Hint::Again | Hint::Powers | Hint::Split | Hint::Middle)
+                )
+            })
+        };
+        // More than one family: words have to say that they are of the same curve.
+        if count > 1 && !families.iter().skip(1).all(again) {
+            return None;
+        }
+        // "The control points of its derivative"
+        let derived = self.topics.has(Topic::Derivative);
+        if derived && (count > 1 || given) {
+            return None;
+        }
+        let ends: Vec<(Expr, Expr)> = match parts.as_slice() {
+            [] => match (intervals.as_slice(), count) {
+                (_, 0) => intervals.first().map(|(_, own)| own.clone()).into_iter().collect(),
+                ([], _) => vec![unit; count],
+                ([(_, one)], 1) => vec![one.clone()],
+                // Of other degrees over one interval
+                ([(at, one)], _) => {
+                    let numbers: Vec<Option<i64>> = families.iter().map(List::degree).collect();
+                    let different = numbers
+                        .windows(2)
+                        .all(|pair| pair[0].is_some() && pair[1].is_some() && pair[0] != pair[1]);
+                    let first = |list: &List| self.all[list.at..*at].contains(&Sign::End);
+                    if different {
+                        vec![one.clone(); count]
+                    } else if count == 2 && families[0].at < *at && first(&families[0]) {
+                        vec![unit, one.clone()]
+                    } else {
+                        return None;
+                    }
+                }
+                (several, count) if several.len() == count => {
+                    several.iter().map(|(_, own)| own.clone()).collect()
+                }
+                (several, _) => {
+                    let (_, first) = &several[0];
+                    let same =
+                        several.iter().all(|(_, own)| own.0.same_as(&first.0) && own.1.same_as(&first.1));
+                    let one =
+                        count == 1 || families.windows(2).all(|pair| pair[0].degree() != pair[1].degree());
+                    if !(same && one) {
+                        return None;
+                    }
+                    vec![first.clone(); count]
+                }
+            },
+            parts if parts.len() == count || parts.len() + 1 == count => {
+                let whole = match intervals.as_slice() {
+                    [] => unit,
+                    [(_, one)] => one.clone(),
+                    _ => return None,
+                };
+                let middle = self.middle(&whole, account)?;
+                let part = |second: &bool| match second {
+                    false => (whole.0.clone(), middle.clone()),
+                    true => (middle.clone(), whole.1.clone()),
+                };
+                let first = (parts.len() < count).then(|| whole.clone());
+                first.into_iter().chain(parts.iter().map(part)).collect()
+            }
+            _ => return None,
+        };
+        let mut found: Vec<Points> = families
+            .into_iter()
+            .zip(ends)
+            .map(|(list, interval)| Points { degree: list.degree(), list, interval })
+            .collect();
+        // Its own degree is the least one, and words say it, if they say any.
+        let least = found.iter().filter_map(|points| points.degree).min().or(account.degree);
+        let raised = found.iter().any(|points| points.degree.is_some() && points.degree != least);
+        let said =
+            |degree: Option<i64>| degree.is_none_or(|degree| degrees.is_empty() || degrees.contains(&degree));
+        let data = account.data.as_ref().map(|(values, _)| values.len() as i64 - 1);
+        if !given && !said(least) || data.is_some_and(|own| account.degree.is_some_and(|said| said != own)) {
+            return None;
+        }
+        let exact = degrees.len() == 1 && !raised || degrees.is_empty() || raised || given;
+        if !exact && !given {
+            return None;
+        }
+        if parts.is_empty() {
+            found.sort_by_key(|points| points.degree);
+        }
+        for points in &mut found {
+            points.degree = points.degree.or(least).or(data);
+            // b_i: one by one
+            if let (Some(degree), Some(letter), [_]) =
+                (points.degree, &points.list.letter, points.list.items.as_slice())
+            {
+                points.list.items = (0..=degree).map(|i| lists::member(letter, Expr::int(i))).collect();
+            }
+        }
+        found.iter().all(|points| points.degree.is_some()).then_some(found)
+    }
+
+    /// The parts that are spoken of in their order: true for the second one.
+    fn parts(&self) -> Vec<bool> {
+        let mut found = Vec::new();
+        for (at, sign) in self.all.iter().enumerate() {
+            let second = match sign {
+                Sign::Hint(Hint::First) => false,
+                Sign::Hint(Hint::Second) => true,
+                _ => continue,
+            };
+            let part = |sign: &Sign| matches!(sign, Sign::Hint(Hint::Half | Hint::Part));
+            let joins = |sign: &Sign| {
+                matches!(
+                    sign,
+                    Sign::Filler | Sign::Join | Sign::Article | Sign::Hint(Hint::First | Hint::Second)
+                )
+            };
+            let after = self.all[at + 1..].iter().find(|sign| !joins(sign)).is_some_and(part);
+            let before = self.all[..at].iter().rev().find(|sign| !joins(sign)).is_some_and(part);
+            let told = self.all[..at].iter().any(part);
+            // "Die linke Hälfte … die rechte", "左段 … 右段的"
+            if after || before || told {
+                found.push(second);
+            }
+        }
+        found
+    }
+
+    /// Where the curve is cut.
+    fn middle(&self, whole: &(Expr, Expr), account: &Account) -> Option<Expr> {
+        let mut numbers: Vec<Expr> = Vec::new();
+        let named = |name: &str| account.letters.iter().any(|own| own == name);
+        for number in formulas(self.all) {
+            let [said] = self.page.said(number) else { continue };
+            let own = match &said.kind {
+                Kind::Chain(left, links) if matches!(left.kind, Kind::Name(_)) => match links.as_slice() {
+                    [link] if link.rel == Rel::Eq && bases(&link.expr).is_empty() => Some(&link.expr),
+                    _ => None,
+                },
+                Kind::Number(_) | Kind::Div(..) if bases(said).is_empty() => Some(said),
+                Kind::Name(name) if named(name) && !said.same_as(&account.name) => Some(said),
+                _ => None,
+            };
+            if let Some(own) = own
+                && !numbers.iter().any(|known| known.same_as(own))
+            {
+                numbers.push(own.clone());
+            }
+        }
+        let half = self.all.iter().any(|sign| matches!(sign, Sign::Hint(Hint::Half | Hint::Middle)));
+        match numbers.as_slice() {
+            [one] => Some(one.clone()),
+            [] if half => {
+                let sum =
+                    [&whole.0, &whole.1].map(|end| Term { sign: Plus::Plus, expr: end.clone().grouped() });
+                let half = Expr::number(&(integer(1) / integer(2)));
+                Some(Expr::product(vec![half, Expr::from(Kind::Add(sum.into())).grouped()]))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A function whose value stands in a formula.
+struct Call {
+    name: Expr,
+    arguments: usize,
+    derived: bool,
+}
+
+fn call(part: &Expr) -> Option<Call> {
+    let (callee, arguments) = match &part.kind {
+        Kind::Apply(callee, groups) => (callee.as_ref(), groups.concat().len()),
+        Kind::Prime(..) => (part, 0),
+        _ => return None,
+    };
+    let (mut name, mut derived) = (callee, false);
+    loop {
+        match &name.kind {
+            Kind::Prime(inner, _)
+            | Kind::Accent(Accent::Dot | Accent::Ddot, inner)
+            | Kind::Group(inner)
+            | Kind::Upper(inner, _) => {
+                (name, derived) = (inner, true);
+            }
+            _ => break,
+        }
+    }
+    let plain = matches!(&name.kind, Kind::Name(own) if !matches!(own.as_str(), "rightopen" | "leftopen"));
+    let known = Head::of(name).is_some_and(|head| families::notation(&head.base, 1, 1).is_some());
+    (plain && !known).then(|| Call { name: name.clone(), arguments, derived })
+}
+
+/// The ends of a closed interval.
+pub(super) fn closed(expr: &Expr) -> Option<(Expr, Expr)> {
+    match &expr.kind {
+        Kind::Chain(left, links) => match links.as_slice() {
+            // t ∈ [0, 2]
+            [link] if link.rel == Rel::In => closed(&link.expr),
+            // 0 ≤ t ≤ 2
+            [a, b] if a.rel == Rel::Le && b.rel == Rel::Le => {
+                let variable =
+                    matches!(&a.expr.kind, Kind::Name(name) if is_variable(name) && !is_index_letter(name));
+                variable.then(|| (left.as_ref().clone(), b.expr.clone()))
+            }
+            _ => None,
+        },
+        _ => {
+            let ([from, to], open) = interval(expr)?;
+            (open == [false, false]).then(|| (from.clone(), to.clone()))
+        }
+    }
+}
