@@ -30,6 +30,8 @@ pub enum Sort {
     BezierCurve,
     /// The control points of a curve.
     ControlPoints,
+    /// The coefficients of a polynomial in powers, in their order.
+    Coefficients,
     /// The Lagrange polynomials of nodes.
     Lagrange,
     /// The polynomial of least degree through points at nodes.
@@ -280,7 +282,7 @@ impl Object {
             Sort::SplineCurve => (self.uniform || !self.knots.is_empty()) && !self.points.is_empty(),
             Sort::BSpline => self.degree.is_some(),
             // Points of this very curve, as its paragraph says
-            Sort::ControlPoints => self.local && self.of.is_some(),
+            Sort::ControlPoints | Sort::Coefficients => self.local && self.of.is_some(),
             _ => false,
         }
     }

@@ -6,6 +6,7 @@ use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
 use crate::judge::names::{Head, bases};
 use crate::judge::values::symbols;
+use crate::judge::object::Sort;
 use crate::language::eval::Machine;
 use crate::language::ops::calculus::nth_derivative;
 use crate::language::ops::errors::division_by_zero;
@@ -102,13 +103,31 @@ impl Model {
         let fresh = Symbol::new(FRESH);
         let own = vec![vec![Value::symbol(fresh.clone())]];
         // Near the argument it is a polynomial.
-        let around = if self.is_local() { self.number_here(argument) } else { None };
+        let spline = Head::of(function).and_then(|head| self.object(&head)).map(|told| told.object.clone());
+        let spline = spline.filter(|told| told.sort == Sort::SplineCurve && !told.points.is_empty());
+        let around = if self.is_local() || spline.is_some() { self.number_here(argument) } else { None };
         let derived = |value: Value| {
             each(value, &|formula| {
                 let derived = nth_derivative(&formula, &fresh, order);
                 derived.substitute(&[(fresh.clone(), argument.clone())]).map_err(|_| division_by_zero())
             })
         };
+        // At a knot of a spline both sides have to agree, where there are two.
+        if let (Some(spline), Some(at)) = (spline, argument.as_rational()) {
+            let near = Rational::new(1.into(), (1i64 << 40).into());
+            let end = |knot: Option<&Expr>| knot.and_then(Expr::as_number) == Some(&at);
+            let mut side = |at: Rational| {
+                let value = self.moved(Some(at), || self.apply(machine, function, &own, expr));
+                value.and_then(derived)
+            };
+            let (left, right) = (side(&at - &near)?, side(&at + &near)?);
+            return match (end(spline.knots.first()), end(spline.knots.last())) {
+                (true, false) => Ok(right),
+                (false, true) => Ok(left),
+                _ if left == right => Ok(left),
+                _ => Err(unclear("what the derivative at this knot is", expr)),
+            };
+        }
         let outer = self.place_of_derivative.replace(Some(argument.clone()));
         let value = self.moved(around, || self.apply(machine, function, &own, expr));
         self.place_of_derivative.replace(outer);

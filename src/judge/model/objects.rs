@@ -198,7 +198,10 @@ impl Model {
                 combination(&points, &weights.collect::<Vec<_>>())
             }
             // s = Σ d_i N_i, where the function that belongs to d_i lives between u_i and u_{i+4}
-            Sort::SplineCurve if self.is_local() && index_of_support(&object).is_some() => {
+            Sort::SplineCurve
+                if index_of_support(&object).is_some()
+                    && (self.is_local() || one.as_ref().is_some_and(|x| x.as_rational().is_some())) =>
+            {
                 let (x, degree) = (one?, self.stated_degree(machine, &object, &bound)?);
                 note("the spline curve");
                 return self.by_supports(machine, &object, &bound, degree, &x, expr);
@@ -318,6 +321,26 @@ impl Model {
                 Some(Ok(Value::Matrix(nalgebra::DMatrix::from_fn(2, 2, entry))))
             }
             Sort::Symmetric(kind) => self.symmetric(machine, &object, kind, head, None),
+            Sort::Coefficients => {
+                let of = object.of.as_ref()?;
+                let own = object.name_for(head)?;
+                let same = |name: &Expr| {
+                    let known = Head::of(name).filter(|known| known.base == own.base)?;
+                    known.lower.iter().zip(&head.lower).all(|(a, b)| a.same_as(b)).then_some(())
+                };
+                let power = object.names.iter().position(|name| same(name).is_some())?;
+                let value = self.once(&format!("coefficient {power}"), || {
+                    let place = Symbol::new(PLACE);
+                    let value = self.at_place(machine, of, vec![Value::symbol(place.clone())], of).ok()?;
+                    let coefficient = |formula: Fraction| {
+                        let all = coefficients_in(&formula, &place, of)?;
+                        Ok(all.into_iter().nth(power).unwrap_or_else(Fraction::zero))
+                    };
+                    each(value, &coefficient).ok()
+                })?;
+                self.note(format!("{} is a coefficient of the curve of line {line}", head.base));
+                Some(Ok(value))
+            }
             Sort::ControlPoints => {
                 let of = object.of.as_ref()?;
                 let [index] = head.lower.as_slice() else { return None };

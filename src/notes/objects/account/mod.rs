@@ -116,6 +116,8 @@ struct Account {
     data: Option<(Vec<Expr>, Vec<Expr>)>,
     /// A formula in a variable.
     formula: Option<Expr>,
+    /// Its coefficients in powers, by their letters.
+    coefficients: Vec<Expr>,
     knots: Vec<Expr>,
     polar: Option<Expr>,
 }
@@ -230,6 +232,12 @@ impl Account {
             of: Some(of.clone()),
             ..named(Sort::ControlPoints, points.list.items.clone())
         }));
+        if !self.coefficients.is_empty() {
+            found.push(Object {
+                of: Some(of.clone()),
+                ..named(Sort::Coefficients, self.coefficients.clone())
+            });
+        }
         if let (Some(polar), true) = (&self.polar, self.knots.is_empty()) {
             found.push(Object { of: Some(of), ..named(Sort::PolarForm, vec![polar.clone()]) });
         }

@@ -72,11 +72,25 @@ impl Told<'_> {
             (false, None, false) => self.formula(&numbers)?,
             _ => None,
         };
+        let (formula, coefficients) = match formula.as_ref().and_then(|(_, sum)| coefficients(sum)) {
+            Some(coefficients) => (None, coefficients),
+            None => (formula.map(|(of, _)| of), Vec::new()),
+        };
         let polar = self.polar_form(&calls)?;
         let name = self.name(&calls, polar.as_ref(), formula.as_ref())?;
         let degree = degrees.first().copied();
-        let mut account =
-            Account { numbers, letters, name, degree, points: Vec::new(), data, formula, knots, polar };
+        let mut account = Account {
+            numbers,
+            letters,
+            name,
+            degree,
+            points: Vec::new(),
+            data,
+            formula,
+            coefficients,
+            knots,
+            polar,
+        };
         if spline {
             account.spline(families)?;
         } else {
@@ -231,21 +245,23 @@ impl Told<'_> {
     }
 
     /// The formula of the curve: a sum in a variable, or what a function is defined as. Nothing if there are several.
-    fn formula(&self, numbers: &[usize]) -> Option<Option<Expr>> {
-        let mut found: Option<Expr> = None;
+    fn formula(&self, numbers: &[usize]) -> Option<Option<(Expr, Expr)>> {
+        let mut found: Option<(Expr, Expr)> = None;
         let last = numbers.last();
         for number in numbers.iter().filter(|number| Some(*number) != last) {
             for said in self.page.said(*number) {
                 let own = match &said.kind {
-                    Kind::Add(_) => Some(said)
-                        .filter(|sum| bases(sum).iter().filter(|name| is_variable(name)).count() == 1),
+                    Kind::Add(_) => {
+                        let variables = bases(said).into_iter().filter(|name| is_variable(name)).count();
+                        (variables == 1).then_some((said, said))
+                    }
                     Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
                         (Kind::Apply(function, arguments), [link])
                             if link.rel == Rel::Eq
                                 && matches!(function.kind, Kind::Name(_))
                                 && matches!(arguments.concat().as_slice(), [Expr { kind: Kind::Name(name), .. }] if is_variable(name)) =>
                         {
-                            Some(function.as_ref())
+                            Some((function.as_ref(), &link.expr))
                         }
                         _ => None,
                     },
@@ -255,7 +271,7 @@ impl Told<'_> {
                     if found.is_some() {
                         return None;
                     }
-                    found = Some(own.clone());
+                    found = Some((own.0.clone(), own.1.clone()));
                 }
             }
         }
@@ -458,6 +474,35 @@ impl Told<'_> {
             _ => None,
         }
     }
+}
+
+/// The letters of a_0 + a_1 t + a_2 t^2, each before the power of its number.
+fn coefficients(sum: &Expr) -> Option<Vec<Expr>> {
+    let Kind::Add(terms) = &sum.kind else { return None };
+    let letter = |expr: &Expr| {
+        let head = Head::of(expr).filter(|head| head.arguments.is_none() && head.upper.is_empty());
+        head.is_some_and(|head| !(is_variable(&head.base) && head.lower.is_empty()))
+    };
+    let power = |expr: &Expr| match &expr.kind {
+        Kind::Name(name) if is_variable(name) => Some(1),
+        Kind::Pow(base, exponent) if matches!(&base.kind, Kind::Name(name) if is_variable(name)) => {
+            exponent.as_int()
+        }
+        _ => None,
+    };
+    let own = |term: &Term| match &term.expr.kind {
+        Kind::Mul(factors) => match factors.as_slice() {
+            [a, b] if letter(a) => Some((power(b)?, a.clone())),
+            [b, a] if letter(a) => Some((power(b)?, a.clone())),
+            _ => None,
+        },
+        _ => letter(&term.expr).then(|| (0, term.expr.clone())),
+    };
+    let plus = terms.iter().all(|term| term.sign == Plus::Plus);
+    let mut found: Vec<(i64, Expr)> = terms.iter().map(own).collect::<Option<_>>()?;
+    found.sort_by_key(|(power, _)| *power);
+    let all = plus && found.iter().enumerate().all(|(at, (power, _))| *power == at as i64);
+    all.then(|| found.into_iter().map(|(_, letter)| letter).collect())
 }
 
 /// A function whose value stands in a formula.
