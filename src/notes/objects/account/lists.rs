@@ -181,8 +181,25 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
     let start = all[..list.at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1);
     let end =
         all[list.to..].iter().position(|sign| *sign == Sign::End).map_or(all.len(), |end| list.to + end);
-    let left = all[before.max(start)..list.at].iter().rev().find_map(of);
-    let right = || all[list.to..end.min(after)].iter().find_map(of);
+    let found = |signs: &mut dyn Iterator<Item = &Sign>| {
+        let mut distance = 0;
+        for sign in signs {
+            if let Some(role) = of(sign) {
+                return Some((distance, role));
+            }
+            // A comma parts more than a word.
+            distance += if *sign == Sign::Join { 3 } else { 1 };
+        }
+        None
+    };
+    let left = found(&mut all[before.max(start)..list.at].iter().rev());
+    let right = found(&mut all[list.to..end.min(after)].iter());
+    // "Whose knots are the integers, and let c_j be its coefficient"
+    let nearest = match (left, right) {
+        (Some((before, _)), Some((after, role))) if after + 1 < before => Some(role),
+        (Some((_, role)), _) | (None, Some((_, role))) => Some(role),
+        (None, None) => None,
+    };
     // l_0, …, l_3 and r_0, …, r_3 are the points
     let shared = || {
         let joined = all[list.to..after].iter().all(|sign| matches!(sign, Sign::Join | Sign::Filler));
@@ -207,7 +224,7 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
     };
     let own = match over() {
         Some(knots) => Some(knots),
-        None => left.or_else(right).or_else(those).or_else(shared).or_else(indexed),
+        None => nearest.or_else(those).or_else(shared).or_else(indexed),
     };
     let whole = list.letter.is_none() || list.is_whole();
     match own {

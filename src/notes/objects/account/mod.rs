@@ -173,13 +173,17 @@ fn formulas(all: &[Sign]) -> impl Iterator<Item = usize> {
 
 impl Account {
     /// Takes the points of a spline.
-    fn spline(&mut self, families: Vec<List>) -> Option<()> {
-        let mut families = families.into_iter();
-        let list = families.next()?;
+    fn spline(
+        &mut self,
+        families: Vec<List>,
+        support: impl Fn(&List, i64) -> Option<Vec<Expr>>,
+    ) -> Option<()> {
+        let list = families.into_iter().next()?;
         let count = list.degree().map(|last| last + 1);
         let degree = self.degree.or_else(|| Some(self.knots.len() as i64 - count? - 1))?;
-        let fits = count.is_none_or(|count| count + degree + 1 == self.knots.len() as i64);
-        if self.knots.is_empty() || !fits || degree < 1 {
+        if self.knots.is_empty() {
+            self.knots = support(&list, degree)?;
+        } else if count.is_none_or(|count| count + degree + 1 != self.knots.len() as i64) || degree < 1 {
             return None;
         }
         self.degree = Some(degree);

@@ -92,7 +92,7 @@ impl Told<'_> {
             polar,
         };
         if spline {
-            account.spline(families)?;
+            account.spline(families, |list, degree| self.support(list, degree))?;
         } else {
             account.points = self.points(families, &account, &degrees)?;
             if account.points.is_empty() && account.data.is_none() {
@@ -276,6 +276,61 @@ impl Told<'_> {
             }
         }
         Some(found)
+    }
+
+    /// Between which knots the function lives that belongs to d_i, if the knots are the integers.
+    fn support(&self, list: &List, degree: i64) -> Option<Vec<Expr>> {
+        let [point] = list.items.as_slice() else { return None };
+        let index = Head::of(point)?.index()?.clone();
+        let own = |expr: &Expr| bases(expr).iter().all(|name| Expr::name(name).same_as(&index));
+        // The difference of i + 1 and i
+        let shift = |expr: &Expr| match &expr.kind {
+            _ if expr.same_as(&index) => Some(0),
+            Kind::Add(terms) => match terms.as_slice() {
+                [a, b] if a.expr.same_as(&index) && a.sign == Plus::Plus => {
+                    b.expr.as_int().map(|by| if b.sign == Plus::Plus { by } else { -by })
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let from = |first: i64, last: i64| {
+            vec![index.clone().plus(first), Kind::Ellipsis.into(), index.clone().plus(last)]
+        };
+        let mut found: Vec<Vec<Expr>> = Vec::new();
+        let whole = self.all.iter().any(|sign| *sign == Sign::Hint(Hint::Integers));
+        for (at, sign) in self.all.iter().enumerate() {
+            let rest = self.all[at..].iter().take_while(|sign| **sign != Sign::End);
+            let before = self.all[..at].iter().rev().take_while(|sign| **sign != Sign::End);
+            let centred = rest.chain(before).any(|sign| *sign == Sign::Hint(Hint::Centred));
+            match sign {
+                Sign::Formula(number) => {
+                    let said = self.page.said(*number);
+                    let items = match said {
+                        [one] => one.items().unwrap_or(said),
+                        _ => said,
+                    };
+                    if !items.iter().all(own) {
+                        continue;
+                    }
+                    let shifts: Option<Vec<i64>> = items.iter().map(shift).collect();
+                    let Some(shifts) = shifts else { continue };
+                    let steps = shifts.windows(2).all(|pair| pair[1] == pair[0] + 1);
+                    if steps && shifts.len() as i64 == degree && degree > 1 {
+                        found.push(from(shifts[0] - 1, shifts[0] + degree));
+                    } else if let (true, [middle], true) =
+                        (centred && whole, shifts.as_slice(), degree % 2 == 1)
+                    {
+                        found.push(from(middle - (degree + 1) / 2, middle + (degree + 1) / 2));
+                    }
+                }
+                _ => {}
+            }
+        }
+        match found.as_slice() {
+            [one] => Some(one.clone()),
+            _ => None,
+        }
     }
 
     /// The intervals of the paragraph in their order, each once in a row.

@@ -63,7 +63,15 @@ fn words_of(words: &str, found: &mut Vec<Sign>) {
             (Some((length, hint)), word) if word.is_none_or(|(other, _)| other <= length) => {
                 (length, Sign::Hint(hint))
             }
-            (_, Some((length, word))) => (length, sign_of(word)),
+            (_, Some((length, word))) => {
+                let whole = ["integer", "entier", "ganzzahl", "整数"];
+                let sign = sign_of(word);
+                if sign == Sign::Knots && whole.iter().any(|whole| rest.piece(..length).contains(whole)) {
+                    found.push(Sign::Hint(Hint::Integers));
+                }
+                (length, sign)
+            }
+            _ if matches!(c, ';' | '；') => (c.len_utf8(), Sign::End),
             _ if matches!(c, ',' | '，' | '、') => (c.len_utf8(), Sign::Join),
             _ if c.is_ascii_digit() => {
                 let length = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
