@@ -371,7 +371,10 @@ impl Model {
                     let arguments: Vec<Value> =
                         (0..degree).map(|k| if k < degree - i { a.clone() } else { b.clone() }).collect();
                     // Of the piece on the interval
-                    let middle = match (self.is_local(), a.as_rational(), b.as_rational()) {
+                    let spline =
+                        |own: Head| self.object(&own).is_some_and(|of| of.object.sort == Sort::SplineCurve);
+                    let local = self.is_local() || Head::of(of).is_some_and(spline);
+                    let middle = match (local, a.as_rational(), b.as_rational()) {
                         (true, Some(a), Some(b)) => Some((a + b) / integer(2)),
                         (true, ..) => self.around.borrow().clone(),
                         (false, ..) => None,

@@ -22,6 +22,9 @@ pub(super) enum Role {
     Open,
 }
 
+/// The letter of lists of points with letters of their own: A, B, C.
+const POINTS: &str = "";
+
 /// Members of one family, or numbers or points.
 #[derive(Clone, Debug)]
 pub(super) struct List {
@@ -34,13 +37,23 @@ pub(super) struct List {
     pub to: usize,
     /// Whether only equations give its members.
     equations: bool,
+    /// Whether each member has a letter of its own.
+    single: bool,
 }
 
 impl List {
     /// All points of a letter of which the page lists none.
     pub fn unlisted(letter: &str) -> List {
         let items = vec![member(letter, Expr::name("i"))];
-        List { letter: Some(letter.to_owned()), items, role: Role::Points, at: 0, to: 0, equations: false }
+        List {
+            letter: Some(letter.to_owned()),
+            items,
+            role: Role::Points,
+            at: 0,
+            to: 0,
+            equations: false,
+            single: false,
+        }
     }
 
     /// The degree of a polynomial with these control points, if the list tells it.
@@ -79,7 +92,16 @@ fn item(expr: &Expr) -> Option<(Option<String>, Expr, bool)> {
         let head = Head::of(expr).filter(|head| head.arguments.is_none() && head.upper.is_empty())?;
         (head.lower.len() == 1).then_some(head.base)
     };
+    let point = |expr: &Expr| {
+        let capital = |name: &str| name.len() == 1 && name.starts_with(char::is_uppercase);
+        matches!(&expr.kind, Kind::Name(name) if capital(name))
+    };
     match &expr.kind {
+        // A = (0, 0), B = (1, 3)
+        Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq && point(left) => {
+            Some((Some(POINTS.to_owned()), left.as_ref().clone(), true))
+        }
+        Kind::Name(_) if point(expr) => Some((Some(POINTS.to_owned()), expr.clone(), false)),
         Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => {
             Some((Some(member(left)?), left.as_ref().clone(), true))
         }
@@ -145,6 +167,7 @@ pub(super) fn lists(all: &[Sign], page: &Page) -> Vec<List> {
                     at,
                     to: at + 1,
                     equations: equation,
+                    single: false,
                 }),
             }
             open = true;
@@ -167,6 +190,8 @@ pub(super) fn lists(all: &[Sign], page: &Page) -> Vec<List> {
         let after = ends.get(number + 1).map_or(all.len(), |next| next.0);
         list.role = role(all, list, before, after);
     }
+    // F and G are no points.
+    found.retain(|list| !list.single || list.role == Role::Points && list.items.len() > 2);
     values_at_nodes(all, found)
 }
 
@@ -192,8 +217,10 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
         }
         None
     };
-    let left = found(&mut all[before.max(start)..list.at].iter().rev());
-    let right = found(&mut all[list.to..end.min(after)].iter());
+    let before = before.max(start).min(list.at);
+    let (after, next) = (after.max(list.to), end.min(after).max(list.to));
+    let left = found(&mut all[before..list.at].iter().rev());
+    let right = found(&mut all[list.to..next].iter());
     // "Whose knots are the integers, and let c_j be its coefficient"
     let nearest = match (left, right) {
         (Some((before, _)), Some((after, role))) if after + 1 < before => Some(role),
@@ -207,9 +234,9 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
     };
     // b_0, …, b_2 the points of a curve over [0, 1] and c_0, …, c_2 those over [0, 2]
     let those = || {
-        let near = all[list.to..end.min(after)].iter().take(3).any(|sign| *sign == Sign::Its);
+        let near = all[list.to..next].iter().take(3).any(|sign| *sign == Sign::Its);
         let part = |sign: &Sign| matches!(sign, Sign::Hint(Hint::First | Hint::Second));
-        let other = all[before.max(start)..list.at].iter().any(part);
+        let other = all[before..list.at].iter().any(part);
         (near || other).then(|| all[start..list.at].iter().rev().find_map(of)).flatten()
     };
     // a B-spline over 0, 0, 0, 1, 2, 2, 2
@@ -228,7 +255,10 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
     };
     let whole = list.letter.is_none() || list.is_whole();
     match own {
-        Some(Role::Points) if !whole => Role::Open,
+        // "Through the points (0, 1), (1, 2)": no control points
+        Some(Role::Points) if !whole || all[start..list.at].contains(&Sign::Hint(Hint::Through)) => {
+            Role::Open
+        }
         own => own.unwrap_or(Role::Open),
     }
 }

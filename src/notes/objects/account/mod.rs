@@ -173,21 +173,38 @@ fn formulas(all: &[Sign]) -> impl Iterator<Item = usize> {
 
 impl Account {
     /// Takes the points of a spline.
-    fn spline(
-        &mut self,
-        families: Vec<List>,
-        support: impl Fn(&List, i64) -> Option<Vec<Expr>>,
-    ) -> Option<()> {
-        let list = families.into_iter().next()?;
+    fn spline(&mut self, families: Vec<List>, told: &Told) -> Option<()> {
+        let mut families = families.into_iter();
+        let Some(list) = families.next() else {
+            // One function of the basis
+            self.degree =
+                Some(self.knots.len() as i64 - 2).filter(|own| self.degree.is_none_or(|said| said == *own));
+            return self.degree.filter(|degree| *degree > 0).map(drop);
+        };
         let count = list.degree().map(|last| last + 1);
         let degree = self.degree.or_else(|| Some(self.knots.len() as i64 - count? - 1))?;
         if self.knots.is_empty() {
-            self.knots = support(&list, degree)?;
+            self.knots = told.support(&list, degree)?;
         } else if count.is_none_or(|count| count + degree + 1 != self.knots.len() as i64) || degree < 1 {
             return None;
         }
         self.degree = Some(degree);
-        self.points = vec![Points { list, degree: None, interval: (Expr::int(0), Expr::int(1)) }];
+        let unit = (Expr::int(0), Expr::int(1));
+        self.points = vec![Points { list, degree: None, interval: unit }];
+        // Bézier points of pieces between knots that follow each other
+        let intervals = told.intervals();
+        let pieces: Vec<List> = families.collect();
+        if pieces.len() != intervals.len() {
+            return pieces.is_empty().then_some(());
+        }
+        for (list, (_, interval)) in pieces.into_iter().zip(intervals) {
+            let mut inner = self.knots.windows(2);
+            let piece = inner.any(|pair| pair[0].same_as(&interval.0) && pair[1].same_as(&interval.1));
+            if !piece || list.degree() != Some(degree) {
+                return None;
+            }
+            self.points.push(Points { list, degree: Some(degree), interval });
+        }
         Some(())
     }
 
@@ -209,6 +226,11 @@ impl Account {
                 points: values.clone(),
                 knots: nodes.clone(),
                 ..named(Sort::Interpolant, curve)
+            }),
+            (None, None) if self.points.is_empty() => found.push(Object {
+                degree: degree(self.degree),
+                knots: self.knots.clone(),
+                ..named(Sort::BSpline, curve)
             }),
             (None, None) => {
                 if let Some(own) = points.next() {

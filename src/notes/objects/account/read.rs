@@ -10,7 +10,6 @@ use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::{Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
-use crate::language::lexicon::families;
 use crate::language::lexicon::roles::{is_control_point, is_variable};
 use crate::math::number::integer;
 use crate::notes::speech::Hint;
@@ -43,7 +42,7 @@ impl Told<'_> {
         let mut calls = Vec::new();
         let mut names: BTreeMap<String, i64> = BTreeMap::new();
         for expr in numbers.iter().flat_map(|number| self.page.said(*number)) {
-            if let Kind::Name(name) = &expr.kind {
+            if let Kind::Name(name) = &without_bold(expr).kind {
                 *names.entry(name.clone()).or_default() -= 1;
             }
             if matches!(expr.kind, Kind::Chain(..)) {
@@ -53,8 +52,8 @@ impl Told<'_> {
                 if let Kind::Name(name) = &part.kind {
                     *names.entry(name.clone()).or_default() += 1;
                 }
-                if let Kind::Apply(callee, _) = &part.kind
-                    && let Kind::Name(name) = &callee.kind
+                if let Kind::Apply(inner, _) | Kind::Subscript(inner, _) = &part.kind
+                    && let Kind::Name(name) = &without_bold(inner).kind
                 {
                     *names.entry(name.clone()).or_default() -= 1;
                 }
@@ -63,7 +62,8 @@ impl Told<'_> {
         }
         // c (1 - d) + d (1 - c) is no value of c.
         calls.retain(|call: &Call| {
-            call.derived || !matches!(&call.name.kind, Kind::Name(name) if names.get(name).is_some_and(|count| *count > 0))
+            call.derived
+                || !matches!(&without_bold(&call.name).kind, Kind::Name(name) if names.get(name).is_some_and(|count| *count > 0))
         });
         if families.is_empty() && !spline {
             families.extend(self.unlisted(&numbers, data.as_ref().map(|(values, _)| values.as_slice())));
@@ -92,7 +92,7 @@ impl Told<'_> {
             polar,
         };
         if spline {
-            account.spline(families, |list, degree| self.support(list, degree))?;
+            account.spline(families, self)?;
         } else {
             account.points = self.points(families, &account, &degrees)?;
             if account.points.is_empty() && account.data.is_none() {
@@ -279,7 +279,7 @@ impl Told<'_> {
     }
 
     /// Between which knots the function lives that belongs to d_i, if the knots are the integers.
-    fn support(&self, list: &List, degree: i64) -> Option<Vec<Expr>> {
+    pub fn support(&self, list: &List, degree: i64) -> Option<Vec<Expr>> {
         let [point] = list.items.as_slice() else { return None };
         let index = Head::of(point)?.index()?.clone();
         let own = |expr: &Expr| bases(expr).iter().all(|name| Expr::name(name).same_as(&index));
@@ -334,7 +334,7 @@ impl Told<'_> {
     }
 
     /// The intervals of the paragraph in their order, each once in a row.
-    fn intervals(&self) -> Vec<(usize, (Expr, Expr))> {
+    pub fn intervals(&self) -> Vec<(usize, (Expr, Expr))> {
         let mut found: Vec<(usize, (Expr, Expr))> = Vec::new();
         for (at, sign) in self.all.iter().enumerate() {
             let own = match sign {
@@ -466,6 +466,17 @@ impl Told<'_> {
                 points.list.items = (0..=degree).map(|i| lists::member(letter, Expr::int(i))).collect();
             }
         }
+        // Two families over one interval would be the same points.
+        let twice = |(at, one): (usize, &Points)| {
+            found[..at].iter().any(|other| {
+                let same =
+                    other.interval.0.same_as(&one.interval.0) && other.interval.1.same_as(&one.interval.1);
+                same && other.degree == one.degree
+            })
+        };
+        if found.iter().enumerate().any(twice) {
+            return None;
+        }
         found.iter().all(|points| points.degree.is_some()).then_some(found)
     }
 
@@ -585,9 +596,16 @@ fn call(part: &Expr) -> Option<Call> {
             _ => break,
         }
     }
-    let plain = matches!(&name.kind, Kind::Name(own) if !matches!(own.as_str(), "rightopen" | "leftopen"));
-    let known = Head::of(name).is_some_and(|head| families::notation(&head.base, 1, 1).is_some());
-    (plain && !known).then(|| Call { name: name.clone(), arguments, derived })
+    let plain = matches!(&without_bold(name).kind, Kind::Name(own) if !matches!(own.as_str(), "rightopen" | "leftopen"));
+    plain.then(|| Call { name: name.clone(), arguments, derived })
+}
+
+/// A name without its weight.
+fn without_bold(name: &Expr) -> &Expr {
+    match &name.kind {
+        Kind::Accent(Accent::Bold, inner) => inner,
+        _ => name,
+    }
 }
 
 /// The ends of a closed interval.

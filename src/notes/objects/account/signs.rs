@@ -61,7 +61,13 @@ fn words_of(words: &str, found: &mut Vec<Sign>) {
         let word = speech::word(rest);
         let (length, sign) = match (hint, word) {
             (Some((length, hint)), word) if word.is_none_or(|(other, _)| other <= length) => {
-                (length, Sign::Hint(hint))
+                // "The second half": the noun is part of the hint
+                if matches!(hint, Hint::First | Hint::Second) && rest.piece(..length).contains(' ') {
+                    found.push(Sign::Hint(hint));
+                    (length, Sign::Hint(Hint::Part))
+                } else {
+                    (length, Sign::Hint(hint))
+                }
             }
             (_, Some((length, word))) => {
                 let whole = ["integer", "entier", "ganzzahl", "整数"];
