@@ -271,7 +271,7 @@ fn values_at_nodes(all: &[Sign], mut found: Vec<List>) -> Vec<List> {
     };
     for at in 1..found.len() {
         let (values, nodes) = (&found[at - 1], &found[at]);
-        let between = &all[values.to..nodes.at];
+        let between = all.get(values.to..nodes.at).unwrap_or_default();
         let at_nodes = between.contains(&Sign::On) && !between.contains(&Sign::End);
         let dots = |list: &List| list.items.iter().any(|item| item.kind == Kind::Ellipsis);
         let alike = values.items.len() == nodes.items.len() && !dots(values) && !dots(nodes);
