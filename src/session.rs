@@ -6,6 +6,7 @@
 mod certified;
 mod clauses;
 mod completion;
+mod data;
 mod foreign;
 mod given;
 mod spelling;
@@ -160,6 +161,11 @@ impl Session {
                 return Err(fail(problem));
             }
             let part = Span::new(whole.start, whole.start + formula.len());
+            if let Ok(statement) = self.read(file, part)
+                && let Some(answers) = self.run_data(file, &statement, true)?
+            {
+                return Ok(answers);
+            }
             return self.run_part(file, Some(part), Equals::Claims);
         }
         if let Some(answers) = self.run_clause(file, whole, equals)? {
@@ -172,6 +178,9 @@ impl Session {
             return Ok(answers);
         }
         if let Some(answers) = self.run_continued(file, whole, equals)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_strict(file, whole, equals)? {
             return Ok(answers);
         }
         let formula = match self.certified(file, whole)? {
@@ -199,6 +208,9 @@ impl Session {
         if let Some(sentence) = given::beside(&statement)
             && let Some(answers) = self.run_sentence(file, &sentence, equals)?
         {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_data(file, &statement, false)? {
             return Ok(answers);
         }
         let before = self.env.clone();

@@ -71,6 +71,7 @@ fn errors_have_a_place_and_a_hint() {
         Code::SymbolicBounds,
         Code::NotReal,
         Code::LeftOut,
+        Code::TakenAt,
         Code::UnclosedFormula,
         Code::UnclosedBlock,
         Code::HalfDefinition,

@@ -375,7 +375,7 @@ fn pages_mean_what_they_say() {
         ("Let $p_{n,k}(x)=\\binom nk x^k(1-x)^{n-k}$. Then $\\sum_k k\\,p_{n,k}(x)=nx$.", green),
         ("$$\\max_{0\\le t\\le1}B_1^2(t)=\\frac13$$", red),
         ("$$\\max_{0\\le t\\le1}B_1^2(t)=\\frac12$$", green),
-        ("$$\\max_{0\\le t\\le1}t(1-t)(2-t)=\\frac13$$", silent),
+        ("$$\\max_{0\\le t\\le1}t(1-t)(2-t)=\\frac13$$", red),
         (
             "Let $F$ be affine with polar form $f$, let $G$ be quadratic with polar form $g$. The product $H=FG$ is cubic, and $$h(a,b,c)=\\frac13(f(a)g(b,c)+f(b)g(a,c)+f(c)g(a,b)).$$",
             green,

@@ -203,3 +203,19 @@ impl Expr {
         }
     }
 }
+
+/// The ends of [a, b], (a, b), [a, b), (a, b], and which of them are left out.
+pub(crate) fn interval(expr: &Expr) -> Option<([&Expr; 2], [bool; 2])> {
+    let (items, open) = match &expr.kind {
+        Kind::List(items) => (items, [false, false]),
+        Kind::Tuple(items) => (items, [true, true]),
+        Kind::Apply(kind, groups) => match &kind.kind {
+            Kind::Name(name) if name == "rightopen" => (groups.first()?, [false, true]),
+            Kind::Name(name) if name == "leftopen" => (groups.first()?, [true, false]),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let [a, b] = items.as_slice() else { return None };
+    Some(([a, b], open))
+}

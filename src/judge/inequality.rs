@@ -1,6 +1,7 @@
 //! Inequalities between polynomials and quotients in one variable, decided by the roots of their difference.
 
 use super::compare::{Domain, Outcome};
+pub(crate) use crate::formula::interval;
 use crate::formula::{Expr, Kind, Link, Rel, Sign};
 use crate::language::lexicon::roles;
 use crate::language::value::{Judgement, Value, Verdict, Witness};
@@ -330,22 +331,6 @@ fn range(symbol: &Symbol, conditions: &[Expr]) -> Option<Range> {
         }
     }
     found
-}
-
-/// The ends of [a, b], (a, b), [a, b), (a, b], and which of them are left out.
-pub(crate) fn interval(expr: &Expr) -> Option<([&Expr; 2], [bool; 2])> {
-    let (items, open) = match &expr.kind {
-        Kind::List(items) => (items, [false, false]),
-        Kind::Tuple(items) => (items, [true, true]),
-        Kind::Apply(kind, groups) => match &kind.kind {
-            Kind::Name(name) if name == "rightopen" => (groups.first()?, [false, true]),
-            Kind::Name(name) if name == "leftopen" => (groups.first()?, [true, false]),
-            _ => return None,
-        },
-        _ => return None,
-    };
-    let [a, b] = items.as_slice() else { return None };
-    Some(([a, b], open))
 }
 
 /// Whether an interval is that from 0 to 1.

@@ -1,8 +1,9 @@
 //! Claims about signs on a region, answered by what shows them: `prove t^2 - t + 1 >= 0 on [0, 1]` is `positivity(t^2 - t + 1, 0, 1)`.
 
-use super::{Failure, Session, defines, guarded, read_in};
+use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, Sign, Term, call};
+use crate::language::eval::Equals;
 use crate::language::lexicon::signs::{self, Shape, SignClaim};
 
 impl Session {
@@ -15,6 +16,10 @@ impl Session {
             return Ok(None);
         }
         let SignClaim { claim, shape, region, .. } = found;
+        // A strict inequality is a claim like others, see [`Session::run_strict`].
+        if shape.is_some_and(|shape| shape.strict) {
+            return Ok(None);
+        }
         let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
         let read = |span: Span| {
             guarded(&self.limits, || read_in(&self.env, file, Some(span)))
@@ -44,6 +49,31 @@ impl Session {
     }
 }
 
+impl Session {
+    /// Judges that a function is positive or negative on an interval, as the inequality that says it; `None` if the text is
+    /// no such claim.
+    pub(super) fn run_strict(
+        &mut self,
+        file: &SourceFile,
+        whole: Span,
+        equals: Equals,
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let text = file.slice(whole);
+        let Some(SignClaim { claim, shape: Some(shape), region, .. }) = signs::sign_claim(text) else {
+            return Ok(None);
+        };
+        let part = |(a, b): (usize, usize)| text.get(a..b).unwrap_or_default().trim();
+        if !shape.strict || shape.order > 0 {
+            return Ok(None);
+        }
+        let sign = if shape.turned { '<' } else { '>' };
+        let place = region.map_or_else(String::new, |region| format!(" on {}", part(region)));
+        let file = SourceFile::new(file.name(), format!("{} {sign} 0{place}", part(claim)));
+        let end = file.text().len();
+        self.run_part(&file, Some(Span::new(0, end)), equals).map(Some)
+    }
+}
+
 /// What is not negative if the claim holds.
 fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
     let span = claimed.span;
@@ -59,7 +89,7 @@ fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
         Expr { span, ..Expr::sum(vec![term(Sign::Plus, left), term(Sign::Minus, right)]) }
     };
     match (shape, claimed.kind) {
-        (Some(Shape { order, turned }), kind) if !matches!(kind, Kind::Chain(..)) => {
+        (Some(Shape { order, turned, .. }), kind) if !matches!(kind, Kind::Chain(..)) => {
             let start = Expr { span, ..kind.into() };
             let derived = (0..order).fold(start, |f, _| call("diff", vec![f], span));
             Some(if turned { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })

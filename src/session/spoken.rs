@@ -40,6 +40,12 @@ impl Session {
     }
 }
 
+/// A formula with a list for its notations, such as knots for N_{i,n}; `None` if it has none of them.
+pub(super) fn with_list(formula: &Expr, label: Label, items: &[Expr]) -> Option<Expr> {
+    let mut said = vec![Read { label, items: items.to_vec() }];
+    notations::with_values(formula, &mut said).map(|read| read.formula)
+}
+
 struct Reader<'a> {
     session: &'a Session,
     file: &'a SourceFile,
@@ -89,12 +95,39 @@ impl Reader<'_> {
                 };
                 // in t = 1
                 let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
-                let label = if label == Label::In && values { Label::At } else { label };
+                let label = match label {
+                    Label::In if values => Label::At,
+                    // the parabola through (0, 1), (1, 3), (2, 11)
+                    Label::Through if draft::is_points(&items) && drafts.is_empty() => Label::Through,
+                    Label::Through => Label::With,
+                    label => label,
+                };
                 said.push(Read { label, items });
             }
         }
         if drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
             lists::gather(&mut items, &mut said);
+        }
+        // the maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3
+        if let [Draft { builtin: of, .. }] = drafts.as_mut_slice()
+            && matches!(of.name, "max" | "min" | "maximum" | "minimum")
+        {
+            for read in &mut said {
+                if let (Label::At, [Expr { kind: Kind::List(_), .. }]) = (read.label, read.items.as_slice()) {
+                    read.label = Label::Over;
+                }
+            }
+            let over = said
+                .iter()
+                .any(|read| matches!(read.label, Label::Over | Label::In | Label::With | Label::From));
+            let meant = match (of.name, items.len() == 1 && over) {
+                ("max", true) => builtin("maximum"),
+                ("min", true) => builtin("minimum"),
+                ("maximum", false) if items.len() > 1 => builtin("max"),
+                ("minimum", false) if items.len() > 1 => builtin("min"),
+                _ => None,
+            };
+            *of = meant.unwrap_or(of);
         }
         // From the inside out.
         drafts.reverse();
@@ -120,6 +153,18 @@ impl Reader<'_> {
             && let Some(spline) = builtin("bspline")
         {
             basis.builtin = spline;
+        }
+        if let (
+            true,
+            true,
+            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
+        ) = (drafts.is_empty(), items.is_empty(), said.as_slice())
+            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
+            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
+        {
+            items.clone_from(points);
+            drafts.push(Draft::new(lagrange, items[0].span));
+            said.clear();
         }
         notations::exponents(&mut items, &mut said);
         let points = said.iter().find(|read| read.label == Label::Points);

@@ -11,7 +11,6 @@ mod definitions;
 mod derivatives;
 mod dots;
 mod dotted_arguments;
-mod extremes;
 mod families;
 mod functionals;
 mod lists;

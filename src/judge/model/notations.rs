@@ -5,7 +5,7 @@ use super::calls::unclear;
 use super::{Evaluated, FREE_TERMS, Model, shape};
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel, Sign, Term};
 use crate::judge::context::Body;
-use crate::judge::names::{Head, implied_index, is_index_letter, is_star, own_names, walk};
+use crate::judge::names::{Head, implied_index, is_star, walk};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::Family;
@@ -129,10 +129,6 @@ impl Model {
         body: &Expr,
         expr: &Expr,
     ) -> Option<Evaluated> {
-        if matches!(op, BigOp::Max | BigOp::Min) {
-            let over_reals = own_names(lower).iter().any(|name| !is_index_letter(name));
-            return over_reals.then(|| self.extreme(machine, op == BigOp::Max, lower, body, expr));
-        }
         if !matches!(op, BigOp::Sum | BigOp::Product) {
             return None;
         }

@@ -192,6 +192,10 @@ codes! {
     /// Example: the points where two curves of degree 10 meet, whose parameters are roots of a polynomial of
     /// degree 100. `points=1` gives them.
     LeftOut = "E323": "a part is left out",
+    /// Where a largest or smallest value is taken.
+    ///
+    /// Example: `maximum(3t(1-t)^2, 0, 1)`, which is taken at t = 1/3.
+    TakenAt = "E324": "where an extreme value is taken",
 
     /// The time limit was reached.
     ///

@@ -26,6 +26,7 @@ mod entries;
 mod env;
 mod equations;
 mod expression;
+pub(crate) mod extremes;
 mod formulas;
 mod kinds;
 mod lambda;

@@ -155,15 +155,20 @@ impl Machine {
         let (Kind::List(items), Some(next)) = (&nodes.kind, next) else { return Ok(None) };
         let span = nodes.span.to(next.span);
         // [x_0, x_1] x^3: nodes are named like the variable.
-        let of_letter = letter_of(items).is_some_and(|letter| {
-            self.lookup(&Symbol::new(letter)).is_none() && !self.has_reading() && stands_in(letter, next)
+        let of_letter = letter_of(items).filter(|letter| {
+            self.lookup(&Symbol::new(*letter)).is_none() && !self.has_reading() && stands_in(letter, next)
         });
-        if of_letter {
-            return Err(Diagnostic::error(Code::AmbiguousProduct, "a divided difference or a product?")
-                .at(span)
-                .reason("the nodes are named like the variable")
-                .hint("for a divided difference define the function first: F(x) := x^3, then [x_0, x_1] F")
-                .hint("for the product write the formula before the list, with *"));
+        if let Some(letter) = of_letter
+            && items.len() > 1
+        {
+            let lambda = Kind::Lambda(vec![Expr::name(letter)], Box::new(next.clone()));
+            if let Value::Function(function) = self.eval(&Expr::new(lambda, next.span))? {
+                let shown = super::super::write::text(next);
+                let message = format!("read as the divided difference of {letter} -> {shown}");
+                let product = format!("for the product write {shown} * {}", super::super::write::text(nodes));
+                self.note(Diagnostic::note(Code::AmbiguousProduct, message).at(span).hint(product));
+                return self.divided_difference(&function, items, span).map(Some);
+            }
         }
         let Some(name) = name_of(next, self).filter(|_| items.len() > 1) else { return Ok(None) };
         match self.lookup(&name).cloned() {

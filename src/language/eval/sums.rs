@@ -23,6 +23,11 @@ impl Machine {
         if let (BigOp::Sum, Some(sum)) = (op, self.closed_sum(lower, upper, body, span)?) {
             return Ok(sum);
         }
+        if let (BigOp::Max | BigOp::Min, None) = (op, upper)
+            && let Some(extreme) = self.extreme_over_reals(op == BigOp::Max, lower, body, span)
+        {
+            return extreme;
+        }
         let combine: fn(Value, Value) -> Evaluated = match op {
             BigOp::Sum => arithmetic::add,
             BigOp::Product => arithmetic::multiply,

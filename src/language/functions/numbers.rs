@@ -2,6 +2,7 @@
 
 use super::Builtin;
 use super::parameter::{Takes, many, required, size};
+use super::polynomials::divided;
 use crate::language::diagnostic::{At, Code, Diagnostic};
 use crate::language::eval::Arguments;
 use crate::language::ops::arithmetic;
@@ -53,12 +54,17 @@ pub(super) const TABLE: &[Builtin] = &[
     Builtin {
         name: "mod",
         parameters: &[
-            required("a", Takes::Number, "the dividend"),
-            required("b", Takes::Number, "the divisor"),
+            required("a", Takes::Scalar, "the dividend"),
+            required("b", Takes::Scalar, "the divisor"),
         ],
-        summary: "what division of a by b to an integer leaves, a - b floor(a/b); also written a mod b",
+        summary: "what division of a by b leaves, a - b floor(a/b) of numbers, the remainder of polynomials; also \
+                  written a mod b",
         example: "mod(17, 5)",
         call: |_, args| {
+            // t^5 mod (t - 2)^2; of t mod 2 it is not known whether t is an integer
+            if !args.scalar(1)?.variables().is_empty() {
+                return divided(args).map(|(_, rest)| Value::Scalar(rest));
+            }
             let (a, b) = (args.rational(0)?, args.rational(1)?);
             if b.is_zero() {
                 return Err(division_by_zero()).at(args.span(1));

@@ -286,6 +286,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("f", Takes::Coordinates, "the polar form or polynomial; a list of them for a curve"),
             START,
             optional("b", Takes::Scalar, "1", "its end"),
+            named("degree=n", Takes::Size, "that of f", "the degree, also a higher one"),
         ],
         summary: "the Bézier points f(a, ..., a, b, ..., b) over [a, b] (0 and 1 if not given)",
         example: "bezier_points(polar(t^2), 0, 1)",
@@ -298,13 +299,16 @@ pub(super) const TABLE: &[Builtin] = &[
                 let forms = coordinates.iter().map(|item| Ok(read(item)?.0));
                 let forms = forms.collect::<Result<Vec<_>>>()?;
                 // Points have all their coordinates at one degree.
-                let degree = forms.iter().map(PolarForm::degree).max().unwrap_or(0);
+                let own = forms.iter().map(PolarForm::degree).max().unwrap_or(0);
+                let degree = degree_given(args, own)?;
                 let points = |form: &PolarForm<_>| form.elevate(degree - form.degree()).bezier_points(&a, &b);
                 let columns: Vec<_> = forms.iter().map(points).collect();
                 return Ok(Value::list(points_of(&columns)));
             }
-            let form = univariate_form(args, 0)?;
-            Ok(Value::List(form.0.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
+            let (form, _) = univariate_form(args, 0)?;
+            let degree = degree_given(args, form.degree())?;
+            let form = form.elevate(degree - form.degree());
+            Ok(Value::List(form.bezier_points(&a, &b).into_iter().map(Value::Scalar).collect()))
         },
         ..NEW
     },
@@ -501,4 +505,15 @@ fn terms_in(formula: &Fraction, variables: &[Symbol]) -> Result<Vec<(Vec<u32>, F
             (exponents, Fraction::from(MultiPoly::from_terms([(others, c)])).times(&inverse))
         })
         .collect())
+}
+
+/// The degree that is given, or the own one; it cannot be lower.
+fn degree_given(args: &Arguments, own: usize) -> Result<usize> {
+    let Some(degree) = args.named_size("degree")? else { return Ok(own) };
+    match degree < own {
+        true => Err(Diagnostic::error(Code::Domain, format!("the degree is {own}, more than {degree}"))
+            .at(args.named("degree").map_or(args.span(0), |(_, span)| span))
+            .hint(format!("degree={own} or more"))),
+        false => Ok(degree),
+    }
 }

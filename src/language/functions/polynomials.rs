@@ -364,7 +364,7 @@ fn part(f: &Fraction, numerator: bool) -> Value {
 }
 
 /// Quotient and remainder in one variable, coefficients in the field of fractions.
-fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
+pub(super) fn divided(args: &Arguments) -> Result<(Fraction, Fraction)> {
     let given = args.optional_symbol(2)?;
     let (f, g) = (args.scalar(0)?, args.scalar(1)?);
     // As constant polynomials, which leave nothing, they are hardly meant.

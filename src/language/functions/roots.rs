@@ -5,6 +5,7 @@ use super::parameter::{Parameter, Takes, VARIABLE, named, optional, required};
 use super::told::{LANG, told};
 use crate::language::derive;
 use crate::language::diagnostic::{At, Code, Diagnostic};
+use crate::language::eval::extremes::{self, Within};
 use crate::language::eval::{Arguments, Machine};
 use crate::language::ops::errors::wrong_kind;
 use crate::language::ops::formula::{self, Univariate};
@@ -36,6 +37,13 @@ const WIDTH: Parameter = named(
     "1, or less near 0",
     "how long the interval around a root may be that is not rational",
 );
+
+const EXTREME: &[Parameter] = &[
+    required("F", Takes::Scalar, "a polynomial or a quotient of polynomials, with numbers as coefficients"),
+    required("a", Takes::Number, "the lower end"),
+    required("b", Takes::Number, "the upper end"),
+    VARIABLE,
+];
 
 pub(super) const TABLE: &[Builtin] = &[
     Builtin {
@@ -88,6 +96,22 @@ pub(super) const TABLE: &[Builtin] = &[
             let count = polynomial.count_roots(&ends[0], &ends[1]);
             count.map(|count| Value::int(count as i64)).ok_or_else(|| zero_polynomial(args))
         },
+        ..NEW
+    },
+    Builtin {
+        name: "maximum",
+        parameters: EXTREME,
+        summary: "the largest value on [a, b], exactly; a note says where it is taken",
+        example: "maximum(3t(1 - t)^2, 0, 1)",
+        call: |machine, args| extreme(machine, args, true),
+        ..NEW
+    },
+    Builtin {
+        name: "minimum",
+        parameters: EXTREME,
+        summary: "the smallest value on [a, b], exactly; a note says where it is taken",
+        example: "minimum(t^3 - t, 0, 1)",
+        call: |machine, args| extreme(machine, args, false),
         ..NEW
     },
     Builtin {
@@ -242,6 +266,16 @@ fn roots(machine: &mut Machine, args: &Arguments) -> Result<Value> {
         std::iter::repeat_n(value, multiplicity)
     });
     Ok(Value::List(list.collect()))
+}
+
+fn extreme(machine: &mut Machine, args: &Arguments, largest: bool) -> Result<Value> {
+    let formula = args.scalar(0)?;
+    let variable = formula::variable_of(&formula, args.variable()?).at(args.span(0))?;
+    let (a, b) = (args.rational(1)?, args.rational(2)?);
+    let within = Within { name: &variable, ends: [&a, &b], open: [false, false] };
+    let found = within.extreme(&formula, largest).at(args.span(0))?;
+    machine.note(extremes::taken(&found, &variable).at(args.span(0)));
+    Ok(Value::root(found.value, &variable))
 }
 
 fn root_of(_: &mut Machine, args: &Arguments) -> Result<Value> {

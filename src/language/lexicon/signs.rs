@@ -42,31 +42,41 @@ pub(crate) struct Shape {
     pub order: usize,
     /// Whether it is not positive, in place of not negative.
     pub turned: bool,
+    /// Whether it is not 0 either.
+    pub strict: bool,
+}
+
+const fn shape(order: usize, turned: bool) -> Shape {
+    Shape { order, turned, strict: false }
 }
 
 const SHAPES: &[(&str, Shape)] = &[
-    ("nonnegative", Shape { order: 0, turned: false }),
-    ("not negative", Shape { order: 0, turned: false }),
-    ("nonpositive", Shape { order: 0, turned: true }),
-    ("not positive", Shape { order: 0, turned: true }),
-    ("monotonically increasing", Shape { order: 1, turned: false }),
-    ("monotone increasing", Shape { order: 1, turned: false }),
-    ("increasing", Shape { order: 1, turned: false }),
-    ("nondecreasing", Shape { order: 1, turned: false }),
-    ("monotonically decreasing", Shape { order: 1, turned: true }),
-    ("monotone decreasing", Shape { order: 1, turned: true }),
-    ("decreasing", Shape { order: 1, turned: true }),
-    ("nonincreasing", Shape { order: 1, turned: true }),
-    ("convex", Shape { order: 2, turned: false }),
-    ("concave", Shape { order: 2, turned: true }),
-    ("nicht negativ", Shape { order: 0, turned: false }),
-    ("monoton wachsend", Shape { order: 1, turned: false }),
-    ("monoton fallend", Shape { order: 1, turned: true }),
-    ("konvex", Shape { order: 2, turned: false }),
-    ("konkav", Shape { order: 2, turned: true }),
-    ("croissante", Shape { order: 1, turned: false }),
-    ("décroissante", Shape { order: 1, turned: true }),
-    ("convexe", Shape { order: 2, turned: false }),
+    ("positive", Shape { strict: true, ..shape(0, false) }),
+    ("positiv", Shape { strict: true, ..shape(0, false) }),
+    ("negative", Shape { strict: true, ..shape(0, true) }),
+    ("negativ", Shape { strict: true, ..shape(0, true) }),
+    ("nonnegative", shape(0, false)),
+    ("not negative", shape(0, false)),
+    ("nonpositive", shape(0, true)),
+    ("not positive", shape(0, true)),
+    ("monotonically increasing", shape(1, false)),
+    ("monotone increasing", shape(1, false)),
+    ("increasing", shape(1, false)),
+    ("nondecreasing", shape(1, false)),
+    ("monotonically decreasing", shape(1, true)),
+    ("monotone decreasing", shape(1, true)),
+    ("decreasing", shape(1, true)),
+    ("nonincreasing", shape(1, true)),
+    ("convex", shape(2, false)),
+    ("concave", shape(2, true)),
+    ("nicht negativ", shape(0, false)),
+    ("monoton wachsend", shape(1, false)),
+    ("monoton fallend", shape(1, true)),
+    ("konvex", shape(2, false)),
+    ("konkav", shape(2, true)),
+    ("croissante", shape(1, false)),
+    ("décroissante", shape(1, true)),
+    ("convexe", shape(2, false)),
 ];
 
 /// A claim taken apart; places are bytes of the text.

@@ -57,8 +57,14 @@ pub(super) fn parts(
             at += length;
             // knots = 0, 1, 2
             let sign = text.piece(at..).trim_start();
-            if matches!(phrase, Phrase::Label(_)) && sign.starts_with(['=', ':']) {
-                at = text.len() - sign.len() + 1;
+            let points = matches!(phrase, Phrase::Function("control_points" | "bezier_points"));
+            match sign.chars().next() {
+                Some('=' | ':') if matches!(phrase, Phrase::Label(_)) => at = text.len() - sign.len() + 1,
+                // 节点为 0, 1, 2
+                Some(is @ ('为' | '是')) if points || matches!(phrase, Phrase::Label(_)) => {
+                    at = text.len() - sign.len() + is.len_utf8();
+                }
+                _ => {}
             }
             start = at;
             listed = false;
@@ -117,7 +123,7 @@ fn is_word(text: &str, at: usize, length: usize, known: &dyn Fn(&str) -> bool, p
     if known(written) {
         return false;
     }
-    if written.ends_with(['\'', '’']) || written.starts_with(is_ideograph) {
+    if written.ends_with(['\'', '’']) || written.contains(is_ideograph) {
         return true;
     }
     let rest = text.piece(at + length..);
@@ -220,6 +226,10 @@ pub(crate) fn without_text_commands(text: &str) -> Cow<'_, str> {
             if inside.piece(..length).ends_with('}') {
                 bytes[open + length - 1] = b' ';
             }
+        }
+        // A control space in front of it: x = 1,\ \text{knots } 0, 1
+        if name == 0 && inside.starts_with(' ') && inside.trim_start().starts_with('\\') {
+            masked.get_or_insert_with(|| text.as_bytes().to_vec())[at] = b' ';
         }
         at = open;
     }

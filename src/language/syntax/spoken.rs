@@ -4,6 +4,8 @@
 //! whose words are known is one; what its words mean together is settled here, what a function makes of
 //! it, where functions are known.
 
+mod totals;
+
 use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_text_commands};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
@@ -204,9 +206,11 @@ impl Reader<'_> {
         self.at += usize::from(self.leads_to_function());
         // at 2/3 of the Bézier curve 0, 1, 3; weights 1, 2, 1 and points 0, 1, 3
         let mut early = Vec::new();
-        while let Some(Phrase::Label(Label::At | Label::Points | Label::Weights | Label::Knots)) =
-            self.phrase()
-            && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)))
+        while matches!(
+            self.phrase(),
+            Some(Phrase::Label(Label::At | Label::Points | Label::Weights | Label::Knots))
+        ) && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)))
+            || self.at_points_of_curve()
         {
             early.extend(self.said()?);
             while matches!(self.phrase(), Some(Phrase::Of | Phrase::And)) {
@@ -321,6 +325,19 @@ impl Reader<'_> {
             Some([Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _), Part::Piece(span)])
                 if is_several(self.text.piece(span.range()))
         )
+    }
+
+    /// Whether points go before their curve here: 控制点为 0, 1, 3 的贝塞尔曲线
+    fn at_points_of_curve(&self) -> bool {
+        let rest = self.parts.get(self.at + 2..).unwrap_or_default();
+        let between = |part: &&Part| matches!(part, Part::Phrase(Phrase::Of | Phrase::Degree(_), _));
+        let curve = rest.iter().find(|part| !between(part));
+        self.at_points()
+            && matches!(rest.first(), Some(Part::Phrase(Phrase::Of, _)))
+            && matches!(
+                curve,
+                Some(Part::Phrase(Phrase::Function("bezier" | "bspline" | "bspline_basis"), _))
+            )
     }
 
     /// Whether a function follows a label, or what goes before it: into the Bernstein basis.
@@ -457,51 +474,6 @@ impl Reader<'_> {
                 self.at += 1;
             }
         }
-    }
-
-    /// What is added up: sum i = 0..5 of i^2, sum of i^2 for i = 0..5, sum of i from i = 0 to 5.
-    fn total(&mut self, op: BigOp, phrase: Span) -> Option<Total> {
-        let piece = |reader: &mut Self| {
-            let Some(Part::Piece(span)) = reader.next() else { return None };
-            reader.at += 1;
-            Some(span)
-        };
-        while self.take(Phrase::Of) {}
-        let first = piece(self)?;
-        let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
-        let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
-        let mut end = None;
-        let mut index = None;
-        while let Some(next) = self.phrase() {
-            match next {
-                Phrase::Of if body.is_none() => {
-                    self.at += 1;
-                    body = Some(piece(self)?);
-                }
-                Phrase::Label(Label::With | Label::From | Label::Over) if range.is_none() => {
-                    self.at += 1;
-                    range = Some(piece(self)?);
-                }
-                // for i from 1 to n
-                Phrase::Label(Label::From)
-                    if end.is_none() && index.is_none() && range.is_some_and(|range| !is_range(range)) =>
-                {
-                    self.at += 1;
-                    index = range;
-                    range = Some(piece(self)?);
-                }
-                Phrase::Label(Label::To) if range.is_some() && end.is_none() => {
-                    self.at += 1;
-                    end = Some(piece(self)?);
-                }
-                _ => return None,
-            }
-        }
-        let range = range.filter(|range| index.is_some() || is_range(*range))?;
-        if index.is_some() && end.is_none() {
-            return None;
-        }
-        Some(Total { op, phrase, body: body?, range, end, index })
     }
 
     /// The formulas that go on with "and".

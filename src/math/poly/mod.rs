@@ -32,6 +32,6 @@ pub use coefficients::Coefficients;
 pub use factor::Factorization;
 pub use fraction::{DivisionByZero, Fraction};
 pub use multivariate::{MonomialOrder, MultiPoly, Powers};
-pub use real_roots::{AlgebraicNumber, Clip, ClipOutcome, Part, Positivity, RealRoot};
+pub use real_roots::{AlgebraicNumber, Clip, ClipOutcome, Extreme, Part, Positivity, RealRoot};
 pub use symbol::{Index, Symbol};
 pub use univariate::Poly;

@@ -1,7 +1,7 @@
 //! Functions that have another form elsewhere: `Matrix([[1, 2], [3, 4]])`, `diff(F, x, y)`, `linspace(0, 1, 5)`.
 
 use crate::formula::source::Span;
-use crate::formula::{BigOp, Delimiter, Expr, Kind, Rel, Sign, Term, applied};
+use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel, Sign, Term, applied};
 use crate::language::syntax;
 
 use super::as_list;
@@ -35,6 +35,8 @@ const TEMPLATES: &[Template] = &[
     Template { names: &["Series", "series"], letters: &["F", "x", "a", "n"], meaning: "taylor(F, a, n, x)" },
     Template { names: &["Range"], letters: &["b"], meaning: "[iota for iota = 1..b]" },
     Template { names: &["Range"], letters: &["a", "b"], meaning: "[iota for iota = a..b]" },
+    Template { names: &["discrim", "disc"], letters: &["F"], meaning: "discriminant(F)" },
+    Template { names: &["discrim", "disc"], letters: &["F", "x"], meaning: "discriminant(F, x)" },
     Template { names: &["Total"], letters: &["a"], meaning: "sum(a)" },
     Template { names: &["lcoeff", "LC"], letters: &["F", "x"], meaning: "coefficient(F, x, degree(F, x))" },
     Template { names: &["floordiv", "iquo", "Quotient"], letters: &["a", "b"], meaning: "floor(a/b)" },
@@ -84,7 +86,13 @@ pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
     let (callee, arguments) = match &expr.kind {
         Kind::Apply(callee, groups) => match groups.as_slice() {
             [arguments] => (callee, arguments.as_slice()),
-            _ => return None,
+            // basis_element([0, 1, 2])(1)
+            [first, rest @ ..] => {
+                let called = Expr::new(Kind::Apply(callee.clone(), vec![first.clone()]), expr.span);
+                let kind = called_elsewhere(&called, known)?;
+                return Some(Kind::Apply(Box::new(Expr::new(kind, expr.span)), rest.to_vec()));
+            }
+            [] => return None,
         },
         Kind::Subscript(callee, inside) => match inside.as_slice() {
             [Expr { kind: Kind::List(arguments), .. }] => (callee, arguments.as_slice()),
@@ -129,6 +137,41 @@ pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
             if list.iter().all(plain) && !list.is_empty() =>
         {
             Some(Kind::Group(Box::new(in_powers(list, at))))
+        }
+        ("polyder", [Expr { kind: Kind::List(list), .. }]) if list.len() > 1 && list.iter().all(plain) => {
+            Some(Kind::List(derivative_of(list)))
+        }
+        ("conv", [Expr { kind: Kind::List(f), .. }, Expr { kind: Kind::List(g), .. }])
+            if [f, g].iter().all(|list| !list.is_empty() && list.iter().all(plain)) =>
+        {
+            Some(Kind::List(product_of(f, g)))
+        }
+        // scipy: BSpline.basis_element([0, 1, 2, 3]), all knots of one B-spline
+        ("basis_element", [knots @ Expr { kind: Kind::List(list), .. }]) if list.len() > 1 => {
+            let degree = i64::try_from(list.len() - 2).ok()?;
+            Some(call("bspline_basis", vec![Expr::int(degree), knots.clone(), Expr::int(0)]))
+        }
+        // bspline_basis(2, (0, 1, 2, 3), 0, x)
+        ("bspline_basis", [degree, knots, number, at])
+            if !matches!(at.kind, Kind::Chain(..)) && knots.items().is_some() =>
+        {
+            let function =
+                call("bspline_basis", vec![degree.clone(), as_list(knots.clone()), number.clone()]);
+            match at.kind {
+                Kind::Name(_) => Some(function),
+                _ => Some(applied(Expr::new(function, expr.span), vec![at.clone()], expr.span).kind),
+            }
+        }
+        // interpolate([(0, 1), (1, 3)], x), InterpolatingPolynomial({1, 4, 9}, x) with the nodes 1, 2, 3
+        ("interpolate" | "interpolating_poly" | "InterpolatingPolynomial", [data, letter])
+            if is_name(letter) =>
+        {
+            interpolated(items_in(data)?, letter).map(|arguments| call("lagrange", arguments))
+        }
+        // maximize(F, x = 0..1), MaxValue({F, 0 <= x <= 1}, x)
+        ("maximize" | "Maximize" | "MaxValue" | "minimize" | "Minimize" | "MinValue", arguments) => {
+            let op = if name.to_lowercase().starts_with("max") { BigOp::Max } else { BigOp::Min };
+            extreme(op, arguments)
         }
         ("roots", [Expr { kind: Kind::List(list), .. }]) if list.len() > 1 && list.iter().all(plain) => {
             Some(call("roots", vec![in_powers(list, &Expr { span: expr.span, ..Expr::name("t") })]))
@@ -291,6 +334,65 @@ fn in_powers(coefficients: &[Expr], at: &Expr) -> Expr {
         Term { sign: Sign::Plus, expr: Expr::product(factors) }
     };
     Expr::sum(coefficients.iter().enumerate().map(term).collect())
+}
+
+/// The coefficients of the derivative, from the highest power down.
+fn derivative_of(coefficients: &[Expr]) -> Vec<Expr> {
+    let powers = (1..coefficients.len()).rev().map(|power| i64::try_from(power).unwrap_or(i64::MAX));
+    let scaled = |(power, c): (i64, &Expr)| Expr::product(vec![Expr::int(power), c.clone().grouped()]);
+    powers.zip(coefficients).map(scaled).collect()
+}
+
+/// The coefficients of the product of two polynomials with these coefficients.
+fn product_of(f: &[Expr], g: &[Expr]) -> Vec<Expr> {
+    let entry = |k: usize| {
+        let terms = f.iter().enumerate().filter_map(|(i, a)| {
+            let b = g.get(k.checked_sub(i)?)?;
+            let expr = Expr::product(vec![a.clone().grouped(), b.clone().grouped()]);
+            Some(Term { sign: Sign::Plus, expr })
+        });
+        Expr::sum(terms.collect())
+    };
+    (0..f.len() + g.len() - 1).map(entry).collect()
+}
+
+/// Nodes, values and the variable, of points or of values at 1, 2, 3, ...
+fn interpolated(data: &[Expr], letter: &Expr) -> Option<Vec<Expr>> {
+    let (nodes, values): (Vec<Expr>, Vec<Expr>) = match data.iter().all(|item| items_in(item).is_some()) {
+        true => {
+            let pair = |item: &Expr| match items_in(item)? {
+                [node, value] => Some((node.clone(), value.clone())),
+                _ => None,
+            };
+            data.iter().map(pair).collect::<Option<Vec<_>>>()?.into_iter().unzip()
+        }
+        false => (1..).map(Expr::int).zip(data.iter().cloned()).unzip(),
+    };
+    let list = |items: Vec<Expr>| Expr { span: letter.span, ..Expr::new(Kind::List(items), letter.span) };
+    let variable = crate::formula::named("variable", letter.clone());
+    (!nodes.is_empty()).then(|| vec![list(nodes), list(values), variable])
+}
+
+/// The extreme value of a formula for a name in a range or under a condition.
+fn extreme(op: BigOp, arguments: &[Expr]) -> Option<Kind> {
+    let (body, condition) = match arguments {
+        [Expr { kind: Kind::Set(items, None) | Kind::List(items), .. }, _] => match items.as_slice() {
+            [body, condition] => (body, condition),
+            _ => return None,
+        },
+        [body, condition, ..] => (body, condition),
+        _ => return None,
+    };
+    let Kind::Chain(left, links) = &condition.kind else { return None };
+    let condition = match links.as_slice() {
+        [Link { rel: Rel::Eq, expr: Expr { kind: Kind::Range(from, to), .. }, .. }] => {
+            let interval = Expr::new(Kind::List(vec![(**from).clone(), (**to).clone()]), condition.span);
+            Expr { span: condition.span, ..Expr::relation((**left).clone(), Rel::In, interval) }
+        }
+        [_, _] => condition.clone(),
+        _ => return None,
+    };
+    Some(Kind::Big { op, lower: vec![condition], upper: None, body: Box::new(body.clone().grouped()) })
 }
 
 /// The items of a list, a tuple or a set.

@@ -508,6 +508,19 @@ impl Draft {
                 self.named.push(("i", Expr { span, ..Expr::int(0) }));
             }
         }
+        // The knots of m + 1 points are m + n + 2.
+        if self.builtin.name == "bspline" && self.placed.is_empty() {
+            let count = |name: &str| {
+                let (_, list) = self.named.iter().find(|(own, _)| *own == name)?;
+                i64::try_from(list.items()?.len()).ok()
+            };
+            let known = self.named.iter().any(|(name, _)| *name == "n");
+            if let (Some(knots), Some(points), false) = (count("knots"), count("points"), known)
+                && knots > points
+            {
+                self.named.push(("n", Expr { span, ..Expr::int(knots - points - 1) }));
+            }
+        }
         let others = self.named.into_iter().map(|(name, value)| match name {
             "" => value,
             _ => named(name, value),

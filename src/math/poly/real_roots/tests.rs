@@ -307,3 +307,69 @@ fn many_factors_modulo_primes() {
         |(root, _): &(RealRoot, usize)| matches!(root, RealRoot::Rational(q) if *q == rational(3, 7));
     assert_eq!(with_rational.real_roots(None, None).unwrap().iter().filter(|r| rational_roots(r)).count(), 1);
 }
+
+/// P/Q of an extreme value lies between its values at many places, and is one of them up to the width of the intervals.
+fn bounds_all_values(p: &Poly, q: &Poly, a: &Rational, b: &Rational) {
+    for largest in [true, false] {
+        let found = p.extreme(q, [a, b], [false, false], largest).unwrap();
+        let steps = 40;
+        for k in 0..=steps {
+            let at = a + (b - a) * rational(k, steps);
+            let value = RealRoot::Rational(p.value(&at) / q.value(&at));
+            assert!(if largest { value <= found.value } else { value >= found.value });
+        }
+        // The values around a place where it is taken enclose it.
+        for place in &found.places {
+            let (lower, upper) = match place {
+                RealRoot::Rational(t) => (t.clone(), t.clone()),
+                RealRoot::Irrational(number) => number.refined(&rational(1, 1 << 20)).ends(),
+            };
+            let near = RealRoot::Rational(p.value(&lower) / q.value(&lower));
+            let distance = RealRoot::Rational(p.value(&upper) / q.value(&upper));
+            let slack = rational(1, 1000);
+            let least = near.clone().min(distance.clone());
+            let most = near.max(distance);
+            let shifted = |root: RealRoot, by: Rational| match root {
+                RealRoot::Rational(value) => RealRoot::Rational(value + by),
+                root @ RealRoot::Irrational(_) => root,
+            };
+            assert!(shifted(least, -slack.clone()) <= found.value && found.value <= shifted(most, slack));
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn extreme_values_bound_all_others(
+        p in proptest::collection::vec(-6_i64..=6, 1..6),
+        q in proptest::collection::vec(-3_i64..=3, 1..3),
+        ends in (-3_i64..=3, 0_i64..=4),
+    ) {
+        let poly = |list: &[i64]| Poly::from_coefficients(list.iter().map(|&c| integer(c)).collect());
+        let (a, b) = (integer(ends.0), integer(ends.0 + ends.1));
+        let (p, q) = (poly(&p), poly(&q));
+        let poles = q.real_roots(Some(&a), Some(&b));
+        if poles.is_some_and(|poles| poles.is_empty()) {
+            bounds_all_values(&p, &q, &a, &b);
+        } else {
+            prop_assert_eq!(p.extreme(&q, [&a, &b], [false, false], true), None);
+        }
+    }
+}
+
+#[test]
+fn extreme_values_at_open_ends_are_none() {
+    let t = Poly::variable();
+    let one = Poly::one();
+    let [a, b] = [integer(0), integer(2)];
+    let of = |f: &Poly, open: [bool; 2], largest| {
+        f.extreme(&one, [&a, &b], open, largest).map(|e| (e.value, e.places))
+    };
+    let number = |q: i64| RealRoot::Rational(integer(q));
+    assert_eq!(of(&t, [false, true], true), None);
+    assert_eq!(of(&t, [false, true], false), Some((number(0), vec![number(0)])));
+    assert_eq!(of(&one, [true, true], true), Some((number(1), vec![number(1)])));
+    assert_eq!(of(&(&t * (Poly::from(2) - &t)), [true, true], true), Some((number(1), vec![number(1)])));
+    assert_eq!(Poly::zero().extreme(&one, [&b, &a], [false, false], true), None);
+    assert_eq!(one.extreme(&t, [&a, &b], [false, false], true), None);
+}

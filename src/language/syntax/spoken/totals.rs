@@ -1,0 +1,61 @@
+//! Sums and products in words.
+
+use super::{Reader, Total};
+use crate::formula::BigOp;
+use crate::formula::source::{Pieces, Span};
+use crate::language::lexicon::phrases::{Label, Phrase};
+use crate::language::syntax::pieces::{Part, begins_equation};
+
+impl Reader<'_> {
+    /// What is added up: sum i = 0..5 of i^2, sum of i^2 for i = 0..5, sum of i from i = 0 to 5.
+    pub(super) fn total(&mut self, op: BigOp, phrase: Span) -> Option<Total> {
+        let piece = |reader: &mut Self| {
+            let Some(Part::Piece(span)) = reader.next() else { return None };
+            reader.at += 1;
+            Some(span)
+        };
+        while self.take(Phrase::Of) {}
+        let first = piece(self)?;
+        let is_range = |span: Span| begins_equation(self.text.piece(span.range()));
+        let (mut body, mut range) = if is_range(first) { (None, Some(first)) } else { (Some(first), None) };
+        let mut end = None;
+        let mut index = None;
+        // sum i^2, i = 1..10
+        if let (None, Some(Part::Piece(span))) = (range, self.next())
+            && is_range(span)
+        {
+            self.at += 1;
+            range = Some(span);
+        }
+        while let Some(next) = self.phrase() {
+            match next {
+                Phrase::Of if body.is_none() => {
+                    self.at += 1;
+                    body = Some(piece(self)?);
+                }
+                Phrase::Label(Label::With | Label::From | Label::Over) if range.is_none() => {
+                    self.at += 1;
+                    range = Some(piece(self)?);
+                }
+                // for i from 1 to n
+                Phrase::Label(Label::From)
+                    if end.is_none() && index.is_none() && range.is_some_and(|range| !is_range(range)) =>
+                {
+                    self.at += 1;
+                    index = range;
+                    range = Some(piece(self)?);
+                }
+                Phrase::Label(Label::To) if range.is_some() && end.is_none() => {
+                    self.at += 1;
+                    end = Some(piece(self)?);
+                }
+                _ => return None,
+            }
+        }
+        let range = range.filter(|range| index.is_some() || is_range(*range))?;
+        if index.is_some() && end.is_none() {
+            return None;
+        }
+        Some(Total { op, phrase, body: body?, range, end, index })
+    }
+}
