@@ -219,3 +219,62 @@ pub(crate) fn interval(expr: &Expr) -> Option<([&Expr; 2], [bool; 2])> {
     let [a, b] = items.as_slice() else { return None };
     Some(([a, b], open))
 }
+
+/// What is said of several names, said of each: u, v ∈ I as u ∈ I and v ∈ I, 0 ≤ u, v ≤ 1 as two ranges.
+pub(crate) fn spread(items: Vec<Expr>) -> Vec<Expr> {
+    let bare = |expr: &Expr| matches!(expr.kind, Kind::Name(_) | Kind::Subscript(..));
+    let ordered = |link: &Link| matches!(link.rel, Rel::Le | Rel::Lt);
+    let mut found: Vec<Expr> = Vec::with_capacity(items.len());
+    // Where the names begin that wait for a relation, and what stands before the first one.
+    let (mut start, mut before) = (None, None);
+    for item in items {
+        let begins = match &item.kind {
+            Kind::Chain(bound, links) => match links.as_slice() {
+                [link] if ordered(link) && bare(&link.expr) && !bare(bound) => {
+                    Some((bound.clone(), link.clone()))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        if begins.is_some() || bare(&item) {
+            if start.is_none() || begins.is_some() {
+                start = Some(found.len());
+                before = begins;
+            }
+            found.push(item);
+            continue;
+        }
+        let Kind::Chain(left, links) = &item.kind else {
+            start = None;
+            found.push(item);
+            continue;
+        };
+        let said =
+            !matches!(links.first(), Some(Link { rel: Rel::Eq | Rel::Define | Rel::Implies | Rel::Iff, .. }));
+        let fits = bare(left) && said && (before.is_none() || links.len() == 1 && links.iter().all(ordered));
+        match start.take().filter(|_| fits) {
+            Some(start) => {
+                let names: Vec<Expr> = found.drain(start..).collect();
+                let name = |item: Expr| match item.kind {
+                    Kind::Chain(_, links) => links.into_iter().next().map(|link| link.expr),
+                    _ => Some(item),
+                };
+                for name in names.into_iter().filter_map(name).chain([(**left).clone()]) {
+                    let span = name.span;
+                    let chain = match &before {
+                        None => Kind::Chain(Box::new(name), links.clone()),
+                        Some((bound, first)) => {
+                            let first = Link { expr: name, ..first.clone() };
+                            Kind::Chain(bound.clone(), std::iter::once(first).chain(links.clone()).collect())
+                        }
+                    };
+                    found.push(Expr::new(chain, span));
+                }
+            }
+            None => found.push(item),
+        }
+        before = None;
+    }
+    found
+}

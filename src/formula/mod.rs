@@ -11,7 +11,7 @@ mod precedence;
 pub mod source;
 mod visit;
 
-pub(crate) use build::{applied, before_brackets, bracketed, call, interval, named};
+pub(crate) use build::{applied, before_brackets, bracketed, call, interval, named, spread};
 pub use precedence::Precedence;
 
 use crate::formula::source::Span;

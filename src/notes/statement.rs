@@ -15,7 +15,7 @@ use super::speech;
 use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Link, Rel, spread};
 use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
@@ -310,7 +310,7 @@ impl Reader<'_> {
                 text.to_owned()
             };
             let items = match expr.kind {
-                Kind::Sequence(items) => items,
+                Kind::Sequence(items) => spread(items),
                 Kind::ForAll(mut items, body) => {
                     items.extend(body.map(|body| *body));
                     items

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, call, named, spread};
 use crate::judge::asked;
 use crate::judge::inequality::{decided_in, interval, positive};
 use crate::judge::names::{Head, bases};
@@ -72,7 +72,7 @@ impl Session {
             let fail = |problem| Box::new(Failure { problem, file: file.clone() });
             for span in syntax::statements(text).map_err(fail)? {
                 let read = self.read(&file, span)?;
-                for statement in self.statements_in(read, Equals::DefinesUnbound) {
+                for statement in self.given_in(read) {
                     let one = Given { file: file.clone(), statement: bounded(statement) };
                     // What comes later may need it to be read.
                     if self.supposed(&one)?.outcome.defined.is_none() {
@@ -83,6 +83,19 @@ impl Session {
             }
         }
         self.solve(start, &given, claims)
+    }
+
+    /// The parts of what is given: definitions side by side, or conditions.
+    fn given_in(&self, read: Expr) -> Vec<Expr> {
+        let said = match &read.kind {
+            Kind::Sequence(items) => spread(items.clone()),
+            _ => Vec::new(),
+        };
+        let conditions = said.iter().all(|item| match &item.kind {
+            Kind::Chain(_, links) => links.iter().all(|link| !matches!(link.rel, Rel::Eq | Rel::Define)),
+            _ => false,
+        });
+        if conditions && !said.is_empty() { said } else { self.statements_in(read, Equals::DefinesUnbound) }
     }
 
     fn take(&mut self, given: &[Given]) -> Failed<Conditions> {
@@ -162,29 +175,32 @@ impl Session {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let mut given = Vec::new();
         let formula = self.read(file, sentence.formula)?;
+        let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {
             let read = self.read(file, *span)?;
-            let items = match read.kind {
+            let own = match read.kind {
                 Kind::Sequence(items) => items,
                 _ => vec![read],
             };
-            for item in items {
-                match &item.kind {
-                    // for all t, u
-                    Kind::Name(_) | Kind::Subscript(..) if *all => {}
-                    // t^2 <= t on [0, 1]
-                    _ if interval(&item).is_some() && matches!(formula.kind, Kind::Chain(..)) => {
-                        let name = self.only_variable(&formula, item.span).map_err(fail)?;
-                        let span = item.span;
-                        let within = Expr { span, ..Expr::relation(Expr { span, ..name }, Rel::In, item) };
-                        given.push(Given { file: file.clone(), statement: bounded(within) });
-                    }
-                    Kind::Chain(..) => {
-                        let statement = bounded(value_given(item).map_err(fail)?);
-                        given.push(Given { file: file.clone(), statement });
-                    }
-                    _ => return Ok(None),
+            free.extend(own.iter().filter(|_| *all).map(|item| item.span));
+            items.extend(own);
+        }
+        for item in spread(items) {
+            match &item.kind {
+                // for all t, u
+                Kind::Name(_) | Kind::Subscript(..) if free.contains(&item.span) => {}
+                // t^2 <= t on [0, 1]
+                _ if interval(&item).is_some() && matches!(formula.kind, Kind::Chain(..)) => {
+                    let name = self.only_variable(&formula, item.span).map_err(fail)?;
+                    let span = item.span;
+                    let within = Expr { span, ..Expr::relation(Expr { span, ..name }, Rel::In, item) };
+                    given.push(Given { file: file.clone(), statement: bounded(within) });
                 }
+                Kind::Chain(..) => {
+                    let statement = bounded(value_given(item).map_err(fail)?);
+                    given.push(Given { file: file.clone(), statement });
+                }
+                _ => return Ok(None),
             }
         }
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));

@@ -142,11 +142,14 @@ pub(crate) fn factors(region: &str) -> Vec<(usize, usize)> {
     let mut from = 0;
     for (at, word) in region.char_indices().filter_map(|(at, _)| {
         let rest = region.get(at..)?;
-        ["\\times", " x ", "×", " × "].into_iter().find(|word| rest.starts_with(word)).map(|word| (at, word))
+        ["\\times", " x ", "x[", "×", " × "]
+            .into_iter()
+            .find(|word| rest.starts_with(word))
+            .map(|word| (at, word))
     }) {
         if at >= from {
             found.push((from, at));
-            from = at + word.len();
+            from = at + word.trim_end_matches('[').len();
         }
     }
     found.push((from, region.len()));
