@@ -112,7 +112,9 @@ impl New {
         let head = Head::of(left).filter(|head| head.upper.is_empty())?;
         let arguments = head.flat().len();
         match (head.lower.as_slice(), &left.kind) {
-            ([_], _) if head.arguments.is_none() => Some(New {
+            // b_{-1} = b_{n+1} = 0: points that there are not.
+            ([index], _) if index.as_signed_int().is_some_and(|index| index < 0) => None,
+            ([_], _) if head.arguments.is_none() && !bases(right).contains(&head.base) => Some(New {
                 letter: head.base,
                 names: vec![left.clone()],
                 side: left.clone(),

@@ -438,7 +438,14 @@ impl Context {
         let given = self.given_knots(&self.stated_knots(place), place);
         let uneven =
             |knots: &[Rational]| knots.windows(3).any(|three| &three[1] - &three[0] != &three[2] - &three[1]);
-        uneven(&listed) || uneven(&given.into_values().collect::<Vec<_>>())
+        // Numbers in a row that do not decrease may be knots, whatever they are called.
+        let rows = self
+            .heard
+            .chunk_by(|(a, _), (b, _)| a.formula == b.formula)
+            .filter(|row| row.first().is_some_and(|(other, _)| other.group == place.group) && row.len() > 3);
+        let mut rows = rows.filter_map(|row| row.iter().map(|(_, expr)| expr.as_number().cloned()).collect());
+        let unlike = |row: Vec<Rational>| row.is_sorted() && uneven(&row);
+        uneven(&listed) || uneven(&given.into_values().collect::<Vec<_>>()) || rows.any(unlike)
     }
 
     /// Whether the second index of a B-spline N is its degree. The page tells it by where its recursion begins, at

@@ -37,6 +37,8 @@ pub(super) struct Instance<'a> {
     /// For which integers it holds.
     pub(super) conditions: Vec<Expr>,
     pub(super) standing: Standing,
+    /// Whether the section speaks of something of which the theorem is not: a spline, a surface.
+    pub(super) apart: bool,
 }
 
 /// What it means that a claim fits an instance.
@@ -179,7 +181,7 @@ impl Claim<'_> {
         long: &dyn Fn() -> bool,
     ) -> Option<(&'a Instance<'b>, [Expr; 2])> {
         let certain: Vec<&Instance> =
-            instances.iter().filter(|instance| instance.standing == Standing::Certain).collect();
+            instances.iter().filter(|own| own.standing == Standing::Certain && !own.apart).collect();
         if certain.is_empty() {
             return None;
         }

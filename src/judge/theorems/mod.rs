@@ -241,8 +241,10 @@ impl Checker {
         let uneven = self.context.has_uneven_knots(claim.place);
         let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
         let said = Said { degrees: topics.degrees().collect(), intervals: self.intervals_heard(claim.place) };
+        let subjects = [Topic::Spline, Topic::Tensor, Topic::Triangle];
         let mut found = Vec::new();
         for theorem in known {
+            let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own));
             if !theorem.is_spoken_of(topics)
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
@@ -270,6 +272,7 @@ impl Checker {
                         equation,
                         way,
                         standing,
+                        apart,
                     });
                 }
             }

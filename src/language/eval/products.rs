@@ -155,9 +155,8 @@ impl Machine {
         let (Kind::List(items), Some(next)) = (&nodes.kind, next) else { return Ok(None) };
         let span = nodes.span.to(next.span);
         // [x_0, x_1] x^3: nodes are named like the variable.
-        let of_letter = letter_of(items).filter(|letter| {
-            self.lookup(&Symbol::new(*letter)).is_none() && !self.has_reading() && stands_in(letter, next)
-        });
+        let of_letter = letter_of(items)
+            .filter(|letter| self.lookup(&Symbol::new(*letter)).is_none() && stands_in(letter, next));
         if let Some(letter) = of_letter
             && items.len() > 1
         {

@@ -57,8 +57,7 @@ pub(super) const TABLE: &[Builtin] = &[
             required("a", Takes::Scalar, "the dividend"),
             required("b", Takes::Scalar, "the divisor"),
         ],
-        summary: "what division of a by b leaves, a - b floor(a/b) of numbers, the remainder of polynomials; also \
-                  written a mod b",
+        summary: "what division leaves: a - b floor(a/b) of numbers, the remainder of polynomials; a mod b",
         example: "mod(17, 5)",
         call: |_, args| {
             // t^5 mod (t - 2)^2; of t mod 2 it is not known whether t is an integer
