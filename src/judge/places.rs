@@ -131,6 +131,19 @@ impl Trial<'_> {
                 }
             }
         }
+        // f is the polar form of the piece on [u_j, u_{j+1})
+        if let (Some(ends), true) = (self.piece_heard(), breaks.is_empty()) {
+            let reading = Rc::new(self.model(None, Some(Rational::zero()), breaks));
+            let names: Vec<(Symbol, Value)> =
+                reading.knots(&self.facts.knot_letters).into_iter().chain(as_values(bound)).collect();
+            let [from, to] = ends.map(|end| {
+                let value = evaluator::machine().with_locals(names.clone(), |machine| machine.eval(end));
+                value.ok().and_then(|value| value.as_rational())
+            });
+            if let (Some(from), Some(to)) = (from, to) {
+                places.retain(|place| from <= *place && *place < to);
+            }
+        }
         let allows = |place: &Rational, conditions: &[&Expr]| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
             let integers = as_values(bound);
@@ -147,6 +160,25 @@ impl Trial<'_> {
             places.retain(|place| allows(place, &variables));
         }
         places
+    }
+
+    /// The interval between knots of which the paragraph speaks, if it is one, and sides are about a polar form.
+    fn piece_heard(&self) -> Option<[&Expr; 2]> {
+        let form = |part: &Expr| match &part.kind {
+            Kind::Apply(callee, groups) => {
+                matches!(callee.kind, Kind::Name(_) | Kind::Subscript(..))
+                    && groups.iter().map(Vec::len).sum::<usize>() > 1
+            }
+            _ => false,
+        };
+        if !self.sides.iter().any(|side| side.has(&form)) {
+            return None;
+        }
+        let knots = |end: &Expr| has_members(end, &self.facts.knot_letters);
+        let mut heard = self.context.intervals_beside(self.place).map(|(_, ends, _)| ends);
+        let mut heard = heard.by_ref().filter(|ends| ends.iter().all(|end| knots(end)));
+        let first = heard.next()?;
+        heard.all(|other| other[0].same_as(first[0]) && other[1].same_as(first[1])).then_some(first)
     }
 
     /// "First piece, 0 ≤ t < 1": where the variable of a side lies in this paragraph.

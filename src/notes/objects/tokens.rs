@@ -51,6 +51,15 @@ fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
             _ => 0,
         };
         let after_formula = matches!(found.last(), Some(Token::Formula(_)));
+        // 是 p 次（p ≥ 1）B 样条, of degree p (p ≥ 1)
+        let after_degree = matches!(
+            found.as_slice(),
+            [.., Token::Word(Word::DegreeAfter)] | [.., Token::Word(Word::Degree), Token::Formula(_)]
+        );
+        if after_degree && let Some([Token::Stop, Token::Formula(_), Token::Stop]) = tokens.get(at..at + 3) {
+            at += 3;
+            continue;
+        }
         // its (trivariate) blossom
         let inner = tokens[at + 1..].iter().take_while(|token| is_filler(token)).count();
         let closed = matches!(tokens.get(at + 1 + inner), Some(Token::Stop));
