@@ -114,7 +114,7 @@ impl New {
         match (head.lower.as_slice(), &left.kind) {
             // b_{-1} = b_{n+1} = 0: points that there are not.
             ([index], _) if index.as_signed_int().is_some_and(|index| index < 0) => None,
-            ([_], _) if head.arguments.is_none() && !bases(right).contains(&head.base) => Some(New {
+            ([_], _) if head.arguments.is_none() => Some(New {
                 letter: head.base,
                 names: vec![left.clone()],
                 side: left.clone(),

@@ -37,6 +37,7 @@ mod hypotheses;
 pub mod inequality;
 mod insertion;
 mod integers;
+mod knots;
 mod known;
 mod learn;
 mod lint;
