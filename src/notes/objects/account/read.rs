@@ -298,33 +298,29 @@ impl Told<'_> {
             vec![index.clone().plus(first), Kind::Ellipsis.into(), index.clone().plus(last)]
         };
         let mut found: Vec<Vec<Expr>> = Vec::new();
-        let whole = self.all.iter().any(|sign| *sign == Sign::Hint(Hint::Integers));
+        let whole = self.all.contains(&Sign::Hint(Hint::Integers));
         for (at, sign) in self.all.iter().enumerate() {
             let rest = self.all[at..].iter().take_while(|sign| **sign != Sign::End);
             let before = self.all[..at].iter().rev().take_while(|sign| **sign != Sign::End);
             let centred = rest.chain(before).any(|sign| *sign == Sign::Hint(Hint::Centred));
-            match sign {
-                Sign::Formula(number) => {
-                    let said = self.page.said(*number);
-                    let items = match said {
-                        [one] => one.items().unwrap_or(said),
-                        _ => said,
-                    };
-                    if !items.iter().all(own) {
-                        continue;
-                    }
-                    let shifts: Option<Vec<i64>> = items.iter().map(shift).collect();
-                    let Some(shifts) = shifts else { continue };
-                    let steps = shifts.windows(2).all(|pair| pair[1] == pair[0] + 1);
-                    if steps && shifts.len() as i64 == degree && degree > 1 {
-                        found.push(from(shifts[0] - 1, shifts[0] + degree));
-                    } else if let (true, [middle], true) =
-                        (centred && whole, shifts.as_slice(), degree % 2 == 1)
-                    {
-                        found.push(from(middle - (degree + 1) / 2, middle + (degree + 1) / 2));
-                    }
+            if let Sign::Formula(number) = sign {
+                let said = self.page.said(*number);
+                let items = match said {
+                    [one] => one.items().unwrap_or(said),
+                    _ => said,
+                };
+                if !items.iter().all(own) {
+                    continue;
                 }
-                _ => {}
+                let shifts: Option<Vec<i64>> = items.iter().map(shift).collect();
+                let Some(shifts) = shifts else { continue };
+                let steps = shifts.windows(2).all(|pair| pair[1] == pair[0] + 1);
+                if steps && shifts.len() as i64 == degree && degree > 1 {
+                    found.push(from(shifts[0] - 1, shifts[0] + degree));
+                } else if let (true, [middle], true) = (centred && whole, shifts.as_slice(), degree % 2 == 1)
+                {
+                    found.push(from(middle - (degree + 1) / 2, middle + (degree + 1) / 2));
+                }
             }
         }
         match found.as_slice() {
@@ -450,8 +446,7 @@ impl Told<'_> {
         if !given && !said(least) || data.is_some_and(|own| account.degree.is_some_and(|said| said != own)) {
             return None;
         }
-        let exact = degrees.len() == 1 && !raised || degrees.is_empty() || raised || given;
-        if !exact && !given {
+        if degrees.len() > 1 && !raised && !given {
             return None;
         }
         if parts.is_empty() {
@@ -585,16 +580,12 @@ fn call(part: &Expr) -> Option<Call> {
         _ => return None,
     };
     let (mut name, mut derived) = (callee, false);
-    loop {
-        match &name.kind {
-            Kind::Prime(inner, _)
-            | Kind::Accent(Accent::Dot | Accent::Ddot, inner)
-            | Kind::Group(inner)
-            | Kind::Upper(inner, _) => {
-                (name, derived) = (inner, true);
-            }
-            _ => break,
-        }
+    while let Kind::Prime(inner, _)
+    | Kind::Accent(Accent::Dot | Accent::Ddot, inner)
+    | Kind::Group(inner)
+    | Kind::Upper(inner, _) = &name.kind
+    {
+        (name, derived) = (inner, true);
     }
     let plain = matches!(&without_bold(name).kind, Kind::Name(own) if !matches!(own.as_str(), "rightopen" | "leftopen"));
     plain.then(|| Call { name: name.clone(), arguments, derived })
