@@ -20,13 +20,6 @@ pub struct Range {
     open: [bool; 2],
 }
 
-impl Range {
-    /// From a to b, with both.
-    pub fn between(a: Rational, b: Rational) -> Self {
-        Range { lower: Some(a), upper: Some(b), open: [false, false] }
-    }
-}
-
 /// What holds for d ≥ 0 or d > 0 everywhere in a range.
 pub enum Decision {
     /// It holds.
