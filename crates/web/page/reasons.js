@@ -319,7 +319,6 @@ const REASONS = {
     ["what these arguments are", "这些变量是什么"],
     ["what these nodes are", "这些结点是什么"],
     ["what this curve is", "这条曲线是什么"],
-    ["what this extreme value is", "这个最值是什么"],
     ["what this function is", "这个函数是什么"],
     ["what this integral over all numbers is", "这个全实轴上的积分是什么"],
     ["what this parameter is", "这个参数是什么"],
