@@ -95,9 +95,12 @@ async def test_a_keystroke_is_answered_at_once(client: LanguageClient):
         lines[edited] = f"Then {typed}.\n"
         began = time.perf_counter()
         changed(client, version, "\n".join(lines))
-        found = await diagnostics(client)
+        # Where reading the page takes long, what is kept of the last check is told before.
+        refuted = []
+        while refuted != [2 * edited + 2]:
+            found = await asyncio.wait_for(diagnostics(client), ANSWERED / 1000)
+            refuted = [mark.range.start.line for mark in found if mark.code == "refuted"]
         times.append((time.perf_counter() - began) * 1000)
-        assert [mark.range.start.line for mark in found if mark.code == "refuted"] == [2 * edited + 2], found
         await asyncio.sleep(0.3)
     print("answered after", [f"{t:.0f} ms" for t in times])
     assert sorted(times)[len(times) // 2] < ANSWERED, times
