@@ -24,7 +24,7 @@ use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
-use crate::language::lexicon::words;
+use crate::language::lexicon::{signs, words};
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
@@ -180,10 +180,14 @@ impl Session {
         if let Some(answers) = self.run_continued(file, whole, equals)? {
             return Ok(answers);
         }
-        if let Some(answers) = self.run_strict(file, whole, equals)? {
-            return Ok(answers);
-        }
-        let formula = match self.certified(file, whole)? {
+        let certified = match signs::sign_claim(file.slice(whole)) {
+            Some(found) => match found.shape.filter(|shape| shape.strict) {
+                Some(shape) => return self.run_strict(file, whole, &found, shape, equals),
+                None => self.certified(file, whole, &found)?,
+            },
+            None => None,
+        };
+        let formula = match certified {
             Some(formula) => Some(formula),
             None => self.spoken(file, whole)?,
         };

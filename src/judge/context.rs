@@ -5,12 +5,11 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 use super::features::has_column;
-use super::inequality::interval;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Declared;
 use super::statement::{Contact, Place, Said, Statement};
 use super::topic::Topic;
-use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel};
+use crate::formula::{BinomialStyle, Expr, Kind, Link, Rel, interval};
 use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;

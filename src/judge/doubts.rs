@@ -6,12 +6,11 @@ use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition};
 use super::features::{has_column, without_argument};
-use super::inequality::interval;
 use super::names::{Head, bases, is_range, walk};
 use super::object::Sort;
 use super::statement::{Chain, Statement};
 use super::tally::Tally;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, interval};
 
 /// Why it is not sure what a relation means, if it is not.
 pub(super) fn of_meaning(

@@ -1,8 +1,7 @@
 //! Inequalities between polynomials and quotients in one variable, decided by the roots of their difference.
 
 use super::compare::{Domain, Outcome};
-pub(crate) use crate::formula::interval;
-use crate::formula::{Expr, Kind, Link, Rel, Sign};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, interval};
 use crate::language::lexicon::roles;
 use crate::language::value::{Judgement, Value, Verdict, Witness};
 use crate::math::curve::{Region, RegionFailure, RegionShown, positivity_on};

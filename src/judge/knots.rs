@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::context::{Body, Context};
-use super::inequality::interval;
 use super::names::{Head, bases, walk};
 use super::object::{Declared, Sort};
 use super::statement::Place;
-use crate::formula::{Expr, Kind, Rel, Sign};
+use crate::formula::{Expr, Kind, Rel, Sign, interval};
 use crate::math::number::{Rational, integer};
 
 /// So many knots are taken of a formula for all of them.

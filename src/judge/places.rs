@@ -6,6 +6,7 @@ use super::context::{Body, is_variable};
 use super::evaluator;
 use super::features::has_splines;
 use super::integers::as_values;
+use super::model::Model;
 use super::names::{Head, has_members, is_index_letter, is_range, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
@@ -131,11 +132,12 @@ impl Trial<'_> {
                 }
             }
         }
+        let names = |reading: &Model| -> Vec<(Symbol, Value)> {
+            reading.knots(&self.facts.knot_letters).into_iter().chain(as_values(bound)).collect()
+        };
         // f is the polar form of the piece on [u_j, u_{j+1})
         if let (Some(ends), true) = (self.piece_heard(), breaks.is_empty()) {
-            let reading = Rc::new(self.model(None, Some(Rational::zero()), breaks));
-            let names: Vec<(Symbol, Value)> =
-                reading.knots(&self.facts.knot_letters).into_iter().chain(as_values(bound)).collect();
+            let names = names(&model);
             let [from, to] = ends.map(|end| {
                 let value = evaluator::machine().with_locals(names.clone(), |machine| machine.eval(end));
                 value.ok().and_then(|value| value.as_rational())
@@ -146,9 +148,7 @@ impl Trial<'_> {
         }
         let allows = |place: &Rational, conditions: &[&Expr]| {
             let reading = Rc::new(self.model(None, Some(place.clone()), breaks));
-            let integers = as_values(bound);
-            let names: Vec<(Symbol, Value)> =
-                reading.knots(&self.facts.knot_letters).into_iter().chain(integers).collect();
+            let names = names(&reading);
             conditions.iter().all(|condition| {
                 let held = evaluator::machine()
                     .with_locals(names.clone(), |machine| Ok(reading.holds_here(machine, condition)));
@@ -175,8 +175,8 @@ impl Trial<'_> {
             return None;
         }
         let knots = |end: &Expr| has_members(end, &self.facts.knot_letters);
-        let mut heard = self.context.intervals_beside(self.place).map(|(_, ends, _)| ends);
-        let mut heard = heard.by_ref().filter(|ends| ends.iter().all(|end| knots(end)));
+        let heard = self.context.intervals_beside(self.place).map(|(_, ends, _)| ends);
+        let mut heard = heard.filter(|ends| ends.iter().all(|end| knots(end)));
         let first = heard.next()?;
         heard.all(|other| other[0].same_as(first[0]) && other[1].same_as(first[1])).then_some(first)
     }

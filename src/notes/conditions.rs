@@ -1,8 +1,7 @@
 //! Conditions of formulas: which formulas are conditions, and which claims they belong to.
 
 use super::speech;
-use crate::formula::{BigOp, Expr, Kind, Link, Rel};
-use crate::judge::inequality::interval;
+use crate::formula::{BigOp, Expr, Kind, Link, Rel, interval};
 use crate::judge::names::{Head, bases, is_index_letter, is_range, walk};
 use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
 use crate::language::lexicon::roles::is_variable;

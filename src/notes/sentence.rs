@@ -5,6 +5,8 @@
 //! those after it when the sentence begins with a case, else to the claim before it. A case without a
 //! claim in its sentence says nothing that later claims need.
 
+use std::cell::LazyCell;
+
 use super::cases::{self, parity};
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
@@ -233,13 +235,15 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
     let several = members.count() > 1;
     let first = formulas.first().map(|&formula| words_of(formula).left).unwrap_or_default();
     let alone = first.trim().is_empty() || speech::goes_on_from_before(&first);
+    let claimed =
+        formulas.iter().zip(&roles).find(|(_, (role, _))| claims(*role)).map(|(formula, _)| *formula);
+    let concluded = LazyCell::new(|| {
+        formulas.iter().copied().find(|&formula| speech::concludes(&words_of(formula).left))
+    });
     for statement in statements.iter_mut() {
-        let before =
-            formulas.iter().zip(&roles).take_while(|(formula, _)| **formula < statement.place.formula);
-        let follows = before.into_iter().any(|(_, (role, _))| claims(*role));
-        let told = formulas.iter().take_while(|formula| **formula <= statement.place.formula);
-        let concluded = || told.into_iter().any(|&formula| speech::concludes(&words_of(formula).left));
-        statement.concludes = alone || follows || concluded();
+        let own = statement.place.formula;
+        statement.concludes =
+            alone || claimed.is_some_and(|first| first < own) || concluded.is_some_and(|first| first <= own);
         let (mut role, _) = role_of(statement);
         if let Said::Chain(chain) = &mut statement.said {
             chain.universal = quantified || role == Some(Role::Always);

@@ -8,18 +8,18 @@ use crate::language::lexicon::signs::{self, Shape, SignClaim};
 
 impl Session {
     /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
-    pub(super) fn certified(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
+    pub(super) fn certified(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        found: &SignClaim,
+    ) -> Result<Option<Expr>, Box<Failure>> {
         let text = file.slice(whole);
-        let Some(found) = signs::sign_claim(text) else { return Ok(None) };
         let word: String = text.trim_start().chars().take_while(|c| c.is_alphabetic()).collect();
         if found.asked && defines(&self.env, &word) {
             return Ok(None);
         }
-        let SignClaim { claim, shape, region, .. } = found;
-        // A strict inequality is a claim like others, see [`Session::run_strict`].
-        if shape.is_some_and(|shape| shape.strict) {
-            return Ok(None);
-        }
+        let SignClaim { claim, shape, region, .. } = *found;
         let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
         let read = |span: Span| {
             guarded(&self.limits, || read_in(&self.env, file, Some(span)))
@@ -50,27 +50,22 @@ impl Session {
 }
 
 impl Session {
-    /// Judges that a function is positive or negative on an interval, as the inequality that says it; `None` if the text is
-    /// no such claim.
+    /// Judges that a function is positive or negative on an interval, as the inequality that says it.
     pub(super) fn run_strict(
         &mut self,
         file: &SourceFile,
         whole: Span,
+        found: &SignClaim,
+        shape: Shape,
         equals: Equals,
-    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+    ) -> Result<Vec<Answer>, Box<Failure>> {
         let text = file.slice(whole);
-        let Some(SignClaim { claim, shape: Some(shape), region, .. }) = signs::sign_claim(text) else {
-            return Ok(None);
-        };
         let part = |(a, b): (usize, usize)| text.get(a..b).unwrap_or_default().trim();
-        if !shape.strict || shape.order > 0 {
-            return Ok(None);
-        }
         let sign = if shape.turned { '<' } else { '>' };
-        let place = region.map_or_else(String::new, |region| format!(" on {}", part(region)));
-        let file = SourceFile::new(file.name(), format!("{} {sign} 0{place}", part(claim)));
+        let place = found.region.map_or_else(String::new, |region| format!(" on {}", part(region)));
+        let file = SourceFile::new(file.name(), format!("{} {sign} 0{place}", part(found.claim)));
         let end = file.text().len();
-        self.run_part(&file, Some(Span::new(0, end)), equals).map(Some)
+        self.run_part(&file, Some(Span::new(0, end)), equals)
     }
 }
 

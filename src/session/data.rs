@@ -3,10 +3,11 @@
 
 use std::collections::BTreeMap;
 
+use super::given::{Given, in_order};
 use super::{Answer, Failure, Session, defines, read_as, spoken};
 use crate::formula::source::SourceFile;
 use crate::formula::{Expr, Kind, Link, Rel, call};
-use crate::judge::names::{Head, bases};
+use crate::judge::names::bases;
 use crate::language::eval::Equals;
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
@@ -241,30 +242,20 @@ impl Session {
         if data.before && !meant && !asked && matches!(statement.kind, Kind::Sequence(_)) {
             return Ok(None);
         }
-        let body = |one: &Expr| match &one.kind {
-            Kind::Chain(_, links) => bases(&links[0].expr),
-            _ => bases(one),
-        };
-        let used: Vec<String> = data.given.iter().flat_map(body).chain(bases(&data.question)).collect();
-        let own = |one: &Expr| match &one.kind {
-            Kind::Chain(left, _) => Head::of(left).map(|head| head.base),
-            _ => None,
-        };
-        let occurs = |one: &Expr| own(one).is_some_and(|name| used.contains(&name));
-        if !data.given.iter().all(occurs) {
+        let given: Vec<Given> =
+            data.given.drain(..).map(|statement| Given { file: file.clone(), statement }).collect();
+        let used: Vec<String> = given
+            .iter()
+            .filter_map(Given::definition)
+            .flat_map(|(_, body)| bases(body))
+            .chain(bases(&data.question))
+            .collect();
+        if !given.iter().all(|one| one.definition().is_some_and(|(name, _)| used.contains(&name))) {
             return Ok(None);
         }
         let mut there = self.clone();
-        let mut waiting = std::mem::take(&mut data.given);
-        // What a definition uses goes before it.
-        while !waiting.is_empty() {
-            let names: Vec<Option<String>> = waiting.iter().map(own).collect();
-            let ready = |one: &Expr| {
-                let (used, own) = (body(one), own(one));
-                names.iter().flatten().all(|name| Some(name) == own.as_ref() || !used.contains(name))
-            };
-            let next = waiting.iter().position(ready).unwrap_or(0);
-            there.evaluated(file, waiting.remove(next), Equals::DefinesUnbound, false)?;
+        for one in in_order(given) {
+            there.evaluated(file, one.statement, Equals::DefinesUnbound, false)?;
         }
         if data.before {
             self.env = there.env.clone();

@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, call, named, spread};
+use crate::formula::{Expr, Kind, Link, Rel, call, interval, named, spread};
 use crate::judge::asked;
-use crate::judge::inequality::{decided_in, interval, positive};
+use crate::judge::inequality::{decided_in, positive};
 use crate::judge::names::{Head, bases};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals};
@@ -26,14 +26,14 @@ use num_traits::Signed;
 
 /// A definition or a condition, where it stands.
 #[derive(Clone)]
-struct Given {
-    file: SourceFile,
-    statement: Expr,
+pub(super) struct Given {
+    pub(super) file: SourceFile,
+    pub(super) statement: Expr,
 }
 
 impl Given {
     /// The name that it defines, and its formula.
-    fn definition(&self) -> Option<(String, &Expr)> {
+    pub(super) fn definition(&self) -> Option<(String, &Expr)> {
         match &self.statement.kind {
             Kind::Chain(left, links) if links[0].rel == Rel::Define => {
                 Some((Head::of(left)?.base, &links[0].expr))
@@ -299,7 +299,7 @@ fn uses_all(formula: &Expr, given: &[Given]) -> Result<(), Diagnostic> {
 }
 
 /// What a definition uses goes before it: F(t) = t^2 + a and a = 1.
-fn in_order(mut given: Vec<Given>) -> Vec<Given> {
+pub(super) fn in_order(mut given: Vec<Given>) -> Vec<Given> {
     let mut ordered = Vec::new();
     while !given.is_empty() {
         let names: Vec<Option<String>> =

@@ -8,13 +8,12 @@
 use std::collections::BTreeSet;
 
 use super::Suspect;
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::compare;
 use crate::judge::context::{Body, Definition, Source, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
 use crate::judge::hypotheses::is_coefficient;
-use crate::judge::inequality::interval;
 use crate::judge::names::{Head, bases, contains, is_index_letter};
 use crate::judge::object::Sort;
 use crate::judge::refute::calls;

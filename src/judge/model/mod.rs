@@ -28,11 +28,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::context::{Context, Definition};
-use super::inequality::interval;
 use super::names::{Head, symbol_of};
 use super::roots;
 use super::statement::Place;
-use crate::formula::{BinomialStyle, Expr, Kind, Rel};
+use crate::formula::{BinomialStyle, Expr, Kind, Rel, interval};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Machine, Reading};
 use crate::language::lexicon::{letters, roles};

@@ -5,8 +5,7 @@
 
 use super::calls::unclear;
 use super::{Bound, Evaluated, Model};
-use crate::formula::{Expr, Kind, Rel};
-use crate::judge::inequality::interval;
+use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::names::{Head, bases};
 use crate::judge::object::Object;
 use crate::judge::values;

@@ -28,7 +28,6 @@ use self::letters::{Profile, Said, ways};
 use super::check::Checker;
 use super::context::{Body, Context, Mark};
 use super::finding::{Finding, Verdict};
-use super::inequality::interval;
 use super::model::Choices;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::repair;
@@ -37,7 +36,7 @@ use super::topic::{Topic, Topics};
 use super::trial::{Setting, Trial};
 use super::unfold;
 use crate::budget;
-use crate::formula::{Accent, Expr, Kind, Rel};
+use crate::formula::{Accent, Expr, Kind, Rel, interval};
 use crate::language::write;
 
 /// So often what members of families are is put for them.

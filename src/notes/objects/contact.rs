@@ -3,8 +3,7 @@
 //! **Definition.** Two functions agree to some *orders* at a place: the derivatives of these orders have the same value
 //! there. *Certain* orders are those that a sentence says for sure, *possible* ones all that it may say.
 
-use crate::formula::{Expr, Kind, Rel};
-use crate::judge::inequality::interval;
+use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::statement::Contact;
 use crate::language::lexicon::roles::is_variable;
 use crate::notes::sentence::Piece;

@@ -3,8 +3,7 @@
 use super::super::speech::Word;
 use super::Reader;
 use super::tokens::Token;
-use crate::formula::{Expr, Kind, Rel};
-use crate::judge::inequality::interval;
+use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::names::Head;
 
 impl Reader<'_> {

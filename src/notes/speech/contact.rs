@@ -1,5 +1,8 @@
 //! Words that say how functions agree: "share their value at 1", "stimmen bis zur zweiten Ableitung überein".
 
+use std::sync::LazyLock;
+
+use super::starts::Starts;
 use super::{Word, is_letter, plain, word};
 use crate::formula::source::Pieces;
 
@@ -388,8 +391,13 @@ fn longest(text: &str) -> Option<(usize, Agreement)> {
             false => Some(stem.len()),
         }
     };
-    let all = WORDS.iter().flat_map(|(cue, words)| words.iter().map(move |word| (*cue, word)));
-    all.filter_map(|(cue, word)| Some((fits(word)?, cue))).max_by_key(|(length, _)| *length)
+    static ALL: LazyLock<Starts<(Agreement, &str)>> = LazyLock::new(|| {
+        let of = |(cue, words): &'static (Agreement, &[&str])| {
+            words.iter().map(move |word| (*word, (*cue, *word)))
+        };
+        Starts::of(WORDS.iter().flat_map(of))
+    });
+    ALL.at(text).iter().filter_map(|(cue, word)| Some((fits(word)?, *cue))).max_by_key(|(length, _)| *length)
 }
 
 /// Whether words draw a conclusion: "and so".

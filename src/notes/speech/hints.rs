@@ -1,5 +1,8 @@
 //! Words beside nouns that say which points of which part of a curve are meant.
 
+use std::sync::LazyLock;
+
+use super::starts::Starts;
 use crate::formula::source::Pieces;
 
 /// What a word says of the curve or of the points that are spoken of.
@@ -330,8 +333,11 @@ const CLOSE: &[(&str, Hint)] = &[
 
 /// The longest hint at the start of a text in small letters, with its length in bytes; words may go on in any way.
 pub fn hint(text: &str) -> Option<(usize, Hint)> {
-    let longest = |list: &[(&str, Hint)]| {
-        let found = list.iter().filter(|(phrase, _)| text.starts_with(phrase));
+    static TABLES: LazyLock<[Starts<&(&str, Hint)>; 2]> =
+        LazyLock::new(|| [CLOSE, SPACED].map(|list| Starts::of(list.iter().map(|entry| (entry.0, entry)))));
+    let [close, spaced] = &*TABLES;
+    let longest = |list: &Starts<&(&str, Hint)>| {
+        let found = list.at(text).iter().filter(|(phrase, _)| text.starts_with(phrase));
         found.max_by_key(|(phrase, _)| phrase.len()).map(|(phrase, hint)| (phrase.len(), *hint))
     };
     let rest = |length: usize| {
@@ -341,5 +347,5 @@ pub fn hint(text: &str) -> Option<(usize, Hint)> {
         }
         length + after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len())
     };
-    longest(CLOSE).or_else(|| longest(SPACED).map(|(length, hint)| (rest(length), hint)))
+    longest(close).or_else(|| longest(spaced).map(|(length, hint)| (rest(length), hint)))
 }

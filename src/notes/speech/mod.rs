@@ -11,6 +11,7 @@ mod english;
 mod french;
 mod german;
 mod hints;
+mod starts;
 #[cfg(test)]
 mod tests;
 
@@ -19,6 +20,9 @@ pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 
 use std::borrow::Cow;
+use std::sync::LazyLock;
+
+use self::starts::{Starts, without_accent};
 
 use self::blocks::Recalls;
 use crate::formula::source::Pieces;
@@ -280,13 +284,15 @@ fn normal(words: &str) -> String {
 
 /// The longest phrase at the start of a text in small letters, with its length in bytes.
 pub fn word(text: &str) -> Option<(usize, &'static Word)> {
+    static ALL: LazyLock<Starts<(&Language, &str, &Word)>> = LazyLock::new(|| {
+        let of = |language: &'static Language| language.words.iter().map(move |entry| (language, entry));
+        Starts::of(LANGUAGES.iter().flat_map(of).map(|(own, (phrase, word))| (*phrase, (own, *phrase, word))))
+    });
     let mut best: Option<(usize, &'static Word)> = None;
-    for language in LANGUAGES {
-        for (phrase, word) in language.words {
-            let longer = |length: &usize| best.is_none_or(|(most, _)| *length > most);
-            if let Some(length) = written(text, phrase, word, language).filter(longer) {
-                best = Some((length, word));
-            }
+    for (language, phrase, word) in ALL.at(text) {
+        let longer = |length: &usize| best.is_none_or(|(most, _)| *length > most);
+        if let Some(length) = written(text, phrase, word, language).filter(longer) {
+            best = Some((length, word));
         }
     }
     best
@@ -298,17 +304,12 @@ fn written(text: &str, phrase: &str, word: &Word, language: &Language) -> Option
     if !language.spaced {
         return text.starts_with(phrase).then_some(phrase.len());
     }
-    let plain = |c: char| match c {
-        'é' | 'è' | 'ê' => 'e',
-        'á' | 'à' => 'a',
-        c => c,
-    };
     let joint = |c: char| matches!(c, '-' | ' ');
     let mut rest = text;
     let mut letters = phrase.chars().peekable();
     while let Some(letter) = letters.peek() {
         match rest.chars().next() {
-            Some(c) if plain(c) == plain(*letter) || joint(c) && joint(*letter) => {
+            Some(c) if without_accent(c) == without_accent(*letter) || joint(c) && joint(*letter) => {
                 rest = rest.piece(c.len_utf8()..);
                 letters.next();
             }

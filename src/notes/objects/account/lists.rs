@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::read::closed;
-use super::signs::Sign;
+use super::signs::{Sign, sentence_end, sentence_start};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::Sort;
@@ -37,23 +37,13 @@ pub(super) struct List {
     pub to: usize,
     /// Whether only equations give its members.
     equations: bool,
-    /// Whether each member has a letter of its own.
-    single: bool,
 }
 
 impl List {
     /// All points of a letter of which the page lists none.
     pub fn unlisted(letter: &str) -> List {
         let items = vec![member(letter, Expr::name("i"))];
-        List {
-            letter: Some(letter.to_owned()),
-            items,
-            role: Role::Points,
-            at: 0,
-            to: 0,
-            equations: false,
-            single: false,
-        }
+        List { letter: Some(letter.to_owned()), items, role: Role::Points, at: 0, to: 0, equations: false }
     }
 
     /// The degree of a polynomial with these control points, if the list tells it.
@@ -167,7 +157,6 @@ pub(super) fn lists(all: &[Sign], page: &Page) -> Vec<List> {
                     at,
                     to: at + 1,
                     equations: equation,
-                    single: false,
                 }),
             }
             open = true;
@@ -190,8 +179,6 @@ pub(super) fn lists(all: &[Sign], page: &Page) -> Vec<List> {
         let after = ends.get(number + 1).map_or(all.len(), |next| next.0);
         list.role = role(all, list, before, after);
     }
-    // F and G are no points.
-    found.retain(|list| !list.single || list.role == Role::Points && list.items.len() > 2);
     values_at_nodes(all, found)
 }
 
@@ -203,9 +190,7 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
         Sign::Nodes => Some(Role::Nodes),
         _ => None,
     };
-    let start = all[..list.at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1);
-    let end =
-        all[list.to..].iter().position(|sign| *sign == Sign::End).map_or(all.len(), |end| list.to + end);
+    let (start, end) = (sentence_start(all, list.at), sentence_end(all, list.to));
     let found = |signs: &mut dyn Iterator<Item = &Sign>| {
         let mut distance = 0;
         for sign in signs {
@@ -265,10 +250,8 @@ fn role(all: &[Sign], list: &List, before: usize, after: usize) -> Role {
 
 /// "Through y_0, y_1, y_2 at 0, 1/2, 1": the second list has the nodes of the first.
 fn values_at_nodes(all: &[Sign], mut found: Vec<List>) -> Vec<List> {
-    let through = |list: &List| {
-        let start = all[..list.at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1);
-        all[start..list.at].contains(&Sign::Hint(Hint::Through))
-    };
+    let through =
+        |list: &List| all[sentence_start(all, list.at)..list.at].contains(&Sign::Hint(Hint::Through));
     for at in 1..found.len() {
         let (values, nodes) = (&found[at - 1], &found[at]);
         let between = all.get(values.to..nodes.at).unwrap_or_default();

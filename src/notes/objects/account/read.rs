@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::lists::{self, List, Role, lists};
-use super::signs::Sign;
+use super::signs::{Sign, sentence_end, sentence_start};
 use super::{Account, Page, Points, formulas};
-use crate::formula::{Accent, Expr, Kind, Rel, Sign as Plus, Term};
-use crate::judge::inequality::interval;
+use crate::formula::{Accent, Expr, Kind, Rel, Sign as Plus, Term, interval};
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::{Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
@@ -355,16 +354,9 @@ impl Told<'_> {
         let intervals = self.intervals();
         let unit = (Expr::int(0), Expr::int(1));
         let again = |list: &List| {
-            let from =
-                self.all[..list.at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1);
-            let from = self.all[..from.saturating_sub(1)]
-                .iter()
-                .rposition(|sign| *sign == Sign::End)
-                .map_or(0, |end| end + 1);
-            let to = self.all[list.at..]
-                .iter()
-                .position(|sign| *sign == Sign::End)
-                .map_or(self.all.len(), |end| list.at + end);
+            // Its sentence and the one before
+            let from = sentence_start(self.all, sentence_start(self.all, list.at).saturating_sub(1));
+            let to = sentence_end(self.all, list.at);
             self.all[from..to].iter().any(|sign| {
                 matches!(
                     sign,

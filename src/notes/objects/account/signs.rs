@@ -42,6 +42,16 @@ pub(super) enum Sign {
     End,
 }
 
+/// Where the sentence begins in which a sign stands.
+pub(super) fn sentence_start(all: &[Sign], at: usize) -> usize {
+    all[..at].iter().rposition(|sign| *sign == Sign::End).map_or(0, |end| end + 1)
+}
+
+/// Where it ends.
+pub(super) fn sentence_end(all: &[Sign], at: usize) -> usize {
+    all[at..].iter().position(|sign| *sign == Sign::End).map_or(all.len(), |end| at + end)
+}
+
 /// The signs of a sentence.
 pub(super) fn signs(sentence: &[Piece], found: &mut Vec<Sign>) {
     for piece in sentence {
