@@ -130,6 +130,29 @@ impl Context {
         begins.or_else(counted).or_else(said)
     }
 
+    /// The same of the letter of a size of which words say that it is a degree, "of degree p", "of degree k - 1".
+    pub fn spline_has_this_degree(&self, size: &Expr, place: &Place) -> Option<bool> {
+        let Some(letter) = bases(size).into_iter().next() else { return self.spline_has_degree(place) };
+        let own = Expr::name(&letter);
+        let (mut told, mut less) = (None, None);
+        for size in self.sizes_of(&letter).filter(|told| place.in_reach(&told.place, false)) {
+            let Some(said) = &size.object.degree else { continue };
+            let said = match &said.kind {
+                Kind::Chain(left, _) => left,
+                _ => said,
+            };
+            let degree = size.object.sort == Sort::Degree;
+            let by = if degree { -1 } else { 1 };
+            // "Of degree p - 1" beside "of degree p": p is the degree.
+            if said.same_as(&own) {
+                told = told.or(Some(degree));
+            } else if said.same_as(&own.clone().plus(by)) {
+                less = less.or(Some(!degree));
+            }
+        }
+        told.or(less).or_else(|| self.spline_has_degree(place))
+    }
+
     /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1), perhaps by a name
     /// for it, or the knots of its latest spline.
     fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {

@@ -144,7 +144,7 @@ impl Model {
         meaning: &str,
         expr: &Expr,
     ) -> Evaluated {
-        let said = self.context.spline_has_degree(&self.place);
+        let said = self.context.spline_has_this_degree(k, &self.place);
         if said.is_none() {
             self.ambiguous(Ambiguity::Spline);
         }
