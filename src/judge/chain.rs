@@ -112,6 +112,9 @@ impl Checker {
             }
             return findings;
         }
+        if let Some(found) = self.in_case_of_value(chain, statement) {
+            return found;
+        }
         if self.gives_values(chain, statement) {
             findings[0].verdict = Verdict::Definition;
             findings[0].reason = Some("says what these names are".to_owned());
@@ -287,6 +290,28 @@ impl Checker {
             findings[0].reason = Some("shows the value of a query".to_owned());
         }
         findings
+    }
+
+    /// "For X = (2, 1) it is X = A/4 + …": the case says what X is.
+    fn in_case_of_value(&mut self, chain: &Chain, statement: &Statement) -> Option<Vec<Finding>> {
+        let left = &chain.sides[0].expr;
+        let head = Head::of(left).filter(|head| head.arguments.is_none() && !is_variable(&head.base))?;
+        let value = |case: &Expr| match &case.kind {
+            Kind::Chain(name, links) if name.same_as(left) => match links.as_slice() {
+                [link] if link.rel == Rel::Eq && bases(&link.expr).is_empty() => Some(link.expr.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        let at = chain.conditions.iter().position(|case| value(case).is_some())?;
+        let mut rest = chain.clone();
+        let value = value(&rest.conditions.remove(at))?;
+        let mark = self.context.mark();
+        let span = left.span;
+        self.define(head, Body::Formula(value), &[], &statement.place, span);
+        let found = self.chain(&rest, statement);
+        Rc::make_mut(&mut self.context).forget(mark);
+        Some(found)
     }
 
     /// Puts the verdict on a relation to the others of its chain; `wrong` is what it is if others confirm its names.
@@ -536,7 +561,9 @@ impl Checker {
 /// Whether a call on the left of an equation is one at variables: S(x) = … is, S(a) = y_0 is a value of S, and
 /// g(a) = a says that a is a fixed point of g.
 fn names_its_variables(head: &Head, body: &Expr) -> bool {
-    let inside = bases(body);
+    // H(a) = y_a says a value of H: a is a label there.
+    let labelled = matches!(body.kind, Kind::Subscript(..));
+    let inside = if labelled { Default::default() } else { bases(body) };
     let arguments = head.flat();
     let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
         return true;

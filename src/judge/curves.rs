@@ -160,10 +160,11 @@ impl Checker {
             else {
                 return None;
             };
-            let plain = head.lower.is_empty() && head.upper.is_empty() && head.base != new.letter;
+            let labelled = head.lower.iter().all(|label| label.as_int().is_some());
+            let plain = labelled && head.upper.is_empty() && head.base != new.letter;
             let here = place.knows(&definition.place, definition.assumed);
             (plain && here && (shares(body) || named(definition) || polarised))
-                .then(|| (Expr::name(&head.base), body, variable.clone()))
+                .then(|| (function(head), body, variable.clone()))
         });
         let heard = self.heard(place).filter_map(|expr| {
             let variables: Vec<String> = bases(expr).into_iter().filter(|name| is_variable(name)).collect();
@@ -238,11 +239,20 @@ impl Checker {
             Value::Scalar(formula) => Some(i64::from(formula.as_polynomial()?.degree_in(&symbol))),
             _ => None,
         };
-        let degree = match evaluate_reading(body, Rc::new(model), own).ok()? {
-            Value::List(items) => items.iter().filter_map(degree).max(),
-            value => degree(&value),
+        let value = evaluate_reading(body, Rc::new(model), own).ok()?;
+        let degree = match value.clone().coordinates() {
+            Some(items) => items.iter().filter_map(degree).max(),
+            None => degree(&value),
         };
         degree.filter(|degree| *degree > 0).map(Expr::int)
+    }
+}
+
+/// A function by its head, without its arguments: T_3.
+fn function(head: &Head) -> Expr {
+    match head.lower.as_slice() {
+        [] => Expr::name(&head.base),
+        lower => Kind::Subscript(Box::new(Expr::name(&head.base)), lower.to_vec()).into(),
     }
 }
 

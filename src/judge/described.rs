@@ -133,6 +133,17 @@ impl New {
                     _ => None,
                 },
             }),
+            // t_3(x, y, z), the polar form of T_3(x)
+            ([label], Kind::Apply(callee, groups)) if groups.len() == 1 && label.as_int().is_some() => {
+                Some(New {
+                    letter: head.base,
+                    names: vec![callee.as_ref().clone()],
+                    side: left.clone(),
+                    points: None,
+                    arguments,
+                    point: None,
+                })
+            }
             // q = (1, 5/2, 5/2, 1)
             ([], _) if head.arguments.is_none() => {
                 let names: Vec<Expr> = (0..points?).map(|i| member(POINTS, i)).collect();
