@@ -437,6 +437,18 @@ impl Context {
         head
     }
 
+    /// The variables of the function of which x_u, x_{uv} is a partial derivative: u is one of several of them.
+    pub fn variables_of_partial(&self, head: &Head, place: &Place) -> Option<Vec<String>> {
+        let [index] = head.lower.as_slice() else { return None };
+        let letters = super::names::bases(index);
+        self.visible(&head.base, place).find_map(|(_, definition, near)| {
+            let flat = definition.head.flat();
+            let own: Vec<String> = flat.iter().filter_map(|e| Head::of(e)).map(|h| h.base).collect();
+            let partial = !letters.is_empty() && letters.iter().all(|letter| own.contains(letter));
+            (near && definition.head.lower.is_empty() && own.len() > 1 && partial).then_some(own)
+        })
+    }
+
     /// Adds a definition.
     pub fn define(&mut self, mut definition: Definition) {
         self.seen.take();

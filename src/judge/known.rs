@@ -255,22 +255,8 @@ impl Checker {
                 return true;
             }
         }
-        if head.upper.is_empty()
-            && let [index] = head.lower.as_slice()
-            && head.arguments.is_some()
-        {
-            let letters = bases(index);
-            let partial = !letters.is_empty()
-                && self.context.visible(&head.base, place).any(|(_, d, near)| {
-                    let own: Vec<String> =
-                        d.head.flat().iter().filter_map(|e| Head::of(e)).map(|h| h.base).collect();
-                    near && d.head.lower.is_empty()
-                        && own.len() > 1
-                        && letters.iter().all(|l| own.contains(l))
-                });
-            if partial {
-                return true;
-            }
+        if head.upper.is_empty() && self.context.variables_of_partial(head, place).is_some() {
+            return true;
         }
         if !plain {
             return false;
@@ -348,6 +334,15 @@ impl Checker {
             .iter()
             .flatten()
             .all(|argument| matches!(&argument.kind, Kind::Name(name) if is_variable(name)));
+        // F'(s) = G'(s) says that two functions agree.
+        let class = |head: &Head| self.context.object_of_a_class(&head.base, place).is_some();
+        if let Kind::Apply(other, _) = &chain.sides[1].expr.kind
+            && let Kind::Prime(other, _) = &other.kind
+            && class(&head)
+            && Head::of(other).is_some_and(|other| class(&other))
+        {
+            return None;
+        }
         let right = bases(&chain.sides[1].expr);
         // s = Σ c_i N_{i,p} is a function, too.
         let of_functions = |d: &Definition| match &d.body {

@@ -74,6 +74,8 @@ pub enum Topic {
     Symmetric,
     /// Schemes that refine polygons.
     Scheme,
+    /// Bilinear patches.
+    Bilinear,
 }
 
 /// The topics by the words of the table of theorems.

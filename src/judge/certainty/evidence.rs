@@ -44,10 +44,22 @@ impl Suspect<'_> {
             (Evidence::Value, self.is_value()),
             (Evidence::Expansion, self.is_expansion()),
             (Evidence::Terms, self.agrees_in_part()),
+            (Evidence::Names, self.is_of_a_described_point()),
         ];
         let data = self.are_data();
         let counts = |evidence: &Evidence| !data || *evidence == Evidence::ForAll;
         shown.into_iter().filter(|(e, holds)| *holds && counts(e)).map(|(evidence, _)| evidence).collect()
+    }
+
+    /// Whether it gives another point than the one that words describe, made of the same control points.
+    fn is_of_a_described_point(&self) -> bool {
+        let [left, _] = self.sides();
+        let told = Head::of(left).and_then(|head| {
+            let told = self.checker.context.object(&head, &self.statement.place)?;
+            Some(told.object.sort == Sort::Symbols && !told.object.values.is_empty())
+        });
+        let (left, right) = (compare::symbols(&self.failure.left), compare::symbols(&self.failure.right));
+        told == Some(true) && left.len() > 1 && left == right
     }
 
     /// Whether one side is a value of a polynomial that may be any, and the other one a number: f(1, 1) = 5 says something

@@ -351,6 +351,18 @@ impl Model {
         Some(each(value, &|formula| formula.substitute(&put).map_err(|_| division_by_zero())))
     }
 
+    /// x_u, a partial derivative of a function of u and v, without its arguments.
+    pub(super) fn partial_derivative(
+        &self,
+        machine: &mut Machine,
+        head: &Head,
+        expr: &Expr,
+    ) -> Option<Evaluated> {
+        let arguments = self.context.variables_of_partial(head, &self.place)?;
+        let values = vec![arguments.iter().map(|name| Value::symbol(Symbol::new(name))).collect()];
+        self.varied(machine, head, &values, expr)
+    }
+
     /// Calls whose indices say what to do with the function: F^{(q)}, f^{(+1)}, f^r, x_u.
     fn varied(
         &self,

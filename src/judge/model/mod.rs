@@ -422,6 +422,9 @@ impl Model {
         if let Some(result) = self.without_arguments(machine, &head, expr) {
             return Some(result);
         }
+        if let Some(result) = self.partial_derivative(machine, &head, expr) {
+            return Some(result);
+        }
         let word = head.base.rsplit(' ').next().unwrap_or(&head.base);
         let greek = letters::sign(word).is_some();
         if word.chars().count() > 1 && !greek {

@@ -10,8 +10,10 @@ mod attributes;
 mod contact;
 mod coreference;
 mod facts;
+mod patches;
 mod phrase;
 mod pieces;
+mod quantities;
 mod subject;
 mod tables;
 #[cfg(test)]
@@ -77,7 +79,10 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     for sentence in sentences {
         told_before(sentence, statements, &mut found);
     }
-    account::tell(sentences, &account::Page { formulas: &formulas, places: &places }, &mut found);
+    let page = account::Page { formulas: &formulas, places: &places };
+    account::tell(sentences, &page, &mut found);
+    patches::tell(sentences, &page, &mut found);
+    quantities::tell(sentences, &page, &mut found);
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
         object.sort = Sort::Other("rational".into());

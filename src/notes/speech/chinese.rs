@@ -455,6 +455,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("线性精度", Topic::Greville),
     ("平均", Topic::Greville),
     ("三角", Topic::Triangle),
+    ("双线性", Topic::Bilinear),
     ("重心坐标", Topic::Triangle),
     ("张量", Topic::Tensor),
     ("曲面", Topic::Tensor),

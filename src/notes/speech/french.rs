@@ -539,6 +539,7 @@ pub(super) const TOPICS: &[(&str, Topic)] = &[
     ("précision linéaire", Topic::Greville),
     ("moyennes", Topic::Greville),
     ("triang", Topic::Triangle),
+    ("bilinéaire", Topic::Bilinear),
     ("barycentri", Topic::Triangle),
     ("tenseur", Topic::Tensor),
     ("tensoriel", Topic::Tensor),

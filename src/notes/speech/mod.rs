@@ -11,6 +11,7 @@ mod english;
 mod french;
 mod german;
 mod hints;
+mod quantities;
 mod starts;
 #[cfg(test)]
 mod tests;
@@ -18,6 +19,7 @@ mod tests;
 pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
+pub use quantities::{speaks_of_a_point, speaks_of_the_centroid};
 
 use std::borrow::Cow;
 use std::sync::LazyLock;

@@ -35,7 +35,7 @@ pub(super) struct Page<'a> {
 }
 
 impl Page<'_> {
-    fn said(&self, number: usize) -> &[Expr] {
+    pub(super) fn said(&self, number: usize) -> &[Expr] {
         self.formulas.get(&number).map_or(&[], Vec::as_slice)
     }
 }

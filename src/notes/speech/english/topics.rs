@@ -167,6 +167,7 @@ pub const TOPICS: &[(&str, Topic)] = &[
     ("tensor", Topic::Tensor),
     ("surface", Topic::Tensor),
     ("patch", Topic::Tensor),
+    ("bilinear", Topic::Bilinear),
     ("standard form", Topic::StandardForm),
     ("normal form", Topic::StandardForm),
     ("reparam", Topic::StandardForm),

@@ -1,0 +1,176 @@
+//! A point that a paragraph describes before its formula: "the point S with u = v = w = 1/3", "its point s at t = 1/2".
+//!
+//! **Rule.** A letter that nothing else says is the value of the one curve or patch whose control points its section
+//! gives, at the one parameter that the section gives, if its words speak of a point of it and of nothing that is made
+//! of it: a derivative, a part, other control points.
+
+use std::collections::BTreeMap;
+
+use super::account::Page;
+use super::contact::numbers;
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::names::{bases, integer_names};
+use crate::judge::object::{Object, Sort};
+use crate::judge::topic::{Topic, Topics};
+use crate::language::lexicon::roles::is_variable;
+use crate::notes::sentence::Piece;
+use crate::notes::speech;
+
+/// What a section says that may describe a point.
+#[derive(Default)]
+struct Section<'a> {
+    topics: Topics,
+    numbers: Vec<usize>,
+    sentences: Vec<&'a [Piece]>,
+    point: bool,
+    centroid: bool,
+}
+
+/// Says of such letters which value they are.
+///
+/// Cost: linear in the words and formulas.
+pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
+    let mut sections: BTreeMap<&[u32], Section> = BTreeMap::new();
+    for sentence in sentences {
+        let own = numbers(sentence);
+        let Some(place) = own.first().and_then(|number| page.places.get(number)) else { continue };
+        let section = sections.entry(&place.scope).or_default();
+        section.numbers.extend(own);
+        section.sentences.push(sentence);
+        for piece in sentence {
+            if let Piece::Words(words) = piece {
+                speech::topics(words, &mut section.topics);
+                section.point |= speech::speaks_of_a_point(words);
+                section.centroid |= speech::speaks_of_the_centroid(words);
+            }
+        }
+    }
+    for section in sections.into_values() {
+        let others = [
+            Topic::Derivative,
+            Topic::Curvature,
+            Topic::Integral,
+            Topic::Subdivision,
+            Topic::Half,
+            Topic::Elevation,
+            Topic::Insertion,
+            Topic::Join,
+            Topic::PolarForm,
+            Topic::Modular,
+            Topic::Tensor,
+        ];
+        let patch = section.topics.has(Topic::Triangle);
+        // "The centroid of the triangle", "a triangular patch"
+        let other = |topic: &Topic| {
+            section.topics.has(*topic)
+                && !(patch && (*topic == Topic::Tensor || *topic == Topic::Integral && section.centroid))
+        };
+        if !section.point || others.iter().any(other) {
+            continue;
+        }
+        let Some((number, name)) = section.described(page) else { continue };
+        let Some(value) = section.value(page, found, number) else { continue };
+        let own = Object { names: vec![name], values: vec![value], ..Object::new(Sort::Symbols) };
+        found.entry(number).or_default().push(own);
+    }
+}
+
+impl Section<'_> {
+    /// The only new letter for which an equation is given, and the number of its formula.
+    fn described(&self, page: &Page) -> Option<(usize, Expr)> {
+        let mut found: Option<(usize, Expr)> = None;
+        for number in &self.numbers {
+            for said in page.said(*number) {
+                let Kind::Chain(left, links) = &said.kind else { continue };
+                // t = 1/2, u = v = w = 1/3
+                if links[0].rel != Rel::Eq || links.iter().any(|link| bases(&link.expr).is_empty()) {
+                    continue;
+                }
+                let letter = match &left.kind {
+                    Kind::Accent(_, inner) => inner.as_ref(),
+                    _ => left.as_ref(),
+                };
+                let Kind::Name(name) = &letter.kind else { continue };
+                let index =
+                    |number: &usize| page.said(*number).iter().any(|said| integer_names(said).contains(name));
+                if found.is_some() || self.numbers.iter().any(index) {
+                    return None;
+                }
+                found = Some((*number, left.as_ref().clone()));
+            }
+        }
+        let (number, name) = found?;
+        // Its own value, or one of its control points, says more.
+        let used = self.numbers.iter().flat_map(|own| page.said(*own)).any(|said| {
+            let inside = |part: &Expr| match &part.kind {
+                Kind::Apply(inner, groups) => {
+                    inner.same_as(&name) || groups.iter().flatten().any(|argument| argument.same_as(&name))
+                }
+                Kind::Subscript(inner, _) | Kind::Pow(inner, _) => inner.same_as(&name),
+                Kind::Chain(left, _) => {
+                    left.items().is_some_and(|items| items.iter().any(|item| item.same_as(&name)))
+                }
+                _ => false,
+            };
+            said.has(&inside)
+        });
+        (!used).then_some((number, name))
+    }
+
+    /// The value of the only curve or patch at the only parameter.
+    fn value(&self, page: &Page, found: &BTreeMap<usize, Vec<Object>>, claim: usize) -> Option<Expr> {
+        let here = found.iter().filter(|(number, _)| self.numbers.contains(number)).flat_map(|(_, all)| all);
+        let curve = |object: &&Object| {
+            object.sort == Sort::BezierCurve && !object.points.is_empty() && object.interval.is_none()
+                || object.sort == Sort::Function && !object.values.is_empty()
+        };
+        let mut curves = here.filter(curve);
+        let owner = curves.next().filter(|_| curves.next().is_none())?;
+        let name = owner.names.first()?;
+        let given =
+            || self.numbers.iter().filter(|number| **number != claim).flat_map(|number| page.said(*number));
+        let Kind::Apply(patch, _) = &name.kind else {
+            let mut places: Vec<Expr> = Vec::new();
+            for said in given() {
+                let place = match &said.kind {
+                    Kind::Chain(left, links) => match (&left.kind, links.as_slice()) {
+                        (Kind::Name(name), [link]) if link.rel == Rel::Eq && is_variable(name) => &link.expr,
+                        _ => continue,
+                    },
+                    Kind::Div(..) => said,
+                    _ => continue,
+                };
+                if bases(place).is_empty() && !places.iter().any(|known| known.same_as(place)) {
+                    places.push(place.clone());
+                }
+            }
+            let [place] = <[Expr; 1]>::try_from(places).ok()?;
+            return Some(Expr::apply(name.clone(), vec![place]));
+        };
+        let mut arguments: Vec<Expr> = Vec::new();
+        for said in given() {
+            match &said.kind {
+                // u = v = w = 1/3; λ = 1/2, μ = ν = 1/4
+                Kind::Chain(left, links) if links.iter().all(|link| link.rel == Rel::Eq) => {
+                    let last = &links.last()?.expr;
+                    let names = std::iter::once(left.as_ref())
+                        .chain(links.iter().rev().skip(1).map(|link| &link.expr));
+                    let names: Vec<&Expr> = names.collect();
+                    let plain = names.iter().all(|name| matches!(name.kind, Kind::Name(_)));
+                    if plain && bases(last).is_empty() && last.items().is_none() {
+                        arguments.extend(names.iter().map(|_| last.clone()));
+                    }
+                }
+                _ if said.items().is_some_and(|items| items.len() == 3) && bases(said).is_empty() => {
+                    arguments.extend(said.items()?.iter().cloned());
+                }
+                _ => {}
+            }
+        }
+        let third = || Expr::number(&crate::math::number::rational(1, 3));
+        if arguments.is_empty() && self.centroid {
+            arguments = vec![third(); 3];
+        }
+        (arguments.len() == 3).then(|| Expr::apply(patch.as_ref().clone(), arguments))
+    }
+}
