@@ -397,6 +397,14 @@ impl Checker {
                     self.settle(tally, chain, at, *finding, Some(wrong), findings);
                 }
                 Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
+                // d_j^p = s(u), where the page says what all d_i^r are, speaks of some of them.
+                Judged::Redefinition(_)
+                    if head
+                        .is_some_and(|head| self.is_of_some_members(head, &chain.sides[1].expr, place)) =>
+                {
+                    let base = head.map(|head| head.base.as_str()).unwrap_or_default();
+                    findings[at].reason = Some(format!("a condition on {base}"));
+                }
                 Judged::Redefinition(warning) => {
                     if let Some(head) = head {
                         if refute::is_standard(Some(head)) && warning.is_some() {

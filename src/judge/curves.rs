@@ -168,7 +168,9 @@ impl Checker {
         });
         let heard = self.heard(place).filter_map(|expr| {
             let variables: Vec<String> = bases(expr).into_iter().filter(|name| is_variable(name)).collect();
-            let sum = matches!(expr.kind, Kind::Add(_) | Kind::Big { .. });
+            // "The polar form of (t - a)(t - b)"
+            let product = polarised && matches!(expr.kind, Kind::Mul(_));
+            let sum = matches!(expr.kind, Kind::Add(_) | Kind::Big { .. }) || product;
             match <[String; 1]>::try_from(variables) {
                 Ok([variable]) if sum && shares(expr) => Some((expr.clone(), expr, variable)),
                 _ => None,

@@ -61,7 +61,9 @@ impl Checker {
         let head = Head::of(left).filter(|head| head.arguments.is_none())?;
         let [index] = head.lower.as_slice() else { return None };
         let i = index.as_int()?;
-        let spline = self.spline_of(place, &head.base)?;
+        let told = self.spline_of(place, &head.base);
+        let whole = told.is_some();
+        let spline = told.or_else(|| self.spline_in_parts(statement, &head.base))?;
         // The new knot \bar u = 7/2, or a number in passing.
         let named = self.context.definitions.iter().rev().find_map(|definition| match &definition.body {
             Body::Formula(body) if place.knows(&definition.place, definition.assumed) => {
@@ -72,7 +74,19 @@ impl Checker {
             _ => None,
         });
         let number = |x: &Expr| x.as_number().cloned().or_else(|| fraction(x));
-        let x = named.as_ref().and_then(number).or_else(|| number(&self.parameter_heard(place)?))?;
+        // Numbers of the paragraph that are no knots
+        let new = || {
+            let is_new = |x: &Rational| {
+                let inside =
+                    spline.knots.values().any(|knot| knot < x) && spline.knots.values().any(|knot| knot > x);
+                inside && !spline.knots.values().any(|knot| knot == x)
+            };
+            let mut all: Vec<Rational> = self.heard(place).filter_map(number).filter(is_new).collect();
+            all.dedup();
+            <[Rational; 1]>::try_from(all).ok().map(|[x]| x)
+        };
+        let x = named.as_ref().and_then(number);
+        let x = if whole { x.or_else(|| number(&self.parameter_heard(place)?)) } else { x.or_else(new) }?;
         let (from, to) = (spline.knots.get(&i)?, spline.knots.get(&(i + spline.degree))?);
         let ratio = match from < to {
             true => (&x - from) / (to - from),
@@ -150,6 +164,25 @@ impl Checker {
             (points != new && !knots.is_empty()).then_some(Spline { degree, points, knots })
         };
         curves.filter_map(|told| of(&told.object)).next()
+    }
+
+    /// A spline of which the section says degree, knots and control points one by one, as many as fit together.
+    fn spline_in_parts(&self, statement: &Statement, new: &str) -> Option<Spline> {
+        let place = &statement.place;
+        let mut degrees = statement.topics.degrees();
+        let degree = degrees.next().filter(|_| degrees.next().is_none())?;
+        let knots = self.context.given_knots(&self.context.knot_letters(place, &[]), place);
+        let count = knots.len() as i64 - degree - 1;
+        // p_0, …, p_4: as many as there have to be
+        let numbered = |expr: &Expr, number: i64| {
+            let head = Head::of(expr).filter(|head| head.index().and_then(Expr::as_int) == Some(number))?;
+            (head.arguments.is_none() && head.base != new).then_some(head.base)
+        };
+        let last: Vec<String> = self.heard(place).filter_map(|expr| numbered(expr, count - 1)).collect();
+        let mut first = self.heard(place).filter_map(|expr| numbered(expr, 0));
+        let points = first.find(|letter| last.contains(letter))?;
+        let from_first = knots.keys().next() == Some(&0);
+        (from_first && count > degree).then_some(Spline { degree, points, knots })
     }
 
     /// The letter of the control points in s(x) = Σ d_i N_{i,n}(x).

@@ -194,7 +194,13 @@ impl Context {
         let alive = |declared: &&Declared| place.in_reach(&declared.place, declared.object.local);
         for declared in self.objects.iter().filter(alive) {
             if declared.object.sort == Sort::Knots {
-                declared.object.names.iter().for_each(&mut add);
+                for name in &declared.object.names {
+                    match &name.kind {
+                        // The knot vector (u_0, …, u_8) = (0, 0, 0, 1, …)
+                        Kind::Chain(left, _) => left.items().into_iter().flatten().for_each(&mut add),
+                        _ => add(name),
+                    }
+                }
             }
             if matches!(declared.object.sort, Sort::BSpline | Sort::SplineCurve) {
                 declared.object.knots.iter().for_each(&mut add);

@@ -290,6 +290,31 @@ impl Checker {
             })
     }
 
+    /// Whether a formula without the indices of its name cannot be one for all members of a family that another formula
+    /// gives.
+    pub(super) fn is_of_some_members(&self, head: &Head, body: &Expr, place: &Place) -> bool {
+        let indices: Vec<String> = head.lower.iter().chain(&head.upper).flat_map(bases).collect();
+        let inside = bases(body);
+        let given = |definition: &Definition| match &definition.body {
+            Body::Formula(own) => {
+                indices.len()
+                    == definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).count()
+                    && covers(definition, head)
+                    && definition
+                        .head
+                        .lower
+                        .iter()
+                        .chain(&definition.head.upper)
+                        .flat_map(bases)
+                        .any(|index| bases(own).contains(&index))
+            }
+            Body::Value(_) => false,
+        };
+        !indices.is_empty()
+            && !indices.iter().any(|index| inside.contains(index))
+            && self.context.visible(&head.base, place).any(|(_, definition, near)| near && given(definition))
+    }
+
     /// Whether an equation is the only one for members of a family of which the page gives some by number, as a_0 = 1 and
     /// a_{n+1} = 2 a_n; with its left side if it is a recursion.
     pub(super) fn recursion(&self, left: &Expr, right: &Expr, place: &Place) -> Option<Option<Head>> {

@@ -16,6 +16,8 @@ use crate::notes::speech::Word;
 pub(super) struct Talk {
     /// The names of the referent.
     pub(super) topic: Vec<Expr>,
+    /// The names of the one before.
+    pub(super) before: Vec<Expr>,
     /// The referent, if it has no name and no statement says yet what it is.
     pub(super) unnamed: Option<Object>,
     /// Polar forms of it, if it has no name.
@@ -36,7 +38,10 @@ impl Talk {
 
     /// Goes on to speak of something else.
     pub(super) fn of(&mut self, names: Vec<Expr>) {
-        self.topic = names;
+        let last = std::mem::replace(&mut self.topic, names);
+        if !last.is_empty() {
+            self.before = last;
+        }
         self.unnamed = None;
         self.forms.clear();
         self.viewed = None;
@@ -73,7 +78,9 @@ impl Reader<'_> {
         to: usize,
     ) {
         // "A spline of degree p is a polynomial": the same thing
-        if from.checked_sub(1).is_some_and(|before| self.is(before, &Word::Be)) {
+        let be = from.checked_sub(1).is_some_and(|before| self.is(before, &Word::Be));
+        // "A conic arc is a rational curve with the points …": a curve after all
+        if be && object.points.is_empty() {
             if let (Some(known), Sort::Polynomial) = (&mut self.talk.unnamed, &object.sort)
                 && known.points.is_empty()
             {

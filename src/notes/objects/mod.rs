@@ -10,6 +10,8 @@ mod attributes;
 mod contact;
 mod coreference;
 mod facts;
+mod owners;
+mod page;
 mod patches;
 mod phrase;
 mod pieces;
@@ -25,13 +27,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use self::attributes::is_call;
 use self::coreference::Talk;
 use self::facts::in_order;
+use self::page::{Page, formulas};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
 use self::tables::Row;
 use self::tokens::{Token, tokens, without_smoothness};
 use super::sentence::Piece;
 use super::speech::{self, Word};
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::{Head, bases, is_index_letter};
 use crate::judge::object::{Object, Sort};
 use crate::judge::statement::{Place, Said, Statement};
@@ -79,7 +82,8 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     for sentence in sentences {
         told_before(sentence, statements, &mut found);
     }
-    let page = account::Page { formulas: &formulas, places: &places };
+    let page = Page { formulas: &formulas, places: &places };
+    owners::tell(&page, &mut found);
     account::tell(sentences, &page, &mut found);
     patches::tell(sentences, &page, &mut found);
     quantities::tell(sentences, &page, &mut found);
@@ -123,38 +127,6 @@ fn told_before(sentence: &[Piece], statements: &[Statement], found: &mut BTreeMa
             Piece::Formula(number) => claim = claim.or(Some(*number).filter(claims)),
         }
     }
-}
-
-/// What the formula with a number says, in its parts.
-fn formulas(statements: &[Statement]) -> BTreeMap<usize, Vec<Expr>> {
-    let mut found: BTreeMap<usize, Vec<Expr>> = BTreeMap::new();
-    for statement in statements {
-        let expr = match &statement.said {
-            Said::Chain(chain) => chain.whole(),
-            Said::Condition(side) | Said::Bare(side, _) => side.expr.clone(),
-            _ => continue,
-        };
-        let own = found.entry(statement.place.formula).or_default();
-        match expr.kind {
-            Kind::Sequence(items) => own.extend(items),
-            Kind::Chain(first, links) if is_ordered(&first, &links) => {
-                own.push(*first);
-                own.extend(links.into_iter().map(|link| link.expr));
-            }
-            _ => own.push(expr),
-        }
-    }
-    found
-}
-
-/// Whether it lists members of one family in their order: u_0 < u_1 < … < u_m.
-fn is_ordered(first: &Expr, links: &[Link]) -> bool {
-    let base = |expr: &Expr| Head::of(expr).filter(|head| head.index().is_some()).map(|head| head.base);
-    let own = base(first);
-    own.is_some()
-        && links.len() > 1
-        && links.iter().all(|link| matches!(link.rel, Rel::Lt | Rel::Le))
-        && links.iter().all(|link| link.expr.kind == Kind::Ellipsis || base(&link.expr) == own)
 }
 
 struct Reader<'a> {
@@ -344,6 +316,14 @@ impl<'a> Reader<'a> {
                 .or_else(|| self.subject_of_notation(from))
                 .or_else(|| self.subject_of_clause(from)),
         };
+        // "By f(u, v) we denote its polar form": its is not that of f.
+        if let (Sort::PolarForm, Some((names, _)), [own], [before]) =
+            (&object.sort, &subject, of.as_slice(), self.talk.before.as_slice())
+            && matches!(names.as_slice(), [name] if subject::named(name).same_as(own))
+            && !own.same_as(before)
+        {
+            of = vec![before.clone()];
+        }
         inner.into_iter().for_each(|phrase| self.take(phrase));
         // "The curve with the control points (1, 0), (1, 1), (0, 1) is x(t) = …, y(t) = …": its coordinates
         let plane = object.points.iter().any(|point| point.items().is_some());

@@ -5,14 +5,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::account::Page;
 use super::contact::numbers;
-use super::subject::named;
-use crate::formula::{Expr, Kind, Rel, Sign, Term};
-use crate::judge::names::{Head, bases, is_index_letter, walk};
+use super::page::Page;
+use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
+use crate::judge::names::{Head, bases, is_index_letter, own_names, walk};
 use crate::judge::object::{Object, Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::latex;
+use crate::language::lexicon::families;
 use crate::notes::sentence::Piece;
 use crate::notes::speech;
 
@@ -45,6 +45,21 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
         }
     }
     for (topics, numbers) in sections.into_values() {
+        let listed = |object: &&Object| {
+            object.sort == Sort::BezierCurve
+                && object.points.len() > 1
+                && object.points.iter().all(|point| point.items().is_some() && bases(point).is_empty())
+        };
+        let here = || found.iter().filter(|(number, _)| numbers.contains(number));
+        let mut curves = here()
+            .flat_map(|(number, list)| list.iter().filter(listed).map(|own| (*number, own.points.clone())));
+        if let (Some((number, points)), None) = (curves.next(), curves.next())
+            && let Some(letter) = letter_of_points(&numbers, page, points.len())
+        {
+            let names = (0..points.len() as i64).map(|i| member_of(&letter, i)).collect();
+            let own = Object { names, values: points, ..Object::new(Sort::Symbols) };
+            found.entry(number).or_default().push(own);
+        }
         if topics.has(Topic::Bilinear)
             && let Some((number, own)) = bilinear(&numbers, page)
         {
@@ -75,6 +90,37 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
     }
 }
 
+/// The letter that the sum for a curve has for control points that its section lists without names: b_i.
+fn letter_of_points(numbers: &[usize], page: &Page, count: usize) -> Option<String> {
+    let said = || numbers.iter().flat_map(|number| page.said(*number));
+    let mut letters: BTreeSet<String> = BTreeSet::new();
+    for expr in said() {
+        walk(expr, &mut |part| {
+            let Kind::Big { op: BigOp::Sum, lower, body, .. } = &part.kind else { return };
+            let own = own_names(lower);
+            walk(body, &mut |part| {
+                let head = Head::of(part)
+                    .filter(|head| matches!(part.kind, Kind::Subscript(..)) && head.upper.is_empty());
+                if let Some(head) = head
+                    && matches!(head.lower.as_slice(), [Expr { kind: Kind::Name(index), .. }] if own.contains(index))
+                    && !families::is_family(&head.base)
+                {
+                    letters.insert(head.base);
+                }
+            });
+        });
+    }
+    // Weights are given by equations.
+    letters.retain(|letter| {
+        !said().any(|said| {
+            let Kind::Chain(left, _) = &said.kind else { return false };
+            Head::of(left).is_some_and(|head| head.base == *letter)
+        })
+    });
+    let mut letters = letters.into_iter();
+    letters.next().filter(|_| letters.next().is_none() && count > 1)
+}
+
 /// The bilinear patch through the four values that equations give of one function at the corners of the unit square.
 fn bilinear(numbers: &[usize], page: &Page) -> Option<(usize, Object)> {
     let mut corners: BTreeMap<[i64; 2], Expr> = BTreeMap::new();
@@ -87,13 +133,30 @@ fn bilinear(numbers: &[usize], page: &Page) -> Option<(usize, Object)> {
             let Some(&[u, v]) = arguments.as_deref() else { continue };
             let corner = link.rel == Rel::Eq && (0..2).contains(&u) && (0..2).contains(&v);
             let same = name.as_ref().is_none_or(|(_, known)| known.same_as(callee));
-            if corner && same && !corners.contains_key(&[u, v]) {
+            // x(1, 0) = b_{n,0} may be claimed.
+            let given = bases(&link.expr).is_empty();
+            if corner && given && same && !corners.contains_key(&[u, v]) {
                 name.get_or_insert((*number, callee.as_ref().clone()));
                 corners.insert([u, v], link.expr.clone());
             }
         }
     }
     let (number, name) = name.filter(|_| corners.len() == 4)?;
+    let formula = |said: &Expr| match &said.kind {
+        Kind::Chain(left, links) => match &left.kind {
+            Kind::Apply(callee, groups) => {
+                let variables = groups.concat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)));
+                callee.same_as(&name)
+                    && variables
+                    && links[0].expr.has(&|part| matches!(part.kind, Kind::Big { .. }))
+            }
+            _ => false,
+        },
+        _ => false,
+    };
+    if numbers.iter().flat_map(|number| page.said(*number)).any(formula) {
+        return None;
+    }
     let variables = ["u", "v"].map(Expr::name);
     let factor = |variable: &Expr, end: i64| match end {
         0 => {
@@ -175,6 +238,11 @@ impl Net {
     }
 }
 
+/// b_0
+fn member_of(letter: &str, index: i64) -> Expr {
+    Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(index)]).into()
+}
+
 /// All indices of a net.
 fn indices(degree: i64) -> impl Iterator<Item = [i64; 3]> {
     (0..=degree).flat_map(move |i| (0..=degree - i).map(move |j| [i, j, degree - i - j]))
@@ -230,7 +298,7 @@ fn patch(numbers: &[usize], page: &Page, net: &Net) -> Option<(Expr, Vec<Expr>)>
                 && Head::of(callee).is_some_and(|head| head.lower.is_empty() && head.upper.is_empty())
                 && !names.iter().any(|known| known.same_as(callee))
             {
-                names.push(named(part));
+                names.push(callee.as_ref().clone());
             }
         });
         if let Kind::Chain(left, links) = &expr.kind

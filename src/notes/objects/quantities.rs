@@ -6,11 +6,11 @@
 
 use std::collections::BTreeMap;
 
-use super::account::Page;
 use super::contact::numbers;
+use super::page::Page;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::{bases, integer_names};
-use crate::judge::object::{Object, Sort};
+use crate::judge::object::{Object, Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::lexicon::roles::is_variable;
 use crate::notes::sentence::Piece;
@@ -69,9 +69,10 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
             continue;
         }
         let Some((number, name)) = section.described(page) else { continue };
-        let Some(value) = section.value(page, found, number) else { continue };
+        let mut made = None;
+        let Some(value) = section.value(page, found, number, &mut made) else { continue };
         let own = Object { names: vec![name], values: vec![value], ..Object::new(Sort::Symbols) };
-        found.entry(number).or_default().push(own);
+        found.entry(number).or_default().extend(made.into_iter().chain([own]));
     }
 }
 
@@ -118,15 +119,36 @@ impl Section<'_> {
     }
 
     /// The value of the only curve or patch at the only parameter.
-    fn value(&self, page: &Page, found: &BTreeMap<usize, Vec<Object>>, claim: usize) -> Option<Expr> {
+    fn value(
+        &self,
+        page: &Page,
+        found: &BTreeMap<usize, Vec<Object>>,
+        claim: usize,
+        made: &mut Option<Object>,
+    ) -> Option<Expr> {
         let here = found.iter().filter(|(number, _)| self.numbers.contains(number)).flat_map(|(_, all)| all);
         let curve = |object: &&Object| {
             object.sort == Sort::BezierCurve && !object.points.is_empty() && object.interval.is_none()
                 || object.sort == Sort::Function && !object.values.is_empty()
         };
-        let mut curves = here.filter(curve);
-        let owner = curves.next().filter(|_| curves.next().is_none())?;
-        let name = owner.names.first()?;
+        let mut curves = here.clone().filter(curve);
+        let mut points = here.filter(|object| object.sort == Sort::ControlPoints && object.of.is_none());
+        let name = match (curves.next(), curves.next(), points.next(), points.next()) {
+            (Some(one), None, ..) => one.names.first()?.clone(),
+            // "A conic with the control points A, B, C and the weights 1, ω, 1"
+            (None, _, Some(own), None)
+                if own.interval.is_none()
+                    && (!self.topics.has(Topic::Rational) || !own.weights.is_empty()) =>
+            {
+                let names = vec![Expr::name(format!("{UNNAMED}points"))];
+                let (points, weights) = (own.names.clone(), own.weights.clone());
+                *made =
+                    Some(Object { names: names.clone(), points, weights, ..Object::new(Sort::BezierCurve) });
+                names.into_iter().next()?
+            }
+            _ => return None,
+        };
+        let name = &name;
         let given =
             || self.numbers.iter().filter(|number| **number != claim).flat_map(|number| page.said(*number));
         let Kind::Apply(patch, _) = &name.kind else {

@@ -88,8 +88,14 @@ fn without_asides(tokens: Vec<Token>) -> Vec<Token> {
 fn after_ordinal<'a>(words: &'a str, found: &mut Vec<Token>) -> &'a str {
     let suffix = words.strip_prefix('-').filter(|rest| rest.starts_with(char::is_alphabetic));
     let (Some(rest), Some(Token::Formula(_))) = (suffix, found.last()) else { return words };
+    let after = rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '-').trim_start();
     if matches!(speech::word(&speech::plain(rest)), Some((_, Word::Arguments))) {
         found.push(Token::Word(Word::Arguments));
+    } else if matches!(speech::word(&speech::plain(after)), Some((_, Word::Degree))) {
+        // "Ein Polynom n-ten Grades"
+        let degree = found.len() - 1;
+        found.splice(degree..degree, [Token::Word(Word::Of), Token::Word(Word::Degree)]);
+        return after.trim_start_matches(char::is_alphanumeric);
     } else {
         found.pop();
         found.push(Token::Word(Word::Filler));

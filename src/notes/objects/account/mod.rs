@@ -19,26 +19,14 @@ use self::signs::{Sign, signs};
 use super::super::sentence::Piece;
 use super::super::speech::{self, Hint};
 use super::facts::in_order;
+use super::page::Page;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::Head;
 use crate::judge::object::{Object, Sort};
-use crate::judge::statement::Place;
 use crate::judge::topic::{Topic, Topics};
 
 /// So many sentences a paragraph may have.
 const MOST_SENTENCES: usize = 8;
-
-/// What the formulas of the page say, by their numbers, and where they stand.
-pub(super) struct Page<'a> {
-    pub formulas: &'a BTreeMap<usize, Vec<Expr>>,
-    pub places: &'a BTreeMap<usize, Place>,
-}
-
-impl Page<'_> {
-    pub(super) fn said(&self, number: usize) -> &[Expr] {
-        self.formulas.get(&number).map_or(&[], Vec::as_slice)
-    }
-}
 
 /// Adds what paragraphs tell as a whole to what their sentences told, where that leaves claims open.
 ///

@@ -149,8 +149,8 @@ impl Told<'_> {
             }
             let before = at.checked_sub(1).map(|before| &self.all[before]);
             match before {
-                // Two cubics
-                Some(Sign::Number(count)) if *count > 1 => return None,
+                // Two cubics, but not "into two cubic pieces"
+                Some(Sign::Number(count)) if *count > 1 && !self.is_part(at) => return None,
                 // An adjective that is not known may change everything.
                 Some(Sign::Unknown)
                     if matches!(at.checked_sub(2).map(|b| &self.all[b]), Some(Sign::Article)) =>
@@ -162,6 +162,14 @@ impl Told<'_> {
             }
         }
         (any && new < 2 && !(spline && bezier)).then_some(spline)
+    }
+
+    /// Whether words for a curve lead to "piece", "half".
+    fn is_part(&self, at: usize) -> bool {
+        let last = self.all[at..]
+            .iter()
+            .find(|sign| !matches!(sign, Sign::Curve(_) | Sign::OfDegree(_) | Sign::Filler));
+        matches!(last, Some(Sign::Hint(Hint::Part | Hint::Half)))
     }
 
     /// The degrees that words say, in their order.
