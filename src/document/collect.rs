@@ -32,6 +32,8 @@ pub(super) struct Collector {
     pub(super) default_role: bool,
     /// The files that the page includes, and that are not LaTeX.
     pub(super) includes: Vec<Include>,
+    /// Whether the text stands in strings of JSON.
+    pub(super) escaped: bool,
     /// Whether something was said since the last paragraph or enclosure.
     said: bool,
 }
@@ -56,7 +58,7 @@ impl Collector {
 
     /// What was found in the file.
     pub(super) fn into_document(self, file: SourceFile) -> Document {
-        Document { file, items: self.items, problems: self.problems }
+        Document { file, items: self.items, problems: self.problems, escaped: self.escaped }
     }
 
     /// What was found in a part of the file: items and problems.
@@ -138,7 +140,7 @@ impl Collector {
             for found in found {
                 self.words_of(piece.piece(said..found.range.start), start + at + said);
                 said = found.range.end;
-                self.formula(Style::Plain, &found.text, start + at + found.range.start);
+                self.formula(found.style, &found.text, start + at + found.range.start);
             }
             self.words_of(piece.piece(said..), start + at + said);
             at += piece.len() + 1;

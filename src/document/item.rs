@@ -16,6 +16,8 @@ pub struct Document {
     pub items: Vec<Item>,
     /// What is wrong with the file: unclosed formulas, half a macro, a missing included file.
     pub problems: Vec<Diagnostic>,
+    /// Whether its text stands in strings of JSON, as in notebooks.
+    pub escaped: bool,
 }
 
 /// A piece of a document.
@@ -77,8 +79,8 @@ pub enum Style {
     Inline,
     /// On lines of its own.
     Display,
-    /// In plain notation among words: F(u) = f(u, u, u). It reads with [`crate::language::syntax::parse`], or
-    /// else with [`crate::language::latex::read`], which knows more signs (∑) and splits `a_ju_j`.
+    /// In plain notation among words: F(u) = f(u, u, u). It reads with [`crate::language::syntax::parse`]; what needs
+    /// [`crate::language::latex::read`], which knows more signs (∑) and splits `a_ju_j`, is [`Style::Inline`].
     Plain,
 }
 

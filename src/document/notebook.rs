@@ -19,6 +19,7 @@ use crate::language::diagnostic::{Code, Diagnostic};
 
 /// Takes a notebook apart.
 pub(super) fn scan(text: &str, out: &mut Collector) {
+    out.escaped = true;
     match sources(text) {
         Ok(sources) => {
             for source in sources {
@@ -127,6 +128,26 @@ fn cell(text: &str, source: &RawValue) -> Result<Text, Diagnostic> {
         unescape(string.get(), span.start, &mut cell);
     }
     Ok(cell)
+}
+
+/// A part of a cell, which may reach over several of its strings.
+pub(super) fn decoded(part: &str) -> String {
+    let mut out = String::with_capacity(part.len());
+    let mut rest = part;
+    while let Some(at) = rest.find(['\\', '"']) {
+        out.push_str(rest.piece(..at));
+        rest = rest.piece(at..);
+        if rest.starts_with('\\') {
+            let (c, len) = escape(rest);
+            out.push(c);
+            rest = rest.piece(len..);
+        } else {
+            // The end of a string; the next one goes on.
+            let next = rest.piece(1..).find('"').map_or(rest.len(), |next| next + 2);
+            rest = rest.piece(next..);
+        }
+    }
+    out + rest
 }
 
 /// The content of a string in quotes that stands at byte `start`.

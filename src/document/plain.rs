@@ -7,20 +7,28 @@
 //!
 //! When in doubt it is prose: a formula that is missed says nothing, one that is made up is judged.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
+use crate::document::Style;
 use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::{self, is_ideograph};
+use crate::language::lexicon::words::is_function_word;
 use crate::language::{latex, syntax};
 
 /// A formula of a line: its bytes, and its text, in which marks of emphasis are blanked.
 pub(super) struct Found {
     pub(super) range: Range<usize>,
     pub(super) text: String,
+    /// `Inline` if it reads as LaTeX only: letters stand side by side for their product, ∑ has bounds.
+    pub(super) style: Style,
 }
 
 /// A longer run of tokens is not read: it is data, not prose.
 const MAX_TOKENS: usize = 400;
+
+/// A longer word is none of a product.
+const MAX_PRODUCT: usize = 5;
 
 /// How many tokens may be left out at the ends of a run to make it readable.
 const MAX_CUT: usize = 3;
@@ -31,13 +39,14 @@ pub(super) fn find(line: &str, continues: bool) -> Vec<Found> {
     if !line.contains(['=', '≤', '≥', '≠', '≔', '≜', '⩽', '⩾']) {
         return Vec::new();
     }
-    let tokens = tokens(line);
+    let mut tokens = tokens(line);
+    read_words(line, &mut tokens);
     let mut found = Vec::new();
     for (at, segment) in segments(&tokens) {
         if is_half(&tokens, at, segment.len()) {
             continue;
         }
-        for run in balanced(segment) {
+        for run in balanced(whole_parts(&tokens, at, segment)) {
             let first = continues
                 && run.first().is_some_and(|token| line.piece(..token.range.start).trim().is_empty());
             found.extend(formulas(line, run, first));
@@ -73,6 +82,58 @@ fn is_half(tokens: &[Token], at: usize, len: usize) -> bool {
     strange(before) || strange(after) || call
 }
 
+/// The parts of a run that no sign joins to a word beside it: of `x = 1, y = a - what` the first one.
+fn whole_parts<'a>(tokens: &[Token], at: usize, segment: &'a [Token]) -> &'a [Token] {
+    let word = |token: Option<&Token>| token.is_some_and(|token| token.word);
+    let joins = |token: Option<&Token>| token.is_some_and(|token| token.kind == Kind::Operator);
+    let comma = |token: &Token| token.kind == Kind::Comma;
+    let mut whole = segment;
+    if word(tokens.get(at + segment.len())) && joins(whole.last()) {
+        whole = &whole[..whole.iter().rposition(comma).unwrap_or(0)];
+    }
+    if word(at.checked_sub(1).map(|before| &tokens[before])) && joins(whole.first()) {
+        whole = &whole[whole.iter().position(comma).unwrap_or(whole.len())..];
+    }
+    whole
+}
+
+/// A function everybody knows before its argument is a name. A short word between signs is a product if each of its letters is a name of the line: `2ab`, `rs + st`.
+fn read_words(line: &str, tokens: &mut [Token]) {
+    let text = |token: &Token| line.piece(token.range.clone()).to_owned();
+    let names: BTreeSet<char> = tokens
+        .iter()
+        .filter(|token| matches!(token.kind, Kind::Name | Kind::Article))
+        .filter_map(|token| line.piece(token.range.clone()).chars().find(|c| c.is_alphabetic()))
+        .collect();
+    for at in 0..tokens.len() {
+        let token = &tokens[at];
+        let written = text(token);
+        let letters = written.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+        let counted = letters.len() < written.len();
+        let called = tokens.get(at + 1).is_some_and(|next| next.kind == Kind::Open('(') && !next.spaced);
+        if called && (is_function_word(&written) || written == "binom") {
+            (tokens[at].kind, tokens[at].word) = (Kind::Name, false);
+            continue;
+        }
+        let few = matches!(letters.len(), 2..=MAX_PRODUCT);
+        if token.kind != Kind::Cut || !few || !letters.chars().all(|c| names.contains(&c)) {
+            continue;
+        }
+        let begins = counted
+            || at.checked_sub(1).is_some_and(|before| {
+                matches!(tokens[before].kind, Kind::Operator | Kind::Relation | Kind::Open(_))
+            });
+        let ends = tokens.get(at + 1).is_none_or(|next| match next.kind {
+            Kind::Operator | Kind::Relation | Kind::Close(_) | Kind::Comma => true,
+            Kind::Cut => !next.word,
+            _ => false,
+        });
+        if begins && ends {
+            (tokens[at].kind, tokens[at].word, tokens[at].product) = (Kind::Name, false, true);
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Name,
@@ -104,6 +165,8 @@ struct Token {
     marks: usize,
     /// Whether it is a word of letters that are no ideographs.
     word: bool,
+    /// Whether its letters stand for their product.
+    product: bool,
 }
 
 fn tokens(line: &str) -> Vec<Token> {
@@ -117,8 +180,8 @@ fn tokens(line: &str) -> Vec<Token> {
             continue;
         }
         let (kind, len, marks) = token(line, at, c);
-        let word = kind == Kind::Cut && is_letter(c) && !is_ideograph(c);
-        tokens.push(Token { kind, range: at..at + len, spaced, marks, word });
+        let word = kind == Kind::Cut && (is_letter(c) && !is_ideograph(c) || c.is_ascii_digit());
+        tokens.push(Token { kind, range: at..at + len, spaced, marks, word, product: false });
         at += len;
         spaced = false;
     }
@@ -188,7 +251,8 @@ fn token(line: &str, at: usize, c: char) -> (Kind, usize, usize) {
         '!' => Kind::Postfix,
         '+' | '-' | '−' | '–' | '±' | '/' | '^' | '·' | '⋅' | '×' | '∘' | '⊗' => Kind::Operator,
         '(' | '[' | '{' => Kind::Open(c),
-        ')' => Kind::Close('('),
+        '（' => Kind::Open('('),
+        ')' | '）' => Kind::Close('('),
         ']' => Kind::Close('['),
         '}' => Kind::Close('{'),
         ',' | ';' => Kind::Comma,
@@ -235,7 +299,7 @@ fn name(text: &str, len: usize) -> (Kind, usize, usize) {
         let rest = text.piece(len..);
         len += match rest.chars().next() {
             Some(c) if is_raised(c) || matches!(c, '\'' | '’' | '′' | '″') => c.len_utf8(),
-            Some(sign @ ('_' | '^')) => match script(rest.piece(1..)) {
+            Some(sign @ ('_' | '^')) => match script(rest.piece(1..), text.starts_with(['∑', '∏'])) {
                 Some(script) => 1 + script,
                 None if sign == '^' => break,
                 // A word with underscores.
@@ -248,8 +312,9 @@ fn name(text: &str, len: usize) -> (Kind, usize, usize) {
     (if article { Kind::Article } else { Kind::Name }, len, 0)
 }
 
-/// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names.
-fn script(text: &str) -> Option<usize> {
+/// The bytes of an index or exponent: in braces, digits, or a letter; `a_ju_j` are two names. Below a sum (`bounds`) it
+/// may say from where.
+fn script(text: &str, bounds: bool) -> Option<usize> {
     let first = text.chars().next()?;
     if first == '(' {
         // b_(i-1), B_i^(n-1)
@@ -259,7 +324,8 @@ fn script(text: &str) -> Option<usize> {
     }
     if first == '{' {
         let close = text.bytes().take(40).position(|byte| byte == b'}')?;
-        return (!text.piece(1..close).contains(['{', '='])).then_some(close + 1);
+        let inner = text.piece(1..close);
+        return (!inner.contains('{') && (bounds || !inner.contains('='))).then_some(close + 1);
     }
     if first.is_ascii_digit() {
         return Some(text.bytes().take_while(u8::is_ascii_digit).count());
@@ -352,6 +418,11 @@ fn formulas(line: &str, run: &[Token], mut continues: bool) -> Vec<Found> {
 fn formula(line: &str, part: &[Token], continues: bool) -> Option<Found> {
     let mut part = part;
     // `-o=2` is an option of a program.
+    while let [Token { kind: Kind::Open('('), .. }, inner @ .., Token { kind: Kind::Close('('), .. }] = part
+        && closes_at(part) == Some(part.len() - 1)
+    {
+        part = inner;
+    }
     let glued = part.iter().all(|token| token.kind != Kind::Relation || !token.spaced);
     if glued && part.first().is_some_and(|token| is_minus(line, token)) {
         return None;
@@ -377,6 +448,19 @@ fn formula(line: &str, part: &[Token], continues: bool) -> Option<Found> {
         }
     }
     None
+}
+
+/// Where the bracket is closed with which the tokens begin.
+fn closes_at(tokens: &[Token]) -> Option<usize> {
+    let mut depth = 0_usize;
+    tokens.iter().position(|token| {
+        match token.kind {
+            Kind::Open(_) => depth += 1,
+            Kind::Close(_) => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth == 0
+    })
 }
 
 fn is_minus(line: &str, token: &Token) -> bool {
@@ -442,7 +526,12 @@ fn readable(line: &str, tokens: &[Token], continues: bool) -> Option<Found> {
         text.replace_range(to - token.marks..to, &blank);
     }
     let asked = if skipped > 0 { format!("x{text}") } else { text.clone() };
-    (syntax::parse(&asked).is_ok() || latex::read(&asked).is_ok()).then_some(Found { range, text })
+    let style = if !tokens.iter().any(|token| token.product) && syntax::parse(&asked).is_ok() {
+        Style::Plain
+    } else {
+        latex::read(&asked).ok().map(|_| Style::Inline)?
+    };
+    Some(Found { range, text, style })
 }
 
 #[cfg(test)]
@@ -471,6 +560,13 @@ mod tests {
             ("let n! = n (n-1)!", vec!["n! = n (n-1)!"]),
             ("here b_(i-1) = b_i holds", vec!["b_(i-1) = b_i"]),
             ("and B_i^(n-1)(t) = 0 holds", vec!["B_i^(n-1)(t) = 0"]),
+            ("(a-b)^2 = a^2 - 2ab + b^2.", vec!["(a-b)^2 = a^2 - 2ab + b^2"]),
+            ("f(r,s,t) = rst + rs - t", vec!["f(r,s,t) = rst + rs - t"]),
+            ("that ∑_{i=1}^n i = n (n+1)/2 is", vec!["∑_{i=1}^n i = n (n+1)/2"]),
+            ("（1 + 1）= 2", vec!["（1 + 1）= 2"]),
+            ("this holds (x = y + 1) there", vec!["x = y + 1"]),
+            ("x = 1, y = a - step", vec!["x = 1"]),
+            ("so B_i^(2)(t) = binom(2,i) t^i holds", vec!["B_i^(2)(t) = binom(2,i) t^i"]),
         ] {
             assert_eq!(found(line), wanted, "{line}");
         }
@@ -508,6 +604,9 @@ mod tests {
             "x = y % z",
             "a ~ b = c",
             "é(t) = 4",
+            "a = b - step + c",
+            "speed / c = a",
+            "x = y + 2area",
             "Bézier(n) = 3",
         ] {
             assert_eq!(found(line), [""; 0], "{line}");

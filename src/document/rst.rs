@@ -274,6 +274,16 @@ impl<'a> Rst<'a> {
             Content::Prose => {
                 self.open_block(line.column, Enclosure::Environment);
                 let next = (at + 1..end).find(|&at| !is_option(self.at(at))).unwrap_or(end);
+                for option in at + 1..next {
+                    let line = self.lines[option];
+                    let text = self.text.piece(line.start..line.end);
+                    // Such as the heads of a table.
+                    if text.contains('`') {
+                        self.out.enter(Enclosure::Row);
+                        rst_inline::scan(text, line.start, false, self.out);
+                        self.out.end_row();
+                    }
+                }
                 if directives::begins_at_once(name) && argument < line.end {
                     let below = self.lines[next..end].first().filter(|line| !line.is_blank());
                     let column = below.map_or(line.column + 3, |line| line.column);

@@ -12,7 +12,7 @@ use super::collect::Collector;
 use super::inline::nearby;
 use super::macros::{half_definition, is_definer};
 use super::signs::{braced_name, display_end, formula_end, is_math_environment, line_at};
-use super::vocabulary::{HEADINGS, LISTS, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
+use super::vocabulary::{HEADINGS, LISTS, PROGRAM, QUOTATIONS, SILENT, TABLES, THEOREMS, VERBATIM};
 use super::words::{label_after, without_accents};
 use crate::document::{Enclosure, Item, Style};
 use crate::formula::source::{Pieces, Span};
@@ -259,7 +259,8 @@ impl<'a> Latex<'a, '_> {
             return end;
         }
         let closing = format!(r"\end{{{name}}}");
-        if VERBATIM.contains(&name.trim_end_matches('*')) {
+        let program = |text: &Self| text.is_program(name, end, &closing);
+        if VERBATIM.contains(&name.trim_end_matches('*')) || program(self) {
             return match self.find_end(end, &closing) {
                 Some(past) => {
                     if name.starts_with("algorithm") && self.text.piece(end..past).contains('$') {
@@ -339,6 +340,15 @@ impl<'a> Latex<'a, '_> {
         self.open.push(Open { name, place, kind });
         self.said = to;
         to
+    }
+
+    /// Whether the environment holds a program in the signs of algorithm2e; else an algorithm is told in words.
+    fn is_program(&self, name: &str, from: usize, closing: &str) -> bool {
+        let content = || {
+            let rest = self.text.piece(from..);
+            rest.piece(..rest.find(closing).unwrap_or(0))
+        };
+        name.starts_with("algorithm") && PROGRAM.iter().any(|sign| content().contains(sign))
     }
 
     /// The byte after the options of an environment, such as the kinds of its columns.

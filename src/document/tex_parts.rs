@@ -104,7 +104,8 @@ impl Scanner<'_> {
             });
             return found.map_or(from, |found| found + closing.len());
         }
-        if VERBATIM.contains(&name.trim_end_matches('*')) && !name.starts_with("algorithm") {
+        if VERBATIM.contains(&name.trim_end_matches('*')) && name != "algorithmic" && name != "algpseudocode"
+        {
             return self.find(end, &closing).map_or(end, |found| found + closing.len());
         }
         end

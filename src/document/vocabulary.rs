@@ -10,11 +10,15 @@ pub(super) const VERBATIM: &[&str] = &[
     "filecontents",
     "tikzpicture",
     "pgfpicture",
-    "algorithm",
     "algorithmic",
+    "algpseudocode",
     "alltt",
     "polarform",
 ];
+
+/// Signs of a program within an algorithm: the ends of its lines, its loops and what goes in.
+pub(super) const PROGRAM: &[&str] =
+    &[r"\;", r"\Kw", r"\If{", r"\If(", r"\eIf", r"\For{", r"\For(", r"\ForEach", r"\While", r"\Repeat"];
 
 pub(super) const QUOTATIONS: &[&str] = &["quote", "quotation", "displayquote", "verse"];
 

@@ -2,13 +2,22 @@
 
 use std::borrow::Cow;
 
-use super::Document;
+use super::{Document, notebook};
 use crate::formula::source::{Pieces, Span};
 
 impl Document {
     /// The words of a span as they are read: `f\"ur` is für.
     pub fn words(&self, span: Span) -> Cow<'_, str> {
-        without_accents(self.file.slice(span))
+        match self.source(span) {
+            Cow::Borrowed(text) => without_accents(text),
+            Cow::Owned(text) => Cow::Owned(without_accents(&text).into_owned()),
+        }
+    }
+
+    /// What the author wrote there; of a notebook, what it says in its strings.
+    pub fn source(&self, span: Span) -> Cow<'_, str> {
+        let text = self.file.slice(span);
+        if self.escaped { Cow::Owned(notebook::decoded(text)) } else { Cow::Borrowed(text) }
     }
 }
 

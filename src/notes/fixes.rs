@@ -27,14 +27,13 @@ pub struct Fix {
 ///
 /// Cost: linear in the findings; for each, its tree is read a few times.
 pub fn fixes(document: &Document, report: &FileReport) -> Vec<Fix> {
-    let notebook = is_notebook(document);
     let mut all: Vec<(Span, Vec<Fix>)> = Vec::new();
     let wrong = report.findings.iter().filter(|finding| finding.verdict == Verdict::Refuted);
     for finding in wrong {
         let Some(suggestion) = &finding.suggestion else { continue };
         let source = report.file.slice(finding.span);
         let plain = is_plain(document, finding);
-        let found = if notebook {
+        let found = if document.escaped {
             in_string(source, suggestion)
         } else {
             pieces(source, suggestion, if plain { Notation::Plain } else { Notation::Latex })
@@ -63,7 +62,7 @@ pub(super) fn in_own_words(document: &Document, finding: &mut Finding) {
     let Some(suggestion) = finding.suggestion.as_ref().filter(|_| finding.verdict == Verdict::Refuted) else {
         return;
     };
-    if is_notebook(document) || is_plain(document, finding) {
+    if document.escaped || is_plain(document, finding) {
         return;
     }
     let source = document.file.slice(finding.span);
@@ -72,10 +71,6 @@ pub(super) fn in_own_words(document: &Document, finding: &mut Finding) {
         let text = without_columns(&fixed(source, &found));
         finding.suggestion = Some(text.split_whitespace().collect::<Vec<_>>().join(" "));
     }
-}
-
-fn is_notebook(document: &Document) -> bool {
-    document.file.name().ends_with(".ipynb")
 }
 
 /// The text with the fixes in it.

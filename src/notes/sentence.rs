@@ -134,6 +134,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     for sentence in sentences {
         let (mut left, mut first) = (String::new(), true);
         let (mut ours, mut proves) = (false, false);
+        let asks = is_question(sentence);
         for piece in sentence {
             match piece {
                 Piece::Words(words) => {
@@ -152,6 +153,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
                         first,
                         ours,
                         proves,
+                        asks,
                     });
                     first = false;
                 }
@@ -159,6 +161,17 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
         }
     }
     found
+}
+
+/// Whether a sentence asks whether something is so, or what makes it so; "why" asks for the reason of what is so.
+fn is_question(sentence: &[Piece]) -> bool {
+    let words = |piece: Option<&Piece>| match piece {
+        Some(Piece::Words(words)) => words.trim().to_owned(),
+        _ => String::new(),
+    };
+    let last = words(sentence.last());
+    let ends = last.trim_end_matches(['*', '_', ')', '"', '”', '\'']).ends_with(['?', '？']);
+    ends && !speech::asks_why(&words(sentence.first()))
 }
 
 /// The statements of one sentence.
@@ -273,6 +286,13 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
                     || several && gives_member(chain) && !statement.place.blocks.is_empty()) =>
             {
                 Some(Role::Introduced)
+            }
+            // "What is the polar form of F(t) = t^2?" says what F is.
+            None | Some(Role::Claimed)
+                if words_of(own).asks
+                    && matches!(&statement.said, Said::Chain(chain) if !names_a_function(chain)) =>
+            {
+                Some(Role::Asked)
             }
             role if states || parity => role,
             _ => None,

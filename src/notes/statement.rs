@@ -189,7 +189,7 @@ impl Reader<'_> {
         if self.table.is_inside() {
             return self.table.formula(only);
         }
-        let latex = |span: Span| clean(self.document.file.slice(span));
+        let latex = |span: Span| clean(&self.document.source(span));
         let found = only.map(|side| triangles::in_matrix(&side.expr, &latex)).unwrap_or_default();
         self.end_table();
         if !found.is_empty() {
@@ -305,8 +305,7 @@ impl Reader<'_> {
             expr.map_spans(&|span| formula.in_file(span));
             let latex = |span: Span| -> String {
                 // Derived spans lead back into the text only where it stands in the file.
-                let text = self.document.file.slice(span);
-                text.to_owned()
+                self.document.source(span).into_owned()
             };
             let items = match expr.kind {
                 Kind::Sequence(items) => spread(items),
@@ -488,8 +487,8 @@ fn with_bar(mut chain: Chain) -> Chain {
 }
 
 fn part(expr: &Expr, latex: &str, document: &Document) -> Side {
-    let text = document.file.slice(expr.span);
-    Side { expr: expr.clone(), latex: clean(if text.is_empty() { latex } else { text }) }
+    let text = document.source(expr.span);
+    Side { expr: expr.clone(), latex: clean(if text.is_empty() { latex } else { &text }) }
 }
 
 fn chain(side: Side, latex: &dyn Fn(Span) -> String, problems: &[Diagnostic]) -> Chain {

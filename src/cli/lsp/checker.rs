@@ -136,7 +136,8 @@ fn check(job: Job, limits: &Limits, memory: &mut Memory, tell: &dyn Fn(Checked))
         )
     };
     let (document, report) = result.unwrap_or_else(|problem| {
-        let document = Document { file: file.clone(), items: Vec::new(), problems: Vec::new() };
+        let document =
+            Document { file: file.clone(), items: Vec::new(), problems: Vec::new(), escaped: false };
         (document, FileReport { file, findings: Vec::new(), problems: vec![problem] })
     });
     let places = Places::new(report.file.text());

@@ -198,3 +198,18 @@ fn macros_in_markdown() {
     let place = formulas(&notes)[1].in_file(crate::formula::source::Span::new(15, 16));
     assert_eq!(notes.file.slice(place), "1");
 }
+
+#[test]
+fn algorithms_in_words_and_programs() {
+    let text = |inner: &str| {
+        let notes = latex(&format!(
+            "\\begin{{document}}\n\\begin{{algorithm}}\n{inner}\n\\end{{algorithm}}\n\\end{{document}}\n"
+        ));
+        let texts: Vec<String> = formulas(&notes).into_iter().map(|formula| formula.text.clone()).collect();
+        (texts.join("; "), notes.problems.len())
+    };
+    assert_eq!(text("Start with $r = 0$."), ("r = 0".to_owned(), 0));
+    let steps = r"\caption{For $n$} \begin{algorithmic} \State $r = r + 1$ \end{algorithmic}";
+    assert_eq!(text(steps), ("n".to_owned(), 1));
+    assert_eq!(text(r"\KwIn{$n$} \For{$r$}{$r = r + 1$\;}"), (String::new(), 1));
+}

@@ -98,3 +98,13 @@ fn broken_notebooks() {
     assert_eq!(notes.problems[0].code, Code::UnclosedFormula);
     assert_eq!(notes.file.line_column(notes.problems[0].span.unwrap().start), (1, 54));
 }
+
+#[test]
+fn what_the_author_wrote() {
+    let text = r#"{"cells": [{"cell_type": "markdown", "source": ["Sei \u00fc \"so\" $a \\\\\n",
+ "= b$"]}]}"#;
+    let notes = notebook(text);
+    assert_eq!(notes.source(formulas(&notes)[0].span), "a \\\\\n= b");
+    let Item::Words(words) = notes.items[0] else { unreachable!() };
+    assert_eq!(notes.words(words).trim(), "Sei ü \"so\"");
+}

@@ -83,3 +83,9 @@ fn plots_with_words_between_commands() {
                 .. plot::\n\n   plt.plot(x)  # :math:`b`\n";
     assert_eq!(found(text), ["L = 600", "a"]);
 }
+
+#[test]
+fn heads_of_tables() {
+    let text = ".. csv-table:: Cases\n   :header: no, \":math:`D_0`\"\n\n   :math:`1`, 2\n";
+    assert_eq!(found(text), ["D_0", "1"]);
+}

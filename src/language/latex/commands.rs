@@ -394,6 +394,11 @@ const OTHERS: &[Command] = table! {
     "textit" "words" Role::Text;
     "textbf" "words" Role::Text;
     "textnormal" "words" Role::Text;
+    "textsf" "words" Role::Text;
+    "texttt" "words" Role::Text;
+    "textsc" "words" Role::Text;
+    "textsl" "words" Role::Text;
+    "textup" "words" Role::Text;
     "mbox" "words" Role::Text;
     "hbox" "words" Role::Text;
     "therefore" "∴, a word" Role::Word;

@@ -92,10 +92,12 @@ fn unwrapped(reader: &Reader) -> (Window, bool) {
     }
 }
 
-/// Takes away the break and the space between rows of which the second goes on with the first.
+/// Takes away the break and the space between rows of which the second goes on with the first. A sign at the end of
+/// the one that the other begins with again is the same sign, as many typesetters repeat it.
 fn joined(reader: &mut Reader, row: Window) {
     let mut depth = 0usize;
     let mut between = false;
+    let mut last = None;
     for at in row {
         match reader.tokens[at].kind {
             Tok::Begin(_) | Tok::OpenBrace => depth += 1,
@@ -105,7 +107,11 @@ fn joined(reader: &mut Reader, row: Window) {
         between = match reader.tokens[at].kind {
             Tok::RowBreak => depth == 0,
             Tok::Align | Tok::Gap | Tok::Skip => between,
-            _ => false,
+            kind @ (Tok::Rel(_) | Tok::Plus) if between && last == Some(kind) => true,
+            kind => {
+                last = Some(kind);
+                false
+            }
         };
         if between {
             reader.tokens[at].kind = Tok::Skip;

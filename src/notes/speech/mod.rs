@@ -260,6 +260,8 @@ pub struct Around {
     pub ours: bool,
     /// Whether the sentence asks for a proof.
     pub proves: bool,
+    /// Whether the sentence is a question.
+    pub asks: bool,
 }
 
 /// Small letters, single blanks, no marks of emphasis.
@@ -585,6 +587,12 @@ pub fn denies(words: &str) -> bool {
         || text
             .split(' ')
             .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
+}
+
+/// Whether a question asks for a reason.
+pub fn asks_why(words: &str) -> bool {
+    let text = plain(words);
+    ["why", "warum", "weshalb", "pourquoi", "为什么", "为何"].iter().any(|why| text.contains(why))
 }
 
 /// Whether words ask for a proof.

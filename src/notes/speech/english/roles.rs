@@ -100,6 +100,7 @@ pub const CUES: &[Cue] = &[
     Before("satisfying", Role::Introduced),
     Before("satisfies", Role::Introduced),
     Before("such that", Role::Introduced),
+    Before("for which", Role::Introduced),
     Before("the condition is", Role::Assumed),
     Before("the conditions are", Role::Assumed),
     // Hypotheses.
