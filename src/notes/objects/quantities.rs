@@ -22,7 +22,6 @@ struct Section<'a> {
     topics: Topics,
     numbers: Vec<usize>,
     sentences: Vec<&'a [Piece]>,
-    point: bool,
     centroid: bool,
 }
 
@@ -40,7 +39,6 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
         for piece in sentence {
             if let Piece::Words(words) = piece {
                 speech::topics(words, &mut section.topics);
-                section.point |= speech::speaks_of_a_point(words);
                 section.centroid |= speech::speaks_of_the_centroid(words);
             }
         }
@@ -65,10 +63,13 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
             section.topics.has(*topic)
                 && !(patch && (*topic == Topic::Tensor || *topic == Topic::Integral && section.centroid))
         };
-        if !section.point || others.iter().any(other) {
+        if others.iter().any(other) {
             continue;
         }
         let Some((number, name)) = section.described(page) else { continue };
+        if !section.calls_a_point(&name, page) {
+            continue;
+        }
         let mut made = None;
         let Some(value) = section.value(page, found, number, &mut made) else { continue };
         let own = Object { names: vec![name], values: vec![value], ..Object::new(Sort::Symbols) };
@@ -116,6 +117,25 @@ impl Section<'_> {
             said.has(&inside)
         });
         (!used).then_some((number, name))
+    }
+
+    /// Whether words right beside a name call it a point: "the point S", "S denotes the point".
+    fn calls_a_point(&self, name: &Expr, page: &Page) -> bool {
+        let own = |number: usize| match page.said(number) {
+            [Expr { kind: Kind::Chain(left, _), .. }] => left.same_as(name),
+            [one] => one.same_as(name),
+            _ => false,
+        };
+        let beside = |sentence: &&[Piece]| {
+            (0..sentence.len()).any(|at| {
+                let Piece::Formula(number) = &sentence[at] else { return false };
+                let before = at.checked_sub(1).map(|before| &sentence[before]);
+                own(*number)
+                    && (matches!(before, Some(Piece::Words(words)) if speech::ends_with_a_point(words))
+                        || matches!(sentence.get(at + 1), Some(Piece::Words(words)) if speech::leads_to_a_point(words)))
+            })
+        };
+        self.sentences.iter().any(beside)
     }
 
     /// The value of the only curve or patch at the only parameter.

@@ -19,7 +19,7 @@ mod tests;
 pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
-pub use quantities::{speaks_of_a_point, speaks_of_the_centroid};
+pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
