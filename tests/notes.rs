@@ -108,6 +108,38 @@ fn families_are_proved() {
     }
 }
 
+/// What is given is not found to be something else in the same section; both places are told.
+#[test]
+fn contradictions_are_told() {
+    let warned = |page: &str| -> Vec<String> {
+        check(page)
+            .into_iter()
+            .filter_map(|finding| Some(format!("{}: {}", finding.latex, finding.warning?)))
+            .collect()
+    };
+    for (page, told) in [
+        ("Let $b_0=0$ and $b_3=11$.\n\nHence $b_3=10$.", "b_3 = 10: line 1 gives it the value 11"),
+        (
+            "The control points are $b_0=0$ and $b_1=2$.\n\nSince $b_1=3$, it rises.",
+            "b_1 = 3: line 1 gives it the value 2",
+        ),
+        (
+            "Gegeben seien $b_0=(0,0)$ und $b_1=(1,2)$. Also ist $b_1=(2,1)$.",
+            "b_1 = (2,1): line 1 gives it the value (1, 2)",
+        ),
+    ] {
+        assert_eq!(warned(page), [told], "{page}");
+    }
+    for page in [
+        "Let $b_0=0$ and $b_3=11$.\n\n# Another curve\n\nHence $b_3=10$.",
+        "Let $b_0=1$. For the second curve let $b_0=2$. So $b_0=2$.",
+        "Let $n=2$. Hence $n=2$. If $n=3$, then $n+1=4$.",
+        "**Example 1.** Let $b_0=1$.\n\n**Example 2.** Here $b_0=2$; hence $b_0=2$.",
+    ] {
+        assert_eq!(warned(page), [""; 0], "{page}");
+    }
+}
+
 #[test]
 fn conditions_and_equations_are_no_claims() {
     for text in [

@@ -231,7 +231,7 @@ impl Checker {
                     self.condition(value, findings[0].span, true, place);
                 }
             } else {
-                self.definition(chain, head, place, &mut findings[0]);
+                self.definition(chain, head, statement, &mut findings[0]);
                 self.convention(head, &chain.sides[1].expr, statement);
             }
             start = 1;
@@ -249,7 +249,7 @@ impl Checker {
             && let (left, right) = (&chain.sides[0].expr, &chain.sides[1].expr)
             && let Some(Some(own)) = self.recursion(left, right, place)
         {
-            self.definition(chain, &own, place, &mut findings[0]);
+            self.definition(chain, &own, statement, &mut findings[0]);
             start = 1;
         }
         if start == 0
@@ -388,7 +388,7 @@ impl Checker {
                 && !head.flat().is_empty()
                 && !bases(&chain.sides[1].expr).contains(&head.base)
             {
-                self.definition(chain, head, place, &mut findings[at]);
+                self.definition(chain, head, statement, &mut findings[at]);
                 continue;
             }
             match verdict {
@@ -396,7 +396,7 @@ impl Checker {
                 Judged::Unfounded(finding, wrong) => {
                     self.settle(tally, chain, at, *finding, Some(wrong), findings);
                 }
-                Judged::Recursion(head) => self.definition(chain, &head, place, &mut findings[at]),
+                Judged::Recursion(head) => self.definition(chain, &head, statement, &mut findings[at]),
                 // d_j^p = s(u), where the page says what all d_i^r are, speaks of some of them.
                 Judged::Redefinition(_)
                     if head
@@ -414,7 +414,7 @@ impl Checker {
                             findings[at].warning = warning;
                             continue;
                         }
-                        self.definition(chain, head, place, &mut findings[at]);
+                        self.definition(chain, head, statement, &mut findings[at]);
                         if let Some(why) = tally.unclear.first().or(tally.errors.first().map(|e| &e.message))
                             && let Some(reason) = &mut findings[at].reason
                         {

@@ -49,10 +49,19 @@ pub struct Definition {
 pub enum Source {
     /// The page, as it is read.
     Page,
+    /// The page, which gives it and does not claim it: let b_3 = 11.
+    Given,
     /// A declaration for the judge.
     Declaration,
     /// A query; the items of a list there are counted from 0.
     Query,
+}
+
+impl Source {
+    /// Whether the text of the page says it.
+    pub fn is_text(self) -> bool {
+        matches!(self, Source::Page | Source::Given)
+    }
 }
 
 /// A condition on names, such as α + β + γ = 1.

@@ -8,6 +8,7 @@ use super::names::{
     Head, base_of, bases, capital_of, has_members, integer_names, is_capital, is_index_letter, is_range,
     polar_names, walk,
 };
+use super::object::Sort;
 use super::refute::calls;
 use super::statement::{Chain, Place};
 use crate::formula::{Expr, Kind, Rel, Term};
@@ -272,6 +273,11 @@ impl Checker {
             })
         };
         if capital != head.base {
+            // What words call a curve or a polynomial is no polar form for its small letter.
+            let spoken = self.context.object(head, place).map(|declared| &declared.object);
+            if spoken.is_some_and(|object| object.is_function() && object.sort != Sort::PolarForm) {
+                return false;
+            }
             if head.arguments.is_some() {
                 let polar = count > 1 || curve.is_some();
                 return polar

@@ -1,7 +1,7 @@
 //! What a chain says of names beside its verdict: definitions, values, formulas that hold.
 
 use super::check::Checker;
-use super::context::Body;
+use super::context::{Body, Source};
 use super::finding::{Finding, Verdict};
 use super::lint;
 use super::names::{Head, bases};
@@ -11,7 +11,14 @@ use crate::formula::{Expr, Kind, Rel};
 use num_traits::Zero;
 
 impl Checker {
-    pub(super) fn definition(&mut self, chain: &Chain, head: &Head, place: &Place, finding: &mut Finding) {
+    pub(super) fn definition(
+        &mut self,
+        chain: &Chain,
+        head: &Head,
+        statement: &Statement,
+        finding: &mut Finding,
+    ) {
+        let place = &statement.place;
         let body = &chain.sides[1];
         if body.is_unread() {
             return;
@@ -47,7 +54,10 @@ impl Checker {
         {
             return;
         }
-        self.define(head.clone(), Body::Formula(body.expr.clone()), &chain.conditions, place, body.expr.span);
+        let given = matches!(statement.role, None | Some(Role::Introduced));
+        let source = if given { Source::Given } else { Source::Page };
+        let formula = Body::Formula(body.expr.clone());
+        self.define_by(source, head.clone(), formula, &chain.conditions, place, body.expr.span);
         // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
         let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
         if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {

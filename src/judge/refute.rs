@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare::{self, Outcome};
-use super::context::{Body, Definition, is_variable};
+use super::context::{Body, Definition, Source, is_variable};
 use super::doubts;
 use super::features::{bare_values, has_structure, loose_index};
 use super::hypotheses::is_coefficient;
@@ -73,6 +73,33 @@ pub fn is_standard(head: Option<&Head>) -> bool {
     head.is_some_and(|head| {
         let indices = || head.lower.iter().chain(&head.upper);
         families::has_values(&head.base) && indices().next().is_some() && !indices().any(word)
+    })
+}
+
+/// "Hence b_3 = 10", where the section says "let b_3 = 11": what is given is not found to be something else.
+fn contradiction(
+    checker: &Checker,
+    head: &Head,
+    chain: &Chain,
+    statement: &Statement,
+    failure: &Failure,
+) -> Option<String> {
+    let claimed = statement.role == Some(Role::Claimed) && chain.conditions.is_empty();
+    let constant = [&failure.left, &failure.right].iter().all(|value| compare::symbols(value).is_empty());
+    let same = |own: &Head| {
+        own.lower.len() == head.lower.len()
+            && own.lower.iter().zip(&head.lower).all(|(a, b)| a.same_as(b))
+            && own.flat().len() == head.flat().len()
+            && own.flat().iter().zip(head.flat()).all(|(a, b)| a.same_as(b))
+    };
+    let (_, given, near) =
+        checker.context.visible(&head.base, &statement.place).find(|(_, own, _)| same(&own.head))?;
+    let data = near && given.source == Source::Given && given.conditions.is_empty();
+    // n = 2, then n = 3: a letter alone may run through values.
+    let member = !head.lower.is_empty() || head.arguments.is_some();
+    (claimed && constant && data && member).then(|| {
+        let value = write::text(&failure.left.to_expr());
+        format!("line {} gives it the value {value}", given.line)
     })
 }
 
@@ -264,7 +291,7 @@ pub fn decide(
             && (head.lower.is_empty() && is_constant(&failure.right) || again)
             && !own.contains(&head.base);
         if value && !standard {
-            return Decision::Redefinition(None);
+            return Decision::Redefinition(contradiction(checker, head, chain, statement, &failure));
         }
         let of_capital = own.contains(&super::names::capital_of(&head.base)) || statement.curve().is_some();
         if statement.role == Some(Role::Introduced)

@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::check::Checker;
-use super::context::{Body, Definition, Source, is_variable};
+use super::context::{Body, Definition, is_variable};
 use super::finding::{Evidence, Finding, Verdict};
 use super::names::{bases, is_index_letter};
 use super::tally::Tally;
@@ -72,7 +72,7 @@ impl Checker {
             .definitions
             .iter()
             .map(|(number, _)| &self.context.definitions[*number])
-            .filter(|definition| definition.source == Source::Page && !gives_number(definition))
+            .filter(|definition| definition.source.is_text() && !gives_number(definition))
             .map(|definition| Ground::Definition(definition.place.formula, definition.head.base.clone()));
         let own = |name: &String| !is_variable(name) && !is_index_letter(name) && !families::is_family(name);
         let names = sides.into_iter().flat_map(bases).filter(own).map(Ground::Name);

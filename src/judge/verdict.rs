@@ -1,12 +1,9 @@
 //! From the instances of a relation to its verdict.
 
-use std::collections::BTreeSet;
-
 use super::attempt::{Attempt, beyond_degree, restricted};
 use super::bare;
 use super::certainty::Suspect;
 use super::check::{Checker, blank};
-use super::compare;
 use super::conditions::CANNOT_HOLD;
 use super::doubts;
 use super::finding::{Evidence, Finding, Verdict};
@@ -16,13 +13,12 @@ use super::object::UNNAMED;
 use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
-use super::statement::{Chain, Place, Role, Side, Statement};
+use super::statement::{Chain, Place, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
-use crate::math::poly::Symbol;
 
 const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
 
@@ -142,8 +138,7 @@ impl Checker {
             return Judged::Verdict(Box::new(finding));
         }
         // Names that stand on one side only: the equation says what they are.
-        let introduces = (statement.role != Some(Role::Claimed) || self.restates(tally, &statement.place))
-            && matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
+        let introduces = matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
             && tally.determined == 0
             && tally.holds_inner == 0
             && tally.fails.iter().take(3).all(|failure| {
@@ -258,29 +253,6 @@ impl Checker {
             }
         }
         Judged::Verdict(Box::new(finding))
-    }
-
-    /// "Let q_0, …, q_3 be the points of the piece, that is, F(…) = Σ q_i B_i^3": names that the same paragraph lists
-    /// before are not claimed about.
-    fn restates(&self, tally: &Tally, place: &Place) -> bool {
-        let Some(failure) = tally.fails.first() else { return false };
-        let right = compare::symbols(&failure.right);
-        let left = compare::symbols(&failure.left);
-        let members = |symbol: &&Symbol| !symbol.is_plain() && !hypotheses::is_coefficient(symbol);
-        let new: BTreeSet<&str> = right
-            .iter()
-            .filter(members)
-            .map(Symbol::base)
-            .filter(|base| !left.iter().any(|symbol| symbol.base() == *base))
-            .collect();
-        let listed = |base: &&str| {
-            let named = self.context.heard.iter().filter(|(other, expr)| {
-                other.group == place.group && Head::of(expr).is_some_and(|head| head.base == **base)
-            });
-            named.count() > 1
-        };
-        let of_functions = left.iter().all(|symbol| symbol.is_plain() || hypotheses::is_coefficient(symbol));
-        of_functions && !new.is_empty() && new.iter().all(listed)
     }
 
     /// A proof for all integers, if one is found.

@@ -142,6 +142,7 @@ const REASONS = {
     // what looks wrong
     ["this differs from the usual meaning of {}", "与 {} 的通常含义不同"],
     ["this differs from the usual meaning of {}: {}", "与 {} 的通常含义不同:{}"],
+    ["line {} gives it the value {}", "第 {} 行给出它的值为 {}"],
     ["the right side does not depend on the index {} of {}", "右边与 {2} 的指标 {1} 无关"],
     ["the left side is a function of {}, but the right side has {} and the like instead", "左边是 {} 的函数,右边却含 {} 等"],
     ["{} has the index {}, but the sum runs over {}: nothing says what {} is", "{} 的指标是 {},而求和指标是 {}:没有说明 {} 是什么"],

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel, interval};
 use crate::judge::compare;
-use crate::judge::context::{Body, Definition, Source, is_variable};
+use crate::judge::context::{Body, Definition, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
 use crate::judge::hypotheses::is_coefficient;
@@ -104,8 +104,7 @@ impl Suspect<'_> {
 
     /// Whether no name in it has a meaning, or declarations and queries give all that it uses.
     fn means_one_thing(&self) -> bool {
-        self.tally.record.unknown.is_empty()
-            && self.used().all(|definition| definition.source != Source::Page)
+        self.tally.record.unknown.is_empty() && self.used().all(|definition| !definition.source.is_text())
     }
 
     /// Whether it calculates so much that a small edit does not make it true by chance: next to f(s) = a - b there

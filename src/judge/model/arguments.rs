@@ -1,7 +1,7 @@
 //! Arguments of calls: dots and braces written out, powers as repetitions, vectors.
 
 use super::{Evaluated, Model};
-use crate::formula::{Expr, Kind};
+use crate::formula::{Accent, Expr, Kind};
 use crate::judge::names::{Head, bases};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
@@ -38,13 +38,16 @@ impl Model {
         self.dotted_arguments(machine, items, arity, expr)
     }
 
-    /// The value of an argument: a name that words call a vector is one.
+    /// The value of an argument: a name that words call a vector is one, and so is a name below an arrow.
     pub(super) fn argument(&self, machine: &mut Machine, item: &Expr) -> Evaluated {
         let value = machine.eval(item)?;
         let vector = || {
-            Head::of(item).is_some_and(|head| {
-                head.arguments.is_none() && self.object(&head).is_some_and(|d| d.object.sort == Sort::Vectors)
-            })
+            let arrow = matches!(item.kind, Kind::Accent(Accent::Vec, _));
+            arrow
+                || Head::of(item).is_some_and(|head| {
+                    let spoken = self.object(&head).is_some_and(|d| d.object.sort == Sort::Vectors);
+                    head.arguments.is_none() && spoken
+                })
         };
         match value {
             Value::Scalar(step) if vector() => Ok(Value::Vector(step)),
@@ -98,10 +101,10 @@ impl Model {
                             .at(factor.span)
                     })?;
                     crate::budget::charge_terms(count as u64);
-                    let value = machine.eval(base)?;
+                    let value = self.argument(machine, base)?;
                     values.extend(std::iter::repeat_n(value, count));
                 }
-                None => values.push(machine.eval(factor)?),
+                None => values.push(self.argument(machine, factor)?),
             }
         }
         Ok(Some(values))

@@ -76,7 +76,7 @@ impl Model {
                         .and_then(|list| not_yet_named(list, items, after))
                         .ok_or_else(|| unclear("what the dots stand for", expr))?;
                     for entry in list {
-                        values.push(machine.eval(&entry)?);
+                        values.push(self.argument(machine, &entry)?);
                     }
                     at += 3;
                 }
@@ -129,9 +129,9 @@ impl Model {
         let dots = list.iter().position(|item| item.kind == Kind::Ellipsis);
         match (plain.as_slice(), dots) {
             ([], _) => Err(unclear("what the brace holds", expr)),
-            ([one], _) => Ok(vec![machine.eval(one)?; count]),
+            ([one], _) => Ok(vec![self.argument(machine, one)?; count]),
             (many, Some(_)) if many.windows(2).all(|pair| pair[0].same_as(pair[1])) => {
-                Ok(vec![machine.eval(many[0])?; count])
+                Ok(vec![self.argument(machine, many[0])?; count])
             }
             (many, Some(dots)) if dots > 0 => {
                 if let Some(after) = list.get(dots + 1)
@@ -139,13 +139,13 @@ impl Model {
                 {
                     let mut values = Vec::new();
                     for item in &list[..dots - 1] {
-                        values.push(machine.eval(item)?);
+                        values.push(self.argument(machine, item)?);
                     }
                     for entry in entries {
-                        values.push(machine.eval(&entry)?);
+                        values.push(self.argument(machine, &entry)?);
                     }
                     for item in &list[dots + 2..] {
-                        values.push(machine.eval(item)?);
+                        values.push(self.argument(machine, item)?);
                     }
                     if values.len() != count {
                         self.record.borrow_mut().mixed = true;
@@ -155,7 +155,7 @@ impl Model {
                 // u, …, u, 1̂ over n − q: the dots repeat what stands before them.
                 let mut values = Vec::new();
                 for item in many {
-                    values.push(machine.eval(item)?);
+                    values.push(self.argument(machine, item)?);
                 }
                 let Some(missing) = count.checked_sub(values.len()) else {
                     // Fewer than are written: the repeated ones go first.
@@ -175,7 +175,7 @@ impl Model {
             (many, _) => {
                 let mut values = Vec::new();
                 for item in many {
-                    values.push(machine.eval(item)?);
+                    values.push(self.argument(machine, item)?);
                 }
                 if values.len() != count {
                     self.record.borrow_mut().mixed = true;
@@ -238,7 +238,7 @@ impl Model {
                     return Err(unclear("what the dots stand for", expr));
                 };
                 let entry = Expr::new(Kind::Subscript(base.clone(), vec![Expr::int(i)]), expr.span);
-                values.push(machine.eval(&entry)?);
+                values.push(self.argument(machine, &entry)?);
             }
         }
         Ok(values)

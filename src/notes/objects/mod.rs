@@ -404,6 +404,14 @@ impl<'a> Reader<'a> {
             let other = before.checked_sub(1).map(|owner| &self.tokens[owner]);
             self.is(before, &Word::With) && !matches!(other, Some(Token::Unknown(_)))
         });
+        // "δ is the vector b - a"
+        if object.sort == Sort::Vectors
+            && names.len() == 1
+            && let Some([value]) = self.formula_at(to).map(|number| self.said(number))
+            && matches!(value.kind, Kind::Add(_) | Kind::Number(_))
+        {
+            object.values = vec![value.clone()];
+        }
         let points = object.sort == Sort::ControlPoints;
         let takes = object.sort == Sort::PolarForm || points && (owned || of_known);
         if self.of_pieces(&object, &names, &of, number) {

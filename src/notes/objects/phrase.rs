@@ -259,6 +259,8 @@ impl Reader<'_> {
                 Token::Word(Word::Rational) => object.rational = true,
                 // A C^2 cubic spline
                 Token::Formula(number) if is_smoothness(self.said(*number)) => {}
+                // A unit vector is a vector whatever else it is.
+                Token::Unknown(word) if object.sort == Sort::Vectors && !closed && !word.contains(' ') => {}
                 // An adjective that is not known here may change everything.
                 Token::Unknown(word)
                     if !matches!(object.sort, Sort::Symbols | Sort::Vectors)

@@ -9,6 +9,7 @@ use crate::formula::{Accent, Expr, Kind, Rel, Sign as Plus, Term, interval};
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::{Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
+use crate::language::lexicon::families;
 use crate::language::lexicon::roles::{is_control_point, is_variable};
 use crate::math::number::integer;
 use crate::notes::speech::Hint;
@@ -111,8 +112,8 @@ impl Told<'_> {
         {
             walk(said, &mut |part| {
                 if let Some(head) =
-                    Head::of(part).filter(|head| head.index().and_then(Expr::as_int).is_some())
-                    && head.arguments.is_none()
+                    Head::of(part).filter(|head| head.index().is_some() && head.arguments.is_none())
+                    && !families::is_family(&head.base)
                     && !letters.contains(&head.base)
                 {
                     letters.push(head.base);
