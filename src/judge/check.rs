@@ -19,7 +19,7 @@ use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Link, Rel, interval};
 use crate::language::diagnostic::Diagnostic;
 use crate::language::write;
 use num_traits::Zero;
@@ -161,6 +161,10 @@ impl Checker {
                 self.diagonal(chain, statement);
                 self.operators(chain, &statement.place);
                 let before = self.context.mark();
+                // [c, d] = [1, 2]
+                for side in chain.sides.iter().filter(|side| interval(&side.expr).is_some()) {
+                    Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
+                }
                 if equates_values(chain) {
                     Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
                 }

@@ -3,8 +3,8 @@
 
 use std::rc::Rc;
 
-use super::speech::Block;
-use crate::judge::statement::Place;
+use super::speech::{self, Block};
+use crate::judge::statement::{Place, Statement};
 
 /// What is open at a place of the page.
 #[derive(Default)]
@@ -17,6 +17,8 @@ pub(super) struct Blocks {
     passing: Vec<u32>,
     /// The environment that has just ended: a solution goes on from its exercise.
     left: Option<(Block, u32)>,
+    /// The number of the first statement of an example without a label.
+    running: Option<usize>,
     /// The examples so far.
     examples: Vec<Example>,
     /// The example that the paragraph goes back to.
@@ -47,6 +49,22 @@ impl Blocks {
     /// A heading ends what labels began.
     pub(super) fn heading(&mut self) {
         self.labelled.clear();
+        self.running = None;
+    }
+
+    /// "Take for example n = 3. … In general …": what stands between is said in the example, which gets this number.
+    /// Words after which no sentence leads back leave everything as it is.
+    pub(super) fn runs(&mut self, words: &str, begins: bool, own: u32, statements: &mut [Statement]) {
+        if speech::generalises(words, begins)
+            && let Some(first) = self.running.take()
+        {
+            for statement in statements.iter_mut().skip(first) {
+                statement.place.blocks.push(own);
+            }
+        }
+        if speech::gives_example(words) {
+            self.running = Some(statements.len());
+        }
     }
 
     /// Words after an environment.
@@ -56,6 +74,7 @@ impl Blocks {
 
     /// A labelled paragraph begins; a proof goes on from what it proves, a case is within its proof.
     pub(super) fn label(&mut self, block: Block, own: u32, name: Option<String>, place: &Place) {
+        self.running = None;
         self.labelled.retain(|(open, _)| open.holds(block));
         if !matches!(block, Block::Open | Block::Definition) {
             self.labelled.push((block, own));

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::primes::each;
+use crate::formula::source::SourceFile;
 use crate::formula::{Accent, Expr, Kind, bracketed};
 use crate::judge::names::{Head, walk};
 use crate::judge::statement::Statement;
@@ -12,10 +13,10 @@ use crate::judge::topic::Topic;
 /// and not of divided differences. A letter that is applied with parentheses, too, gets another name with brackets.
 ///
 /// Cost: linear in the formulas.
-pub(super) fn as_arguments(statements: &mut [Statement]) {
+pub(super) fn as_arguments(file: &SourceFile, statements: &mut [Statement]) {
     let polar = |s: &Statement| s.topics.has(Topic::PolarForm) && !s.topics.has(Topic::DividedDifference);
     let differences = statements.iter().any(|s| s.topics.has(Topic::DividedDifference));
-    let mut letters = BTreeSet::new();
+    let (mut letters, mut likely) = (BTreeSet::new(), BTreeSet::new());
     let mut called = BTreeSet::new();
     let general = !differences && statements.iter().any(polar);
     for statement in statements.iter_mut() {
@@ -24,7 +25,9 @@ pub(super) fn as_arguments(statements: &mut [Statement]) {
             walk(expr, &mut |part| match &part.kind {
                 Kind::Mul(factors) if meant => {
                     let pairs = factors.windows(2);
-                    letters.extend(pairs.filter_map(|pair| call(&pair[0], &pair[1]).map(|head| head.base)));
+                    for call in pairs.filter_map(|pair| call(file, &pair[0], &pair[1])) {
+                        if call.certain { &mut letters } else { &mut likely }.insert(call.letter);
+                    }
                 }
                 Kind::Apply(callee, groups) if groups.iter().flatten().count() == 1 => {
                     called.extend(Head::of(underived(callee)).map(|head| head.base));
@@ -33,11 +36,13 @@ pub(super) fn as_arguments(statements: &mut [Statement]) {
             });
         });
     }
+    // p[uv] beside p(t): a function is no factor.
+    letters.extend(likely.intersection(&called).cloned());
     if letters.is_empty() {
         return;
     }
     for statement in statements {
-        each(statement, &mut |expr| apply(expr, &letters, &called));
+        each(statement, &mut |expr| apply(file, expr, &letters, &called));
     }
 }
 
@@ -50,39 +55,75 @@ fn underived(callee: &Expr) -> &Expr {
 }
 
 /// What stands in a bracket of one of these kinds.
-fn inside(bracket: &Expr) -> Option<&[Expr]> {
+fn inside<'a>(file: &SourceFile, bracket: &'a Expr) -> Option<&'a [Expr]> {
     match &bracket.kind {
         Kind::List(items) => Some(items),
         Kind::Apply(callee, groups) if matches!(&callee.kind, Kind::Name(name) if name == "inner") => {
             groups.first().map(Vec::as_slice)
         }
+        Kind::Group(one) => {
+            let written =
+                file.slice(bracket.span).trim_start_matches(|c: char| c == '\\' || c.is_alphabetic());
+            written.trim_start().starts_with('[').then(|| std::slice::from_ref(&**one))
+        }
         _ => None,
     }
 }
 
-/// The letter before a bracket with several items.
-fn call(function: &Expr, bracket: &Expr) -> Option<Head> {
-    let several = inside(bracket).is_some_and(|items| items.len() > 1);
-    // s_j[u, v] is the polar form of a piece.
-    let plain = |head: &Head| head.lower.len() < 2 && head.upper.is_empty() && head.arguments.is_none();
-    Head::of(function).filter(|head| several && plain(head))
+/// A letter before a bracket with arguments.
+struct Call {
+    letter: String,
+    arguments: Vec<Expr>,
+    /// Whether it is one whatever the page says of the letter: several arguments with commas, dots, repetitions.
+    certain: bool,
 }
 
-fn apply(expr: &mut Expr, letters: &BTreeSet<String>, called: &BTreeSet<String>) {
-    expr.for_each_child_mut(&mut |child| apply(child, letters, called));
+/// b[t_1, t_2], b[t_1…t_n], b[0^{n-i}1^i]; where others are written like that, b[uv] and b[012], too.
+fn call(file: &SourceFile, function: &Expr, bracket: &Expr) -> Option<Call> {
+    let items = inside(file, bracket)?;
+    let single = |expr: &Expr| {
+        matches!(
+            expr.kind,
+            Kind::Name(_) | Kind::Number(_) | Kind::Subscript(..) | Kind::Accent(..) | Kind::Ellipsis
+        )
+    };
+    let repeated = |expr: &Expr| matches!(&expr.kind, Kind::Pow(base, _) if single(base));
+    let (arguments, certain) = match items {
+        [one] => match &one.kind {
+            Kind::Mul(factors) if factors.iter().all(|factor| single(factor) || repeated(factor)) => {
+                let told = |factor: &Expr| factor.kind == Kind::Ellipsis || repeated(factor);
+                (factors.clone(), factors.iter().any(told))
+            }
+            Kind::Number(_) => {
+                let digit =
+                    |digit: char| Some(Expr::new(Expr::int(i64::from(digit.to_digit(10)?)).kind, one.span));
+                let digits: Option<Vec<Expr>> = file.slice(one.span).trim().chars().map(digit).collect();
+                (digits.filter(|digits| digits.len() > 1)?, false)
+            }
+            _ => return None,
+        },
+        several => (several.to_vec(), several.len() > 1),
+    };
+    // s_j[u, v] is the polar form of a piece.
+    let plain = |head: &Head| head.lower.len() < 2 && head.upper.is_empty() && head.arguments.is_none();
+    let head = Head::of(function).filter(plain)?;
+    Some(Call { letter: head.base, arguments, certain })
+}
+
+fn apply(file: &SourceFile, expr: &mut Expr, letters: &BTreeSet<String>, called: &BTreeSet<String>) {
+    expr.for_each_child_mut(&mut |child| apply(file, child, letters, called));
     let Kind::Mul(factors) = &mut expr.kind else { return };
     let mut at = 0;
     while at + 1 < factors.len() {
-        if let Some(head) = call(&factors[at], &factors[at + 1])
-            && letters.contains(&head.base)
-            && let Some(items) = inside(&factors[at + 1])
+        if let Some(own) =
+            call(file, &factors[at], &factors[at + 1]).filter(|own| letters.contains(&own.letter))
         {
             let mut callee = factors[at].clone();
-            if called.contains(&head.base) {
+            if called.contains(&own.letter) {
                 rename(&mut callee);
             }
             let span = callee.span.to(factors[at + 1].span);
-            let value = Expr::new(Kind::Apply(Box::new(callee), vec![items.to_vec()]), span);
+            let value = Expr::new(Kind::Apply(Box::new(callee), vec![own.arguments]), span);
             factors.splice(at..at + 2, [value]);
         }
         at += 1;

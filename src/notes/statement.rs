@@ -51,7 +51,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     reader.end_table();
     let mut statements = reader.statements;
     primes::as_marks(&mut statements);
-    brackets::as_arguments(&mut statements);
+    brackets::as_arguments(&document.file, &mut statements);
     let sentences = sentence::sentences(document);
     sentence::assign(&sentences, &mut statements);
     attach(&mut statements);
@@ -125,6 +125,8 @@ impl Reader<'_> {
                 } else if let Some(name) = speech::recalled(words) {
                     self.blocks.recall(&name);
                 }
+                self.next_scope += 1;
+                self.blocks.runs(words, !self.begun, self.next_scope, &mut self.statements);
                 self.begun |= !words.trim().is_empty();
                 self.gap.push_str(words);
                 self.speak(words);

@@ -95,6 +95,11 @@ impl Theorem {
         self.equations.iter().any(|equation| equation.order)
     }
 
+    /// The degree of what it is about, if that is a number.
+    pub(super) fn degree(&self) -> Option<i64> {
+        self.meaning.split(' ').find_map(|word| word.strip_prefix("degree")?.parse().ok())
+    }
+
     pub(super) fn is_about(&self, topic: Topic) -> bool {
         self.about.iter().flatten().any(|own| *own == topic)
     }

@@ -239,11 +239,16 @@ impl Checker {
         let one_length = self.context.letters.has_one_length();
         let uneven = self.context.has_uneven_knots(claim.place);
         let even = |theorem: &Theorem| if theorem.is_about(Topic::Spline) { !uneven } else { one_length };
-        let said = Said { degrees: topics.degrees().collect(), intervals: self.intervals_heard(claim.place) };
+        let objects = self.context.objects.iter().filter(|told| claim.place.knows(&told.place, false));
+        let spoken = objects.filter_map(|told| told.object.degree.as_ref()?.as_int());
+        let degrees = topics.degrees().chain(spoken).collect();
+        let said = Said { degrees, intervals: self.intervals_heard(claim.place) };
         let subjects = [Topic::Spline, Topic::Tensor, Topic::Triangle];
         let mut found = Vec::new();
         for theorem in known {
-            let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own));
+            // Where no words say that it is a cubic, what differs from a theorem on cubics may be of another degree.
+            let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own))
+                || theorem.degree().is_some_and(|own| !said.degrees.contains(&own));
             if !theorem.is_spoken_of(topics)
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
@@ -281,6 +286,7 @@ impl Checker {
 
     /// The intervals that the section speaks of, the latest first, and pairs of names of which one is said to be less.
     fn intervals_heard(&self, place: &Place) -> Vec<(Expr, Expr)> {
+        let ends = |expr: &Expr| interval(expr).map(|([from, to], _)| (from.clone(), to.clone()));
         let mut found = Vec::new();
         for expr in self.heard(place) {
             match &expr.kind {
@@ -293,9 +299,7 @@ impl Checker {
                         sides.windows(2).filter(|pair| pair.iter().all(|side| Head::of(side).is_some()));
                     found.extend(names.map(|pair| (pair[0].clone(), pair[1].clone())));
                 }
-                Kind::List(_) | Kind::Apply(..) => {
-                    found.extend(interval(expr).map(|([from, to], _)| (from.clone(), to.clone())));
-                }
+                Kind::List(_) | Kind::Apply(..) => found.extend(ends(expr)),
                 _ => {}
             }
         }

@@ -102,7 +102,11 @@ impl Checker {
             let at = way.integers.iter().position(|(known, _)| known == letter)?;
             Some((at < way.anchored, way.integers[at].1.as_int()?))
         };
-        let Some((anchored, size)) = number("n") else { return false };
+        let Some((anchored, size)) = number("n") else {
+            // A theorem on cubics
+            let own = theorem.degree().filter(|_| !said.degrees.is_empty());
+            return own.is_some_and(|own| !said.degrees.contains(&own));
+        };
         let degree = size - i64::from(equation.order);
         let listed = |degree: i64| {
             way.letters.iter().filter_map(|(_, own)| Head::of(own)).any(|head| {
@@ -278,7 +282,7 @@ impl Checker {
 fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said) -> bool {
     let unit = |(from, to): &(Expr, Expr)| is_unit([from, to]);
     let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
-    let over_unit = ["curve", "powers", "casteljau", "hermite"];
+    let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
     let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
     theorem.meaning.split(' ').any(|word| over_unit.contains(&word))
         && !equation.profile.variables.iter().any(lengths)

@@ -316,6 +316,11 @@ impl Reader<'_> {
                 let is_d = inside.len() == 1 && self.tokens[inside.start].kind == Tok::Letter('d');
                 is_d.then_some((false, end))
             }
+            // {\rm d} or {\rm d t}
+            Tok::Command(Role::Switch(_)) => match self.look(at + 1)? {
+                (letter, Tok::Letter('d')) => Some((false, letter + 1)),
+                _ => None,
+            },
             Tok::OpenBrace => {
                 let inside = self.trim(at + 1..self.partner(at)?);
                 let is_d = inside.len() == 2

@@ -79,10 +79,14 @@ impl Reader<'_> {
 
     /// The parts of the fraction at the current token, if it is one of differentials, and its end.
     fn differentials(&self) -> Option<(Differentials, usize)> {
-        let (above, Tok::OpenBrace) = self.look(self.pos + 1)? else { return None };
-        let (below, Tok::OpenBrace) = self.look(self.after(above))? else { return None };
-        let (above_end, below_end) = (self.partner(above)?, self.partner(below)?);
-        let (partial, next) = self.differential_at(above + 1)?;
+        let (above, kind) = self.look(self.pos + 1)?;
+        let after = self.after(above);
+        // \frac d{dt}: without braces it is one sign.
+        let (inside, above_end) =
+            if kind == Tok::OpenBrace { (above + 1, after - 1) } else { (above, after) };
+        let (below, Tok::OpenBrace) = self.look(after)? else { return None };
+        let below_end = self.partner(below)?;
+        let (partial, next) = self.differential_at(inside).filter(|(_, next)| *next <= above_end)?;
         let (_, body) = self.order_at(next, above_end)?;
         if matches!(self.look(body).filter(|&(at, _)| at < above_end), Some((_, kind)) if !self.begins_operand(kind))
         {

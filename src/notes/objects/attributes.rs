@@ -53,6 +53,10 @@ impl Reader<'_> {
     pub(super) fn number_at(&self, at: usize) -> Option<Expr> {
         match self.tokens.get(at)? {
             Token::Number(number) => Some(Expr::int(*number)),
+            // of degree five
+            Token::Word(Word::Count(number)) if at > 0 && self.is(at - 1, &Word::Degree) => {
+                Some(Expr::int(*number))
+            }
             Token::Formula(number) => self.said(*number).first().map(|said| match &said.kind {
                 Kind::Chain(left, _) => left.as_ref().clone(),
                 _ => said.clone(),

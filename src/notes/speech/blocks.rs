@@ -33,6 +33,40 @@ pub(super) struct Recalls {
     pub(super) last: &'static [&'static str],
     /// Before that, if the sentence only compares: "as" of "as in Example 2".
     pub(super) compared: &'static [&'static str],
+    /// Words that make what follows an example, without a label.
+    pub(super) running: &'static [&'static str],
+    /// How a word begins that leads back from it to the general case, near the start of a sentence.
+    pub(super) general: &'static [&'static str],
+}
+
+/// So many letters of a sentence may stand before the word that leads back to the general case.
+const NEAR_START: usize = 30;
+
+/// Whether what follows these words is an example within a text: "for example", in their last sentence.
+pub fn gives_example(words: &str) -> bool {
+    let text = words.to_lowercase();
+    let last = text.rsplit(['.', '。', '!', '?', '！', '？']).next().unwrap_or_default();
+    LANGUAGES.iter().flat_map(|language| language.recalls.running).any(|cue| last.contains(cue))
+}
+
+/// Whether a sentence that begins in these words leads back from an example to the general case: "in general".
+pub fn generalises(words: &str, begins: bool) -> bool {
+    let text = words.to_lowercase();
+    let mut sentences = text.split(['.', '。', '!', '?', '！', '？']);
+    let first = sentences.next().filter(|_| begins);
+    first.into_iter().chain(sentences).any(|sentence| {
+        let start: String = sentence.trim_start().chars().take(NEAR_START).collect();
+        let spaced = |cue: &str| {
+            start.match_indices(cue).any(|(at, _)| !start.piece(..at).ends_with(char::is_alphanumeric))
+        };
+        LANGUAGES.iter().any(|language| {
+            language
+                .recalls
+                .general
+                .iter()
+                .any(|cue| if language.spaced { spaced(cue) } else { start.contains(cue) })
+        })
+    })
 }
 
 /// What the paragraph that begins with these words is, if it bears a label: bold, italic, or a word with
@@ -181,6 +215,24 @@ mod tests {
         assert_eq!(number_of_block("**Example 3.1.** Let").as_deref(), Some("3.1"));
         assert_eq!(number_of_block("**例 2（双曲线）。**").as_deref(), Some("2"));
         assert_eq!(kind_of_block("Beispiel"), Some(Block::Closed));
+    }
+
+    #[test]
+    fn examples_without_a_label() {
+        for words in ["Let us take for example", "Zahlenbeispiel: Zu", "Par exemple, si", "It is so. 例如取"]
+        {
+            assert!(gives_example(words), "{words}");
+        }
+        assert!(!gives_example("For example, it is so. Then"));
+        for (words, begins) in [
+            ("The general statement follows", true),
+            (". Allgemein hat man", false),
+            ("。现在回到一般的", false),
+            (". For arbitrary", false),
+        ] {
+            assert!(generalises(words, begins), "{words}");
+        }
+        assert!(!generalises("is not a point of the curve in general", false));
     }
 
     #[test]

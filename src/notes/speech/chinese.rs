@@ -489,4 +489,6 @@ pub(super) const RECALLS: Recalls = Recalls {
     named: &["在", "对", "对于", "由"],
     last: &["上", "前", "上面的", "上述", "前面的"],
     compared: &["如", "见"],
+    running: &["例如", "比如", "譬如", "举例"],
+    general: &["一般", "对任意"],
 };

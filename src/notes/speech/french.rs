@@ -582,4 +582,6 @@ pub(super) const RECALLS: Recalls = Recalls {
     named: &["dans", "pour", "de"],
     last: &["dans l", "pour l", "de l", "dans notre"],
     compared: &["comme", "voir"],
+    running: &["par exemple", "exemple numérique", "à titre d'exemple"],
+    general: &["en général", "le cas général", "général", "quelconque"],
 };

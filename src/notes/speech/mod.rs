@@ -16,7 +16,7 @@ mod starts;
 #[cfg(test)]
 mod tests;
 
-pub use blocks::{Block, block, kind_of_block, number_of_block, recalled};
+pub use blocks::{Block, block, generalises, gives_example, kind_of_block, number_of_block, recalled};
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};

@@ -278,4 +278,6 @@ pub(in crate::notes::speech) const RECALLS: Recalls = Recalls {
         "the last",
     ],
     compared: &["as", "like", "see"],
+    running: &["for example", "for instance", "as an example", "numerical example"],
+    general: &["in general", "general", "arbitrary"],
 };

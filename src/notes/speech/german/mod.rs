@@ -364,4 +364,14 @@ pub(super) const RECALLS: Recalls = Recalls {
         "letzten",
     ],
     compared: &["wie", "siehe", "vgl."],
+    running: &[
+        "zum beispiel",
+        "z.b.",
+        "z. b.",
+        "beispielsweise",
+        "etwa für",
+        "zahlenbeispiel",
+        "als beispiel",
+    ],
+    general: &["im allgemeinen", "allgemein", "beliebige"],
 };
