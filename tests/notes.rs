@@ -131,7 +131,7 @@ fn contradictions_are_told() {
         assert_eq!(warned(page), [told], "{page}");
     }
     for page in [
-        "Let $b_0=0$ and $b_3=11$.\n\n# Another curve\n\nHence $b_3=10$.",
+        "# A curve\n\nLet $b_0=0$ and $b_3=11$.\n\n# Another curve\n\nHence $b_3=10$.",
         "Let $b_0=1$. For the second curve let $b_0=2$. So $b_0=2$.",
         "Let $n=2$. Hence $n=2$. If $n=3$, then $n+1=4$.",
         "**Example 1.** Let $b_0=1$.\n\n**Example 2.** Here $b_0=2$; hence $b_0=2$.",

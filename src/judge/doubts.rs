@@ -4,13 +4,15 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare;
-use super::context::{Body, Definition};
+use super::context::{Body, Definition, is_variable};
 use super::features::{has_column, without_argument};
 use super::names::{Head, bases, is_range, walk};
 use super::object::Sort;
 use super::statement::{Chain, Statement};
 use super::tally::Tally;
 use crate::formula::{Expr, Kind, Rel, interval};
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
 
 /// Why it is not sure what a relation means, if it is not.
 pub(super) fn of_meaning(
@@ -76,6 +78,22 @@ pub(super) fn of_meaning(
         && tally.fails.iter().all(|failure| failure.around.is_some())
     {
         return Some("the knots that these numbers belong to are not known".to_owned());
+    }
+    let variable = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());
+    let varies = |value: &Value| compare::symbols(value).iter().any(variable);
+    // "At the corner P_u = 3 (P_10 - P_00)": where the derivative is taken the words say.
+    let unapplied = |side: &Expr| {
+        Head::of(side).is_some_and(|head| {
+            let letters = || head.lower.iter().flat_map(bases);
+            head.arguments.is_none() && letters().next().is_some() && letters().all(|name| is_variable(&name))
+        })
+    };
+    let at_a_place =
+        |side: &Expr, own: &Value, other: &Value| unapplied(side) && varies(own) && !varies(other);
+    if tally.fails.first().is_some_and(|failure| {
+        at_a_place(left, &failure.left, &failure.right) || at_a_place(right, &failure.right, &failure.left)
+    }) {
+        return Some("it has no argument here".to_owned());
     }
     // What the page says of a name in words that are not understood may be what the claim rests on.
     let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {

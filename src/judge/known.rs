@@ -447,6 +447,13 @@ impl Checker {
         expressions.filter(|expr| bases(expr).contains(base))
     }
 
+    /// Whether words make a symbol one of the points of something: c has the control points b_0, …, b_n.
+    pub(super) fn is_point_of_an_object(&self, symbol: &Symbol, place: &Place) -> bool {
+        let own = |point: &Expr| Head::of(point).is_some_and(|head| head.base == base_of(symbol));
+        let told = self.context.objects.iter().filter(|told| place.knows(&told.place, false));
+        told.into_iter().any(|told| told.object.points.iter().any(own))
+    }
+
     /// Whether no definition speaks of the family of a symbol.
     pub(super) fn is_open(&self, symbol: &Symbol, curve: &Option<Curve>) -> bool {
         let points = curve.as_ref().is_some_and(|curve| curve.points == symbol.base());

@@ -13,7 +13,7 @@ use super::object::UNNAMED;
 use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
-use super::statement::{Chain, Place, Side, Statement};
+use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::trial::Setting;
 use super::witness;
@@ -143,7 +143,9 @@ impl Checker {
             && tally.holds_inner == 0
             && tally.fails.iter().take(3).all(|failure| {
                 hypotheses::introduces(&failure.left, &failure.right, &|symbol| {
+                    let claimed = statement.role == Some(Role::Claimed);
                     self.is_open(symbol, &attempt.curve)
+                        && !(claimed && self.is_point_of_an_object(symbol, &statement.place))
                 })
             });
         if introduces {

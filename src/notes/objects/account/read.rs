@@ -9,7 +9,6 @@ use crate::formula::{Accent, Expr, Kind, Rel, Sign as Plus, Term, interval};
 use crate::judge::names::{Head, bases, is_index_letter, walk};
 use crate::judge::object::{Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
-use crate::language::lexicon::families;
 use crate::language::lexicon::roles::{is_control_point, is_variable};
 use crate::math::number::integer;
 use crate::notes::speech::Hint;
@@ -113,7 +112,8 @@ impl Told<'_> {
             walk(said, &mut |part| {
                 if let Some(head) =
                     Head::of(part).filter(|head| head.index().is_some() && head.arguments.is_none())
-                    && !families::is_family(&head.base)
+                    && head.upper.is_empty()
+                    && is_control_point(&head.base)
                     && !letters.contains(&head.base)
                 {
                     letters.push(head.base);
@@ -124,7 +124,7 @@ impl Told<'_> {
             values.into_iter().flatten().filter_map(Head::of).map(|head| head.base).collect();
         letters.retain(|letter| !data.contains(letter));
         match letters.as_slice() {
-            [one] if is_control_point(one) => Some(List::unlisted(one)),
+            [one] => Some(List::unlisted(one)),
             _ => None,
         }
     }
