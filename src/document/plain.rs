@@ -97,7 +97,8 @@ fn whole_parts<'a>(tokens: &[Token], at: usize, segment: &'a [Token]) -> &'a [To
     whole
 }
 
-/// A function everybody knows before its argument is a name. A short word between signs is a product if each of its letters is a name of the line: `2ab`, `rs + st`.
+/// A function everybody knows before its argument is a name. A short word between signs is a product if each of its
+/// letters is a name of the line: `2ab`, `rs + st`.
 fn read_words(line: &str, tokens: &mut [Token]) {
     let text = |token: &Token| line.piece(token.range.clone()).to_owned();
     let names: BTreeSet<char> = tokens

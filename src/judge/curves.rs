@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::context::{Body, Definition, is_variable};
-use super::described::{New, member};
+use super::described::New;
 use super::evaluator::{self, evaluate_reading};
 use super::model::Model;
 use super::names::{Head, bases, walk};
@@ -199,7 +199,7 @@ impl Checker {
                     .visible(letter, place)
                     .any(|(_, definition, near)| near && index(&definition.head) == Some(*i))
             };
-            let points: Vec<Expr> = (0..).take_while(known).map(|i| member(letter, i)).collect();
+            let points: Vec<Expr> = (0..).take_while(known).map(|i| Expr::indexed(letter, i)).collect();
             let degree = Expr::int(points.len() as i64 - 1);
             (points.len() > 2).then(|| Curve {
                 points: Some(letter.to_owned()),

@@ -146,7 +146,7 @@ impl New {
             }
             // q = (1, 5/2, 5/2, 1)
             ([], _) if head.arguments.is_none() => {
-                let names: Vec<Expr> = (0..points?).map(|i| member(POINTS, i)).collect();
+                let names: Vec<Expr> = (0..points?).map(|i| Expr::indexed(POINTS, i)).collect();
                 let side = Expr::from(Kind::List(names.clone()));
                 Some(New { letter: head.base, names, side, points, arguments: 0, point: None })
             }
@@ -532,8 +532,4 @@ fn with_indices_moved(expr: &Expr, letter: &str, by: i64) -> Expr {
     let mut copy = expr.clone();
     moved(&mut copy, letter, by);
     copy
-}
-
-pub(super) fn member(letter: &str, index: i64) -> Expr {
-    Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(index)]).into()
 }

@@ -8,7 +8,6 @@ use std::rc::Rc;
 
 use super::check::Checker;
 use super::context::{Body, Mark};
-use super::described::member;
 use super::finding::{Finding, Verdict};
 use super::model::Choices;
 use super::names::{Head, walk};
@@ -98,7 +97,7 @@ impl Checker {
             .filter(|(weight, _)| *weight != integer(0));
         let term = |(weight, at): (Rational, i64)| Term {
             sign: Sign::Plus,
-            expr: Expr::product(vec![Expr::number(&weight), member(&spline.points, at)]),
+            expr: Expr::product(vec![Expr::number(&weight), Expr::indexed(&spline.points, at)]),
         };
         let wanted = Expr::sum(terms.map(term).collect());
         let setting = self.setting(chain, place, None).without_equations();

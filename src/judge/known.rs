@@ -299,20 +299,16 @@ impl Checker {
     /// Whether a formula without the indices of its name cannot be one for all members of a family that another formula
     /// gives.
     pub(super) fn is_of_some_members(&self, head: &Head, body: &Expr, place: &Place) -> bool {
-        let indices: Vec<String> = head.lower.iter().chain(&head.upper).flat_map(bases).collect();
+        let letters =
+            |head: &Head| head.lower.iter().chain(&head.upper).flat_map(bases).collect::<Vec<String>>();
+        let indices = letters(head);
         let inside = bases(body);
         let given = |definition: &Definition| match &definition.body {
             Body::Formula(own) => {
-                indices.len()
-                    == definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).count()
+                let (theirs, own) = (letters(&definition.head), bases(own));
+                indices.len() == theirs.len()
                     && covers(definition, head)
-                    && definition
-                        .head
-                        .lower
-                        .iter()
-                        .chain(&definition.head.upper)
-                        .flat_map(bases)
-                        .any(|index| bases(own).contains(&index))
+                    && theirs.iter().any(|index| own.contains(index))
             }
             Body::Value(_) => false,
         };

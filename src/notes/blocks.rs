@@ -55,9 +55,7 @@ impl Blocks {
     /// "Take for example n = 3. … In general …": what stands between is said in the example, which gets this number.
     /// Words after which no sentence leads back leave everything as it is.
     pub(super) fn runs(&mut self, words: &str, begins: bool, own: u32, statements: &mut [Statement]) {
-        if speech::generalises(words, begins)
-            && let Some(first) = self.running.take()
-        {
+        if let Some(first) = self.running.take_if(|_| speech::generalises(words, begins)) {
             for statement in statements.iter_mut().skip(first) {
                 statement.place.blocks.push(own);
             }

@@ -246,15 +246,15 @@ impl Checker {
         let subjects = [Topic::Spline, Topic::Tensor, Topic::Triangle];
         let mut found = Vec::new();
         for theorem in known {
-            // Where no words say that it is a cubic, what differs from a theorem on cubics may be of another degree.
-            let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own))
-                || theorem.degree().is_some_and(|own| !said.degrees.contains(&own));
             if !theorem.is_spoken_of(topics)
                 || theorem.even && !even(theorem)
                 || refuted && theorem.contact.is_none()
             {
                 continue;
             }
+            // Where no words say that it is a cubic, what differs from a theorem on cubics may be of another degree.
+            let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own))
+                || theorem.degree().is_some_and(|own| !said.degrees.contains(&own));
             for equation in &theorem.equations {
                 if !claim.profile.may_be(&equation.profile) {
                     continue;
@@ -286,7 +286,6 @@ impl Checker {
 
     /// The intervals that the section speaks of, the latest first, and pairs of names of which one is said to be less.
     fn intervals_heard(&self, place: &Place) -> Vec<(Expr, Expr)> {
-        let ends = |expr: &Expr| interval(expr).map(|([from, to], _)| (from.clone(), to.clone()));
         let mut found = Vec::new();
         for expr in self.heard(place) {
             match &expr.kind {
@@ -299,7 +298,9 @@ impl Checker {
                         sides.windows(2).filter(|pair| pair.iter().all(|side| Head::of(side).is_some()));
                     found.extend(names.map(|pair| (pair[0].clone(), pair[1].clone())));
                 }
-                Kind::List(_) | Kind::Apply(..) => found.extend(ends(expr)),
+                Kind::List(_) | Kind::Apply(..) => {
+                    found.extend(interval(expr).map(|([from, to], _)| (from.clone(), to.clone())));
+                }
                 _ => {}
             }
         }

@@ -27,7 +27,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use self::attributes::is_call;
 use self::coreference::Talk;
 use self::facts::in_order;
-use self::page::{Page, formulas};
+use self::page::{Page, formulas, sections};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
 use self::tables::Row;
@@ -85,8 +85,9 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     let page = Page { formulas: &formulas, places: &places };
     owners::tell(&page, &mut found);
     account::tell(sentences, &page, &mut found);
-    patches::tell(sentences, &page, &mut found);
-    quantities::tell(sentences, &page, &mut found);
+    let sections = sections(sentences, &page);
+    patches::tell(&sections, &page, &mut found);
+    quantities::tell(&sections, &page, &mut found);
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
         object.sort = Sort::Other("rational".into());

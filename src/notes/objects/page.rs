@@ -2,9 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::contact::numbers;
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::Head;
 use crate::judge::statement::{Place, Said, Statement};
+use crate::judge::topic::Topics;
+use crate::notes::sentence::Piece;
+use crate::notes::speech;
 
 /// What the formulas of the page say, by their numbers, and where they stand.
 pub(super) struct Page<'a> {
@@ -16,6 +20,44 @@ impl Page<'_> {
     pub fn said(&self, number: usize) -> &[Expr] {
         self.formulas.get(&number).map_or(&[], Vec::as_slice)
     }
+}
+
+/// The sentences of one section that have formulas, with the numbers of these.
+#[derive(Default)]
+pub(super) struct Section<'a> {
+    pub topics: Topics,
+    pub numbers: Vec<usize>,
+    pub sentences: Vec<&'a [Piece]>,
+}
+
+impl Section<'_> {
+    /// Its words, piece by piece.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        self.sentences.iter().flat_map(|sentence| words(sentence))
+    }
+}
+
+fn words(sentence: &[Piece]) -> impl Iterator<Item = &str> {
+    sentence.iter().filter_map(|piece| match piece {
+        Piece::Words(words) => Some(words.as_str()),
+        Piece::Formula(_) => None,
+    })
+}
+
+/// The sections of a page.
+///
+/// Cost: linear in the words, times the number of topics.
+pub(super) fn sections<'a>(sentences: &'a [Vec<Piece>], page: &Page) -> Vec<Section<'a>> {
+    let mut found: BTreeMap<&[u32], Section> = BTreeMap::new();
+    for sentence in sentences {
+        let own = numbers(sentence);
+        let Some(place) = own.first().and_then(|number| page.places.get(number)) else { continue };
+        let section = found.entry(&place.scope).or_default();
+        section.numbers.extend(own);
+        section.sentences.push(sentence);
+        words(sentence).for_each(|words| speech::topics(words, &mut section.topics));
+    }
+    found.into_values().collect()
 }
 
 /// What the formula with a number says, in its parts.

@@ -5,23 +5,21 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::contact::numbers;
-use super::page::Page;
+use super::page::{Page, Section};
 use crate::formula::{BigOp, Expr, Kind, Rel, Sign, Term};
 use crate::judge::names::{Head, bases, is_index_letter, own_names, walk};
 use crate::judge::object::{Object, Sort, UNNAMED};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::latex;
 use crate::language::lexicon::families;
-use crate::notes::sentence::Piece;
-use crate::notes::speech;
+use crate::math::curve::indices;
+use crate::math::number::{Rational, multinomial};
 
 /// Degrees above this one are not followed.
 const MOST: i64 = 6;
 
 /// The net that sections speak of.
 struct Net {
-    degree: i64,
     /// Its points by their indices.
     points: BTreeMap<[i64; 3], Expr>,
     /// The formula after which it is known.
@@ -31,20 +29,8 @@ struct Net {
 /// Adds the patches of which sections give the net, by the function with three arguments of which they give values.
 ///
 /// Cost: linear in the formulas.
-pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
-    let mut sections: BTreeMap<&[u32], (Topics, Vec<usize>)> = BTreeMap::new();
-    for sentence in sentences {
-        let own = numbers(sentence);
-        let Some(place) = own.first().and_then(|number| page.places.get(number)) else { continue };
-        let (topics, all) = sections.entry(&place.scope).or_default();
-        all.extend(own);
-        for piece in sentence {
-            if let Piece::Words(words) = piece {
-                speech::topics(words, topics);
-            }
-        }
-    }
-    for (topics, numbers) in sections.into_values() {
+pub(super) fn tell(sections: &[Section], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
+    for Section { topics, numbers, .. } in sections {
         let listed = |object: &&Object| {
             object.sort == Sort::BezierCurve
                 && object.points.len() > 1
@@ -54,28 +40,28 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
         let mut curves = here()
             .flat_map(|(number, list)| list.iter().filter(listed).map(|own| (*number, own.points.clone())));
         if let (Some((number, points)), None) = (curves.next(), curves.next())
-            && let Some(letter) = letter_of_points(&numbers, page, points.len())
+            && let Some(letter) = letter_of_points(numbers, page, points.len())
         {
-            let names = (0..points.len() as i64).map(|i| member_of(&letter, i)).collect();
+            let names = (0..points.len() as i64).map(|i| Expr::indexed(&letter, i)).collect();
             let own = Object { names, values: points, ..Object::new(Sort::Symbols) };
             found.entry(number).or_default().push(own);
         }
         if topics.has(Topic::Bilinear)
-            && let Some((number, own)) = bilinear(&numbers, page)
+            && let Some((number, own)) = bilinear(numbers, page)
         {
             found.entry(number).or_default().push(own);
         }
         if !topics.has(Topic::Triangle) || topics.has(Topic::Rational) {
             continue;
         }
-        let Some(net) = Net::of(&numbers, page, topics) else { continue };
-        let Some((name, arguments)) = patch(&numbers, page, &net) else { continue };
+        let Some(net) = Net::of(numbers, page, *topics) else { continue };
+        let Some((name, arguments)) = patch(numbers, page, &net) else { continue };
         // "Un triangle de Bézier de points …" is no curve.
         let other = |object: &Object| {
             let own = |point: &Expr| net.points.values().any(|known| known.same_as(point));
             object.sort == Sort::BezierCurve && object.points.iter().any(own)
         };
-        for number in &numbers {
+        for number in numbers {
             if let Some(list) = found.get_mut(number) {
                 list.retain(|object| !other(object));
             }
@@ -208,7 +194,7 @@ impl Net {
         match (listed.as_slice(), points.len()) {
             ([(base, degree)], 1) if (1..=MOST).contains(degree) => {
                 let points = points.get(*base)?.clone();
-                said(*degree).then_some(Net { degree: *degree, points, number })
+                said(*degree).then_some(Net { points, number })
             }
             // b_{ijk}, i + j + k = 2
             ([], _) if points.len() < 2 && general.len() == 1 => {
@@ -216,9 +202,10 @@ impl Net {
                 let sums: Vec<i64> = sums.into_iter().collect();
                 let [degree] = sums.as_slice() else { return None };
                 let own = points.keys().all(|other| other == base) && (1..=MOST).contains(degree);
-                let members = indices(*degree).map(|own| Some((own, written(base, own)?)));
+                let all = indices(*degree as usize).into_iter().map(|own| own.map(|index| index as i64));
+                let members = all.map(|own| Some((own, written(base, own)?)));
                 let points = members.collect::<Option<_>>()?;
-                (own && said(*degree)).then_some(Net { degree: *degree, points, number })
+                (own && said(*degree)).then_some(Net { points, number })
             }
             _ => None,
         }
@@ -226,26 +213,15 @@ impl Net {
 
     /// The patch in three variables.
     fn formula(&self, variables: &[Expr]) -> Expr {
-        let factorial = |n: i64| (1..=n).product::<i64>();
         let term = |(indices, point): (&[i64; 3], &Expr)| {
-            let count = factorial(self.degree) / indices.iter().map(|i| factorial(*i)).product::<i64>();
+            let count = Rational::from_integer(multinomial(&indices.map(|index| index as usize)));
             let powers = variables.iter().zip(indices).filter(|(_, i)| **i > 0);
             let powers = powers.map(|(variable, i)| variable.clone().power(Expr::int(*i)));
-            let factors = std::iter::once(Expr::int(count)).chain(powers).chain([point.clone()]);
+            let factors = std::iter::once(Expr::number(&count)).chain(powers).chain([point.clone()]);
             Term { sign: Sign::Plus, expr: Expr::product(factors.collect()) }
         };
         Expr::sum(self.points.iter().map(term).collect())
     }
-}
-
-/// b_0
-fn member_of(letter: &str, index: i64) -> Expr {
-    Kind::Subscript(Box::new(Expr::name(letter)), vec![Expr::int(index)]).into()
-}
-
-/// All indices of a net.
-fn indices(degree: i64) -> impl Iterator<Item = [i64; 3]> {
-    (0..=degree).flat_map(move |i| (0..=degree - i).map(move |j| [i, j, degree - i - j]))
 }
 
 /// b_{200}, as a page writes it.

@@ -6,44 +6,21 @@
 
 use std::collections::BTreeMap;
 
-use super::contact::numbers;
-use super::page::Page;
+use super::page::{Page, Section};
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::names::{bases, integer_names};
 use crate::judge::object::{Object, Sort, UNNAMED};
-use crate::judge::topic::{Topic, Topics};
+use crate::judge::topic::Topic;
 use crate::language::lexicon::roles::is_variable;
+use crate::math::number::rational;
 use crate::notes::sentence::Piece;
 use crate::notes::speech;
-
-/// What a section says that may describe a point.
-#[derive(Default)]
-struct Section<'a> {
-    topics: Topics,
-    numbers: Vec<usize>,
-    sentences: Vec<&'a [Piece]>,
-    centroid: bool,
-}
 
 /// Says of such letters which value they are.
 ///
 /// Cost: linear in the words and formulas.
-pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
-    let mut sections: BTreeMap<&[u32], Section> = BTreeMap::new();
-    for sentence in sentences {
-        let own = numbers(sentence);
-        let Some(place) = own.first().and_then(|number| page.places.get(number)) else { continue };
-        let section = sections.entry(&place.scope).or_default();
-        section.numbers.extend(own);
-        section.sentences.push(sentence);
-        for piece in sentence {
-            if let Piece::Words(words) = piece {
-                speech::topics(words, &mut section.topics);
-                section.centroid |= speech::speaks_of_the_centroid(words);
-            }
-        }
-    }
-    for section in sections.into_values() {
+pub(super) fn tell(sections: &[Section], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
+    for section in sections {
         let others = [
             Topic::Derivative,
             Topic::Curvature,
@@ -61,7 +38,9 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
         // "The centroid of the triangle", "a triangular patch"
         let other = |topic: &Topic| {
             section.topics.has(*topic)
-                && !(patch && (*topic == Topic::Tensor || *topic == Topic::Integral && section.centroid))
+                && !(patch
+                    && (*topic == Topic::Tensor
+                        || *topic == Topic::Integral && section.speaks_of_the_centroid()))
         };
         if others.iter().any(other) {
             continue;
@@ -78,6 +57,10 @@ pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<u
 }
 
 impl Section<'_> {
+    fn speaks_of_the_centroid(&self) -> bool {
+        self.words().any(speech::speaks_of_the_centroid)
+    }
+
     /// The only new letter for which an equation is given, and the number of its formula.
     fn described(&self, page: &Page) -> Option<(usize, Expr)> {
         let mut found: Option<(usize, Expr)> = None;
@@ -209,9 +192,8 @@ impl Section<'_> {
                 _ => {}
             }
         }
-        let third = || Expr::number(&crate::math::number::rational(1, 3));
-        if arguments.is_empty() && self.centroid {
-            arguments = vec![third(); 3];
+        if arguments.is_empty() && self.speaks_of_the_centroid() {
+            arguments = vec![Expr::number(&rational(1, 3)); 3];
         }
         (arguments.len() == 3).then(|| Expr::apply(patch.as_ref().clone(), arguments))
     }
