@@ -163,7 +163,7 @@ fn findings(claim: &Expr, conditions: &[Expr]) -> Vec<Finding> {
         conditions: conditions.to_vec(),
         ..Chain::new(sides.map(side).collect(), relations)
     };
-    let place = Place { scope: Vec::new(), group: 0, formula: 1, blocks: Vec::new(), recalled: None };
+    let place = Place { formula: 1, ..Place::default() };
     let statement = Statement { role: Some(Role::Claimed), ..Statement::new(Said::Chain(chain), place) };
     let limits = Limits { steps: Some(STEPS), ..Limits::default() };
     let mut checker = Checker::new(&SourceFile::new("", ""), &limits, std::slice::from_ref(&statement));

@@ -471,6 +471,21 @@ impl Checker {
                 let value = chain.sides[0].expr.clone();
                 self.define(head, Body::Formula(value), &[], place, findings[at].span);
             }
+            // l_3 = r_0 = …, where l_3 was new, says what r_0 is, too.
+            let between = at == 1
+                && findings[0].verdict == Verdict::Definition
+                && findings[1].verdict == Verdict::Undecided
+                && chain.relations[1].0 == Rel::Eq;
+            if between
+                && let Some(own) = definable(&chain.sides[1].expr)
+                && !self.is_known(&own, &chain.sides[2].expr, place, &None)
+                && !bases(&chain.sides[2].expr).contains(&own.base)
+            {
+                findings[1].verdict = Verdict::Definition;
+                findings[1].reason = Some(format!("introduces {}", own.base));
+                let value = Body::Formula(chain.sides[2].expr.clone());
+                self.define(own, value, &chain.conditions, place, findings[1].span);
+            }
             // Let g have the values g(0) = 1, …: not the g of another section.
             let number = |expr: &Expr| bases(expr).is_empty();
             let anew = statement.role != Some(Role::Claimed)
@@ -574,7 +589,13 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
     let inside = if labelled { Default::default() } else { bases(body) };
     let arguments = head.flat();
     let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
-        return true;
+        // f(A, A) = 0 is a value.
+        let name = |at: usize| matches!(&arguments[at].kind, Kind::Name(_));
+        let again = |at: usize| arguments[..at].iter().any(|other| other.same_as(arguments[at]));
+        // f(A, B) = 1 is one, too, unless A and B are variables.
+        let constant = |at: usize| matches!(&arguments[at].kind, Kind::Name(own) if !is_variable(own) && !is_index_letter(own));
+        let numbers = bases(body).is_empty() && !arguments.is_empty() && (0..arguments.len()).all(constant);
+        return !numbers && !(0..arguments.len()).any(|at| name(at) && again(at));
     };
     let fixed = matches!(body.kind, Kind::Name(_));
     is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed

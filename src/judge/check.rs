@@ -48,6 +48,8 @@ pub struct Checker {
     pub(super) agreed: Vec<(String, Place)>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(super) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// Functions with laws that stayed open, each with its place and line.
+    pub(super) laws: Vec<(String, Place, usize)>,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -70,6 +72,7 @@ impl Checker {
             seen: BTreeSet::new(),
             agreed: Vec::new(),
             settled: RefCell::default(),
+            laws: Vec::new(),
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -188,6 +191,7 @@ impl Checker {
                     Ok(mut findings) => {
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
+                        self.remember_law(chain, &statement.place, &findings);
                         self.findings.extend(findings);
                     }
                     Err(stop) => {
@@ -218,6 +222,7 @@ impl Checker {
         self.by_description(chain, statement, &mut findings, before);
         self.by_scheme(chain, statement, &mut findings);
         self.by_insertion(chain, statement, &mut findings, before);
+        self.as_supposed(chain, statement, &mut findings);
         Ok(findings)
     }
 
@@ -388,7 +393,7 @@ pub fn of_side(side: &Side, verdict: Verdict, relation: usize) -> Finding {
 }
 
 /// Whether it says that two functions or their derivatives have one value somewhere: F'(a) = G'(a).
-fn equates_values(chain: &Chain) -> bool {
+pub(super) fn equates_values(chain: &Chain) -> bool {
     let call = |side: &Side| matches!(side.expr.kind, Kind::Apply(..)) && !side.is_unread();
     matches!(chain.sides.as_slice(), [one, other] if call(one) && call(other))
         && matches!(chain.relations.as_slice(), [(Rel::Eq, _)])

@@ -8,7 +8,7 @@ use super::context::{Body, Definition, is_variable};
 use super::features::{has_column, without_argument};
 use super::names::{Head, bases, is_range, walk};
 use super::object::Sort;
-use super::statement::{Chain, Statement};
+use super::statement::{Chain, Place, Statement};
 use super::tally::Tally;
 use crate::formula::{Expr, Kind, Rel, interval};
 use crate::language::value::Value;
@@ -95,25 +95,28 @@ pub(super) fn of_meaning(
     }) {
         return Some("it has no argument here".to_owned());
     }
-    // What the page says of a name in words that are not understood may be what the claim rests on.
-    let unknown_sort = bases(left).into_iter().chain(bases(right)).find_map(|base| {
-        // A formula for it says all.
-        let defined = checker.context.visible(&base, &statement.place).any(|(_, definition, near)| {
-            near && definition.head.arguments.is_some()
-                && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
-        });
-        match &checker.context.object_called(&base, &statement.place)?.object.sort {
-            Sort::Other(words) if !defined => Some((base, words.clone())),
-            _ => None,
-        }
-    });
-    if let Some((base, words)) = unknown_sort {
-        return Some(format!("it fails for some values, but {base} is said to be: {words}"));
-    }
-    None
+    checker.said_in_unknown_words([left, right], &statement.place)
 }
 
 impl Checker {
+    /// What the page says of a name in words that are not understood may be what a claim rests on.
+    pub(super) fn said_in_unknown_words(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        let names = sides.into_iter().flat_map(bases);
+        names.into_iter().find_map(|base| {
+            // A formula for it says all.
+            let defined = self.context.visible(&base, place).any(|(_, definition, near)| {
+                near && definition.head.arguments.is_some()
+                    && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
+            });
+            match &self.context.object_called(&base, place)?.object.sort {
+                Sort::Other(words) if !defined => {
+                    Some(format!("it fails for some values, but {base} is said to be: {words}"))
+                }
+                _ => None,
+            }
+        })
+    }
+
     /// Whether an integral goes beyond what the page says of its function: ∫_0^3 s(x) dx, where s is given on [0, 1].
     fn leaves_a_part(&self, side: &Expr, tally: &Tally) -> bool {
         let range = |definition: &Definition| {

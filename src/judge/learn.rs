@@ -1,7 +1,7 @@
 //! What a chain says of names beside its verdict: definitions, values, formulas that hold.
 
 use super::check::Checker;
-use super::context::{Body, Source};
+use super::context::{Body, Source, is_variable};
 use super::finding::{Finding, Verdict};
 use super::lint;
 use super::names::{Head, bases};
@@ -46,7 +46,18 @@ impl Checker {
         });
         // N_j^p = 0 for j < 0 or j > n
         let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
+        // r_n = b_n, where the points are r_0, …, r_n, says what the last one is.
+        let last = |(_, last): (Expr, Expr)| match head.lower.as_slice() {
+            [index] => !matches!(index.kind, Kind::Number(_)) && index.same_as(&last),
+            _ => false,
+        };
+        let last = head.arguments.is_none() && self.context.listed(&head.base, place).is_some_and(last);
+        if last {
+            let equation = Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, body.expr.clone());
+            self.condition(equation, body.expr.span, false, place);
+        }
         if derivative
+            || last
             || pieces
             || vanishes
             || restricted
@@ -56,8 +67,22 @@ impl Checker {
         }
         let given = matches!(statement.role, None | Some(Role::Introduced));
         let source = if given { Source::Given } else { Source::Page };
-        let formula = Body::Formula(body.expr.clone());
-        self.define_by(source, head.clone(), formula, &chain.conditions, place, body.expr.span);
+        let mut formula = body.expr.clone();
+        // p(t) = B_3^5 + B_4^5: all at t
+        if let [variable @ Expr { kind: Kind::Name(name), .. }] = head.flat().as_slice()
+            && is_variable(name)
+            && !bases(&formula).contains(name)
+        {
+            self.apply_families(&mut formula, variable, place);
+        }
+        self.define_by(
+            source,
+            head.clone(),
+            Body::Formula(formula),
+            &chain.conditions,
+            place,
+            body.expr.span,
+        );
         // s = Σ c_i N_{i,p} is s(x) = Σ c_i N_{i,p}(x).
         let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
         if plain && body.expr.has(&|part| matches!(part.kind, Kind::Big { .. })) {

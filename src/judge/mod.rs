@@ -59,6 +59,7 @@ mod same_geometry;
 mod scheme;
 mod spoken;
 pub mod statement;
+mod supposed;
 mod tally;
 mod theorems;
 pub mod topic;

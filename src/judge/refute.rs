@@ -94,7 +94,8 @@ fn contradiction(
     };
     let (_, given, near) =
         checker.context.visible(&head.base, &statement.place).find(|(_, own, _)| same(&own.head))?;
-    let data = near && given.source == Source::Given && given.conditions.is_empty();
+    let unchanged = !statement.place.may_change(&given.place);
+    let data = near && unchanged && given.source == Source::Given && given.conditions.is_empty();
     // n = 2, then n = 3: a letter alone may run through values.
     let member = !head.lower.is_empty() || head.arguments.is_some();
     (claimed && constant && data && member).then(|| {

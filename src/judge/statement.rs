@@ -18,7 +18,7 @@ impl Statement {
 }
 
 /// Where a statement stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place {
     /// The sections, quotations and environments around it, outermost first.
     pub scope: Vec<u32>,
@@ -30,9 +30,20 @@ pub struct Place {
     pub blocks: Vec<u32>,
     /// The end of an earlier example that its paragraph goes back to: "in Example 2".
     pub recalled: Option<Rc<Place>>,
+    /// The items of lists it stands in, outermost first.
+    pub items: Vec<u32>,
+    /// How often words before it said that data change: "if b_1 is replaced by …".
+    pub changes: u32,
 }
 
 impl Place {
+    /// Whether data from there may be others here: words change them, or they belong to another item of a list.
+    pub fn may_change(&self, earlier: &Place) -> bool {
+        // What an example said that the paragraph goes back to holds here.
+        let here = self.recalled.as_deref().unwrap_or(self);
+        earlier.changes < here.changes || !here.items.starts_with(&earlier.items)
+    }
+
     /// Whether both stand in sections of one section.
     pub fn is_beside(&self, other: &Place) -> bool {
         let parent = self.scope.len().saturating_sub(1);

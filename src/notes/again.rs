@@ -196,7 +196,7 @@ pub(super) fn run(
 
 fn declare(checker: &mut Checker, options: &Options) {
     if let Some(context) = &options.context {
-        let nowhere = Place { scope: Vec::new(), group: 0, formula: 0, blocks: Vec::new(), recalled: None };
+        let nowhere = Place::default();
         checker.declare(context, &nowhere, None);
     }
 }

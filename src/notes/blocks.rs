@@ -134,3 +134,30 @@ impl Blocks {
         self.recalled = found.map(|example| example.place.clone());
     }
 }
+
+/// How often the data of a page may have changed.
+#[derive(Default)]
+pub(super) struct Changes {
+    pub(super) so_far: u32,
+    /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
+    passing: bool,
+}
+
+impl Changes {
+    /// Words that put other data in the place of those before, or end a sentence that has data of its own.
+    pub(super) fn words(&mut self, words: &str) {
+        let ends = self.passing && speech::ends_a_sentence(words);
+        self.so_far += u32::from(ends || speech::changes_data(words));
+        self.passing &= !ends;
+    }
+
+    /// A formula after some words.
+    pub(super) fn formula(&mut self, before: &str, text: &str) {
+        self.passing |= text.contains('=') && speech::is_for_some_data(before);
+    }
+
+    /// A paragraph begins.
+    pub(super) fn paragraph(&mut self) {
+        self.so_far += u32::from(std::mem::take(&mut self.passing));
+    }
+}

@@ -36,6 +36,9 @@ pub(super) fn as_arguments(file: &SourceFile, statements: &mut [Statement]) {
             });
         });
     }
+    for statement in statements.iter_mut().filter(|statement| general || polar(statement)) {
+        each(statement, &mut |expr| split_digits(file, expr));
+    }
     // p[uv] beside p(t): a function is no factor.
     letters.extend(likely.intersection(&called).cloned());
     if letters.is_empty() {
@@ -94,12 +97,7 @@ fn call(file: &SourceFile, function: &Expr, bracket: &Expr) -> Option<Call> {
                 let told = |factor: &Expr| factor.kind == Kind::Ellipsis || repeated(factor);
                 (factors.clone(), factors.iter().any(told))
             }
-            Kind::Number(_) => {
-                let digit =
-                    |digit: char| Some(Expr::new(Expr::int(i64::from(digit.to_digit(10)?)).kind, one.span));
-                let digits: Option<Vec<Expr>> = file.slice(one.span).trim().chars().map(digit).collect();
-                (digits.filter(|digits| digits.len() > 1)?, false)
-            }
+            Kind::Number(_) => (digits(file, one).filter(|digits| digits.len() > 1)?, false),
             _ => return None,
         },
         several => (several.to_vec(), several.len() > 1),
@@ -108,6 +106,28 @@ fn call(file: &SourceFile, function: &Expr, bracket: &Expr) -> Option<Call> {
     let plain = |head: &Head| head.lower.len() < 2 && head.upper.is_empty() && head.arguments.is_none();
     let head = Head::of(function).filter(plain)?;
     Some(Call { letter: head.base, arguments, certain })
+}
+
+/// The digits of a number as it is written, one by one.
+fn digits(file: &SourceFile, number: &Expr) -> Option<Vec<Expr>> {
+    let digit = |digit: char| Some(Expr::new(Expr::int(i64::from(digit.to_digit(10)?)).kind, number.span));
+    file.slice(number.span).trim().chars().map(digit).collect()
+}
+
+/// f(01^2): a power after digits that begin with 0 is one of the last digit.
+fn split_digits(file: &SourceFile, expr: &mut Expr) {
+    expr.for_each_child_mut(&mut |child| split_digits(file, child));
+    let Kind::Apply(_, groups) = &mut expr.kind else { return };
+    let [group] = groups.as_mut_slice() else { return };
+    let [Expr { kind: Kind::Pow(base, exponent), span }] = group.as_slice() else { return };
+    if let (Kind::Number(_), Some(mut factors)) = (&base.kind, digits(file, base))
+        && factors.len() > 1
+        && file.slice(base.span).starts_with('0')
+        && let Some(last) = factors.pop()
+    {
+        factors.push(last.power(exponent.as_ref().clone()));
+        *group = vec![Expr::new(Kind::Mul(factors), *span)];
+    }
 }
 
 fn apply(file: &SourceFile, expr: &mut Expr, letters: &BTreeSet<String>, called: &BTreeSet<String>) {

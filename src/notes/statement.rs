@@ -4,7 +4,7 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
-use super::blocks::Blocks;
+use super::blocks::{Blocks, Changes};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
@@ -43,6 +43,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         gap: String::new(),
         trailing: None,
         formula: 0,
+        changes: Changes::default(),
         table: Table::default(),
     };
     for item in &document.items {
@@ -80,6 +81,7 @@ struct Reader<'a> {
     /// The relation after which the last formula ends.
     trailing: Option<(Rel, Span)>,
     formula: usize,
+    changes: Changes,
     table: Table,
 }
 
@@ -127,6 +129,7 @@ impl Reader<'_> {
                 }
                 self.next_scope += 1;
                 self.blocks.runs(words, !self.begun, self.next_scope, &mut self.statements);
+                self.changes.words(words);
                 self.begun |= !words.trim().is_empty();
                 self.gap.push_str(words);
                 self.speak(words);
@@ -172,6 +175,7 @@ impl Reader<'_> {
             }
             Item::Formula(formula) => {
                 self.formula += 1;
+                self.changes.formula(&self.gap, &formula.text);
                 let first = self.statements.len();
                 if !is_end_of_proof(&formula.text) {
                     self.formula(formula);
@@ -243,9 +247,15 @@ impl Reader<'_> {
 
     fn new_group(&mut self) {
         self.group += 1;
+        self.changes.paragraph();
         self.ended = false;
         self.begun = false;
         self.blocks.recalled = None;
+    }
+
+    /// The numbers of the items of lists that are open.
+    fn items(&self) -> Vec<u32> {
+        self.enclosures.iter().filter(|(own, _)| *own == Enclosure::Item).map(|(_, scope)| *scope).collect()
     }
 
     fn place(&self) -> Place {
@@ -261,6 +271,8 @@ impl Reader<'_> {
             formula: self.formula,
             blocks: self.blocks.open(),
             recalled: self.blocks.recalled.clone(),
+            items: self.items(),
+            changes: self.changes.so_far,
         }
     }
 

@@ -12,17 +12,17 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare;
-use super::context::{Definition, is_variable};
+use super::context::{Body, Definition, is_variable};
 use super::features::has_divided_differences;
 use super::hypotheses::is_coefficient;
 use super::names::{Head, bases, is_index_letter, walk};
 use super::object::Sort;
-use super::statement::{Chain, Role, Statement};
+use super::statement::{Chain, Place, Role, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
-use crate::formula::{Expr, Kind, Rel};
-use crate::language::lexicon::roles::is_intermediate;
-use crate::language::value::Value;
+use crate::formula::{Accent, Expr, Kind, Rel};
+use crate::language::lexicon::roles::{is_degree, is_intermediate};
+use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
 use crate::math::ring::Ring;
 use num_traits::Zero;
@@ -47,7 +47,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 11] = [
+        let rules: [fn(&Self) -> Option<String>; 16] = [
             Self::of_one_that_exists,
             Self::join_of_any_degree,
             Self::unrelated_functions,
@@ -59,6 +59,11 @@ impl Suspect<'_> {
             Self::family_of_another_kind,
             Self::rounded_or_modular,
             Self::word_of_a_group,
+            Self::changed_data,
+            Self::value_of_unknown_data,
+            Self::of_one_size,
+            Self::of_another_size,
+            Self::unused_equation,
         ];
         rules.into_iter().find_map(|rule| rule(self))
     }
@@ -89,12 +94,177 @@ impl Suspect<'_> {
             let unknown = !members.is_empty() && members.iter().all(|symbol| is_coefficient(symbol));
             unknown.then(|| members.iter().map(|symbol| symbol.base().to_owned()).collect())
         };
-        let (left, right) = (functions(&self.failure.left)?, functions(&self.failure.right)?);
+        // h_1 (b_n - b_{n-1}) = h_0 (c_1 - c_0), for any points b_i and c_i
+        let families = |value: &Value| -> BTreeSet<String> {
+            let symbols = compare::symbols(value);
+            symbols
+                .iter()
+                .filter(|symbol| !symbol.is_plain())
+                .map(|symbol| symbol.base().to_owned())
+                .collect()
+        };
+        let (left, right) = match (functions(&self.failure.left), functions(&self.failure.right)) {
+            (Some(left), Some(right)) => (left, right),
+            _ => {
+                let (left, right) = (families(&self.failure.left), families(&self.failure.right));
+                let own = |one: &BTreeSet<String>, other: &BTreeSet<String>| -> BTreeSet<String> {
+                    one.difference(other).cloned().collect()
+                };
+                (own(&left, &right), own(&right, &left))
+            }
+        };
+        let points = |name: &String| {
+            self.checker.context.objects.iter().any(|told| {
+                let names = match told.object.sort {
+                    Sort::ControlPoints => &told.object.names,
+                    _ => &told.object.points,
+                };
+                names.iter().filter_map(Head::of).any(|head| head.base == *name)
+            })
+        };
+        let place = &self.statement.place;
+        let joined = self.statement.topics.has(Topic::Join);
+        let points =
+            |name: &String| points(name) || joined && self.checker.context.listed(name, place).is_some();
+        let unknown = |name: &String| name.starts_with('[') || points(name);
+        if left.is_empty() || right.is_empty() || !left.iter().chain(&right).all(unknown) {
+            return None;
+        }
         let name =
             |set: &BTreeSet<String>| set.iter().next().map(|own| own.trim_matches(['[', ']']).to_owned());
         left.is_disjoint(&right).then(|| {
             Some(format!("what relates {} and {} is not understood here", name(&left)?, name(&right)?))
         })?
+    }
+
+    /// Numbers that words may have changed since they were given.
+    fn changed_data(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let data = |definition: &&Definition| match &definition.body {
+            Body::Formula(body) => {
+                let own: BTreeSet<String> = definition
+                    .head
+                    .flat()
+                    .into_iter()
+                    .chain(&definition.head.lower)
+                    .flat_map(bases)
+                    .collect();
+                bases(body).is_subset(&own)
+            }
+            Body::Value(value) => compare::symbols(value).is_empty(),
+        };
+        let used = self.used().filter(|own| self.are_numbers() || data(own));
+        let used = used.map(|definition| (definition.head.base.as_str(), &definition.place, definition.line));
+        // Values that were given in equations: d_0, d_1, d_2 = 6, 0, 12
+        let spoken: BTreeSet<String> = self
+            .used()
+            .filter_map(|definition| match &definition.body {
+                Body::Formula(body) => Some(bases(body)),
+                Body::Value(_) => None,
+            })
+            .flatten()
+            .collect();
+        let given = self.checker.context.conditions.iter().filter(|condition| {
+            self.are_numbers() && self.tally.condition.is_some() && gives_a_value(&condition.expr, &spoken)
+        });
+        let given = given.map(|condition| ("what it uses", &condition.place, condition.line));
+        let mut all = used.chain(given);
+        let (name, _, line) =
+            all.find(|(_, earlier, _)| place.knows(earlier, false) && place.may_change(earlier))?;
+        Some(format!("{name} may have been changed since line {line}"))
+    }
+
+    /// det L = 2^{-n(n+1)/2}, where the page gives the L of one n.
+    fn of_one_size(&self) -> Option<String> {
+        let integers: BTreeSet<&String> = self.failure.integers.iter().map(|(name, _)| name).collect();
+        let fixed = |side: &Expr, value: &Value| {
+            let own = bases(side);
+            !own.is_empty()
+                && own.iter().all(|name| !integers.contains(name))
+                && value.as_rational().is_some()
+        };
+        let [left, right] = self.sides();
+        let one = fixed(left, &self.failure.left) || fixed(right, &self.failure.right);
+        let name = integers.first().filter(|_| one && self.tally.holds > 0)?;
+        Some(format!("it holds for some {name}: which one is meant?"))
+    }
+
+    /// "Let us do it for n = 2. …": what fails for another n only is none of this example.
+    fn of_another_size(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let here = self.checker.context.heard.iter().filter(|(other, _)| other.group == place.group);
+        let own: BTreeSet<String> = self.chain.conditions.iter().flat_map(bases).collect();
+        let said = here.filter_map(|(_, expr)| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            match (&left.kind, links.as_slice()) {
+                (Kind::Name(name), [link])
+                    if is_degree(name) && !own.contains(name) && link.rel == Rel::Eq =>
+                {
+                    Some((name, link.expr.as_int()?))
+                }
+                _ => None,
+            }
+        });
+        let fails_with = |name: &String, value: i64| {
+            self.tally.fails.iter().any(|failure| {
+                match failure.integers.iter().find(|(own, _)| own == name) {
+                    Some((_, own)) => *own == value,
+                    None => failure.degree.is_none_or(|degree| degree as i64 == value),
+                }
+            })
+        };
+        let said: Vec<(&String, i64)> = said.collect();
+        let (name, value) = said.last()?;
+        let fails = said.iter().any(|(name, value)| fails_with(name, *value));
+        (!fails).then(|| format!("it does not fail for {name} = {value}"))
+    }
+
+    /// "We may assume w_0 = 1", in an earlier paragraph, or w = cos 45°, which is not computed: it was not used, so that
+    /// w_0 and w are still any numbers here.
+    fn unused_equation(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let context = &self.checker.context;
+        let symbols = self.symbols();
+        let free: Vec<Expr> = symbols.iter().map(symbol_expr).collect();
+        let is_free = |side: &Expr| free.iter().any(|symbol| symbol.same_as(side));
+        let ended = |other: &Place| {
+            place.sees(other) && place.blocks.starts_with(&other.blocks) && other.group != place.group
+        };
+        let mut assumed =
+            context.conditions.iter().filter(|condition| condition.assumed && ended(&condition.place));
+        let assumed = assumed.find(|condition| match &condition.expr.kind {
+            Kind::Chain(left, links) => match links.as_slice() {
+                [link] => link.rel == Rel::Eq && (is_free(left) || is_free(&link.expr)),
+                _ => false,
+            },
+            _ => false,
+        });
+        let defined = symbols.iter().filter(|symbol| symbol.is_plain()).find_map(|symbol| {
+            let name =
+                |head: &Head| head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+            context.visible(symbol.base(), place).find(|(_, known, near)| *near && name(&known.head))
+        });
+        let line = assumed.map(|condition| condition.line).or(defined.map(|(_, known, _)| known.line))?;
+        Some(format!("what line {line} says is not used here"))
+    }
+
+    /// q''(1) = 6, where words say that q is a curve, but its data are not understood: nobody claims it of any curve.
+    fn value_of_unknown_data(&self) -> Option<String> {
+        let [left, right] = self.sides();
+        let number = |expr: &Expr| bases(expr).is_empty();
+        let own = |side: &Expr, other: &Expr| {
+            let Kind::Apply(callee, groups) = &side.kind else { return None };
+            let name = Head::of(unprimed(callee))
+                .filter(|head| self.tally.record.unknown.contains(&head.base))?
+                .base;
+            let zero = matches!(&other.kind, Kind::Number(q) if q.is_zero());
+            (groups.iter().flatten().all(number) && number(other) && !zero).then_some(name)
+        };
+        if self.tally.determined > 0 {
+            return None;
+        }
+        let name = own(left, right).or_else(|| own(right, left))?;
+        Some(format!("the data of {name} are not understood here"))
     }
 
     fn sides(&self) -> [&Expr; 2] {
@@ -240,4 +410,20 @@ impl Suspect<'_> {
     fn symbols(&self) -> BTreeSet<Symbol> {
         [&self.failure.left, &self.failure.right].into_iter().flat_map(compare::symbols).collect()
     }
+}
+
+/// The function of which something is a derivative: q of q'', also with dots.
+fn unprimed(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Prime(inner, _) | Kind::Accent(Accent::Dot | Accent::Ddot, inner) => unprimed(inner),
+        _ => expr,
+    }
+}
+
+/// Whether an equation gives a number to a member of one of some families.
+fn gives_a_value(equation: &Expr, families: &BTreeSet<String>) -> bool {
+    let Kind::Chain(left, links) = &equation.kind else { return false };
+    let member = |head: Head| head.arguments.is_none() && families.contains(&head.base);
+    let number = matches!(links.as_slice(), [link] if link.rel == Rel::Eq && bases(&link.expr).is_empty());
+    number && Head::of(left).is_some_and(member)
 }

@@ -151,26 +151,26 @@ impl Model {
             };
             let mut sum = part(machine, -LOCAL_TERMS, LOCAL_TERMS)?;
             let mut end = LOCAL_TERMS;
-            loop {
-                if op != BigOp::Sum {
-                    break;
-                }
+            // Beyond the knots there are no more, perhaps on one side only.
+            let mut open = [true, true];
+            while op == BigOp::Sum && open != [false, false] {
                 let next = end + LOCAL_TERMS;
-                // Beyond the knots there are no more.
-                let (Ok(after), Ok(before)) = (part(machine, end + 1, next), part(machine, -next, -end - 1))
-                else {
-                    break;
-                };
-                let more = [after, before].into_iter().try_fold(sum.clone(), arithmetic::add);
-                let more = more.map_err(|error| error.at(expr.span))?;
-                if more == sum {
+                let mut wider = sum.clone();
+                for (open, [from, to]) in open.iter_mut().zip([[end + 1, next], [-next, -end - 1]]) {
+                    let more = open.then(|| part(machine, from, to).ok()).flatten();
+                    *open = more.is_some();
+                    if let Some(more) = more {
+                        wider = arithmetic::add(wider, more).map_err(|error| error.at(expr.span))?;
+                    }
+                }
+                if wider == sum {
                     break;
                 }
                 if next > MOST_LOCAL_TERMS {
                     let message = "limits of infinite sums are not computed";
                     return Err(Diagnostic::error(Code::Undecided, message).at(expr.span));
                 }
-                (sum, end) = (more, next);
+                (sum, end) = (wider, next);
             }
             Ok(sum)
         };

@@ -11,10 +11,11 @@ use crate::language::eval::Machine;
 use crate::language::ops::arithmetic;
 use crate::language::ops::errors::division_by_zero;
 use crate::language::value::Value;
+use crate::language::write;
 use crate::math::basis;
 use crate::math::blossom::{Argument, PolarForm};
 use crate::math::number::Rational;
-use crate::math::poly::{Coefficients, Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Coefficients, Fraction, Index, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::{One, Zero};
 
@@ -166,19 +167,18 @@ impl Model {
             return Err(unclear("what the value at this argument is", expr));
         };
         if self.opaque {
-            let name = Symbol::new(&head.base).with_indices([crate::math::poly::Index::Word(z.to_string())]);
+            let name = Symbol::new(&head.base).with_indices([Index::Word(z.to_string())]);
             self.record.borrow_mut().unknown.insert(head.base.clone());
             return Ok(Value::symbol(name));
         }
         let mut name = Symbol::new(format!("[{}]", head.base));
-        for index in &head.lower {
-            name = name.with_indices([crate::math::poly::Index::Word(machine.eval(index).map_or_else(
-                |_| "?".to_owned(),
-                |value| match value.as_int() {
-                    Some(i) => i.to_string(),
-                    None => crate::language::write::text(&value.to_expr()),
-                },
-            ))]);
+        // Each member of a family is a function of its own, also κ_{old} and κ^{new}.
+        for index in head.lower.iter().chain(&head.upper) {
+            let word = match machine.eval(index) {
+                Ok(value) => value.as_int().map_or_else(|| write::text(&value.to_expr()), |i| i.to_string()),
+                Err(_) => write::text(index),
+            };
+            name = name.with_indices([Index::Word(word)]);
         }
         let coefficients = if head.lower.is_empty() && head.upper.is_empty() {
             self.coefficients(machine, &head.base, expr)?

@@ -281,3 +281,18 @@ pub(super) fn degree_of_knots(knots: &[Expr]) -> Option<Expr> {
         _ => None,
     }
 }
+
+/// (ρ_j, z_j): the coordinates of one point of many, no two points.
+pub(super) fn are_coordinates(items: &[Expr]) -> bool {
+    let index = |item: &Expr| {
+        let head = Head::of(item).filter(|head| head.arguments.is_none())?;
+        match head.lower.as_slice() {
+            [Expr { kind: Kind::Name(index), .. }] => Some((head.base, index.clone())),
+            _ => None,
+        }
+    };
+    let all: Option<Vec<(String, String)>> = items.iter().map(index).collect();
+    all.is_some_and(|all| {
+        all.len() > 1 && all.windows(2).all(|two| two[0].1 == two[1].1 && two[0].0 != two[1].0)
+    })
+}

@@ -26,7 +26,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::attributes::is_call;
 use self::coreference::Talk;
-use self::facts::in_order;
+use self::facts::{are_coordinates, in_order};
 use self::page::{Page, formulas, sections};
 use self::phrase::Phrase;
 use self::subject::{left_side, name_in, named};
@@ -91,6 +91,9 @@ pub fn insert(sentences: &[Vec<Piece>], statements: &mut Vec<Statement>) {
     // "A rational curve" of which no weights are given
     for object in found.values_mut().flatten().filter(|object| object.rational && object.weights.is_empty()) {
         object.sort = Sort::Other("rational".into());
+    }
+    for object in found.values_mut().flatten().filter(|object| are_coordinates(&object.points)) {
+        object.points.clear();
     }
     let mut all = Vec::with_capacity(statements.len() + found.len());
     let mut contacts = contact::contacts(sentences, &formulas);
@@ -288,8 +291,11 @@ impl<'a> Reader<'a> {
         let article = |word: &Word| {
             matches!(word, Word::Article | Word::Filler | Word::The | Word::Same | Word::Der | Word::Its)
         };
-        at.checked_sub(1)
-            .is_some_and(|before| matches!(&self.tokens[before], Token::Word(word) if article(word)))
+        // "a closed cubic": an adjective that is not known may stand between.
+        let adjective = |token: &Token| matches!(token, Token::Unknown(word) if !word.contains(' '));
+        let steps = 1 + usize::from(self.tokens[..at].last().is_some_and(adjective));
+        let before = at.checked_sub(steps).map(|before| &self.tokens[before]);
+        before.is_some_and(|before| matches!(before, Token::Word(word) if article(word)))
     }
 
     fn take(&mut self, phrase: Phrase) {

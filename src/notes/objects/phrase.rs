@@ -418,6 +418,10 @@ impl Reader<'_> {
         if object.sort == Sort::BSpline && !object.points.is_empty() {
             object.sort = Sort::SplineCurve;
         }
+        // A symmetric curve or cubic is more than a curve.
+        if symmetric && affine.is_none() && matches!(object.sort, Sort::BezierCurve | Sort::SplineCurve) {
+            object.sort = Sort::Other("symmetric".into());
+        }
         if let (Sort::PolarForm, Some(Some(count)), None) = (&object.sort, affine, &object.degree) {
             object.degree = Some(Expr::int(count));
         }

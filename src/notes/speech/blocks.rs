@@ -37,6 +37,8 @@ pub(super) struct Recalls {
     pub(super) running: &'static [&'static str],
     /// How a word begins that leads back from it to the general case, near the start of a sentence.
     pub(super) general: &'static [&'static str],
+    /// How words begin that put other data in the place of those before.
+    pub(super) changed: &'static [&'static str],
 }
 
 /// So many letters of a sentence may stand before the word that leads back to the general case.
@@ -47,6 +49,40 @@ pub fn gives_example(words: &str) -> bool {
     let text = words.to_lowercase();
     let last = text.rsplit(['.', '。', '!', '?', '！', '？']).next().unwrap_or_default();
     LANGUAGES.iter().flat_map(|language| language.recalls.running).any(|cue| last.contains(cue))
+}
+
+/// Whether words put other data in the place of those before: "if now b_1 is replaced by …", "with t = 1 instead".
+pub fn changes_data(words: &str) -> bool {
+    let text = words.to_lowercase();
+    let begins =
+        |cue: &str| text.match_indices(cue).any(|(at, _)| !text.piece(..at).ends_with(char::is_alphanumeric));
+    LANGUAGES.iter().any(|language| {
+        let mut cues = language.recalls.changed.iter();
+        cues.any(|cue| if language.spaced { begins(cue) } else { text.contains(cue) })
+    })
+}
+
+/// Whether a sentence ends within these words or right before them.
+pub fn ends_a_sentence(words: &str) -> bool {
+    words.trim_start().starts_with(char::is_uppercase)
+        || words.contains(['。', '！', '？', '!', '?'])
+        || words.contains(". ")
+        || words.contains(".\n")
+}
+
+/// Whether the words before a formula begin their sentence with a case of some data: "For integer knots".
+pub fn is_for_some_data(words: &str) -> bool {
+    let text = words.to_lowercase();
+    let last = text.rsplit(['.', '。', '!', '?', '！', '？']).next().unwrap_or_default().trim();
+    // One word and at most three more: the case itself, "for t = 1/2", is a condition of its sentence anyway.
+    let more = last.split_whitespace().count();
+    LANGUAGES.iter().any(|language| {
+        let begins = |cue: &str| match language.spaced {
+            true => last.split_whitespace().next() == Some(cue) && (2..=4).contains(&more),
+            false => last.starts_with(cue) && last.chars().count() <= 8 && last != cue,
+        };
+        language.conditions.cases.iter().any(|cue| begins(cue)) && !last.contains([',', '，'])
+    })
 }
 
 /// Whether a sentence that begins in these words leads back from an example to the general case: "in general".

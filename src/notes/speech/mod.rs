@@ -16,7 +16,10 @@ mod starts;
 #[cfg(test)]
 mod tests;
 
-pub use blocks::{Block, block, generalises, gives_example, kind_of_block, number_of_block, recalled};
+pub use blocks::{
+    Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data, kind_of_block,
+    number_of_block, recalled,
+};
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};

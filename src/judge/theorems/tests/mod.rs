@@ -37,7 +37,7 @@ fn sides(
     };
     let arities: Vec<(String, usize)> = theorem.polar.iter().filter_map(arity).collect();
     let world = behind.clone();
-    let place = Place { scope: Vec::new(), group: 0, formula: 0, blocks: Vec::new(), recalled: None };
+    let place = Place::default();
     let free = Rc::new(Free {
         model: Model::new(Rc::new(Context::new(Letters::default())), place, Choices::default(), None),
         functions: Rc::new(equation.profile.functions(&arities)),

@@ -71,7 +71,7 @@ fn replace_all(expr: &mut Expr, old: &Expr, new: &Expr) {
 }
 
 fn place() -> Place {
-    Place { scope: Vec::new(), group: 0, formula: 1, blocks: Vec::new(), recalled: None }
+    Place { formula: 1, ..Place::default() }
 }
 
 /// A claim in a section that speaks of all that a theorem is about.

@@ -164,7 +164,8 @@ impl Account {
     fn spline(&mut self, families: Vec<List>, told: &Told) -> Option<()> {
         let mut families = families.into_iter();
         let Some(list) = families.next() else {
-            // One function of the basis
+            // One function of the basis; a spline on these knots may have any points.
+            told.all.contains(&Sign::Curve(Sort::BSpline)).then_some(())?;
             self.degree =
                 Some(self.knots.len() as i64 - 2).filter(|own| self.degree.is_none_or(|said| said == *own));
             return self.degree.filter(|degree| *degree > 0).map(drop);
