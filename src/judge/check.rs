@@ -48,6 +48,10 @@ pub struct Checker {
     pub(super) agreed: Vec<(String, Place)>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(super) settled: RefCell<BTreeMap<Ambiguity, bool>>,
+    /// What was known before the statement that is judged.
+    pub(super) before: Mark,
+    /// Whether a repair is judged, for which no other is looked for.
+    pub(super) confirming: bool,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -70,6 +74,8 @@ impl Checker {
             seen: BTreeSet::new(),
             agreed: Vec::new(),
             settled: RefCell::default(),
+            before: Mark::default(),
+            confirming: false,
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -161,6 +167,7 @@ impl Checker {
                 self.diagonal(chain, statement);
                 self.operators(chain, &statement.place);
                 let before = self.context.mark();
+                self.before = before;
                 // [c, d] = [1, 2]
                 for side in chain.sides.iter().filter(|side| interval(&side.expr).is_some()) {
                     Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
