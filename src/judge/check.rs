@@ -17,6 +17,7 @@ use super::reliance::Use;
 use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
+use super::unread::Unread;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, interval};
@@ -34,6 +35,8 @@ pub struct Checker {
     pub(super) limits: Limits,
     /// How many of the next formulas are not to be judged.
     pub(super) ignored: usize,
+    /// Names that stand beside something that could not be read.
+    pub(super) unread: Vec<Unread>,
     /// What could not be judged, for formulas that come later.
     pub(super) open: Vec<Condition>,
     /// What relied on definitions of the page.
@@ -67,6 +70,7 @@ impl Checker {
             context: Rc::new(Context::new(letters)),
             limits: limits.clone(),
             ignored: 0,
+            unread: Vec::new(),
             open: Vec::new(),
             uses: Vec::new(),
             taken: Vec::new(),
@@ -195,6 +199,8 @@ impl Checker {
                     Ok(mut findings) => {
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
+                        let line = self.line(chain.whole().span);
+                        self.unread.extend(Unread::of(chain, &statement.place, &findings, line));
                         self.findings.extend(findings);
                     }
                     Err(stop) => {

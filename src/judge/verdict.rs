@@ -16,6 +16,7 @@ use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::trial::Setting;
+use super::unread::Unread;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
@@ -43,6 +44,13 @@ impl Checker {
             .map(|(number, _)| number)
             .collect();
         let repair = || repair::find(self, setting, at, attempt.choices, tally, statement, &held);
+        let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
+        let doubt = |unread: &Unread| unread.doubt(sides, &self.context, &statement.place);
+        if let Some(reason) = self.unread.iter().rev().find_map(doubt) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason);
+            return Judged::Verdict(Box::new(finding));
+        }
         let ranged = !outcomes.integers.is_empty() && !outcomes.fixed || outcomes.degrees;
         let range = || {
             let mut names = outcomes.integers.join(", ");
