@@ -11,6 +11,7 @@ use std::path::Path;
 use polarform::document::{Container, document};
 use polarform::formula::source::SourceFile;
 use polarform::judge::finding::{Finding, Verdict};
+use polarform::notes::report::{fixed, fixes};
 use polarform::notes::{Options, check_document};
 
 /// The pages of a file: the line where each begins, whether its claim is true, if that can be said, and its text.
@@ -81,5 +82,48 @@ fn every_page_gets_its_verdict() {
         }
     }
     assert!(count > 50, "only {count} pages");
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// Suggestions are put into a page so many times.
+const ROUNDS: usize = 4;
+
+/// A page that a suggestion changed has nothing refuted any more: a suggestion is right where it is put.
+#[test]
+fn suggestions_settle() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/pages");
+    let mut wrong = String::new();
+    let (mut count, mut repaired) = (0, 0);
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    for file in files {
+        let name = file.file_name().unwrap().to_string_lossy().into_owned();
+        for (line, _, page) in pages(&fs::read_to_string(&file).unwrap())
+            .into_iter()
+            .filter(|(_, truth, _)| *truth == Some(false))
+        {
+            count += 1;
+            let mut text = page;
+            for round in 0..=ROUNDS {
+                let document = document(SourceFile::new("page.md", text.as_str()), Container::Markdown);
+                let report = check_document(&document, &Options::default());
+                let fixes = fixes(&document, &report);
+                let refuted: Vec<&Finding> =
+                    report.findings.iter().filter(|finding| finding.verdict == Verdict::Refuted).collect();
+                if round > 0 && !refuted.is_empty() && fixes.is_empty() || round == ROUNDS {
+                    let left: Vec<&str> = refuted.iter().map(|finding| finding.latex.as_str()).collect();
+                    if !left.is_empty() {
+                        let _ = writeln!(wrong, "{name}:{line}: refuted after {round} rounds: {left:?}");
+                    }
+                }
+                if fixes.is_empty() {
+                    repaired += usize::from(round > 0);
+                    break;
+                }
+                text = fixed(&text, &fixes);
+            }
+        }
+    }
+    assert!(2 * repaired > count, "only {repaired} of {count} wrong pages were repaired");
     assert!(wrong.is_empty(), "{wrong}");
 }

@@ -149,6 +149,10 @@ pub(super) fn content(info: &str) -> Content {
     if info == "math" {
         return Content::Formula;
     }
+    // Blocks of pandoc that go into LaTeX as they are
+    if matches!(info, "{=latex}" | "{=tex}") {
+        return Content::Prose;
+    }
     match info.strip_prefix('{').and_then(|rest| rest.split_once('}')) {
         Some((name, _)) => named(name),
         None => Content::Code,
@@ -290,7 +294,8 @@ mod tests {
             ("{code-cell} python", Content::Code),
             ("{.python .numbered}", Content::Code),
             ("{r, echo=FALSE}", Content::Code),
-            ("{=latex}", Content::Code),
+            ("{=latex}", Content::Prose),
+            ("{=html}", Content::Code),
             ("{include} a.md", Content::Include),
             ("{r}", Content::Unknown),
             ("python", Content::Code),

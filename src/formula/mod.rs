@@ -190,6 +190,8 @@ pub enum Rel {
     Iff,
     /// `:` of `F: R → R`
     Colon,
+    /// Any other sign: nothing is known of it, so that it is never judged.
+    Other(char),
 }
 
 /// A signed term of a sum.

@@ -17,6 +17,7 @@ use super::reliance::Use;
 use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
 use super::topic::Topic;
+use super::unread::Unread;
 use crate::budget::{self, Limits, Stop};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, interval};
@@ -34,6 +35,8 @@ pub struct Checker {
     pub(super) limits: Limits,
     /// How many of the next formulas are not to be judged.
     pub(super) ignored: usize,
+    /// Names that stand beside something that could not be read.
+    pub(super) unread: Vec<Unread>,
     /// What could not be judged, for formulas that come later.
     pub(super) open: Vec<Condition>,
     /// What relied on definitions of the page.
@@ -50,6 +53,10 @@ pub struct Checker {
     pub(super) settled: RefCell<BTreeMap<Ambiguity, bool>>,
     /// Functions with laws that stayed open, each with its place and line.
     pub(super) laws: Vec<(String, Place, usize)>,
+    /// What was known before the statement that is judged.
+    pub(super) before: Mark,
+    /// Whether a repair is judged, for which no other is looked for.
+    pub(super) confirming: bool,
     /// What was found so far, one finding for each relation.
     pub findings: Vec<Finding>,
     /// What is wrong with declarations.
@@ -65,6 +72,7 @@ impl Checker {
             context: Rc::new(Context::new(letters)),
             limits: limits.clone(),
             ignored: 0,
+            unread: Vec::new(),
             open: Vec::new(),
             uses: Vec::new(),
             taken: Vec::new(),
@@ -73,6 +81,8 @@ impl Checker {
             agreed: Vec::new(),
             settled: RefCell::default(),
             laws: Vec::new(),
+            before: Mark::default(),
+            confirming: false,
             findings: Vec::new(),
             problems: Vec::new(),
         }
@@ -164,6 +174,7 @@ impl Checker {
                 self.diagonal(chain, statement);
                 self.operators(chain, &statement.place);
                 let before = self.context.mark();
+                self.before = before;
                 // [c, d] = [1, 2]
                 for side in chain.sides.iter().filter(|side| interval(&side.expr).is_some()) {
                     Rc::make_mut(&mut self.context).hear(&side.expr, &statement.place);
@@ -192,6 +203,8 @@ impl Checker {
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
                         self.remember_law(chain, &statement.place, &findings);
+                        let line = self.line(chain.whole().span);
+                        self.unread.extend(Unread::of(chain, &statement.place, &findings, line));
                         self.findings.extend(findings);
                     }
                     Err(stop) => {

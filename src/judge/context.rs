@@ -110,7 +110,7 @@ struct Seen {
 }
 
 /// How much was known at some time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Mark([usize; 3]);
 
 impl Mark {

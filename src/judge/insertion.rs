@@ -20,7 +20,6 @@ use super::witness;
 use crate::budget;
 use crate::formula::{Expr, Kind, Rel, Sign, Term};
 use crate::language::lexicon::families;
-use crate::language::write;
 use crate::math::number::{Rational, integer};
 
 /// A spline with its knots by number.
@@ -131,7 +130,7 @@ impl Checker {
             verdict: Verdict::Refuted,
             reason: Some("it differs from the control point after knot insertion".to_owned()),
             witness: witness::counterexample(failure),
-            suggestion: Some(write::latex(&Expr::relation(left.clone(), Rel::Eq, repaired))),
+            suggestion: self.suggestion(chain, 0, [left, &repaired], &[], statement),
             ..finding.clone()
         })
     }

@@ -66,6 +66,7 @@ pub mod topic;
 mod trial;
 mod triangle;
 mod unfold;
+mod unread;
 mod values;
 mod verdict;
 mod witness;

@@ -45,8 +45,23 @@ enum Outcome {
     Open,
 }
 
-fn count(outcomes: &[Outcome], wanted: Outcome) -> usize {
-    outcomes.iter().filter(|own| **own == wanted).count()
+/// How many of the relations that rest on something came out how.
+#[derive(Default)]
+struct Outcomes {
+    holding: usize,
+    refuted: usize,
+    unfounded: usize,
+}
+
+impl Outcomes {
+    fn add(&mut self, outcome: Outcome) {
+        match outcome {
+            Outcome::Holds => self.holding += 1,
+            Outcome::Refuted => self.refuted += 1,
+            Outcome::Unfounded => self.unfounded += 1,
+            Outcome::Open => {}
+        }
+    }
 }
 
 /// n = 3 is not misread.
@@ -82,31 +97,33 @@ impl Checker {
             _ if wrong.is_some() => Outcome::Unfounded,
             _ => Outcome::Open,
         };
-        self.uses.retain(|one| one.finding != number);
+        // Only relations of the statement that is judged can be judged again.
+        let own = self.uses.partition_point(|one| one.finding < self.findings.len());
+        if let Some(again) = self.uses[own..].iter().position(|one| one.finding == number) {
+            self.uses.remove(own + again);
+        }
         self.uses.push(Use { finding: number, grounds: definitions.chain(names).collect(), outcome, wrong });
     }
 
     /// Takes back what was refuted on doubtful grounds, and refutes what fails alone among what holds. To be called
     /// after the last statement.
     pub fn finish(&mut self) {
-        let mut record: BTreeMap<&Ground, Vec<Outcome>> = BTreeMap::new();
+        let mut record: BTreeMap<&Ground, Outcomes> = BTreeMap::new();
         for one in &self.uses {
-            one.grounds.iter().for_each(|ground| record.entry(ground).or_default().push(one.outcome));
+            one.grounds.iter().for_each(|ground| record.entry(ground).or_default().add(one.outcome));
         }
         let doubtful = |ground: &&Ground| {
             let Some(outcomes) = record.get(ground) else { return false };
-            let (refuted, unfounded) =
-                (count(outcomes, Outcome::Refuted), count(outcomes, Outcome::Unfounded));
             let fails = match ground {
-                Ground::Definition(..) => refuted + unfounded > 1,
-                Ground::Name(_) => unfounded > 0,
+                Ground::Definition(..) => outcomes.refuted + outcomes.unfounded > 1,
+                Ground::Name(_) => outcomes.unfounded > 0,
             };
-            fails && count(outcomes, Outcome::Holds) == 0
+            fails && outcomes.holding == 0
         };
         let confirmed = |ground: &Ground| {
             record.get(ground).is_some_and(|outcomes| {
-                let failing = count(outcomes, Outcome::Unfounded) + count(outcomes, Outcome::Refuted);
-                let holding = count(outcomes, Outcome::Holds);
+                let failing = outcomes.unfounded + outcomes.refuted;
+                let holding = outcomes.holding;
                 failing == 1 && holding > 0 || holding >= MANY * failing
             })
         };

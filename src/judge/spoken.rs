@@ -164,12 +164,13 @@ impl Checker {
             // The page has no names for its curves.
             let unnamed = bases(&fact.expr).iter().any(|name| name.starts_with(UNNAMED));
             let told = if unnamed { "the join of the curves".to_owned() } else { write::text(&fact.expr) };
-            let repaired = repaired.map(|repaired| Expr::relation(left.clone(), Rel::Eq, repaired));
+            let suggestion =
+                repaired.and_then(|repaired| self.suggestion(chain, 0, [left, &repaired], &[], statement));
             return Some(Finding {
                 verdict: Verdict::Refuted,
                 reason: Some(format!("with it {told}, which line {} says, is wrong", fact.line)),
                 witness: witness::counterexample(&failure),
-                suggestion: repaired.as_ref().map(write::latex),
+                suggestion,
                 ..finding
             });
         }

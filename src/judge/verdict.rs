@@ -16,6 +16,7 @@ use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::trial::Setting;
+use super::unread::Unread;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
@@ -37,6 +38,19 @@ impl Checker {
         let outcomes = &attempt.outcomes;
         let earlier = &outcomes.tallies[..at + outcomes.tallies.len() - chain.relations.len()];
         finding.notes = self.notes(tally);
+        let held: Vec<usize> = (at - earlier.len()..at)
+            .zip(earlier)
+            .filter(|(_, tally)| tally.holds > 0 && tally.fails.is_empty())
+            .map(|(number, _)| number)
+            .collect();
+        let repair = || repair::find(self, setting, at, attempt.choices, tally, statement, &held);
+        let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
+        let doubt = |unread: &Unread| unread.doubt(sides, &self.context, &statement.place);
+        if let Some(reason) = self.unread.iter().rev().find_map(doubt) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason);
+            return Judged::Verdict(Box::new(finding));
+        }
         let ranged = !outcomes.integers.is_empty() && !outcomes.fixed || outcomes.degrees;
         let range = || {
             let mut names = outcomes.integers.join(", ");
@@ -179,7 +193,7 @@ impl Checker {
                 let suspect =
                     Suspect { checker: self, tally, earlier, chain, at, statement, failure: &failure };
                 let doubt = suspect.doubt().or_else(|| {
-                    let repair = repair::find(self, setting, at, attempt.choices, tally);
+                    let repair = repair();
                     finding.suggestion = repair.as_ref().and_then(Repair::latex);
                     finding.evidence = suspect.evidence(repair.as_ref());
                     finding.evidence.is_empty().then(|| {
@@ -215,7 +229,7 @@ impl Checker {
                 let slip = failure.filter(|failure| {
                     let suspect = Suspect { checker: self, tally, earlier, chain, at, statement, failure };
                     suspect.is_slip(|| {
-                        let repair = repair::find(self, setting, at, attempt.choices, tally)?;
+                        let repair = repair()?;
                         finding.suggestion = repair.latex();
                         Some(repair)
                     })

@@ -91,6 +91,11 @@ pub(super) fn in_matrix(expr: &Expr, latex: &dyn Fn(Span) -> String) -> Vec<Tria
 }
 
 fn triangles(rows: &[Vec<Cell>]) -> Vec<Triangle> {
+    // x | f | 1. | 2.: the numbers at the head of columns are none of the scheme.
+    let rows = match rows.split_first() {
+        Some((head, rest)) if head.iter().flatten().filter(|side| !is_data(side)).count() > 1 => rest,
+        _ => rows,
+    };
     let width = rows.iter().map(Vec::len).max().unwrap_or(0);
     let data = |side: Side| is_data(&side).then_some(side);
     let column = |at: usize| rows.iter().filter_map(|row| data(row.get(at)?.clone()?)).collect();
@@ -100,12 +105,21 @@ fn triangles(rows: &[Vec<Cell>]) -> Vec<Triangle> {
             row.iter().flatten().cloned().filter_map(data).skip(from).collect::<Vec<Side>>()
         }
     };
+    let lines: Vec<Vec<Side>> = rows.iter().map(line(0)).collect();
+    let numbered = are_numbers_of_levels(&lines);
     let readings = [
-        (0..width).map(column).collect(),
-        rows.iter().map(line(0)).collect(),
-        rows.iter().map(line(1)).collect(),
+        Some((0..width).map(column).collect()),
+        Some(lines),
+        numbered.then(|| rows.iter().map(line(1)).collect()),
     ];
-    readings.into_iter().filter_map(decreasing).collect()
+    readings.into_iter().flatten().filter_map(decreasing).collect()
+}
+
+/// Whether the lines begin with numbers that count them: 0, 1, 2.
+fn are_numbers_of_levels(lines: &[Vec<Side>]) -> bool {
+    let firsts = lines.iter().filter_map(|line| line.first());
+    let numbers: Option<Vec<i64>> = firsts.map(|side| side.expr.as_int()).collect();
+    numbers.is_some_and(|numbers| numbers.windows(2).all(|pair| pair[1] == pair[0] + 1))
 }
 
 /// A number or a point.

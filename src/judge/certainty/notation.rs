@@ -116,7 +116,7 @@ impl Suspect<'_> {
                     Kind::List(items) if items.len() == 1 => &items[0],
                     _ => return false,
                 };
-                let lonely = |name: &Expr| matches!(&name.kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()));
+                let lonely = |name: &Expr| matches!(&without_accents(name).kind, Kind::Name(name) if !plain_elsewhere(name, part, &self.sides()));
                 match &pair[0].kind {
                     Kind::Pow(base, _) => lonely(base) && matches!(inner.kind, Kind::Number(_) | Kind::Name(_)),
                     _ => lonely(&pair[0]) && is_repeated(inner),
@@ -292,6 +292,13 @@ fn plain_elsewhere(name: &str, part: &Expr, sides: &[&Expr]) -> bool {
         }
     }
     sides.iter().map(|side| count(side, name)).sum::<usize>() > count(part, name)
+}
+
+fn without_accents(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        Kind::Accent(_, inner) => without_accents(inner),
+        _ => expr,
+    }
 }
 
 fn is_minus_one(exponent: &Expr) -> bool {

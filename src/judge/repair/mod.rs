@@ -3,9 +3,11 @@
 //! Small edits of one side are tried: an index or exponent changed by one, a letter or index
 //! exchanged for one that occurs beside it, a sign, a number changed a little, a factor added or
 //! left out, the entries of a binomial. An edit is a repair if with it the relation holds in every
-//! instance; it is better if the rest of the chain is then true as well. The search is exhaustive
+//! instance; it is better if the rest of the chain is then true as well. It is proposed if the judge confirms it in
+//! the place of the wrong one (`confirm`). The search is exhaustive
 //! for single edits and stops after a share of the steps. Where none is found, each number is solved for.
 
+mod confirm;
 mod edits;
 mod exchanges;
 mod number;
@@ -21,9 +23,11 @@ use crate::judge::features::{has_call, has_structure};
 use crate::judge::model::Choices;
 use crate::judge::names::{Head, bases, walk};
 use crate::judge::rounding::misprinted;
+use crate::judge::statement::Statement;
 use crate::judge::tally::{Outcomes, Tally};
 use crate::judge::trial::Setting;
 use crate::language::write;
+use std::cell::Cell;
 
 /// A relation with which a wrong one is replaced.
 pub struct Repair {
@@ -32,7 +36,7 @@ pub struct Repair {
     right: Expr,
     /// Whether it is a small edit of the wrong one, and says something: it is no a = a, and not 0 = 0 only.
     pub near: bool,
-    /// Whether it was confirmed as well as the wrong one was refuted.
+    /// Whether the judge confirms it as well as the wrong one was refuted.
     sure: bool,
 }
 
@@ -43,20 +47,36 @@ impl Repair {
     }
 }
 
-/// A repair of the relation number `at`. Cost: an instance or two for each of some hundred edits, all instances
-/// for those that pass.
+/// So many changes that are true in every instance are put before the judge.
+const HEARINGS: usize = 8;
+
+/// A repair of the relation number `at`; `held` are those before it that hold. Cost: an instance or two for each of some
+/// hundred edits, all instances for those that pass.
 pub fn find(
     checker: &Checker,
     setting: &Setting,
     at: usize,
     choices: Choices,
     tally: &Tally,
+    statement: &Statement,
+    held: &[usize],
 ) -> Option<Repair> {
     let tried = tally.holds + tally.fails.len();
+    let start = budget::spent();
+    let hearings = Cell::new(0);
+    let confirmed = |left: &Expr, right: &Expr| {
+        if checker.confirming {
+            return false;
+        }
+        hearings.set(hearings.get() + 1);
+        let short = budget::spent() - start <= crate::judge::trial::share(&checker.limits, 1);
+        short
+            && hearings.get() <= HEARINGS
+            && checker.confirms(setting.chain, at, [left, right], held, statement)
+    };
     let Setting { chain, curve, .. } = setting;
     let (left, right) = (&chain.sides[at].expr, &chain.sides[at + 1].expr);
     let rel = chain.relations[at].0;
-    let start = budget::spent();
     let try_out = |left: &Expr, right: &Expr, quick: bool| -> Option<Tally> {
         let trial = checker.trial(setting, &[left, right], &[rel], choices);
         let mut outcomes = if quick { trial.first(3) } else { trial.run() };
@@ -94,7 +114,7 @@ pub fn find(
         let Some(holds) = try_out(&left, &right, false) else { continue };
         let repair = Repair {
             near: rel == Rel::Eq && !value && holds.nonzero > 0 && 2 * holds.holds >= tried,
-            sure: 2 * holds.holds >= tried && confirms(&holds),
+            sure: 2 * holds.holds >= tried && is_mostly_true(&holds) && confirmed(&left, &right),
             left,
             rel,
             right,
@@ -109,13 +129,26 @@ pub fn find(
             best = Some(Repair { near: repair.near || best.is_some_and(|best| best.near), ..repair });
         }
     }
-    best.or_else(|| {
+    if best.as_ref().is_some_and(|best| best.sure) {
+        return best;
+    }
+    let solved = || {
         let (left, right) = number::candidates(checker, setting, at, choices)
             .into_iter()
             .find(|(left, right)| try_out(left, right, false).is_some())?;
-        Some(Repair { near: rel == Rel::Eq && !value, sure: true, left, rel, right })
-    })
-    .or_else(|| written_out(checker, setting, at, choices))
+        Some(Repair { near: rel == Rel::Eq && !value, sure: false, left, rel, right })
+    };
+    let others: [&dyn Fn() -> Option<Repair>; 2] = [&solved, &|| written_out(checker, setting, at, choices)];
+    for mut repair in others.into_iter().filter_map(|other| other()) {
+        repair.sure = confirmed(&repair.left, &repair.right);
+        // A small edit that is true shows what was meant, also where it is not what to write.
+        repair.near = best.as_ref().map_or(repair.near, |best| best.near);
+        if repair.sure {
+            return Some(repair);
+        }
+        best = Some(best.unwrap_or(repair));
+    }
+    best
 }
 
 /// Whether a relation held wherever it made sense, often enough.
@@ -128,7 +161,7 @@ pub(super) fn is_true(outcomes: &Outcomes, quick: bool) -> bool {
 }
 
 /// Whether what fails, in extreme instances only, is so little that it may be a case that the page leaves out.
-fn confirms(tally: &Tally) -> bool {
+fn is_mostly_true(tally: &Tally) -> bool {
     let fails = tally.fails.iter().filter(|failure| !failure.outside).count();
     5 * fails <= 2 * tally.holds
 }
@@ -174,5 +207,5 @@ fn written_out(checker: &Checker, setting: &Setting, at: usize, choices: Choices
     let rel = chain.relations[at].0;
     let near = rel == Rel::Eq
         && matches!((&chain.sides[at + 1].expr.kind, &right.kind), (Kind::Number(wrong), Kind::Number(value)) if misprinted(wrong, value));
-    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near, sure: true })
+    (!left.same_as(&right)).then(|| Repair { left: left.clone(), rel, right, near, sure: false })
 }

@@ -37,7 +37,6 @@ use super::trial::{Setting, Trial};
 use super::unfold;
 use crate::budget;
 use crate::formula::{Accent, Expr, Kind, Rel, interval};
-use crate::language::write;
 
 /// So often what members of families are is put for them.
 const UNFOLDINGS: usize = 2;
@@ -91,6 +90,7 @@ impl Checker {
         }
         let start = budget::spent();
         let long = || budget::spent() - start > super::trial::share(&self.limits, 2);
+        let suggestion = |sides: [&Expr; 2]| self.suggestion(chain, at, sides, &[], statement);
         let known = known();
         let polar = statement.topics.has(Topic::PolarForm);
         let plain = with_indices_apart([left, right]).map(|side| with_repetitions(&side, polar));
@@ -113,7 +113,7 @@ impl Checker {
             let names = statement.role != Some(Role::Claimed)
                 && finding.verdict == Verdict::Definition
                 && self.names_a_value(left, right);
-            match self.among(&claim, &instances, finding, names, &long) {
+            match self.among(&claim, &instances, finding, names, &long, &suggestion) {
                 Some(Some(found)) => {
                     return Some(found).filter(|found| !doubt || found.verdict != Verdict::Refuted);
                 }
@@ -173,6 +173,7 @@ impl Checker {
         finding: &Finding,
         names: bool,
         long: &dyn Fn() -> bool,
+        suggestion: &dyn Fn([&Expr; 2]) -> Option<String>,
     ) -> Option<Option<Finding>> {
         let mut doubt = false;
         let mut slip: Option<&Instance> = None;
@@ -216,12 +217,11 @@ impl Checker {
         if self.has_equal_members(&families, claim.place) {
             return Some(None);
         }
-        let repaired = Expr::relation(left, Rel::Eq, right);
         Some(Some(Finding {
             verdict: Verdict::Refuted,
             reason: Some(format!("it differs from {}", instance.theorem.name)),
             witness: claim.witness(instance),
-            suggestion: Some(write::latex(&repaired)),
+            suggestion: suggestion([&left, &right]),
             ..finding.clone()
         }))
     }

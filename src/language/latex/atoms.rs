@@ -98,6 +98,7 @@ impl Reader<'_> {
             Role::Function => self.function(),
             Role::Big(op) => self.big(op),
             Role::Integral => self.integral(),
+            Role::IntegralOver(count) => self.integral_over(count),
             Role::Fraction => self.fraction(),
             Role::Accent(accent) => self.accented(accent),
             Role::Binomial => self.binomial(),
@@ -106,6 +107,7 @@ impl Reader<'_> {
             Role::Switch(accent) => self.switch(accent),
             Role::Lines => self.plain(Env::Rows),
             Role::Plain(env) => self.plain(env),
+            Role::Stacked if self.text_at(self.pos) == "\\underset" => self.with_bounds(),
             Role::Stacked => {
                 let name = self.text_at(self.pos);
                 let problem = Diagnostic::error(
@@ -165,6 +167,38 @@ impl Reader<'_> {
                 break;
             }
         }
+        self.applied_to_rest(callee, start)
+    }
+
+    /// `\underset{x}{\max} f(x)`: an operator with its bounds.
+    fn with_bounds(&mut self) -> Result<Expr> {
+        let start = self.bump().start;
+        let below = self.argument()?;
+        let braces = self.peek() == Some(Tok::OpenBrace);
+        let window = if braces { self.inside(self.pos)? } else { self.pos..self.after(self.pos) };
+        let inner = self.trim(window.clone());
+        let end = if braces { window.end + 1 } else { window.end };
+        if let [only] = &self.tokens[inner.clone()]
+            && let Tok::Command(Role::Big(op)) = only.kind
+        {
+            self.pos = end;
+            let body = self.deeper(Self::product)?;
+            let kind = Kind::Big { op, lower: vec![below], upper: None, body: Box::new(body) };
+            return Ok(self.node(kind, start));
+        }
+        let operator = match self.expr_in(inner)? {
+            Expr { kind: Kind::Text(word), span } if word.bytes().all(|byte| byte.is_ascii_alphabetic()) => {
+                Expr::new(Kind::Name(word), span)
+            }
+            other => other,
+        };
+        self.pos = end;
+        let callee = self.node(Kind::Subscript(Box::new(operator), vec![below]), start);
+        self.applied_to_rest(callee, start)
+    }
+
+    /// A function before its argument: a bracket, or the plain factors that follow.
+    fn applied_to_rest(&mut self, callee: Expr, start: usize) -> Result<Expr> {
         if matches!(self.peek(), Some(Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren)))
             && let Some(close) = self.partner(self.pos)
             && matches!(self.tokens[close].kind, Tok::Close(Fence::Paren) | Tok::Right(Fence::Paren))

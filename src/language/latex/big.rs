@@ -203,7 +203,8 @@ impl Reader<'_> {
             let problem = Diagnostic::error(Code::UnsupportedLatex, "several conditions below an integral");
             return Err(Box::new(problem.at(sign)));
         }
-        let (body, variable) = self.integrand(sign)?;
+        let over_region = lower.len() == 1 && upper.is_none();
+        let (body, variable) = self.integrand(sign, over_region)?;
         let kind = Kind::Integral {
             lower: lower.pop().map(Box::new),
             upper: upper.map(Box::new),
@@ -213,8 +214,39 @@ impl Reader<'_> {
         Ok(self.node(kind, start))
     }
 
-    /// What stands under an integral, and its variable.
-    fn integrand(&mut self, sign: Span) -> Result<(Expr, Expr)> {
+    /// `\iint_D f\,dx\,dy`: an integral over what stands below.
+    pub fn integral_over(&mut self, count: u8) -> Result<Expr> {
+        let start = self.start();
+        let sign = self.bump();
+        let (mut lower, upper) = self.bounds()?;
+        let (Some(region), true, None) = (lower.pop(), lower.is_empty(), upper) else {
+            let name = self.text.piece(sign.range());
+            let problem =
+                Diagnostic::error(Code::UnsupportedLatex, format!("{name} without what it is taken over"));
+            return Err(Box::new(problem.at(sign).hint(format!("write {name}_D, or \\int with its bounds"))));
+        };
+        let (body, variable) = self.integrand(sign, true)?;
+        let mut variables = vec![variable];
+        while variables.len() < usize::from(count)
+            && let Some((false, next)) = self.peek().and_then(|_| self.differential_at(self.pos))
+            && let Some(variable) = self.variable_at(next)
+        {
+            let end = variable.end;
+            variables.push(self.expr_in(variable)?);
+            self.pos = end;
+        }
+        let span = variables[0].span.to(variables[variables.len() - 1].span);
+        let variable = match variables.len() {
+            1 => variables.swap_remove(0),
+            _ => Expr::new(Kind::Tuple(variables), span),
+        };
+        let (lower, upper) = (Some(Box::new(region)), None);
+        let kind = Kind::Integral { lower, upper, body: Box::new(body), variable: Box::new(variable) };
+        Ok(self.node(kind, start))
+    }
+
+    /// What stands under an integral, and its variable; an integral over a region may leave it out: `\oint_\gamma f`.
+    fn integrand(&mut self, sign: Span, over_region: bool) -> Result<(Expr, Expr)> {
         self.peek();
         let from = self.pos;
         if let Some((at, variable)) = self.find_differential(from) {
@@ -238,6 +270,13 @@ impl Reader<'_> {
             self.pos = end;
             return Ok((self.deeper(Self::product)?, variable));
         }
+        if over_region && !self.query {
+            let body = self.big_body(sign)?;
+            let inside = from..self.pos;
+            if !inside.into_iter().any(|at| self.differential_at(at).is_some()) {
+                return Ok((body, Expr::new(Kind::Sequence(Vec::new()), self.here())));
+            }
+        }
         let problem = Diagnostic::error(Code::UnsupportedLatex, "an integral without a differential")
             .at(sign)
             .reason("the variable of integration is not said")
@@ -252,7 +291,7 @@ impl Reader<'_> {
         while at < self.end {
             match self.tokens[at].kind {
                 Tok::Rel(_) | Tok::Comma | Tok::Semicolon | Tok::Period => return None,
-                Tok::Command(Role::Integral) => inner += 1,
+                Tok::Command(Role::Integral | Role::IntegralOver(_)) => inner += 1,
                 Tok::Sub | Tok::Sup => {
                     let (argument, _) = self.look(at + 1)?;
                     at = self.after(argument);
@@ -305,7 +344,9 @@ impl Reader<'_> {
         match kind {
             Tok::Letter('d') => Some((false, at + 1)),
             Tok::Symbol("partial") => Some((true, at + 1)),
-            Tok::Word(start, end) if self.text.piece(start as usize..end as usize).trim() == "d" => {
+            Tok::Word(start, end) | Tok::Text(start, end)
+                if self.text.piece(start as usize..end as usize).trim() == "d" =>
+            {
                 Some((false, at + 1))
             }
             Tok::Command(Role::Accent(_)) => {

@@ -66,6 +66,11 @@ impl Reader<'_> {
             let rows = rows.into_iter().map(row).collect::<Result<_>>()?;
             return Ok(Kind::Matrix(rows, Delimiter::Bracket));
         }
+        // [a_0; a_1, a_2]: a continued fraction, an interval, a matrix, which only the page knows
+        if rows.len() > 1 {
+            let callee = Expr::new(Kind::Name("semicolons".to_owned()), self.span_of(window.clone()));
+            return Ok(Kind::Apply(Box::new(callee), self.groups_in(window)?));
+        }
         let mut items = self.list_in(window)?;
         Ok(if items.len() == 1 { Kind::Group(Box::new(items.swap_remove(0))) } else { Kind::List(items) })
     }

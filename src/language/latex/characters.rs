@@ -3,7 +3,7 @@
 use super::commands::Role;
 use super::token::{Fence, Tok};
 use crate::formula::{Accent, BigOp, Rel};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, relations};
 
 /// What a character outside ASCII is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +37,9 @@ pub(super) fn character(c: char) -> Option<Character> {
         '∖' => Tok::Binary("setminus"),
         '⊗' => Tok::Binary("otimes"),
         '⊕' => Tok::Binary("oplus"),
+        '±' => Tok::Binary("pm"),
+        '∓' => Tok::Binary("mp"),
+        '∧' => Tok::Binary("wedge"),
         '，' | '、' => Tok::Comma,
         '；' => Tok::Semicolon,
         '。' | '．' => Tok::Period,
@@ -84,7 +87,7 @@ pub(super) fn character(c: char) -> Option<Character> {
             (Some(symbol), _) => Tok::Symbol(symbol),
             (None, Some((plain, _))) if plain.is_ascii() => Tok::Letter(plain),
             (None, Some((plain, _))) => Tok::Symbol(letters::name(plain)?),
-            (None, None) => return None,
+            (None, None) => Tok::Rel(Rel::Other(relations::of(c)?.sign)),
         },
     };
     Some(Character::Token(kind))

@@ -10,7 +10,7 @@ use super::token::{Env, Fence};
 use crate::formula::{Accent, BigOp, Delimiter, Rel};
 use crate::language::diagnostic::nearest;
 use crate::language::lexicon::families::FORWARD_DIFFERENCE;
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, relations};
 
 /// What the reader does with a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +20,8 @@ pub(super) enum Role {
     Function,
     Big(BigOp),
     Integral,
+    /// An integral over what stands below, by so many variables
+    IntegralOver(u8),
     Relation(Rel),
     Dot,
     Star,
@@ -40,6 +42,8 @@ pub(super) enum Role {
     Stacked,
     /// `\xrightarrow{remark}`
     LongArrow,
+    /// `\pmod`, behind what is congruent
+    Modulus,
     /// `\over`, `\choose` between the two parts of a group
     Infix(Infix),
     ForAll,
@@ -91,6 +95,7 @@ impl Role {
     pub fn arguments(self) -> u32 {
         match self {
             Role::Accent(_) | Role::Root | Role::Brace | Role::Lines | Role::Plain(_) | Role::LongArrow => 1,
+            Role::Modulus => 1,
             Role::Fraction | Role::Binomial | Role::Stacked => 2,
             _ => 0,
         }
@@ -132,7 +137,9 @@ impl Command {
         match self.role {
             Role::Symbol(_) | Role::Prime => "letters and symbols",
             Role::Function => "functions",
-            Role::Big(_) | Role::Integral | Role::ForAll => "sums, limits and integrals",
+            Role::Big(_) | Role::Integral | Role::IntegralOver(_) | Role::ForAll => {
+                "sums, limits and integrals"
+            }
             Role::Relation(_) | Role::Stacked | Role::LongArrow | Role::Not => "relations",
             Role::Dot
             | Role::Star
@@ -141,6 +148,7 @@ impl Command {
             | Role::Circ
             | Role::Percent
             | Role::Binary(_)
+            | Role::Modulus
             | Role::Ellipsis => "operations and dots",
             Role::Accent(_) | Role::Switch(_) | Role::Upright | Role::Text | Role::Word => {
                 "accents, fonts and words"
@@ -183,7 +191,13 @@ pub fn commands() -> &'static [Command] {
             meaning: if name == FORWARD_DIFFERENCE { "Δ; also the forward difference" } else { sign },
             role: Role::Symbol(name),
         });
-        greek.chain(OTHERS.iter().copied()).collect()
+        let own = |sign: &&relations::Sign| !OTHERS.iter().any(|other| other.name == sign.command);
+        let signs = relations::SIGNS.iter().filter(own).map(|sign| Command {
+            name: sign.command,
+            meaning: sign.unicode.trim(),
+            role: Role::Relation(Rel::Other(sign.sign)),
+        });
+        greek.chain(OTHERS.iter().copied()).chain(signs).collect()
     });
     &COMMANDS
 }
@@ -265,6 +279,9 @@ const OTHERS: &[Command] = table! {
     "star" "⋆" Role::Symbol("star");
     "angle" "∠" Role::Symbol("angle");
     "triangle" "△" Role::Symbol("Delta");
+    "square" "□" Role::Symbol("square");
+    "Box" "□" Role::Symbol("square");
+    "blacksquare" "■" Role::Symbol("blacksquare");
     "prime" "′" Role::Prime;
 
     "sin" "sine" Role::Function;
@@ -301,6 +318,9 @@ const OTHERS: &[Command] = table! {
     "bigcap" "intersection" Role::Big(BigOp::Intersection);
     "lim" "limit" Role::Big(BigOp::Limit);
     "int" "integral, up to the differential" Role::Integral;
+    "oint" "integral along the closed curve below it" Role::IntegralOver(1);
+    "iint" "integral over the region below it" Role::IntegralOver(2);
+    "iiint" "integral over the region below it" Role::IntegralOver(3);
     "forall" "for all" Role::ForAll;
 
     "ne" "≠" Role::Relation(Rel::Ne);
@@ -342,6 +362,7 @@ const OTHERS: &[Command] = table! {
     "colon" "the : of a map" Role::Relation(Rel::Colon);
     "stackrel" "a relation with a remark, such as def, above it" Role::Stacked;
     "overset" "a relation with a remark above it" Role::Stacked;
+    "underset" "a relation with a remark below it, or an operator with its bounds" Role::Stacked;
 
     "cdot" "product; alone, an empty place for an argument" Role::Dot;
     "ast" "product; as an exponent a star" Role::Star;
@@ -353,6 +374,12 @@ const OTHERS: &[Command] = table! {
     "setminus" "∖" Role::Binary("setminus");
     "otimes" "⊗" Role::Binary("otimes");
     "oplus" "⊕" Role::Binary("oplus");
+    "wedge" "∧ (read, not judged)" Role::Binary("wedge");
+    "pm" "± (read, not judged)" Role::Binary("pm");
+    "mp" "∓ (read, not judged)" Role::Binary("mp");
+    "bmod" "remainder" Role::Binary("mod");
+    "mod" "remainder" Role::Binary("mod");
+    "pmod" "congruent by this modulus (read, not judged)" Role::Modulus;
     "ldots" "…" Role::Ellipsis;
     "dots" "…" Role::Ellipsis;
     "cdots" "⋯" Role::Ellipsis;
@@ -502,6 +529,10 @@ const OTHERS: &[Command] = table! {
     "textstyle" "size" Role::Transparent;
     "scriptstyle" "size" Role::Transparent;
     "scriptscriptstyle" "size" Role::Transparent;
+    "tiny" "size" Role::Transparent;
+    "small" "size" Role::Transparent;
+    "large" "size" Role::Transparent;
+    "Large" "size" Role::Transparent;
     "limits" "place of bounds" Role::Transparent;
     "nolimits" "place of bounds" Role::Transparent;
     "nonumber" "no number" Role::Transparent;
@@ -513,6 +544,8 @@ const OTHERS: &[Command] = table! {
     "strut" "height" Role::Transparent;
     "mathstrut" "height" Role::Transparent;
     "boxed" "frame; the content is read" Role::Transparent;
+    "checkmark" "✓, a remark" Role::Transparent;
+    "qed" "end of a proof" Role::Transparent;
     "mathop" "class; the content is read" Role::Transparent;
     "mathbin" "class; the content is read" Role::Transparent;
     "mathrel" "class; the content is read" Role::Transparent;
@@ -529,34 +562,13 @@ const OTHERS: &[Command] = table! {
     "color" "colour" Role::Dropped(1);
     "textcolor" "colour; the second argument is read" Role::DroppedFirst;
 
-    "pm" "plus or minus" Role::Unsupported("two formulas in one cannot be checked; write both");
-    "mp" "minus or plus" Role::Unsupported("two formulas in one cannot be checked; write both");
-    "ll" "much less" Role::Unsupported("it has no exact meaning");
-    "gg" "much greater" Role::Unsupported("it has no exact meaning");
-    "sim" "is similar to" Role::Unsupported("it has no exact meaning");
-    "propto" "is proportional to" Role::Unsupported("it has no exact meaning");
-    "cong" "is congruent to" Role::Unsupported("it has no exact meaning here");
-    "perp" "is perpendicular to" Role::Unsupported("there is no such relation in the formula tree");
-    "parallel" "is parallel to" Role::Unsupported("there is no such relation in the formula tree");
-    "supset" "contains" Role::Unsupported("write it the other way round with \\subset");
-    "supseteq" "contains" Role::Unsupported("write it the other way round with \\subseteq");
-    "ni" "contains" Role::Unsupported("write it the other way round with \\in");
-    "leftarrow" "←" Role::Unsupported("write it the other way round with \\to");
     "exists" "there is" Role::Unsupported("only \\forall is read");
     "land" "and" Role::Unsupported("separate the formulas by a comma");
-    "wedge" "and; outer product" Role::Unsupported("separate the formulas by a comma");
     "lor" "or" Role::Unsupported("alternatives cannot be read");
     "vee" "or" Role::Unsupported("alternatives cannot be read");
-    "iint" "double integral" Role::Unsupported("write two \\int, each with its bounds");
-    "iiint" "triple integral" Role::Unsupported("write one \\int for each variable");
-    "oint" "integral along a closed curve" Role::Unsupported("only \\int is read");
-    "underset" "something below" Role::Unsupported("write bounds with _");
     "mathfrak" "Fraktur letter" Role::Unsupported("the formula tree has no such letters");
     "Re" "real part" Role::Unsupported("there are no complex numbers here");
     "Im" "imaginary part" Role::Unsupported("there are no complex numbers here");
-    "bmod" "remainder" Role::Binary("mod");
-    "pmod" "congruence" Role::Unsupported("write (a - b) \\bmod n = 0");
-    "mod" "remainder" Role::Binary("mod");
     "atop" "something above" Role::Unsupported("write \\binom{n}{k} for a binomial coefficient");
     "ref" "reference" Role::Unsupported("a reference is not a formula");
     "eqref" "reference" Role::Unsupported("a reference is not a formula");

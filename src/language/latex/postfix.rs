@@ -13,7 +13,7 @@ use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
 use crate::budget;
 use crate::formula::source::{Pieces, Span};
-use crate::formula::{Expr, Kind, Quotient};
+use crate::formula::{Expr, Kind, Quotient, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::letters::is_one_letter;
 use crate::language::syntax::special_call;
@@ -161,7 +161,7 @@ impl Reader<'_> {
         let window = self.pos + 1..close;
         // polar(t^2, degree=3) of a query is no formula with a condition beside it.
         let word = self.query && matches!(&callee.kind, Kind::Name(name) if !is_one_letter(name));
-        if self.row && self.is_condition() && !word || self.is_table(window.clone()) {
+        if self.row && self.is_condition() && !word || self.is_table(window.clone()) || self.is_modulus() {
             return false;
         }
         // polar(F)(0, 1)
@@ -206,7 +206,27 @@ impl Reader<'_> {
         if self.is_blank(window.clone()) {
             return Ok(vec![Vec::new()]);
         }
+        self.relate_lone_bar(window.clone());
         self.within(window, Self::groups)
+    }
+
+    /// A bar that has no partner stands between what is said and its condition: p(x | z), D(p || q).
+    fn relate_lone_bar(&mut self, window: Window) {
+        let mut bars = Vec::new();
+        let mut at = window.start;
+        while at < window.end {
+            if matches!(self.tokens[at].kind, Tok::Bar | Tok::DoubleBar) {
+                bars.push(at);
+            }
+            at = self.after(at);
+        }
+        let [bar] = bars.as_slice() else { return };
+        let evaluates = matches!(self.look(bar + 1), Some((_, Tok::Sub | Tok::Sup | Tok::Raised(_))));
+        let between = !self.is_blank(window.start..*bar) && !self.is_blank(bar + 1..window.end);
+        if between && !evaluates {
+            let sign = if self.tokens[*bar].kind == Tok::Bar { '∣' } else { '∥' };
+            self.tokens[*bar].kind = Tok::Rel(Rel::Other(sign));
+        }
     }
 
     fn groups(&mut self) -> Result<Vec<Vec<Expr>>> {

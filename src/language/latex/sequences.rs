@@ -6,6 +6,7 @@ use super::token::{Fence, Tok};
 use crate::formula::source::{Pieces, Span};
 use crate::formula::{BinomialStyle, Expr, Kind, Link, Quotient, Rel};
 use crate::language::diagnostic::Diagnostic;
+use crate::language::syntax::congruence;
 
 impl Reader<'_> {
     /// The two parts around `\over` or `\choose`, if such a command stands in the window.
@@ -175,9 +176,84 @@ impl Reader<'_> {
     fn side(&mut self) -> Result<Expr> {
         let start = self.start();
         let first = self.piece();
-        match self.peek() {
+        let side = match self.peek() {
             Some(Tok::Rel(_) | Tok::Command(Role::Stacked | Role::LongArrow)) => self.chain(first?, start),
+            Some(Tok::Mid) if self.row && !self.in_set => self.chain(first?, start),
             _ => first,
+        };
+        if self.is_modulus() { self.congruence(side?, start) } else { side }
+    }
+
+    /// Whether `\pmod m` or `(\bmod m)` comes next.
+    pub fn is_modulus(&self) -> bool {
+        match self.look(self.pos) {
+            Some((_, Tok::Command(Role::Modulus))) => true,
+            Some((at, Tok::Open(Fence::Paren) | Tok::Left(Fence::Paren))) => {
+                matches!(self.look(at + 1), Some((_, Tok::Binary("mod"))))
+            }
+            _ => false,
+        }
+    }
+
+    /// Relations that are meant by a modulus: of them nothing more is known, and the last side keeps it.
+    fn congruence(&mut self, side: Expr, start: usize) -> Result<Expr> {
+        self.peek();
+        let at = self.pos;
+        if self.query {
+            return Err(Box::new(congruence(self.span_at(at))));
+        }
+        let (name, modulus) = if self.tokens[at].kind == Tok::Command(Role::Modulus) {
+            (self.bump(), self.argument()?)
+        } else {
+            let inside = self.inside(at)?;
+            let name = self.span_at(self.trim(inside.clone()).start);
+            let modulus = self.expr_in(self.trim(inside.clone()).start + 1..inside.end)?;
+            self.pos = inside.end + 1;
+            (name, modulus)
+        };
+        let end = self.here().end;
+        let by = |expr: Expr| {
+            let span = Span::new(expr.span.start, end);
+            Expr::new(residue(name, expr, modulus), span)
+        };
+        match side.kind {
+            Kind::Chain(first, mut links) => {
+                let last = links.pop().map(|link| Link { expr: by(link.expr), ..link });
+                links.extend(last);
+                self.unjudged(&mut links);
+                Ok(self.node(Kind::Chain(first, links), start))
+            }
+            _ => Ok(by(side)),
+        }
+    }
+
+    /// 7 ≡ 1 mod 3 is a congruence, and 1 mod 3 no remainder.
+    fn congruent(&mut self, links: &mut [Link]) -> Result<()> {
+        if !links.iter().any(|link| link.rel == Rel::Equiv) {
+            return Ok(());
+        }
+        let Some(Link { expr, .. }) = links.last_mut().filter(|link| link.expr.is_remainder()) else {
+            return Ok(());
+        };
+        if let Kind::Apply(name, groups) = &mut expr.kind
+            && let Some([number, modulus]) = groups.first_mut().map(Vec::as_mut_slice)
+        {
+            if self.query {
+                return Err(Box::new(congruence(name.span)));
+            }
+            let take = |expr: &mut Expr| std::mem::replace(expr, Expr::int(0));
+            expr.kind = residue(name.span, take(number), take(modulus));
+            self.unjudged(links);
+        }
+        Ok(())
+    }
+
+    /// Of relations that a modulus gives their meaning nothing more is known.
+    fn unjudged(&self, links: &mut [Link]) {
+        for link in links {
+            if matches!(link.rel, Rel::Eq | Rel::Equiv | Rel::Define) {
+                link.rel = Rel::Other('≡');
+            }
         }
     }
 
@@ -187,6 +263,7 @@ impl Reader<'_> {
             let expr = self.piece()?;
             links.push(Link { rel, span, expr });
         }
+        self.congruent(&mut links)?;
         Ok(self.chained(first, links, start))
     }
 
@@ -212,6 +289,7 @@ impl Reader<'_> {
             }
             Tok::Rel(Rel::Lt) if self.angle_end(self.pos).is_some() => None,
             Tok::Rel(rel) => Some((rel, self.bump())),
+            Tok::Mid if self.row && !self.in_set => Some((Rel::Other('∣'), self.bump())),
             Tok::Command(Role::Stacked) => {
                 let (rel, end) = self.stacked_relation(self.pos)?;
                 let span = self.span_at(self.pos).to(self.span_at(end - 1));
@@ -270,6 +348,8 @@ impl Reader<'_> {
     fn ends_piece(&self, kind: Tok) -> bool {
         matches!(kind, Tok::Rel(_) | Tok::Command(Role::Stacked | Role::LongArrow))
             || is_separator(kind)
+            || kind == Tok::Mid && self.row && !self.in_set
+            || self.is_modulus()
             || self.ends_items(kind)
             || self.begins_item(kind)
     }
@@ -340,6 +420,12 @@ impl Reader<'_> {
         };
         Ok(self.node(Kind::ForAll(bound, body.map(Box::new)), start))
     }
+}
+
+/// A number by a modulus, as it is kept.
+fn residue(name: Span, number: Expr, modulus: Expr) -> Kind {
+    let callee = Expr::new(Kind::Name("pmod".to_owned()), name);
+    Kind::Apply(Box::new(callee), vec![vec![number, modulus]])
 }
 
 /// What ∀ may bind: names, membership, and dots.

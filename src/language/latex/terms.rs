@@ -8,6 +8,14 @@ use crate::formula::{Enclosure, Expr, Kind, Quotient, Rel, Sign, Term};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::syntax::reach_of_mod;
 
+const PLUS_MINUS: Tok = Tok::Binary("pm");
+const MINUS_PLUS: Tok = Tok::Binary("mp");
+
+/// Whether a sign binds less than those between factors.
+fn is_loose(kind: Tok) -> bool {
+    matches!(kind, Tok::Binary("mod" | "pm" | "mp"))
+}
+
 impl Reader<'_> {
     fn sign(&mut self) -> Option<Sign> {
         let sign = match self.peek()? {
@@ -26,7 +34,7 @@ impl Reader<'_> {
         self.skip_gaps();
         let first = self.product();
         match self.peek() {
-            Some(Tok::Plus | Tok::Minus) => {}
+            Some(Tok::Plus | Tok::Minus | PLUS_MINUS | MINUS_PLUS) => {}
             _ if sign.is_some() => {}
             _ => return first,
         }
@@ -35,8 +43,20 @@ impl Reader<'_> {
 
     /// The terms after the first.
     fn terms(&mut self, sign: Option<Sign>, first: Expr, start: usize) -> Result<Expr> {
+        let mut written = sign.is_some();
         let mut terms = vec![Term { sign: sign.unwrap_or(Sign::Plus), expr: first }];
-        while let Some(sign) = self.sign() {
+        while let Some(next) = self.peek() {
+            // a + b ± c: two numbers, made of the sum before
+            if let PLUS_MINUS | MINUS_PLUS = next {
+                let before = match terms.len() {
+                    1 if !written => terms.remove(0).expr,
+                    _ => self.node(Kind::Add(std::mem::take(&mut terms)), start),
+                };
+                let both = self.either_sign(Some(before), start)?;
+                (terms, written) = (vec![Term { sign: Sign::Plus, expr: both }], false);
+                continue;
+            }
+            let Some(sign) = self.sign() else { break };
             self.skip_gaps();
             let expr = self.product()?;
             terms.push(Term { sign, expr });
@@ -44,7 +64,32 @@ impl Reader<'_> {
         if let Some(term) = terms.iter().find(|term| term.expr.is_remainder()) {
             return Err(Box::new(reach_of_mod(term.expr.span)));
         }
-        Ok(self.node(Kind::Add(terms), start))
+        match terms.as_mut_slice() {
+            [only] if !written => Ok(std::mem::replace(&mut only.expr, Expr::int(0))),
+            _ => Ok(self.node(Kind::Add(terms), start)),
+        }
+    }
+
+    /// `± b` and `a ± b` are kept as a call of the sign: they are two numbers, and never judged.
+    fn either_sign(&mut self, before: Option<Expr>, start: usize) -> Result<Expr> {
+        let name = if self.peek() == Some(PLUS_MINUS) { "pm" } else { "mp" };
+        self.only_on_pages("two formulas in one cannot be computed; write both")?;
+        let callee = Expr::new(Kind::Name(name.to_owned()), self.bump());
+        self.skip_gaps();
+        let after = self.deeper(Self::product)?;
+        let arguments = before.into_iter().chain([after]).collect();
+        Ok(self.node(Kind::Apply(Box::new(callee), vec![arguments]), start))
+    }
+
+    /// Refuses the next token in a query: it is read on pages, and means nothing that can be computed.
+    pub fn only_on_pages(&mut self, reason: &str) -> Result<()> {
+        self.peek();
+        if !self.query {
+            return Ok(());
+        }
+        let problem =
+            Diagnostic::error(Code::UnsupportedLatex, format!("{} is not supported", self.text_at(self.pos)));
+        Err(Box::new(problem.at(self.span_at(self.pos)).reason(reason)))
     }
 
     /// Where an operand is expected, wide spaces mean nothing.
@@ -59,6 +104,9 @@ impl Reader<'_> {
             return self.signed(Self::product);
         }
         let start = self.start();
+        if let Some(PLUS_MINUS | MINUS_PLUS) = self.peek() {
+            return self.either_sign(None, start);
+        }
         let first = self.operand();
         match self.peek() {
             Some(kind) if self.goes_on(kind) => self.factors(first?, start),
@@ -86,7 +134,7 @@ impl Reader<'_> {
             Tok::Bar | Tok::DoubleBar if self.closes_bar(kind) => false,
             Tok::Bar | Tok::Mid if self.is_evaluation() => true,
             Tok::Bar if self.in_set => false,
-            _ if self.row && self.is_condition() => false,
+            _ if self.row && self.is_condition() || self.is_modulus() => false,
             _ => self.begins_operand(kind),
         }
     }
@@ -245,7 +293,7 @@ impl Reader<'_> {
             _ => first,
         };
         match self.peek() {
-            Some(Tok::Binary("mod")) => first,
+            Some(kind) if is_loose(kind) => first,
             Some(Tok::Circ | Tok::Cross | Tok::Binary(_)) => self.composed(first?, start),
             _ => first,
         }
@@ -255,10 +303,13 @@ impl Reader<'_> {
         let mut left = first;
         let mut layers = 0;
         while let Some(operator @ (Tok::Circ | Tok::Cross | Tok::Binary(_))) =
-            self.peek().filter(|kind| *kind != Tok::Binary("mod"))
+            self.peek().filter(|kind| !is_loose(*kind))
         {
             layers += 1;
             self.wrap(layers)?;
+            if operator == Tok::Binary("wedge") {
+                self.only_on_pages("separate formulas by a comma")?;
+            }
             let span = self.tokens[self.pos].span();
             let mut list = vec![left];
             while self.eat(operator).is_some() {
@@ -311,9 +362,10 @@ impl Reader<'_> {
             | Tok::Bad(_) => true,
             Tok::Bar | Tok::DoubleBar => true,
             Tok::Text(..) => !self.row || self.is_word_atom(),
-            Tok::Command(role) => {
-                !matches!(role, Role::Infix(_) | Role::ForAll | Role::Stacked | Role::LongArrow)
-            }
+            Tok::Command(role) => !matches!(
+                role,
+                Role::Infix(_) | Role::ForAll | Role::Stacked | Role::LongArrow | Role::Modulus
+            ),
             _ => false,
         }
     }

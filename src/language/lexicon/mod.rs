@@ -4,6 +4,7 @@
 pub(crate) mod families;
 pub mod letters;
 pub(crate) mod phrases;
+pub(crate) mod relations;
 pub(crate) mod roles;
 pub(crate) mod signs;
 pub mod words;

@@ -37,7 +37,7 @@ mod tests;
 pub(crate) use clauses::{after_introduction, asked, clause, continuations};
 pub use items::spaced_items;
 pub use parser::{MAX_DEPTH, MAX_DIGITS, MAX_HEIGHT};
-pub(crate) use parser::{is_special, reach_of_mod, special_call};
+pub(crate) use parser::{congruence, is_special, reach_of_mod, special_call};
 pub(crate) use pieces::without_text_commands;
 pub(crate) use sentence::{Sentence, sentence};
 pub(crate) use spoken::{Asked, Call, Request, Said, Total, What, request};

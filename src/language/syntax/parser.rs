@@ -58,7 +58,7 @@ mod operand;
 mod problem;
 
 pub(crate) use call::{is_special, special_call};
-pub(crate) use problem::reach_of_mod;
+pub(crate) use problem::{congruence, reach_of_mod};
 
 use super::token::{Token, TokenKind};
 use crate::formula::source::Span;
@@ -420,6 +420,9 @@ impl<'a> Parser<'a> {
         if matches!(op, Op::Add(_) | Op::Mul | Op::Div | Op::Mod) {
             is_no_remainder(&left.expr).and_then(|()| is_no_remainder(&right.expr))?;
         }
+        if op == Op::Relation(Rel::Equiv) {
+            is_no_congruence(&right.expr)?;
+        }
         let span = left.extent.to(right.extent);
         let height = left.height.max(right.height);
         // Sums, products, compositions and chains grow in place, so that long ones stay flat.
@@ -480,6 +483,14 @@ impl<'a> Parser<'a> {
 fn is_no_remainder(expr: &Expr) -> Parsed<()> {
     match expr.is_remainder() {
         true => Err(Box::new(problem::reach_of_mod(expr.span))),
+        false => Ok(()),
+    }
+}
+
+/// Refuses `7 ≡ 1 mod 3`.
+fn is_no_congruence(right: &Expr) -> Parsed<()> {
+    match right.is_remainder() {
+        true => Err(Box::new(congruence(right.span))),
         false => Ok(()),
     }
 }

@@ -12,6 +12,7 @@ use crate::formula::{
     Accent, BigOp, BinomialStyle, Delimiter, Enclosure, Expr, Kind, Precedence, Quotient, Rel,
     before_brackets,
 };
+use crate::language::lexicon::relations;
 
 /// The formula in LaTeX, without dollar signs.
 ///
@@ -505,6 +506,7 @@ fn relation(rel: Rel, compact: bool) -> &'static str {
         Rel::Implies => " \\Rightarrow ",
         Rel::Iff => " \\Leftrightarrow ",
         Rel::Colon => " \\colon ",
+        Rel::Other(sign) => relations::of(sign).map_or(" ", |sign| sign.latex),
     }
 }
 

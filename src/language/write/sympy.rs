@@ -542,8 +542,13 @@ fn relation(rel: Rel) -> Result<&'static str, WriteError> {
         Rel::In => "Contains",
         Rel::Implies => "Implies",
         Rel::Iff => "Equivalent",
-        Rel::Equiv | Rel::Approx | Rel::NotIn | Rel::Subset | Rel::To | Rel::MapsTo | Rel::Colon => {
-            return Err(NotSupported("this relation"));
-        }
+        Rel::Equiv
+        | Rel::Approx
+        | Rel::NotIn
+        | Rel::Subset
+        | Rel::To
+        | Rel::MapsTo
+        | Rel::Colon
+        | Rel::Other(_) => return Err(NotSupported("this relation")),
     })
 }

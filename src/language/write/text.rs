@@ -5,6 +5,7 @@ use std::fmt;
 use super::plain::{self, Plain};
 use super::walk::{Joint, Notation, Pieces, Tail, to_string, walk};
 use crate::formula::{Expr, Kind, Precedence, Rel};
+use crate::language::lexicon::relations;
 use crate::language::value::Value;
 
 /// The formula in the plain notation, which the plain reader reads back to the same tree, up to
@@ -73,6 +74,7 @@ impl Plain for Text {
             Rel::Implies => " => ",
             Rel::Iff => " <=> ",
             Rel::Colon => ": ",
+            Rel::Other(sign) => relations::of(sign).map_or(" ", |sign| sign.unicode),
         }
     }
 

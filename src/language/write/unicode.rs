@@ -10,7 +10,7 @@ use super::plain::{self, Plain};
 use super::shape;
 use super::walk::{Joint, Notation, Pieces, Tail, to_string};
 use crate::formula::{Accent, Expr, Kind, Precedence, Rel, Sign, Term};
-use crate::language::lexicon::letters;
+use crate::language::lexicon::{letters, relations};
 
 /// The formula with Unicode signs, indices and exponents. A matrix, or an equation with one as a
 /// side, takes several lines; anything else one line, which the plain reader reads back.
@@ -73,6 +73,7 @@ pub(crate) fn relation(rel: Rel) -> &'static str {
         Rel::Implies => " ⇒ ",
         Rel::Iff => " ⇔ ",
         Rel::Colon => ": ",
+        Rel::Other(sign) => relations::of(sign).map_or(" ", |sign| sign.unicode),
     }
 }
 

@@ -140,6 +140,8 @@ impl Lexer<'_> {
             Role::Function
             | Role::Big(_)
             | Role::Integral
+            | Role::IntegralOver(_)
+            | Role::Modulus
             | Role::Accent(_)
             | Role::Switch(_)
             | Role::Fraction
@@ -368,8 +370,13 @@ impl Lexer<'_> {
         if self.peek() == Some('=') {
             return self.push_from(start, Tok::Rel(Rel::Ne), self.at + 1);
         }
+        if let Some(rest) = self.rest().strip_prefix("\\in")
+            && !rest.starts_with(|c: char| c.is_ascii_alphabetic())
+        {
+            return self.push_from(start, Tok::Rel(Rel::NotIn), self.at + 3);
+        }
         let end = self.at;
-        let problem = Diagnostic::error(Code::UnsupportedLatex, "\\not is read only before =");
+        let problem = Diagnostic::error(Code::UnsupportedLatex, "\\not is read only before = and \\in");
         self.bad(start, end, problem);
     }
 }

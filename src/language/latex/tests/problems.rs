@@ -19,8 +19,9 @@ fn unknown_and_unsupported() {
     check(r"\farc{1}{2}", Code::UnknownCommand, r"\farc", r"did you mean \frac?");
     check(r"a + \cdotb", Code::UnknownCommand, r"\cdotb", r"did you mean \cdot b?");
     check(r"\xyzzy", Code::UnknownCommand, r"\xyzzy", "docs/latex.md");
-    check(r"a \pm b", Code::UnsupportedLatex, r"\pm", "");
-    check(r"y \ll 1", Code::UnsupportedLatex, r"\ll", "");
+    check(r"\exists x", Code::UnsupportedLatex, r"\exists", "");
+    check(r"\oint f(t)\,dt", Code::UnsupportedLatex, r"\oint", r"\oint_D");
+    check(r"x \not\approx 1", Code::UnsupportedLatex, r"\not", "");
     check(r"\int f(t)", Code::UnsupportedLatex, r"\int", r"\,dt");
     check(r"\begin{algned} a \end{algned}", Code::UnknownCommand, r"\begin{algned}", "aligned");
     check(r"\overset{a}{b}", Code::UnsupportedLatex, r"\overset", "");

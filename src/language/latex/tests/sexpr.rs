@@ -119,6 +119,7 @@ pub fn sexpr(expr: &Expr) -> String {
         Kind::Chain(first, links) => {
             let mut text = sexpr(first);
             for link in links {
+                let other;
                 let sign = match link.rel {
                     Rel::Eq => "=",
                     Rel::Define => ":=",
@@ -137,6 +138,10 @@ pub fn sexpr(expr: &Expr) -> String {
                     Rel::Implies => "⇒",
                     Rel::Iff => "⇔",
                     Rel::Colon => ":",
+                    Rel::Other(sign) => {
+                        other = sign.to_string();
+                        &other
+                    }
                 };
                 text = format!("{text} {sign} {}", sexpr(&link.expr));
             }

@@ -523,3 +523,30 @@ fn exponents_in_brackets() {
         ("t^{(n-1)}", "(upper t (+ n (- 1)))"),
     ]);
 }
+
+#[test]
+fn signs_of_which_nothing_is_known() {
+    check(&[
+        (r"a \sim b = c", "(a ∼ b = c)"),
+        ("x ≲ y", "(x ≲ y)"),
+        (r"x \not\in S", "(x ∉ S)"),
+        (r"a + b \pm 2c - d", "(+ (pm: (+ a b) (* 2 c)) (- d))"),
+        (r"\frac{-b \pm \sqrt{d}}{2}", "(frac (pm: (+ (- b)) (sqrt: d)) 2)"),
+        (r"x = \pm 1", "(x = (pm: 1))"),
+        (r"7 \equiv 1 \pmod 3", "(7 ≡ (pmod: 1 3))"),
+        (r"7 \equiv 1 \mod 3", "(7 ≡ (pmod: 1 3))"),
+        (r"f(x) = x (\bmod 3)", "((f: x) ≡ (pmod: x 3))"),
+        (r"7 \bmod 3 = 1", "((mod: 7 3) = 1)"),
+        (r"[a; b, c]", "(semicolons: a ; b c)"),
+        ("p(x|z)", "(p: (x ∣ z))"),
+        ("D(p||q)", "(D: (p ∥ q))"),
+        ("f(|x|)", "(f: (abs x))"),
+        (r"\oint_\gamma f \,dz", "(int gamma _ f z)"),
+        (r"\iint_D x \,dx\,dy", "(int D _ x (tuple x y))"),
+        (r"\oint_\gamma f = 0", "((int gamma _ f (seq )) = 0)"),
+        (r"\int_0^1 t \,\text{d}t", "(int 0 1 t t)"),
+        (r"\underset{x}{\max} f(x)", "(max (x) _ (f: x))"),
+        (r"\underset{x}{\textrm{argmin}} (f)", "((_ argmin x): f)"),
+        (r"2 + 1 = 3 \; \checkmark", "((+ 2 1) = 3)"),
+    ]);
+}

@@ -38,6 +38,13 @@ pub(crate) fn reach_of_mod(span: Span) -> Diagnostic {
         .hint("write parentheses: (1 + 7) mod 3, or 1 + (7 mod 3)")
 }
 
+/// The error for `7 ≡ 1 mod 3`.
+pub(crate) fn congruence(span: Span) -> Diagnostic {
+    error(Code::AmbiguousProduct, "a congruence, or equal to the remainder?", span)
+        .reason("congruences are not computed")
+        .hint("write (7 - 1) mod 3 = 0 for the congruence, 7 = (1 mod 3) for the remainder")
+}
+
 impl Parser<'_> {
     fn quote(&self, span: Span) -> String {
         let text = self.text.piece(span.range());
