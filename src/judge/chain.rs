@@ -589,16 +589,24 @@ fn names_its_variables(head: &Head, body: &Expr) -> bool {
     let inside = if labelled { Default::default() } else { bases(body) };
     let arguments = head.flat();
     let Some(Expr { kind: Kind::Name(only), .. }) = arguments.first().filter(|_| arguments.len() == 1) else {
-        // f(A, A) = 0 is a value.
-        let name = |at: usize| matches!(&arguments[at].kind, Kind::Name(_));
-        let again = |at: usize| arguments[..at].iter().any(|other| other.same_as(arguments[at]));
-        // f(A, B) = 1 is one, too, unless A and B are variables.
-        let constant = |at: usize| matches!(&arguments[at].kind, Kind::Name(own) if !is_variable(own) && !is_index_letter(own));
-        let numbers = bases(body).is_empty() && !arguments.is_empty() && (0..arguments.len()).all(constant);
-        return !numbers && !(0..arguments.len()).any(|at| name(at) && again(at));
+        return !is_value_at_points(&arguments, body);
     };
     let fixed = matches!(body.kind, Kind::Name(_));
     is_variable(only) || is_index_letter(only) || inside.contains(only) && !fixed
+}
+
+/// f(A, A) = 0; f(A, B) = 1, where A and B are no variables.
+fn is_value_at_points(arguments: &[&Expr], body: &Expr) -> bool {
+    let name = |argument: &&Expr| match &argument.kind {
+        Kind::Name(name) => Some(name.clone()),
+        _ => None,
+    };
+    let names: Vec<String> = arguments.iter().filter_map(name).collect();
+    let again = (1..names.len()).any(|at| names[..at].contains(&names[at]));
+    let points = names.len() == arguments.len()
+        && !names.is_empty()
+        && !names.iter().any(|name| is_variable(name) || is_index_letter(name));
+    again || points && bases(body).is_empty()
 }
 
 /// p(t): no value of p, but p itself.

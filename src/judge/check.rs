@@ -203,7 +203,7 @@ impl Checker {
                         self.blame(chain, statement, &mut findings, before);
                         self.remember(chain, statement, &findings);
                         self.remember_law(chain, &statement.place, &findings);
-                        let line = self.line(chain.whole().span);
+                        let line = self.line(chain.sides[0].expr.span);
                         self.unread.extend(Unread::of(chain, &statement.place, &findings, line));
                         self.findings.extend(findings);
                     }

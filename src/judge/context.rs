@@ -492,6 +492,19 @@ impl Context {
         beside.filter_map(|(other, expr)| interval(expr).map(|(ends, open)| (other.formula, ends, open)))
     }
 
+    /// The sizes that were named at some places, each with its number: n = 2.
+    pub fn sizes_heard(&self, here: impl Fn(&Place) -> bool) -> impl Iterator<Item = (&str, i64)> {
+        self.heard.iter().filter(move |(place, _)| here(place)).filter_map(|(_, expr)| {
+            let Kind::Chain(left, links) = &expr.kind else { return None };
+            match (&left.kind, links.as_slice()) {
+                (Kind::Name(name), [link]) if roles::is_degree(name) && link.rel == Rel::Eq => {
+                    Some((name.as_str(), link.expr.as_int()?))
+                }
+                _ => None,
+            }
+        })
+    }
+
     /// The first and the last number of the members of a letter, as the page lists them last.
     pub fn listed(&self, letter: &str, place: &Place) -> Option<(Expr, Expr)> {
         let index = |expr: &Expr| Head::of(expr).filter(|head| head.base == letter)?.index().cloned();

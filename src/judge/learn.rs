@@ -46,18 +46,12 @@ impl Checker {
         });
         // N_j^p = 0 for j < 0 or j > n
         let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
-        // r_n = b_n, where the points are r_0, …, r_n, says what the last one is.
-        let last = |(_, last): (Expr, Expr)| match head.lower.as_slice() {
-            [index] => !matches!(index.kind, Kind::Number(_)) && index.same_as(&last),
-            _ => false,
-        };
-        let last = head.arguments.is_none() && self.context.listed(&head.base, place).is_some_and(last);
-        if last {
+        if self.is_last_member(head, place) {
             let equation = Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, body.expr.clone());
             self.condition(equation, body.expr.span, false, place);
+            return;
         }
         if derivative
-            || last
             || pieces
             || vanishes
             || restricted
@@ -129,6 +123,14 @@ impl Checker {
         let mut found = false;
         expr.for_each_child_mut(&mut |child| found |= self.apply_families(child, argument, place));
         found
+    }
+
+    /// r_n, where the points are r_0, …, r_n: a formula for it says what the last one is, and nothing of the others.
+    fn is_last_member(&self, head: &Head, place: &Place) -> bool {
+        let [index] = head.lower.as_slice() else { return false };
+        head.arguments.is_none()
+            && !matches!(index.kind, Kind::Number(_))
+            && self.context.listed(&head.base, place).is_some_and(|(_, last)| index.same_as(&last))
     }
 
     /// [a, b] = [0, 2], (p, q) = (1, 3): takes in the values of names that mean nothing in this section.

@@ -467,3 +467,11 @@ pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
         _ => None,
     }
 }
+
+/// A function without the marks of derivatives: F of F'(t), also with dots.
+pub fn underived(callee: &Expr) -> &Expr {
+    match &callee.kind {
+        Kind::Prime(function, _) | Kind::Accent(Accent::Dot | Accent::Ddot, function) => underived(function),
+        _ => callee,
+    }
+}

@@ -505,19 +505,12 @@ impl<'a> Trial<'a> {
         bound: &[(String, i64)],
         degree: Option<usize>,
     ) -> Vec<Vec<(String, i64)>> {
-        let mut own: Vec<String> = integer_names(condition)
+        let own: Vec<String> = integer_names(condition)
             .into_iter()
             .filter(|name| is_index_letter(name) && !bound.iter().any(|(known, _)| known == name))
             .collect();
-        // The n of c_{i+1} = c_i + b_i/(n + 1) is the degree that is tried.
-        let mut bound = bound.to_vec();
-        if let (Some(degree), Some(at), 2..) =
-            (degree, own.iter().position(|name| roles::is_degree(name)), own.len())
-        {
-            bound.push((own.remove(at), degree as i64));
-        }
         if own.is_empty() || own.len() > 2 {
-            return vec![bound];
+            return vec![bound.to_vec()];
         }
         let size = bound.iter().find(|(name, _)| roles::is_degree(name));
         let last =

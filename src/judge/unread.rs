@@ -4,6 +4,8 @@
 //! formula that was not read, or by a list of members that stayed open. No relation is judged by the usual meaning after
 //! such a formula in its section.
 
+use std::collections::BTreeSet;
+
 use super::context::Context;
 use super::finding::{Finding, Verdict};
 use super::names::{Head, bases};
@@ -29,11 +31,11 @@ impl Unread {
         (!names.is_empty()).then(|| Unread { names, place: place.clone(), line })
     }
 
-    /// Why the usual meaning of a name in a relation is in doubt, if it may say what the name is.
-    pub(super) fn doubt(&self, sides: [&Expr; 2], context: &Context, place: &Place) -> Option<String> {
+    /// Why the usual meaning of one of the names of a relation is in doubt, if it may say what the name is.
+    pub(super) fn doubt(&self, own: &BTreeSet<String>, context: &Context, place: &Place) -> Option<String> {
         let name = self.names.iter().find(|name| {
             place.knows(&self.place, false)
-                && sides.into_iter().any(|side| bases(side).contains(*name))
+                && own.contains(*name)
                 && context.visible(name, place).next().is_none()
         })?;
         Some(format!("line {} may say what {name} is, and was not understood", self.line))

@@ -16,7 +16,6 @@ use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
 use super::tally::{Failure, Tally};
 use super::trial::Setting;
-use super::unread::Unread;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
@@ -38,15 +37,20 @@ impl Checker {
         let outcomes = &attempt.outcomes;
         let earlier = &outcomes.tallies[..at + outcomes.tallies.len() - chain.relations.len()];
         finding.notes = self.notes(tally);
-        let held: Vec<usize> = (at - earlier.len()..at)
-            .zip(earlier)
-            .filter(|(_, tally)| tally.holds > 0 && tally.fails.is_empty())
-            .map(|(number, _)| number)
-            .collect();
-        let repair = || repair::find(self, setting, at, attempt.choices, tally, statement, &held);
-        let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
-        let doubt = |unread: &Unread| unread.doubt(sides, &self.context, &statement.place);
-        if let Some(reason) = self.unread.iter().rev().find_map(doubt) {
+        let repair = || {
+            let held = |(_, tally): &(usize, &Tally)| tally.holds > 0 && tally.fails.is_empty();
+            let before = (at - earlier.len()..at).zip(earlier).filter(held);
+            let held: Vec<usize> = before.map(|(number, _)| number).collect();
+            repair::find(self, setting, at, attempt.choices, tally, statement, &held)
+        };
+        let doubt = || {
+            let own =
+                bases(&chain.sides[at].expr).into_iter().chain(bases(&chain.sides[at + 1].expr)).collect();
+            self.unread.iter().rev().find_map(|unread| unread.doubt(&own, &self.context, &statement.place))
+        };
+        if !self.unread.is_empty()
+            && let Some(reason) = doubt()
+        {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason);
             return Judged::Verdict(Box::new(finding));

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::primes::each;
 use crate::formula::source::SourceFile;
 use crate::formula::{Accent, Expr, Kind, bracketed};
-use crate::judge::names::{Head, walk};
+use crate::judge::names::{Head, underived, walk};
 use crate::judge::statement::Statement;
 use crate::judge::topic::Topic;
 
@@ -46,14 +46,6 @@ pub(super) fn as_arguments(file: &SourceFile, statements: &mut [Statement]) {
     }
     for statement in statements {
         each(statement, &mut |expr| apply(file, expr, &letters, &called));
-    }
-}
-
-/// A function without the marks of derivatives: F of F'(t).
-fn underived(callee: &Expr) -> &Expr {
-    match &callee.kind {
-        Kind::Prime(function, _) | Kind::Accent(Accent::Dot | Accent::Ddot, function) => function,
-        _ => callee,
     }
 }
 

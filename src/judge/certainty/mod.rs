@@ -14,14 +14,13 @@ use super::check::Checker;
 use super::compare;
 use super::context::{Body, Definition, is_variable};
 use super::features::has_divided_differences;
-use super::hypotheses::is_coefficient;
-use super::names::{Head, bases, is_index_letter, walk};
+use super::names::{Head, bases, is_index_letter, underived, walk};
 use super::object::Sort;
 use super::statement::{Chain, Place, Role, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
-use crate::formula::{Accent, Expr, Kind, Rel};
-use crate::language::lexicon::roles::{is_degree, is_intermediate};
+use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::roles::is_intermediate;
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
 use crate::math::ring::Ring;
@@ -86,55 +85,40 @@ impl Suspect<'_> {
             .then(|| "how curves of any degree join is not followed here".to_owned())
     }
 
-    /// f(c, u, v) = g(c, u, v) for any f and g is claimed by nobody: what relates them was not understood.
+    /// f(c, u, v) = g(c, u, v) for any f and g, h_1 (b_n - b_{n-1}) = h_0 (c_1 - c_0) for any points b_i and c_i is claimed
+    /// by nobody: what relates them was not understood.
     fn unrelated_functions(&self) -> Option<String> {
-        let functions = |value: &Value| -> Option<BTreeSet<String>> {
-            let symbols = compare::symbols(value);
-            let members: Vec<&Symbol> = symbols.iter().filter(|symbol| !symbol.is_plain()).collect();
-            let unknown = !members.is_empty() && members.iter().all(|symbol| is_coefficient(symbol));
-            unknown.then(|| members.iter().map(|symbol| symbol.base().to_owned()).collect())
-        };
-        // h_1 (b_n - b_{n-1}) = h_0 (c_1 - c_0), for any points b_i and c_i
         let families = |value: &Value| -> BTreeSet<String> {
-            let symbols = compare::symbols(value);
-            symbols
-                .iter()
-                .filter(|symbol| !symbol.is_plain())
-                .map(|symbol| symbol.base().to_owned())
-                .collect()
+            let members = compare::symbols(value).into_iter().filter(|symbol| !symbol.is_plain());
+            members.map(|symbol| symbol.base().to_owned()).collect()
         };
-        let (left, right) = match (functions(&self.failure.left), functions(&self.failure.right)) {
-            (Some(left), Some(right)) => (left, right),
-            _ => {
-                let (left, right) = (families(&self.failure.left), families(&self.failure.right));
-                let own = |one: &BTreeSet<String>, other: &BTreeSet<String>| -> BTreeSet<String> {
-                    one.difference(other).cloned().collect()
-                };
-                (own(&left, &right), own(&right, &left))
-            }
+        let is_function = |name: &String| name.starts_with('[');
+        let (left, right) = (families(&self.failure.left), families(&self.failure.right));
+        let functions = left.iter().chain(&right).all(is_function);
+        let only = |own: &BTreeSet<String>, other: &BTreeSet<String>| -> BTreeSet<String> {
+            own.difference(other).cloned().collect()
         };
-        let points = |name: &String| {
-            self.checker.context.objects.iter().any(|told| {
-                let names = match told.object.sort {
-                    Sort::ControlPoints => &told.object.names,
-                    _ => &told.object.points,
-                };
-                names.iter().filter_map(Head::of).any(|head| head.base == *name)
-            })
-        };
-        let place = &self.statement.place;
-        let joined = self.statement.topics.has(Topic::Join);
-        let points =
-            |name: &String| points(name) || joined && self.checker.context.listed(name, place).is_some();
-        let unknown = |name: &String| name.starts_with('[') || points(name);
-        if left.is_empty() || right.is_empty() || !left.iter().chain(&right).all(unknown) {
-            return None;
-        }
-        let name =
-            |set: &BTreeSet<String>| set.iter().next().map(|own| own.trim_matches(['[', ']']).to_owned());
-        left.is_disjoint(&right).then(|| {
-            Some(format!("what relates {} and {} is not understood here", name(&left)?, name(&right)?))
-        })?
+        let (own, other) = (only(&left, &right), only(&right, &left));
+        let unknown = |name: &String| is_function(name) || self.is_family_of_points(name);
+        let unrelated =
+            if functions { left.is_disjoint(&right) } else { own.iter().chain(&other).all(unknown) };
+        let name = |set: &BTreeSet<String>| set.first().map(|name| name.trim_matches(['[', ']']).to_owned());
+        let (one, another) = (name(&own)?, name(&other)?);
+        unrelated.then(|| format!("what relates {one} and {another} is not understood here"))
+    }
+
+    /// Whether words say that a letter is that of control points, or, where curves join, its members are listed.
+    fn is_family_of_points(&self, letter: &String) -> bool {
+        let context = &self.checker.context;
+        let told = context.objects.iter().any(|told| {
+            let names = match told.object.sort {
+                Sort::ControlPoints => &told.object.names,
+                _ => &told.object.points,
+            };
+            names.iter().filter_map(Head::of).any(|head| head.base == *letter)
+        });
+        told || self.statement.topics.has(Topic::Join)
+            && context.listed(letter, &self.statement.place).is_some()
     }
 
     /// Numbers that words may have changed since they were given.
@@ -192,20 +176,10 @@ impl Suspect<'_> {
     /// "Let us do it for n = 2. …": what fails for another n only is none of this example.
     fn of_another_size(&self) -> Option<String> {
         let place = &self.statement.place;
-        let here = self.checker.context.heard.iter().filter(|(other, _)| other.group == place.group);
         let own: BTreeSet<String> = self.chain.conditions.iter().flat_map(bases).collect();
-        let said = here.filter_map(|(_, expr)| {
-            let Kind::Chain(left, links) = &expr.kind else { return None };
-            match (&left.kind, links.as_slice()) {
-                (Kind::Name(name), [link])
-                    if is_degree(name) && !own.contains(name) && link.rel == Rel::Eq =>
-                {
-                    Some((name, link.expr.as_int()?))
-                }
-                _ => None,
-            }
-        });
-        let fails_with = |name: &String, value: i64| {
+        let heard = self.checker.context.sizes_heard(|other| other.group == place.group);
+        let said: Vec<(&str, i64)> = heard.filter(|(name, _)| !own.contains(*name)).collect();
+        let fails_with = |name: &str, value: i64| {
             self.tally.fails.iter().any(|failure| {
                 match failure.integers.iter().find(|(own, _)| own == name) {
                     Some((_, own)) => *own == value,
@@ -213,7 +187,6 @@ impl Suspect<'_> {
                 }
             })
         };
-        let said: Vec<(&String, i64)> = said.collect();
         let (name, value) = said.last()?;
         let fails = said.iter().any(|(name, value)| fails_with(name, *value));
         (!fails).then(|| format!("it does not fail for {name} = {value}"))
@@ -254,7 +227,7 @@ impl Suspect<'_> {
         let number = |expr: &Expr| bases(expr).is_empty();
         let own = |side: &Expr, other: &Expr| {
             let Kind::Apply(callee, groups) = &side.kind else { return None };
-            let name = Head::of(unprimed(callee))
+            let name = Head::of(underived(callee))
                 .filter(|head| self.tally.record.unknown.contains(&head.base))?
                 .base;
             let zero = matches!(&other.kind, Kind::Number(q) if q.is_zero());
@@ -409,14 +382,6 @@ impl Suspect<'_> {
 
     fn symbols(&self) -> BTreeSet<Symbol> {
         [&self.failure.left, &self.failure.right].into_iter().flat_map(compare::symbols).collect()
-    }
-}
-
-/// The function of which something is a derivative: q of q'', also with dots.
-fn unprimed(expr: &Expr) -> &Expr {
-    match &expr.kind {
-        Kind::Prime(inner, _) | Kind::Accent(Accent::Dot | Accent::Ddot, inner) => unprimed(inner),
-        _ => expr,
     }
 }
 

@@ -6,7 +6,7 @@ use super::entry::{Equation, Theorem};
 use super::fit::{Claim, Standing};
 use super::letters::{Said, Way, is_end};
 use super::roles;
-use crate::formula::{Expr, Kind, Link, Rel};
+use crate::formula::{Expr, Kind, Rel};
 use crate::judge::check::Checker;
 use crate::judge::context::Body;
 use crate::judge::evaluator;
@@ -16,7 +16,6 @@ use crate::judge::names::{Head, bases, walk};
 use crate::judge::object::Sort;
 use crate::judge::statement::Place;
 use crate::judge::topic::Topic;
-use crate::language::lexicon::roles::is_degree;
 
 impl Checker {
     /// What it means that a claim fits a theorem in a way.
@@ -115,12 +114,7 @@ impl Checker {
         };
         // For n = 2
         let given = |degree: i64| {
-            self.context.heard.iter().any(|(other, expr)| {
-                let Kind::Chain(left, links) = &expr.kind else { return false };
-                let size = matches!(&left.kind, Kind::Name(name) if is_degree(name));
-                let equal = |link: &Link| link.rel == Rel::Eq && link.expr.as_int() == Some(degree);
-                size && place.knows(other, false) && matches!(links.as_slice(), [link] if equal(link))
-            })
+            self.context.sizes_heard(|other| place.knows(other, false)).any(|(_, size)| size == degree)
         };
         let known = |degree: i64| said.degrees.contains(&degree) || listed(degree) || given(degree);
         let raised = number("r").filter(|_| theorem.is_about(Topic::Elevation));
