@@ -492,17 +492,23 @@ impl Context {
         beside.filter_map(|(other, expr)| interval(expr).map(|(ends, open)| (other.formula, ends, open)))
     }
 
-    /// The sizes that were named at some places, each with its number: n = 2.
-    pub fn sizes_heard(&self, here: impl Fn(&Place) -> bool) -> impl Iterator<Item = (&str, i64)> {
+    /// The values that names were said to have at some places: τ = 5/2.
+    pub fn values_heard(&self, here: impl Fn(&Place) -> bool) -> impl Iterator<Item = (&str, &Expr)> {
         self.heard.iter().filter(move |(place, _)| here(place)).filter_map(|(_, expr)| {
             let Kind::Chain(left, links) = &expr.kind else { return None };
             match (&left.kind, links.as_slice()) {
-                (Kind::Name(name), [link]) if roles::is_degree(name) && link.rel == Rel::Eq => {
-                    Some((name.as_str(), link.expr.as_int()?))
+                (Kind::Name(name), [link]) if link.rel == Rel::Eq && bases(&link.expr).is_empty() => {
+                    Some((name.as_str(), &link.expr))
                 }
                 _ => None,
             }
         })
+    }
+
+    /// The sizes that were named at some places, each with its number: n = 2.
+    pub fn sizes_heard(&self, here: impl Fn(&Place) -> bool) -> impl Iterator<Item = (&str, i64)> {
+        let sizes = self.values_heard(here).filter(|(name, _)| roles::is_degree(name));
+        sizes.filter_map(|(name, value)| Some((name, value.as_int()?)))
     }
 
     /// The first and the last number of the members of a letter, as the page lists them last.

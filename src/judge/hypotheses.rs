@@ -11,7 +11,7 @@ use super::compare;
 use super::context::is_variable;
 use super::values::differences;
 use crate::budget;
-use crate::language::lexicon::{families, letters};
+use crate::language::lexicon::{families, letters, roles};
 use crate::language::value::Value;
 use crate::math::linalg::{self, Echelon};
 use crate::math::number::integer;
@@ -171,6 +171,10 @@ fn solved(all: &[MultiPoly], symbols: Vec<Symbol>) -> Option<Solution> {
     let others: BTreeSet<&Symbol> =
         all.iter().flat_map(|equation| equation.variables()).filter(|s| !symbols.contains(s)).collect();
     let sampled = symbols.len() > SYMBOLIC && !others.is_empty();
+    // No number is any size.
+    if sampled && others.iter().any(|symbol| symbol.is_plain() && roles::is_degree(symbol.base())) {
+        return None;
+    }
     let numbers: Vec<(Symbol, MultiPoly)> = others
         .iter()
         .zip(NUMBERS.iter().cycle().zip(0i64..))

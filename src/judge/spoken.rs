@@ -73,7 +73,7 @@ impl Checker {
         let whole = chain.conditions.is_empty() && !calls(&right, &head.base);
         let formula = whole && head.arguments.is_some()
             || statement.role == Some(Role::Claimed) && !head.lower.is_empty();
-        let facts = if formula { self.facts_about(&head, statement, before) } else { Vec::new() };
+        let facts = if formula { self.facts_about(&head, chain, statement, before) } else { Vec::new() };
         if facts.is_empty() {
             return;
         }
@@ -89,10 +89,17 @@ impl Checker {
     }
 
     /// The facts about a name, of its paragraph, or of its section if the formula is said to follow.
-    fn facts_about(&self, head: &Head, statement: &Statement, before: Mark) -> Vec<Condition> {
+    fn facts_about(&self, head: &Head, chain: &Chain, statement: &Statement, before: Mark) -> Vec<Condition> {
         let place = &statement.place;
+        // What is said for N = 2 says nothing of N = 3.
+        let equates = |case: &&Expr| matches!(&case.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq));
+        let elsewhere = |fact: &Condition| {
+            let mut cases = fact.ranges.iter().filter(equates);
+            cases.any(|case| !is_range(case) && !chain.conditions.iter().any(|own| own.same_as(case)))
+        };
         let told = |fact: &&Condition| {
-            place.in_reach(&fact.place, fact.assumed)
+            !elsewhere(fact)
+                && place.in_reach(&fact.place, fact.assumed)
                 && place.sees(&fact.place)
                 && (fact.place.group == place.group
                     || statement.role == Some(Role::Claimed)

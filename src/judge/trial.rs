@@ -573,7 +573,18 @@ impl<'a> Trial<'a> {
             return None;
         }
         let reading = Rc::new(self.model(degree, None, &[]));
-        let names = || as_values(bound);
+        // The n of c_{i+1} = c_i + b_i/(n + 1) is the degree, as in what the page defines.
+        let size = |name: &String| {
+            roles::is_degree(name)
+                && !bound.iter().any(|(own, _)| own == name)
+                && self.context.number_in(name, self.place).is_none()
+        };
+        let sizes: Vec<(String, i64)> = degree
+            .map(|degree| super::names::bases(condition).into_iter().filter(size).map(move |name| (name, degree as i64)))
+            .into_iter()
+            .flatten()
+            .collect();
+        let names = || as_values(bound).chain(as_values(&sizes));
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading, names()).ok()?;
         Some((left, right))

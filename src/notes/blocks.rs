@@ -1,10 +1,14 @@
 //! The examples, proofs and cases of a page, as labelled paragraphs and as environments, and the examples that words go
 //! back to.
 
+use std::collections::HashMap;
 use std::rc::Rc;
 
 use super::speech::{self, Block};
-use crate::judge::statement::{Place, Statement};
+use crate::formula::Rel;
+use crate::judge::names::{Head, bases};
+use crate::judge::statement::{Chain, Place, Role, Said, Statement};
+use crate::language::write;
 
 /// What is open at a place of the page.
 #[derive(Default)]
@@ -159,5 +163,30 @@ impl Changes {
     /// A paragraph begins.
     pub(super) fn paragraph(&mut self) {
         self.so_far += u32::from(std::mem::take(&mut self.passing));
+    }
+}
+
+/// "For c = (1, -1, 1) … For c = (1, 0, 1) …": what comes after a name gets another value is said of other data.
+///
+/// Cost: linear in the statements.
+pub(super) fn count_new_values(statements: &mut [Statement]) {
+    let mut values: HashMap<String, (Vec<u32>, String)> = HashMap::new();
+    let mut more = 0;
+    for statement in statements {
+        statement.place.changes += more;
+        if statement.role == Some(Role::Claimed) {
+            continue;
+        }
+        let Said::Chain(Chain { sides, relations, .. }) = &statement.said else { continue };
+        let ([name, value], [(Rel::Eq | Rel::Define, _)]) = (sides.as_slice(), relations.as_slice()) else {
+            continue;
+        };
+        let named = Head::of(&name.expr).is_some_and(|head| head.arguments.is_none());
+        if !named || !bases(&value.expr).is_empty() {
+            continue;
+        }
+        let now = (statement.place.scope.clone(), write::text(&value.expr));
+        let before = values.insert(write::text(&name.expr), now.clone());
+        more += u32::from(before.is_some_and(|before| before.0 == now.0 && before.1 != now.1));
     }
 }

@@ -6,13 +6,14 @@
 //! claim in its sentence says nothing that later claims need.
 
 use std::cell::LazyCell;
+use std::collections::BTreeSet;
 
 use super::cases::{self, parity};
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
 use crate::formula::source::Pieces;
 use crate::formula::{Expr, Kind, Link, Rel};
-use crate::judge::names::Head;
+use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Role, Said, Statement, links};
 
 /// Gives every statement its role and every claim the cases of its sentence.
@@ -238,9 +239,15 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         at.map_or((None, false), |at| roles[at])
     };
     // "For all t": a bare name is no case.
-    let quantified = statements
+    let quantified: BTreeSet<String> = statements
         .iter()
-        .any(|statement| role_of(statement).0 == Some(Role::All) && matches!(statement.said, Said::Bare(..)));
+        .filter(|statement| role_of(statement).0 == Some(Role::All))
+        .filter_map(|statement| match &statement.said {
+            Said::Bare(side, _) => Some(bases(&side.expr)),
+            _ => None,
+        })
+        .flatten()
+        .collect();
     let members = statements.iter().filter(|statement| {
         role_of(statement).0 == Some(Role::Case)
             && matches!(&statement.said, Said::Chain(chain) if gives_member(chain))
@@ -259,7 +266,9 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             alone || claimed.is_some_and(|first| first < own) || concluded.is_some_and(|first| first <= own);
         let (mut role, _) = role_of(statement);
         if let Said::Chain(chain) = &mut statement.said {
-            chain.universal = quantified || role == Some(Role::Always);
+            // "It vanishes for all t, so w = 1": of w nothing is said for all values.
+            let of_all = chain.sides.iter().any(|side| !bases(&side.expr).is_disjoint(&quantified));
+            chain.universal = of_all || role == Some(Role::Always);
         }
         role = match role {
             Some(Role::Always) => Some(Role::Claimed),

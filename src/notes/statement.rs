@@ -4,7 +4,7 @@
 //! line, and conditions follow the formula they belong to: in it, after a comma, or after words
 //! such as "where".
 
-use super::blocks::{Blocks, Changes};
+use super::blocks::{Blocks, Changes, count_new_values};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
@@ -44,6 +44,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         trailing: None,
         formula: 0,
         changes: Changes::default(),
+        apart: None,
         table: Table::default(),
     };
     for item in &document.items {
@@ -55,6 +56,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
     brackets::as_arguments(&document.file, &mut statements);
     let sentences = sentence::sentences(document);
     sentence::assign(&sentences, &mut statements);
+    count_new_values(&mut statements);
     attach(&mut statements);
     objects::insert(&sentences, &mut statements);
     statements
@@ -82,6 +84,8 @@ struct Reader<'a> {
     trailing: Option<(Rel, Span)>,
     formula: usize,
     changes: Changes,
+    /// The paragraph with a title of its own.
+    apart: Option<u32>,
     table: Table,
 }
 
@@ -94,6 +98,7 @@ impl Reader<'_> {
                 self.next_scope += 1;
                 self.sections.push((*level, self.next_scope));
                 self.blocks.heading();
+                self.apart = None;
                 self.new_group();
                 let title = &self.document.words(*span);
                 self.begun = true;
@@ -128,6 +133,9 @@ impl Reader<'_> {
                     self.blocks.recall(&name);
                 }
                 self.next_scope += 1;
+                if !self.begun && speech::sets_apart(words) {
+                    self.apart = Some(self.next_scope);
+                }
                 self.blocks.runs(words, !self.begun, self.next_scope, &mut self.statements);
                 self.changes.words(words);
                 self.begun |= !words.trim().is_empty();
@@ -253,9 +261,10 @@ impl Reader<'_> {
         self.blocks.recalled = None;
     }
 
-    /// The numbers of the items of lists that are open.
+    /// The numbers of the items of lists that are open, and of a paragraph with a title.
     fn items(&self) -> Vec<u32> {
-        self.enclosures.iter().filter(|(own, _)| *own == Enclosure::Item).map(|(_, scope)| *scope).collect()
+        let items = self.enclosures.iter().filter(|(own, _)| *own == Enclosure::Item);
+        self.apart.into_iter().chain(items.map(|(_, scope)| *scope)).collect()
     }
 
     fn place(&self) -> Place {

@@ -203,6 +203,7 @@ const REASONS = {
     ["the data of {} are not understood here", "这里没有看懂 {} 的数据"],
     ["it holds for some {}: which one is meant?", "对某些 {} 成立：指的是哪一个？"],
     ["it does not fail for {} = {}", "对 {} = {} 并不出错"],
+    ["it holds for {} = {}", "对 {} = {} 成立"],
     ["what line {} says is not used here", "这里没有用到第 {} 行所说的"],
     ["what line {} says of {} is not used", "没有用到第 {} 行关于 {} 所说的"],
     ["line {} may say what {} is, and was not understood", "第 {} 行可能说明 {} 是什么，但没有看懂"],

@@ -11,8 +11,9 @@ mod numbers;
 use std::collections::BTreeSet;
 
 use super::check::Checker;
-use super::compare;
+use super::compare::{self, Domain, Outcome};
 use super::context::{Body, Definition, is_variable};
+use super::evaluator;
 use super::features::has_divided_differences;
 use super::names::{Head, bases, is_index_letter, underived, walk};
 use super::object::Sort;
@@ -22,7 +23,8 @@ use super::topic::Topic;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::lexicon::roles::is_intermediate;
 use crate::language::value::{Value, symbol_expr};
-use crate::math::poly::Symbol;
+use crate::math::number::Rational;
+use crate::math::poly::{Fraction, MultiPoly, Symbol};
 use crate::math::ring::Ring;
 use num_traits::Zero;
 
@@ -46,7 +48,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 16] = [
+        let rules: [fn(&Self) -> Option<String>; 17] = [
             Self::of_one_that_exists,
             Self::join_of_any_degree,
             Self::unrelated_functions,
@@ -62,6 +64,7 @@ impl Suspect<'_> {
             Self::value_of_unknown_data,
             Self::of_one_size,
             Self::of_another_size,
+            Self::of_a_value_heard,
             Self::unused_equation,
         ];
         rules.into_iter().find_map(|rule| rule(self))
@@ -190,6 +193,28 @@ impl Suspect<'_> {
         let (name, value) = said.last()?;
         let fails = said.iter().any(|(name, value)| fails_with(name, *value));
         (!fails).then(|| format!("it does not fail for {name} = {value}"))
+    }
+
+    /// "We evaluate at τ = 5/2. …": what holds there may be said of nothing else.
+    fn of_a_value_heard(&self) -> Option<String> {
+        let place = &self.statement.place;
+        let free = self.symbols();
+        let heard = self.checker.context.values_heard(|other| other.group == place.group);
+        let mut said = heard.filter_map(|(name, expr)| {
+            let symbol = free.iter().find(|symbol| symbol.is_plain() && symbol.base() == name)?;
+            let value = evaluator::machine().eval(expr).ok()?.as_rational()?;
+            Some((symbol.clone(), value))
+        });
+        let holds = |(symbol, value): &(Symbol, Rational)| {
+            let by = [(symbol.clone(), Fraction::from(MultiPoly::constant(value.clone())))];
+            let put = |side: &Value| compare::substituted(side, &by);
+            let (Some(left), Some(right)) = (put(&self.failure.left), put(&self.failure.right)) else {
+                return false;
+            };
+            matches!(compare::relation(self.rel(), &left, &right, &[], Domain::Reals), Outcome::Holds)
+        };
+        let (symbol, value) = said.find(holds).filter(|_| !self.chain.universal)?;
+        Some(format!("it holds for {} = {value}", symbol.base()))
     }
 
     /// "We may assume w_0 = 1", in an earlier paragraph, or w = cos 45°, which is not computed: it was not used, so that

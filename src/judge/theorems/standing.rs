@@ -8,7 +8,7 @@ use super::letters::{Said, Way, is_end};
 use super::roles;
 use crate::formula::{Expr, Kind, Rel};
 use crate::judge::check::Checker;
-use crate::judge::context::Body;
+use crate::judge::context::{Body, is_variable};
 use crate::judge::evaluator;
 use crate::judge::inequality::is_unit;
 use crate::judge::integers::as_values;
@@ -36,6 +36,13 @@ impl Checker {
             theirs == "a" && Head::of(ours).is_some_and(|head| self.is_given(&head, claim.place))
         };
         if way.letters.iter().any(given) {
+            return Standing::Doubtful;
+        }
+        // The a_i are coefficients of powers where the page says so.
+        let of_powers = |(theirs, ours): &(String, Expr)| {
+            theirs != "a" || Head::of(ours).is_some_and(|head| self.has_powers(&head.base, claim.place))
+        };
+        if theorem.meaning.split(' ').any(|word| word == "powers") && !way.letters.iter().all(of_powers) {
             return Standing::Doubtful;
         }
         let named = |letter: &String| equation.profile.is_family(letter) || letter.starts_with(['B', 'N']);
@@ -233,6 +240,28 @@ impl Checker {
                 _ => None,
             }
         })
+    }
+
+    /// Whether a formula of the page multiplies members of a family by powers of a variable: Σ a_i t^i, a_0 + a_1 t + a_2 t^2.
+    fn has_powers(&self, letter: &str, place: &Place) -> bool {
+        let member = |factor: &Expr| Head::of(factor).is_some_and(|head| head.base == letter);
+        let power = |factor: &Expr| match &factor.kind {
+            Kind::Pow(base, _) => matches!(&base.kind, Kind::Name(name) if is_variable(name)),
+            _ => false,
+        };
+        let mut found = false;
+        let mut look = |part: &Expr| {
+            if let Kind::Mul(factors) = &part.kind {
+                found |= factors.len() == 2 && factors.iter().any(member) && factors.iter().any(power);
+            }
+        };
+        self.heard(place).for_each(|expr| walk(expr, &mut look));
+        for definition in self.context.definitions.iter().filter(|known| place.sees(&known.place)) {
+            if let Body::Formula(body) = &definition.body {
+                walk(body, &mut look);
+            }
+        }
+        found
     }
 
     /// Whether a sum of the page over some points ends with a letter.

@@ -131,13 +131,31 @@ pub fn block(words: &str) -> Option<Block> {
 
 /// Whether a paragraph begins with a heading of its own: "**Degree elevation.**", but not "**Step 1.**", "**Given:**".
 fn is_run_in_heading(words: &str) -> bool {
-    let Some(text) = words.trim_start().strip_prefix("**") else { return false };
-    let Some(end) = text.find("**") else { return false };
-    let (title, after) = (text.piece(..end), text.piece(end + 2..));
-    let closed = title.ends_with(['.', '。']) || after.starts_with(['.', '。']);
-    closed
+    let Some((title, closed)) = run_in_title(words, "**") else { return false };
+    closed == Some('.')
         && title.chars().filter(|c| c.is_alphabetic()).count() > 3
         && !title.contains(|c: char| c.is_ascii_digit())
+}
+
+/// Whether a paragraph begins with a title of its own that sets it apart from those beside it: "*Uniform knots.*",
+/// "**Second choice:**".
+pub fn sets_apart(words: &str) -> bool {
+    let titled = ["**", "__", "*", "_"].into_iter().find_map(|mark| run_in_title(words, mark));
+    titled.is_some_and(|(title, closed)| closed.is_some() && title.chars().any(char::is_alphabetic))
+}
+
+/// The emphasised words at the start of a paragraph, and the point or colon that closes them.
+fn run_in_title<'a>(words: &'a str, mark: &str) -> Option<(&'a str, Option<char>)> {
+    let text = words.trim_start().strip_prefix(mark)?;
+    let end = text.find(mark)?;
+    let (title, after) = (text.piece(..end), text.piece(end + mark.len()..));
+    let sign = |c: char| match c {
+        '.' | '。' => Some('.'),
+        ':' | '：' => Some(':'),
+        _ => None,
+    };
+    let closed = title.chars().next_back().and_then(sign).or_else(|| after.chars().next().and_then(sign));
+    Some((title, closed))
 }
 
 /// What an environment is that bears a name of a labelled paragraph.

@@ -18,7 +18,7 @@ mod tests;
 
 pub use blocks::{
     Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data, kind_of_block,
-    number_of_block, recalled,
+    number_of_block, recalled, sets_apart,
 };
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
