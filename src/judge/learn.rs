@@ -46,6 +46,13 @@ impl Checker {
         });
         // N_j^p = 0 for j < 0 or j > n
         let vanishes = matches!(&body.expr.kind, Kind::Number(q) if q.is_zero()) && head.notation().is_some();
+        // f(x) = f(1 - x), N^p(x) = Σ c_k N^p(2x - k): a law of the function.
+        if relates_its_own_values(head, &body.expr) {
+            finding.reason = Some(format!("a condition on {}", head.base));
+            let line = self.line(body.expr.span);
+            self.laws.push((head.base.clone(), place.clone(), line));
+            return;
+        }
         if self.is_last_member(head, place) {
             let equation = Expr::relation(chain.sides[0].expr.clone(), Rel::Eq, body.expr.clone());
             self.condition(equation, body.expr.span, false, place);
@@ -156,4 +163,16 @@ impl Checker {
         }
         gives
     }
+}
+
+/// Whether a formula for a function contains other values of the same function.
+fn relates_its_own_values(head: &Head, body: &Expr) -> bool {
+    let alike = |a: &[Expr], b: &[Expr]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.same_as(b));
+    let itself = |part: &Expr| {
+        matches!(part.kind, Kind::Apply(..))
+            && Head::of(part).is_some_and(|own| {
+                own.base == head.base && alike(&own.lower, &head.lower) && alike(&own.upper, &head.upper)
+            })
+    };
+    head.arguments.is_some() && body.has(&itself)
 }

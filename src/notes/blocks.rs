@@ -8,6 +8,7 @@ use super::speech::{self, Block};
 use crate::formula::Rel;
 use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Role, Said, Statement};
+use crate::language::lexicon::roles::is_variable;
 use crate::language::write;
 
 /// What is open at a place of the page.
@@ -181,7 +182,10 @@ pub(super) fn count_new_values(statements: &mut [Statement]) {
         let ([name, value], [(Rel::Eq | Rel::Define, _)]) = (sides.as_slice(), relations.as_slice()) else {
             continue;
         };
-        let named = Head::of(&name.expr).is_some_and(|head| head.arguments.is_none());
+        // t = 0, t = 1: places, no data
+        let named = Head::of(&name.expr).is_some_and(|head| {
+            head.arguments.is_none() && !(head.lower.is_empty() && is_variable(&head.base))
+        });
         if !named || !bases(&value.expr).is_empty() {
             continue;
         }

@@ -48,7 +48,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 17] = [
+        let rules: [fn(&Self) -> Option<String>; 18] = [
             Self::of_one_that_exists,
             Self::join_of_any_degree,
             Self::unrelated_functions,
@@ -65,6 +65,7 @@ impl Suspect<'_> {
             Self::of_one_size,
             Self::of_another_size,
             Self::of_a_value_heard,
+            Self::outside_of_its_interval,
             Self::unused_equation,
         ];
         rules.into_iter().find_map(|rule| rule(self))
@@ -215,6 +216,30 @@ impl Suspect<'_> {
         };
         let (symbol, value) = said.find(holds).filter(|_| !self.chain.universal)?;
         Some(format!("it holds for {} = {value}", symbol.base()))
+    }
+
+    /// s(9/5), where s(u) = 1 + 2u was said beside [0, 1]: it may be so there only.
+    fn outside_of_its_interval(&self) -> Option<String> {
+        let number = |expr: &Expr| evaluator::machine().eval(expr).ok()?.as_rational();
+        let beside = |definition: &Definition| {
+            let own = &definition.place;
+            let mut all = self.checker.context.intervals_beside(own).rev();
+            all.find(|(formula, ..)| (own.formula.saturating_sub(2)..=own.formula + 1).contains(formula))
+        };
+        let mut used = self.used().filter(|own| own.head.flat().len() == 1 && own.head.lower.is_empty());
+        used.find_map(|definition| {
+            let (_, [from, to], _) = beside(definition)?;
+            let (from, to) = (number(from)?, number(to)?);
+            let outside = |part: &Expr| {
+                let Kind::Apply(callee, groups) = &part.kind else { return false };
+                let [argument] = groups.as_slice() else { return false };
+                let own = Head::of(underived(callee)).is_some_and(|head| head.base == definition.head.base);
+                let at = argument.first().filter(|_| own).and_then(&number);
+                at.is_some_and(|at| at < from || at > to)
+            };
+            let name = &definition.head.base;
+            self.any(&mut { outside }).then(|| format!("what {name} is there is not said"))
+        })
     }
 
     /// "We may assume w_0 = 1", in an earlier paragraph, or w = cos 45°, which is not computed: it was not used, so that

@@ -258,6 +258,8 @@ impl Checker {
             }
             // Where no words say that it is a cubic, what differs from a theorem on cubics may be of another degree.
             let apart = subjects.iter().any(|own| topics.has(*own) && !theorem.is_about(*own))
+                // Points of a curve of the same degree, c_2 = (b_2 + b_3)/2, may be those of a half.
+                || theorem.is_about(Topic::Elevation) && !topics.has(Topic::Elevation)
                 || theorem.degree().is_some_and(|own| !said.degrees.contains(&own));
             for equation in &theorem.equations {
                 if !claim.profile.may_be(&equation.profile) {
