@@ -14,6 +14,7 @@ use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
+use crate::math::poly::Symbol;
 use crate::math::number::Rational;
 
 /// What a name stands for.
@@ -134,6 +135,8 @@ pub struct Letters {
     applied: BTreeSet<String>,
     /// How often letters stand with an index and without arguments.
     members: BTreeMap<String, i64>,
+    /// Letters of which members stand in the arguments of calls: t in f(t_1, t_2).
+    arguments: BTreeSet<String>,
     /// Whether the document speaks of polar forms.
     polar_forms: bool,
     /// Letters whose index 10 means 1, 0, because there is an index 00 or 01 or 011, too.
@@ -227,6 +230,12 @@ impl Letters {
         self.columns && [x, y].iter().all(|part| !bases(part).iter().any(|name| is_index_letter(name)))
     }
 
+    /// Whether a symbol is a parameter, or a member of a family of arguments: t, t_1.
+    pub fn is_argument(&self, symbol: &Symbol) -> bool {
+        let base = symbol.base();
+        is_variable(base) && (symbol.is_plain() || self.arguments.contains(base))
+    }
+
     /// Whether points are written as what looks like binomial coefficients.
     pub fn has_columns(&self) -> bool {
         self.columns
@@ -271,6 +280,12 @@ impl Letters {
     fn look(&mut self, expr: &Expr) {
         match &expr.kind {
             Kind::Apply(callee, groups) => {
+                for argument in groups.iter().flatten() {
+                    walk(argument, &mut |part| {
+                        let member = Head::of(part).filter(|head| !head.lower.is_empty());
+                        self.arguments.extend(member.map(|head| head.base));
+                    });
+                }
                 let Some(head) = Head::of(callee) else { return };
                 if head.is_a(Family::Spline) {
                     let size = head.upper.last().or(head.lower.get(1));

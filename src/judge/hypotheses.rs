@@ -42,11 +42,6 @@ fn is_parameter(symbol: &Symbol) -> bool {
     symbol.is_plain() && is_variable(symbol.base())
 }
 
-/// A parameter or one of a family of them, such as an argument t_1 of a polar form.
-fn is_argument(symbol: &Symbol) -> bool {
-    is_variable(symbol.base())
-}
-
 /// The coefficients of an unknown function.
 pub fn is_coefficient(symbol: &Symbol) -> bool {
     symbol.base().starts_with('[')
@@ -253,8 +248,13 @@ fn solution(matrix: &DMatrix<Fraction>, pivots: &[usize], symbols: &[Symbol]) ->
 }
 
 /// Whether an equation can be read as saying what the members of a family are that stands on one of its
-/// sides only, and whose names the facts leave open.
-pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool) -> bool {
+/// sides only, and whose names the facts leave open; it holds for all values of the arguments.
+pub fn introduces(
+    left: &Value,
+    right: &Value,
+    is_open: &dyn Fn(&Symbol) -> bool,
+    is_argument: &dyn Fn(&Symbol) -> bool,
+) -> bool {
     let (sl, sr) = (compare::symbols(left), compare::symbols(right));
     let same_family = |a: &Symbol, b: &Symbol| {
         a.base() == b.base()
@@ -275,7 +275,7 @@ pub fn introduces(left: &Value, right: &Value, is_open: &dyn Fn(&Symbol) -> bool
         a.iter().filter(new).cloned().collect()
     };
     [only(&sr, &sl), only(&sl, &sr)].into_iter().any(|new| {
-        let equations = equations(left, right, &is_argument).unwrap_or_default();
+        let equations = equations(left, right, is_argument).unwrap_or_default();
         let mut symbols = linear_symbols(&equations, &|symbol| new.contains(symbol));
         symbols.retain(|symbol| new.contains(symbol));
         !new.is_empty() && solved(&equations, symbols).is_some()
@@ -328,14 +328,15 @@ mod tests {
 
     #[test]
     fn new_names_on_one_side() {
-        assert!(introduces(&value("b_0 (1-t) + b_1 t"), &value("c_0 + c_1 t"), &|_| true));
-        assert!(!introduces(&value("b_0 (1-t) + b_1 t"), &value("b_0 + b_1 t"), &|_| true));
+        assert!(introduces(&value("b_0 (1-t) + b_1 t"), &value("c_0 + c_1 t"), &|_| true, &is_parameter));
+        assert!(!introduces(&value("b_0 (1-t) + b_1 t"), &value("b_0 + b_1 t"), &|_| true, &is_parameter));
         // c_2 was forgotten: no value of it makes the equation true for all arguments.
         assert!(!introduces(
             &value("c_0 + c_1 (t_1 + t_2)/2 + c_2 t_1 t_2"),
             &value("c_0 + c_1 t_1 t_2"),
-            &|_| true
+            &|_| true,
+            &|symbol| is_variable(symbol.base())
         ));
-        assert!(!introduces(&value("b_0 (1-t) + b_1 t^2"), &value("c_0 + c_1 t"), &|_| true));
+        assert!(!introduces(&value("b_0 (1-t) + b_1 t^2"), &value("c_0 + c_1 t"), &|_| true, &is_parameter));
     }
 }

@@ -21,7 +21,7 @@ use super::related::Contacts;
 use super::statement::{Chain, Place};
 use super::tally::{Failure, Outcomes, Tally};
 use crate::budget::{self, Limits, Stop};
-use crate::formula::{Expr, Kind, Rel};
+use crate::formula::{Expr, Kind, Rel, interval};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::value::Value;
 use crate::math::number::{Rational, integer};
@@ -560,6 +560,21 @@ impl<'a> Trial<'a> {
         values
     }
 
+    /// A number in the range for which an earlier condition is said: t^3 = Σ d_i N_i(t) for 3 ≤ t ≤ 5.
+    fn middle_of_range(&self, condition: &Expr) -> Option<Rational> {
+        let at = self.facts.earlier.iter().position(|own| std::ptr::eq(own, condition))?;
+        let number = |expr: &Expr| evaluator::machine().eval(expr).ok()?.as_rational();
+        self.facts.ranges.get(at)?.iter().find_map(|range| {
+            let Kind::Chain(from, links) = &range.kind else { return None };
+            let [from, to] = match links.as_slice() {
+                [link] if link.rel == Rel::In => interval(&link.expr)?.0,
+                [name, to] if matches!(&name.expr.kind, Kind::Name(name) if is_variable(name)) => [from, &to.expr],
+                _ => return None,
+            };
+            Some((number(from)? + number(to)?) / integer(2))
+        })
+    }
+
     /// The values of the sides of a condition in an instance.
     pub(super) fn evaluated_condition(
         &self,
@@ -572,7 +587,9 @@ impl<'a> Trial<'a> {
         if link.rel != Rel::Eq || matches!(link.expr.kind, Kind::Range(..)) {
             return None;
         }
-        let reading = Rc::new(self.model(degree, None, &[]));
+        let around = self.middle_of_range(condition);
+        let breaks = if around.is_some() { self.breaks(bound) } else { Vec::new() };
+        let reading = Rc::new(self.model(degree, around, &breaks));
         // The n of c_{i+1} = c_i + b_i/(n + 1) is the degree, as in what the page defines.
         let size = |name: &String| {
             roles::is_degree(name)

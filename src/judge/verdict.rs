@@ -19,6 +19,7 @@ use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
+use crate::math::poly::Symbol;
 
 const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
 
@@ -160,11 +161,13 @@ impl Checker {
             && tally.determined == 0
             && tally.holds_inner == 0
             && tally.fails.iter().take(3).all(|failure| {
-                hypotheses::introduces(&failure.left, &failure.right, &|symbol| {
+                let open = |symbol: &Symbol| {
                     let claimed = statement.role == Some(Role::Claimed);
                     self.is_open(symbol, &attempt.curve)
                         && !(claimed && self.is_point_of_an_object(symbol, &statement.place))
-                })
+                };
+                let argument = |symbol: &Symbol| self.context.letters.is_argument(symbol);
+                hypotheses::introduces(&failure.left, &failure.right, &open, &argument)
             });
         if introduces {
             finding.verdict = Verdict::Definition;

@@ -318,12 +318,29 @@ impl Suspect<'_> {
         };
         !record.standard.is_empty()
             || self.used().any(known)
+            || (self.claimed() || self.statement.concludes) && self.is_determined_here()
             || !record.paired.is_empty()
             || self.claimed() && !record.unknown.is_empty() && record.unknown.iter().all(of_class)
             || told
                 && !self.failure.integers.is_empty()
                 && record.unknown.is_empty()
                 && self.used().any(family)
+    }
+
+    /// Whether its paragraph writes something in functions of the field that determines the member on its left side:
+    /// t^2 = Σ c_i B_i^2(t), so c_1 = 1.
+    fn is_determined_here(&self) -> bool {
+        let [left, _] = self.sides();
+        let Some(head) = Head::of(left).filter(|head| head.arguments.is_none()) else { return false };
+        let place = &self.statement.place;
+        let standard = |part: &Expr| Head::of(part).is_some_and(|own| own.notation().is_some());
+        self.tally.determined > 0
+            && self.checker.context.conditions.iter().any(|condition| {
+                condition.place.group == place.group
+                    && place.knows(&condition.place, condition.assumed)
+                    && bases(&condition.expr).contains(&head.base)
+                    && condition.expr.has(&standard)
+            })
     }
 
     /// Whether no name in it needs a meaning, and it is no equation: a sum or an integral in closed form, an inequality
