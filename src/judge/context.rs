@@ -14,8 +14,8 @@ use crate::language::lexicon::families::{self, Family};
 use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
-use crate::math::poly::Symbol;
 use crate::math::number::Rational;
+use crate::math::poly::Symbol;
 
 /// What a name stands for.
 #[derive(Clone, Debug)]

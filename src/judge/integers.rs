@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::context::Body;
 use super::evaluator;
-use super::names::{Head, bases, integer_names, is_index_letter, walk};
+use super::names::{Head, bases, integer_names, is_extreme, is_index_letter, walk};
 use super::trial::Trial;
 use crate::formula::{Expr, Kind, Rel};
 use crate::language::value::Value;
@@ -77,6 +77,7 @@ impl Trial<'_> {
                     arguments.extend(variables.iter().filter_map(|(v, _)| Head::of(v)).map(|head| head.base));
                 }
                 if let Kind::Apply(callee, groups) = &part.kind
+                    && !is_extreme(callee)
                     && Head::of(callee).is_some_and(|head| self.context.letters.is_function(&head.base))
                 {
                     for argument in groups.iter().flatten() {

@@ -236,6 +236,9 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
             let position = if whole { Position::Integer } else { position };
             groups.iter().flatten().for_each(|item| collect(item, position, found));
         }
+        Kind::Apply(callee, groups) if is_extreme(callee) => {
+            groups.iter().flatten().for_each(|item| collect(item, position, found));
+        }
         // 1² + 2² + … + n²: what the dots lead to
         Kind::Add(terms) if terms.iter().any(|term| term.expr.kind == Kind::Ellipsis) => {
             let mut led_to = false;
@@ -299,6 +302,11 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
         }
         _ => expr.for_each_child(&mut |child| collect(child, position, found)),
     }
+}
+
+/// Whether what is applied picks the greatest or least of some numbers.
+pub(super) fn is_extreme(callee: &Expr) -> bool {
+    matches!(&callee.kind, Kind::Name(name) if name == "max" || name == "min")
 }
 
 /// Whether an expression is the name of the greatest common divisor.

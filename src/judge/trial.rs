@@ -568,7 +568,9 @@ impl<'a> Trial<'a> {
             let Kind::Chain(from, links) = &range.kind else { return None };
             let [from, to] = match links.as_slice() {
                 [link] if link.rel == Rel::In => interval(&link.expr)?.0,
-                [name, to] if matches!(&name.expr.kind, Kind::Name(name) if is_variable(name)) => [from, &to.expr],
+                [name, to] if matches!(&name.expr.kind, Kind::Name(name) if is_variable(name)) => {
+                    [from, &to.expr]
+                }
                 _ => return None,
             };
             Some((number(from)? + number(to)?) / integer(2))
@@ -597,7 +599,9 @@ impl<'a> Trial<'a> {
                 && self.context.number_in(name, self.place).is_none()
         };
         let sizes: Vec<(String, i64)> = degree
-            .map(|degree| super::names::bases(condition).into_iter().filter(size).map(move |name| (name, degree as i64)))
+            .map(|degree| {
+                super::names::bases(condition).into_iter().filter(size).map(move |name| (name, degree as i64))
+            })
             .into_iter()
             .flatten()
             .collect();

@@ -3,7 +3,7 @@
 use super::{Ambiguity, Evaluated, Model};
 use crate::formula::{Accent, Expr, Kind, Sign};
 use crate::judge::context::{Source, is_variable};
-use crate::judge::names::{Head, is_index_letter};
+use crate::judge::names::{Head, is_extreme, is_index_letter};
 use crate::judge::object::Sort;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -23,6 +23,10 @@ impl Model {
         groups: &[Vec<Expr>],
         expr: &Expr,
     ) -> Option<Evaluated> {
+        // The greater of two numbers is what it is in queries.
+        if is_extreme(callee) {
+            return None;
+        }
         if !self.is_function(machine, callee) {
             return self.as_product(machine, callee, groups, None, expr);
         }
