@@ -15,7 +15,6 @@ use crate::language::lexicon::roles;
 pub(crate) use crate::language::lexicon::roles::is_variable;
 use crate::language::value::Value;
 use crate::math::number::Rational;
-use crate::math::poly::Symbol;
 
 /// What a name stands for.
 #[derive(Clone, Debug)]
@@ -230,10 +229,9 @@ impl Letters {
         self.columns && [x, y].iter().all(|part| !bases(part).iter().any(|name| is_index_letter(name)))
     }
 
-    /// Whether a symbol is a parameter, or a member of a family of arguments: t, t_1.
-    pub fn is_argument(&self, symbol: &Symbol) -> bool {
-        let base = symbol.base();
-        is_variable(base) && (symbol.is_plain() || self.arguments.contains(base))
+    /// Whether members of a letter stand in the arguments of calls: t_1 in f(t_1, t_2).
+    pub fn is_argument(&self, letter: &str) -> bool {
+        self.arguments.contains(letter)
     }
 
     /// Whether points are written as what looks like binomial coefficients.

@@ -19,6 +19,7 @@ use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::roles::is_variable;
 use crate::math::poly::Symbol;
 
 const UNFOUNDED: &str = "it fails as it is read, and so does all that is near it: it may mean something else";
@@ -166,7 +167,15 @@ impl Checker {
                     self.is_open(symbol, &attempt.curve)
                         && !(claimed && self.is_point_of_an_object(symbol, &statement.place))
                 };
-                let argument = |symbol: &Symbol| self.context.letters.is_argument(symbol);
+                // The r_k of p(t) q(t) = Σ r_k B_k^{m+n}(t) are no arguments.
+                let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
+                let expansion = sides.iter().any(|side| side.has(&is_standard_function));
+                let argument = |symbol: &Symbol| {
+                    is_variable(symbol.base())
+                        && (!expansion
+                            || symbol.is_plain()
+                            || self.context.letters.is_argument(symbol.base()))
+                };
                 hypotheses::introduces(&failure.left, &failure.right, &open, &argument)
             });
         if introduces {
@@ -326,4 +335,9 @@ pub(super) enum Judged {
     Recursion(Box<Head>),
     /// It defines its name anew.
     Redefinition(Option<String>),
+}
+
+/// Whether a part of a formula is a basis function as the field writes it.
+fn is_standard_function(part: &Expr) -> bool {
+    matches!(part.kind, Kind::Apply(..)) && Head::of(part).is_some_and(|head| head.notation().is_some())
 }
