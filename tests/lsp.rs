@@ -515,3 +515,32 @@ fn nonsense_does_no_harm() {
     client.tell("exit", Value::Null);
     assert_eq!(client.child.wait().expect("it ends").code(), Some(1));
 }
+
+#[test]
+fn marks_wait_for_the_verdicts() {
+    let uri = "untitled:a.md";
+    let mut client = Client::ready(json!({"workspace": {"inlayHint": {"refreshSupport": true}}}));
+    let whole = json!({"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}});
+    let params = json!({"textDocument": {"uri": uri}, "range": whole});
+    let marks = |client: &mut Client| -> Vec<String> {
+        let hints = client.ask("textDocument/inlayHint", params.clone())["result"].take();
+        let label = |hint: &Value| hint["label"].as_str().expect("a mark").to_owned();
+        hints.as_array().expect("a list").iter().map(label).collect()
+    };
+    assert_eq!(marks(&mut client), [""; 0]);
+    // Editors ask at once, and draw what they get for a text once.
+    let page =
+        json!({"uri": uri, "languageId": "markdown", "version": 1, "text": "$2 + 2 = 5$, $1 + 1 = 2$\n"});
+    client.tell("textDocument/didOpen", json!({"textDocument": page}));
+    assert_eq!(marks(&mut client), ["✗", "✓"]);
+    client.change(uri, 2, "$2 + 2 = 4$, $1 + 1 = 2$, $1 + 1 = 3$\n");
+    assert_eq!(marks(&mut client), ["✓", "✓", "✗"]);
+    // Who asks for a text that is edited or closed meanwhile gets an answer, too.
+    client.change(uri, 3, "$1 + 1 = 3$\n");
+    client
+        .send(&json!({"jsonrpc": "2.0", "id": "late", "method": "textDocument/inlayHint", "params": params}));
+    client.tell("textDocument/didClose", json!({"textDocument": {"uri": uri}}));
+    assert_eq!(marks(&mut client), [""; 0]);
+    assert!(client.told.iter().any(|message| message["id"] == "late" && message["result"].is_array()));
+    assert_eq!(client.leave(), Some(0));
+}

@@ -53,6 +53,8 @@ pub(super) struct Job {
 pub(super) struct Checked {
     pub uri: String,
     pub version: i32,
+    /// Whether all of it is judged.
+    pub whole: bool,
     pub document: Document,
     pub report: FileReport,
     pub places: Places,
@@ -141,7 +143,7 @@ fn check(job: Job, limits: &Limits, memory: &mut Memory, tell: &dyn Fn(Checked))
         (document, FileReport { file, findings: Vec::new(), problems: vec![problem] })
     });
     let places = Places::new(report.file.text());
-    Checked { uri: job.uri, version: job.version, document, report, places, remark }
+    Checked { uri: job.uri, version: job.version, whole: true, document, report, places, remark }
 }
 
 fn judged(
@@ -193,6 +195,7 @@ fn judged(
             tell(Checked {
                 uri: job.uri.clone(),
                 version: job.version,
+                whole: false,
                 document: document.clone(),
                 report: config.filtered(progress.report(), false),
                 places: Places::new(document.file.text()),

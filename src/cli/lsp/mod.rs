@@ -21,7 +21,7 @@ use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
-use lsp_server::{Connection, ErrorCode, ExtractError, Message, Notification, Request, Response};
+use lsp_server::{Connection, ErrorCode, ExtractError, Message, Notification, Request, RequestId, Response};
 use lsp_types::notification::{
     DidChangeTextDocument, DidCloseTextDocument, DidOpenTextDocument, DidSaveTextDocument, Exit, LogMessage,
     Notification as _, PublishDiagnostics, ShowMessage,
@@ -63,12 +63,29 @@ struct Page {
     checked: Option<Checked>,
     /// The diagnostics that the client has.
     told: Option<(i32, Vec<lsp_types::Diagnostic>)>,
+    /// Marks that the client asked for and has not got.
+    asked: Vec<(RequestId, lsp_types::Range)>,
 }
 
 impl Page {
     /// What was found in the text that the editor has.
     fn current(&self) -> Option<&Checked> {
         self.checked.as_ref().filter(|checked| checked.version == self.version)
+    }
+
+    /// Answers to all who asked for marks, once the whole of the text is judged. Before, there would be none, and editors
+    /// draw those of a version once: Neovim passes over others that come for it later.
+    fn marks_due(&mut self, markdown: bool) -> Vec<Message> {
+        let Some(checked) =
+            self.checked.as_ref().filter(|found| found.whole && found.version == self.version)
+        else {
+            return Vec::new();
+        };
+        let answer = |(id, range): (RequestId, lsp_types::Range)| {
+            let between = Span::new(checked.byte(range.start), checked.byte(range.end));
+            Response::new_ok(id, checked.hints(between, markdown)).into()
+        };
+        self.asked.drain(..).map(answer).collect()
     }
 
     /// Whether results are filled into it.
@@ -89,7 +106,7 @@ fn locked(pages: &Pages) -> MutexGuard<'_, BTreeMap<String, Page>> {
 #[derive(Default)]
 struct Client {
     initialized: bool,
-    markdown: bool,
+    markdown: Arc<AtomicBool>,
     versioned: bool,
     leaving: bool,
     /// Whether it asks again for marks when it is told to.
@@ -109,7 +126,8 @@ pub(super) fn run(global: &Global, seconds: f64) -> Ran {
     let (connection, writer) = transport::stdio();
     let pages = Pages::default();
     let client = Client::default();
-    let (checked, sender, refreshes) = (pages.clone(), connection.sender.clone(), client.refreshes.clone());
+    let (checked, sender) = (pages.clone(), connection.sender.clone());
+    let (refreshes, markdown) = (client.refreshes.clone(), client.markdown.clone());
     let done = move |found: Checked| {
         let mut pages = locked(&checked);
         // A page may have been closed, or edited since the last look.
@@ -121,11 +139,12 @@ pub(super) fn run(global: &Global, seconds: f64) -> Ran {
         let changed = (page.told != new).then(|| found.uri.parse().ok()).flatten().zip(new.clone());
         let marks = changed.map(|(uri, (version, found))| marks(uri, found, Some(version)));
         page.told = new;
-        page.checked = Some(found);
-        let again = refreshes.load(Ordering::Relaxed).then(|| {
+        let again = (found.whole && refreshes.load(Ordering::Relaxed)).then(|| {
             Request::new("marks".to_owned().into(), InlayHintRefreshRequest::METHOD.to_owned(), ()).into()
         });
-        for message in said.into_iter().chain(marks).chain(again) {
+        page.checked = Some(found);
+        let due = page.marks_due(markdown.load(Ordering::Relaxed));
+        for message in said.into_iter().chain(marks).chain(due).chain(again) {
             // When the client is gone the server ends.
             let _ = sender.send(message);
         }
@@ -150,8 +169,9 @@ impl Server {
         while let Ok(message) = self.out.receiver.recv() {
             match message {
                 Message::Request(request) => {
-                    let response = self.request(request);
-                    self.send(response.into());
+                    if let Some(response) = self.request(request) {
+                        self.send(response.into());
+                    }
                 }
                 Message::Notification(notification) if notification.method == Exit::METHOD => break,
                 Message::Notification(notification) => self.notification(notification),
@@ -166,10 +186,11 @@ impl Server {
         let _ = self.out.sender.send(message);
     }
 
-    fn request(&mut self, request: Request) -> Response {
+    /// The answer to a request, if it can be given now.
+    fn request(&mut self, request: Request) -> Option<Response> {
         let id = request.id.clone();
         let refused = |code: ErrorCode, why: &str| Response::new_err(id.clone(), code as i32, why.to_owned());
-        match request.method.as_str() {
+        Some(match request.method.as_str() {
             Initialize::METHOD if self.client.initialized => {
                 refused(ErrorCode::InvalidRequest, "the server is initialized already")
             }
@@ -186,16 +207,14 @@ impl Server {
             CodeActionRequest::METHOD => {
                 answered::<CodeActionRequest>(request, |params| Some(self.actions(&params)))
             }
-            InlayHintRequest::METHOD => {
-                answered::<InlayHintRequest>(request, |params| Some(self.hints(&params)))
-            }
+            InlayHintRequest::METHOD => return self.hints(request),
             Completion::METHOD => answered::<Completion>(request, |params| self.completions(&params)),
             ExecuteCommand::METHOD => answered::<ExecuteCommand>(request, |params| {
                 self.execute(&params);
                 None
             }),
             method => refused(ErrorCode::MethodNotFound, &format!("{method} is not supported")),
-        }
+        })
     }
 
     fn notification(&mut self, notification: Notification) {
@@ -216,7 +235,7 @@ impl Server {
                     .is_some_and(|path| path.extension().is_some() && Container::of(path).is_ok());
                 let kind = if named { None } else { kind };
                 let uri = page.uri.as_str().to_owned();
-                let page = Page {
+                let mut page = Page {
                     version: page.version,
                     text: page.text,
                     path,
@@ -224,11 +243,14 @@ impl Server {
                     outdated: Arc::default(),
                     checked: None,
                     told: None,
+                    asked: Vec::new(),
                 };
                 let mut pages = locked(&self.pages);
-                if let Some(old) = pages.insert(uri.clone(), page) {
+                if let Some(old) = pages.remove(&uri) {
                     old.outdated.store(true, Ordering::Relaxed);
+                    page.asked = old.asked;
                 }
+                pages.insert(uri.clone(), page);
                 self.check(&uri, &mut pages);
             }),
             DidChangeTextDocument::METHOD => {
@@ -256,6 +278,9 @@ impl Server {
                 if let Some(page) = locked(&self.pages).remove(uri.as_str()) {
                     page.outdated.store(true, Ordering::Relaxed);
                     self.send(marks(uri, Vec::new(), None));
+                    for (id, _) in page.asked {
+                        self.send(Response::new_ok(id, Vec::<InlayHint>::new()).into());
+                    }
                 }
             }),
             _ => return,
@@ -296,7 +321,8 @@ impl Server {
         let refreshes = hints.and_then(|can| can.refresh_support).unwrap_or(false);
         self.client.refreshes.store(refreshes, Ordering::Relaxed);
         self.client.initialized = true;
-        self.client.markdown = formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown));
+        let markdown = formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown));
+        self.client.markdown.store(markdown, Ordering::Relaxed);
         self.client.versioned = edits.and_then(|can| can.document_changes).unwrap_or(false);
         let sync = TextDocumentSyncOptions {
             open_close: Some(true),
@@ -339,7 +365,7 @@ impl Server {
         let place = &params.text_document_position_params;
         let pages = locked(&self.pages);
         let checked = pages.get(place.text_document.uri.as_str())?.current()?;
-        checked.hover(checked.byte(place.position), self.client.markdown)
+        checked.hover(checked.byte(place.position), self.client.markdown.load(Ordering::Relaxed))
     }
 
     fn actions(&self, params: &CodeActionParams) -> Vec<CodeActionOrCommand> {
@@ -374,14 +400,22 @@ impl Server {
         actions
     }
 
-    /// The marks of what was found last, also while a new text is checked, which asks for them again.
-    fn hints(&self, params: &InlayHintParams) -> Vec<InlayHint> {
-        let pages = locked(&self.pages);
-        let found = pages.get(params.text_document.uri.as_str()).and_then(Page::current);
-        found.map_or_else(Vec::new, |checked| {
-            let between = Span::new(checked.byte(params.range.start), checked.byte(params.range.end));
-            checked.hints(between, self.client.markdown)
-        })
+    /// The marks of a page; while it is checked, its end answers.
+    fn hints(&self, request: Request) -> Option<Response> {
+        let id = request.id.clone();
+        let params: InlayHintParams = match request.extract(InlayHintRequest::METHOD) {
+            Ok((_, params)) => params,
+            Err(error) => return Some(Response::new_err(id, ErrorCode::InvalidParams as i32, why(&error))),
+        };
+        let mut pages = locked(&self.pages);
+        let Some(page) = pages.get_mut(params.text_document.uri.as_str()) else {
+            return Some(Response::new_ok(id, Vec::<InlayHint>::new()));
+        };
+        page.asked.push((id, params.range));
+        for message in page.marks_due(self.client.markdown.load(Ordering::Relaxed)) {
+            self.send(message);
+        }
+        None
     }
 
     fn completions(&self, params: &CompletionParams) -> Option<CompletionResponse> {
