@@ -117,6 +117,13 @@ fn weaving_from_standard_input_and_in_folders() {
         );
     }
 
+    // Markdown that shows a document of LaTeX is no LaTeX, what begins with comments may be.
+    let shows = format!("{page}\n```latex\n\\begin{{document}}\n\\end{{document}}\n```\n");
+    assert!(run_with(&["weave", "-", "-o", "-"], shows.as_bytes()).out.starts_with("$f = 1$\n"));
+    let paper = "% a paper\n\n\\documentclass{a}\n\\begin{document}\n\\(2 + 2 = 5\\)\n\\end{document}\n";
+    assert!(run_with(&["notes", "check", "-"], paper.as_bytes()).out.contains("1 refuted"));
+    assert!(run_with(&["weave", "-"], paper.as_bytes()).err.contains("--as markdown"));
+
     let folder = Folder::new("folder");
     fs::create_dir_all(folder.path("book/drafts")).expect("it can be made");
     for (name, text) in
@@ -199,6 +206,9 @@ fn results_of_tests_for_junit() {
     let folder = Folder::new("junit");
     let strange = "$2 + 2 = 5$ & <b> $1 \u{1b}= \\text{\"x\u{0}\"}$\n";
     let files = [folder.write("a.md", PAGE), folder.write("b.md", strange), folder.path("missing.md")];
+    // A claim is named as it is written, with the sizes of its brackets.
+    let sized = run_with(&["notes", "check", "-", "--report", "junit"], br"$x = \Bigl(1 + x\Bigr)$");
+    assert!(sized.out.contains(r#"name="1:2 x = \Bigl(1 + x\Bigr)""#), "{}", sized.out);
     let target = folder.path("report.xml");
     let ran = run(&["notes", "check", &files[0], &files[1], &files[2], "-o", &target]);
     assert_eq!(ran.status, Some(1), "{}", ran.err);

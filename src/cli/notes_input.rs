@@ -158,9 +158,13 @@ fn read_one(path: &Path, reading: &Reading, fixing: bool, report: impl Fn(&Docum
 pub(super) fn standard_input(kind: Option<Container>) -> Result<(Vec<u8>, Container), Diagnostic> {
     let bytes = read_stream("standard input", io::stdin().lock())?;
     let begins = |with: &str| bytes.trim_ascii_start().starts_with(with.as_bytes());
+    // A page in Markdown may show a document of LaTeX, in a block of code.
+    let lines = || bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let fenced = |line: &[u8]| line.starts_with(b"```") || line.starts_with(b"~~~");
+    let opens = |line: &[u8]| line.starts_with(br"\documentclass") || line.starts_with(br"\begin{document}");
     let holds = |part: &str| bytes.windows(part.len()).any(|window| window == part.as_bytes());
     let guess = || match () {
-        () if begins(r"\documentclass") || holds(r"\begin{document}") => Container::Latex,
+        () if lines().take_while(|line| !fenced(line)).any(opens) => Container::Latex,
         () if begins("{") && holds("\"cells\"") => Container::Notebook,
         () => Container::Markdown,
     };

@@ -110,7 +110,7 @@ impl Weaver<'_> {
             Container::Markdown => weave_markdown(&file, &self.options),
             Container::Notebook => weave_notebook(&file, &self.options),
             Container::Latex | Container::Rst => {
-                let hint = "weave Markdown or a notebook so, and LaTeX as a file";
+                let hint = "weave LaTeX as a file; Markdown or a notebook that was taken for it: --as markdown, --as notebook";
                 return Err(usage("results are written into no such page from standard input", hint));
             }
         };

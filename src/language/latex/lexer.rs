@@ -25,6 +25,7 @@ pub(super) fn lex(text: &str, range: Span, words: Words) -> (Vec<Token>, Vec<Dia
         end: range.end,
         tokens: Vec::new(),
         problems: Vec::new(),
+        sized: None,
         max_raw: control::MAX_RAW,
     };
     while lexer.at < lexer.end {
@@ -40,6 +41,8 @@ pub(super) struct Lexer<'t> {
     end: usize,
     pub(super) tokens: Vec<Token>,
     problems: Vec<Diagnostic>,
+    /// Where `\Bigl` stands that the next bracket belongs to.
+    sized: Option<usize>,
     max_raw: usize,
 }
 
@@ -71,6 +74,9 @@ impl Lexer<'_> {
     }
 
     pub(super) fn push_from(&mut self, start: usize, kind: Tok, end: usize) {
+        // \Bigl( is one bracket: what it opens begins with its size.
+        let bracket = matches!(kind, Tok::Open(_) | Tok::Close(_) | Tok::Bar | Tok::DoubleBar | Tok::Mid);
+        let start = self.sized.take().filter(|_| bracket).unwrap_or(start);
         self.tokens.push(Token::new(kind, start, end));
         self.at = end;
     }

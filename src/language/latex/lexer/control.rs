@@ -91,6 +91,9 @@ impl Lexer<'_> {
                 self.skip_spaces();
                 if self.starts_with(".") {
                     self.at += 1; // an invisible bracket
+                    self.sized = None;
+                } else {
+                    self.sized.get_or_insert(start);
                 }
             }
             Role::Dropped(count) => {

@@ -203,3 +203,19 @@ proptest! {
         check(&text);
     }
 }
+
+#[test]
+fn what_a_sized_bracket_opens_begins_with_its_size() {
+    for text in [
+        r"x = \Bigl(1 - t\Bigr)",
+        r"x = \bigl|1 + t\bigr| + 2",
+        r"x = \big\Big [1, t\big]",
+        r"x = \Bigl\lfloor t\Bigr\rfloor",
+    ] {
+        let Kind::Chain(_, links) = read(text).unwrap().kind else { panic!("{text}") };
+        assert_eq!(&text[links[0].expr.span.range()], &text[4..], "{text}");
+    }
+    // A size by itself belongs to nothing.
+    let Kind::Chain(_, links) = read(r"x = \big 2 (t)").unwrap().kind else { panic!() };
+    assert_eq!(links[0].expr.span.start, r"x = \big ".len());
+}
