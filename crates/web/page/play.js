@@ -242,32 +242,40 @@ const Play = {
     Play.move(i, x + step[0] / Play.state.grid, y + step[1] / Play.state.grid);
   },
 
-  /** Names beside the control points and the point of the curve, away from the middle of the polygon. */
+  /**
+   * Names beside the control points and the point of the curve: away from the middle of the polygon, but where that would
+   * leave the picture or hide a point, in the nearest direction that does neither.
+   */
   showLabels() {
     const { control, levels } = Play.answer;
     const middle = [0, 1].map((k) => control.reduce((sum, one) => sum + one.at[k], 0) / control.length);
     const last = levels[levels.length - 1][0];
-    const all = [...control.map((one) => ({ ...one, place: "" })), { ...last, place: "last" }];
-    byId("labels").replaceChildren(...all.map((one) => {
-      const node = make("span", { class: `label ${one.place}` }, formula(one.label_latex));
-      const [x, y] = Play.spot(one.at);
-      const [dx, dy] = [one.at[0] - middle[0], middle[1] - one.at[1]];
-      const size = Math.hypot(dx, dy) || 1;
-      const below = one.place === "last";
-      node.style.left = `${(x / (WORLD.width * UNIT)) * 100}%`;
-      node.style.top = `${(y / (WORLD.height * UNIT)) * 100}%`;
-      const [sx, sy] = below ? [0, 1] : [dx / size, dy / size];
-      node.style.transform = `translate(-50%, -50%) translate(${sx * 2.6}em, ${sy * 1.5}em)`;
-      return node;
-    }));
-    // What would be cut off at the border moves back into the picture.
+    const away = ({ at }) => Math.atan2(middle[1] - at[1], at[0] - middle[0]);
+    const all = [...control.map((one) => ({ ...one, angle: away(one) })), { ...last, place: "last", angle: Math.PI / 2 }];
+    const nodes = all.map((one) => make("span", { class: `label ${one.place ?? ""}` }, formula(one.label_latex)));
+    byId("labels").replaceChildren(...nodes);
     const stage = byId("labels").getBoundingClientRect();
-    const fit = (from, to, low, high) => Math.max(low + 4 - from, 0) + Math.min(high - 4 - to, 0);
-    const boxes = [...byId("labels").children].map((node) => node.getBoundingClientRect());
-    [...byId("labels").children].forEach((node, i) => {
-      const { left, right, top, bottom } = boxes[i];
-      const [x, y] = [fit(left, right, stage.left, stage.right), fit(top, bottom, stage.top, stage.bottom)];
-      if (x !== 0 || y !== 0) node.style.transform += ` translate(${x}px, ${y + (x === 0 ? 0 : 14)}px)`;
+    const share = all.map((one) => Play.spot(one.at)).map(([x, y]) => [x / (WORLD.width * UNIT), y / (WORLD.height * UNIT)]);
+    const points = share.map(([x, y]) => [x * stage.width, y * stage.height]);
+    const sizes = nodes.map((node) => node.getBoundingClientRect()).map(({ width, height }) => [width, height]);
+    nodes.forEach((node, i) => {
+      const [width, height] = sizes[i].map((size) => size / 2);
+      const turned = (turn) => {
+        const [dx, dy] = [Math.cos(all[i].angle + turn), Math.sin(all[i].angle + turn)];
+        // As far as the point is free of the name.
+        const far = Math.min((width + 8) / Math.abs(dx), (height + 8) / Math.abs(dy));
+        return [dx * far, dy * far];
+      };
+      const free = ([dx, dy]) => {
+        const [x, y] = [points[i][0] + dx, points[i][1] + dy];
+        return x >= width + 4 && x <= stage.width - width - 4 && y >= height + 4 && y <= stage.height - height - 4 &&
+          !points.some(([px, py]) => Math.abs(px - x) < width + 6 && Math.abs(py - y) < height + 6);
+      };
+      const turns = [0, 1, -1, 2, -2, 3, -3, 4].map((turn) => turned((turn * Math.PI) / 4));
+      const [dx, dy] = turns.find(free) ?? turns[0];
+      node.style.left = `${share[i][0] * 100}%`;
+      node.style.top = `${share[i][1] * 100}%`;
+      node.style.transform = `translate(-50%, -50%) translate(${dx}px, ${dy}px)`;
     });
   },
 

@@ -193,6 +193,16 @@ const tests = {
     await page.waitForFunction(() => document.querySelectorAll(".handle").length === 7);
     await page.click("#less");
     await page.waitForFunction(() => document.querySelectorAll(".handle").length === 6);
+    // No name hides a point or leaves the picture.
+    const hidden = await page.evaluate(() => {
+      const box = (node) => node.getBoundingClientRect();
+      const inside = (x, y, { left, right, top, bottom }) => x > left && x < right && y > top && y < bottom;
+      const [names, points] = [".label", ".handle"].map((all) => [...document.querySelectorAll(all)].map(box));
+      const stage = box(document.getElementById("labels"));
+      const covers = (name) => points.some(({ left, right, top, bottom }) => inside((left + right) / 2, (top + bottom) / 2, name));
+      return names.filter((name) => covers(name) || !inside(name.left, name.top, stage) || !inside(name.right, name.bottom, stage)).length;
+    });
+    assert.equal(hidden, 0);
     await page.locator("#play").scrollIntoViewIfNeeded();
     await shot(page, "spline");
     await page.close();
