@@ -232,7 +232,8 @@ impl Report {
     /// For notebooks: what is wrong, with its places, and the counts.
     fn _repr_html_(&self) -> PyResult<String> {
         let text = self.__str__()?.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-        Ok(format!("<pre>{}</pre>", text.trim_end()))
+        // Notebooks set what cells give in the font of text, and the marks below lines would be beside what they mean.
+        Ok(format!(r#"<pre style="font-family: monospace">{}</pre>"#, text.trim_end()))
     }
 
     fn __repr__(&self) -> String {

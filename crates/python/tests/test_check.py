@@ -43,7 +43,7 @@ def test_formats_context_and_renderings(tmp_path):
     with pytest.raises(ValueError):
         report.render("pdf")
     shown = pf.check("$1 < 2$ and $2 + 2 = 5$", name="<b>&")._repr_html_()
-    assert shown.startswith("<pre>") and shown.count("<") == 2 and "&lt;b&gt;&amp;:1:" in shown and "refuted" in shown
+    assert shown.startswith('<pre style="font-family: monospace">') and shown.count("<") == 2 and "&lt;b&gt;&amp;:1:" in shown and "refuted" in shown
     (tmp_path / "part.tex").write_text(r"\(1 + 1 = 3\)")
     (tmp_path / "main.tex").write_text("\\documentclass{article}\\begin{document}\\input{part}\\(1 + 1 = 2\\)\\end{document}")
     reports = pf.check_file(tmp_path / "main.tex")
