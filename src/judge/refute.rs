@@ -225,11 +225,13 @@ pub fn decide(
     {
         let own: BTreeSet<String> = bases(right);
         let property = own.contains(&head.base) || is_constant(&failure.right);
-        // B_i^n on an interval [a, b] of the page is its own.
+        // B_i^n on an interval [a, b] of the page is its own; B_1^3 alone may be that of x.
+        let of_another =
+            |symbol: &Symbol| is_variable(symbol.base()) && !compare::symbols(&failure.left).contains(symbol);
         let parameters = compare::symbols(&failure.right).iter().any(|symbol| {
             let name = symbol.base();
             let foreign = !bases(left).contains(name) && bases(right).contains(name);
-            head.arguments.is_some() && symbol.is_plain() && foreign
+            symbol.is_plain() && foreign && (head.arguments.is_some() || of_another(symbol))
         });
         if standard && !property && parameters {
             return Decision::Redefinition(None);

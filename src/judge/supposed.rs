@@ -6,12 +6,14 @@
 use std::collections::BTreeSet;
 
 use super::check::{Checker, equates_values};
-use super::context::{Body, is_variable};
+use super::compare;
+use super::context::{Body, Definition, is_variable};
 use super::finding::{Finding, Verdict};
 use super::names::{Head, bases};
+use super::object::Object;
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
-use crate::formula::{Expr, Kind};
+use crate::formula::{Expr, Kind, Rel};
 
 impl Checker {
     /// Keeps open what was called wrong if something that the page supposes may have been needed for it.
@@ -34,7 +36,7 @@ impl Checker {
             let unknown = (!rational && sides.iter().any(|side| side.has(&one)))
                 .then(|| self.said_in_unknown_words(sides, place))
                 .flatten();
-            let doubt = unknown.or_else(|| self.open_law(sides, place));
+            let doubt = unknown.or_else(|| self.unused(sides, place));
             if let Some(reason) = doubt {
                 finding.verdict = Verdict::Undecided;
                 finding.reason = Some(reason);
@@ -42,6 +44,85 @@ impl Checker {
                 finding.evidence.clear();
             }
         }
+    }
+
+    /// What the page says of what a relation speaks of, and what is not used.
+    pub(super) fn unused(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        self.open_law(sides, place)
+            .or_else(|| self.changed_data(sides, place))
+            .or_else(|| self.given_as_a_list(sides, place))
+    }
+
+    /// Numbers that a relation rests on, or another formula for what it says, since which words may have changed them.
+    fn changed_data(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        let earlier = |other: &Place| place.knows(other, false) && place.may_change(other);
+        let reached = self.context.reached(&sides, place);
+        let again = |own: &Definition| {
+            let same = |head: &Head| head.base == own.head.base && head.lower.len() == own.head.lower.len();
+            Head::of(sides[0]).is_some_and(|head| {
+                same(&head)
+                    && head.lower.iter().zip(&own.head.lower).all(|(a, b)| a.same_as(b))
+                    && !head.lower.iter().all(|index| matches!(index.kind, Kind::Name(_)))
+            })
+        };
+        let data = |definition: &Definition| match &definition.body {
+            Body::Formula(body) => {
+                let own: BTreeSet<String> = definition
+                    .head
+                    .flat()
+                    .into_iter()
+                    .chain(&definition.head.lower)
+                    .flat_map(bases)
+                    .collect();
+                bases(body).is_subset(&own)
+            }
+            Body::Value(value) => compare::symbols(value).is_empty(),
+        };
+        let definitions = self.context.definitions.iter().filter(|own| {
+            let base = &own.head.base;
+            reached.contains(base) && (data(own) || again(own)) && earlier(&own.place)
+        });
+        let definitions = definitions.map(|own| (own.head.base.clone(), own.line));
+        let number = |expr: &Expr| bases(expr).is_empty();
+        let objects = self.context.objects.iter().filter(|told| {
+            let Object { names, points, knots, values, data, .. } = &*told.object;
+            let given = points.iter().chain(knots).chain(values).any(number) || !data.is_empty();
+            let spoken = names.iter().chain(points).filter_map(Head::of);
+            given && earlier(&told.place) && spoken.map(|head| head.base).any(|base| reached.contains(&base))
+        });
+        let objects = objects.map(|told| ("what it rests on".to_owned(), told.line));
+        let conditions = self.context.conditions.iter().filter(|condition| {
+            let Kind::Chain(left, links) = &condition.expr.kind else { return false };
+            let value = links.iter().any(|link| link.rel == Rel::Eq && number(&link.expr)) || number(left);
+            value && earlier(&condition.place) && bases(&condition.expr).is_subset(&reached)
+        });
+        let conditions = conditions.map(|condition| ("what it rests on".to_owned(), condition.line));
+        let (name, line) = definitions.chain(objects).chain(conditions).next()?;
+        Some(format!("{name} may have been changed since line {line}"))
+    }
+
+    /// b = (0, 6, 3, 3), which may say what the b_i are that a relation rests on.
+    fn given_as_a_list(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
+        let reached = self.context.reached(&sides, place);
+        let member = |base: &String| {
+            let own =
+                |part: &Expr| Head::of(part).is_some_and(|head| head.base == *base && !head.lower.is_empty());
+            let formulas = reached.iter().flat_map(|name| self.context.visible(name, place));
+            let bodies = formulas.filter_map(|(_, definition, _)| match &definition.body {
+                Body::Formula(body) => Some(body),
+                Body::Value(_) => None,
+            });
+            sides.into_iter().chain(bodies).any(|side| side.has(&own))
+        };
+        let mut lists = self.context.definitions.iter().filter(|own| {
+            let Body::Formula(body) = &own.body else { return false };
+            let whole =
+                own.head.lower.is_empty() && own.head.upper.is_empty() && own.head.arguments.is_none();
+            let numbers = body.items().is_some_and(|items| items.len() > 2) && bases(body).is_empty();
+            whole && numbers && reached.contains(&own.head.base) && place.knows(&own.place, false)
+        });
+        let list = lists.find(|own| member(&own.head.base))?;
+        Some(format!("line {} may say what the {} with indices are", list.line, list.head.base))
     }
 
     /// A law of a function in a relation that stayed open, with its line.

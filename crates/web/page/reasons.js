@@ -197,6 +197,8 @@ const REASONS = {
     ["no definition of {} fits these indices", "{} 没有适合这些指标的定义"],
     ["what {} is does not follow from the definitions here", "由这里的定义得不出 {} 是什么"],
     ["what {} is is not said", "没有说明 {} 是什么"],
+    ["on which piece {} is meant is not said", "没有说明 {} 是在哪一段上"],
+    ["line {} may say what the {} with indices are", "第 {} 行或许给出了带下标的 {}"],
     ["what {} is there is not said", "没有说明 {} 在那里是什么"],
     ["how curves of any degree join is not followed here", "这里没有推导任意次数曲线的拼接"],
     ["what relates {} and {} is not understood here", "这里没有看懂 {} 与 {} 的关系"],

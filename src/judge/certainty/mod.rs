@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 use super::check::Checker;
 use super::compare::{self, Domain, Outcome};
-use super::context::{Body, Definition, is_variable};
+use super::context::{Definition, is_variable};
 use super::evaluator;
 use super::features::has_divided_differences;
 use super::names::{Head, bases, is_index_letter, underived, walk};
@@ -48,7 +48,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 18] = [
+        let rules: [fn(&Self) -> Option<String>; 19] = [
             Self::of_one_that_exists,
             Self::join_of_any_degree,
             Self::unrelated_functions,
@@ -60,8 +60,9 @@ impl Suspect<'_> {
             Self::family_of_another_kind,
             Self::rounded_or_modular,
             Self::word_of_a_group,
-            Self::changed_data,
+            Self::of_what_is_not_used,
             Self::value_of_unknown_data,
+            Self::of_another_piece,
             Self::of_one_size,
             Self::of_another_size,
             Self::of_a_value_heard,
@@ -125,41 +126,22 @@ impl Suspect<'_> {
             && context.listed(letter, &self.statement.place).is_some()
     }
 
-    /// Numbers that words may have changed since they were given.
-    fn changed_data(&self) -> Option<String> {
-        let place = &self.statement.place;
-        let data = |definition: &&Definition| match &definition.body {
-            Body::Formula(body) => {
-                let own: BTreeSet<String> = definition
-                    .head
-                    .flat()
-                    .into_iter()
-                    .chain(&definition.head.lower)
-                    .flat_map(bases)
-                    .collect();
-                bases(body).is_subset(&own)
-            }
-            Body::Value(value) => compare::symbols(value).is_empty(),
-        };
-        let used = self.used().filter(|own| self.are_numbers() || data(own));
-        let used = used.map(|definition| (definition.head.base.as_str(), &definition.place, definition.line));
-        // Values that were given in equations: d_0, d_1, d_2 = 6, 0, 12
-        let spoken: BTreeSet<String> = self
-            .used()
-            .filter_map(|definition| match &definition.body {
-                Body::Formula(body) => Some(bases(body)),
-                Body::Value(_) => None,
-            })
-            .flatten()
-            .collect();
-        let given = self.checker.context.conditions.iter().filter(|condition| {
-            self.are_numbers() && self.tally.condition.is_some() && gives_a_value(&condition.expr, &spoken)
-        });
-        let given = given.map(|condition| ("what it uses", &condition.place, condition.line));
-        let mut all = used.chain(given);
-        let (name, _, line) =
-            all.find(|(_, earlier, _)| place.knows(earlier, false) && place.may_change(earlier))?;
-        Some(format!("{name} may have been changed since line {line}"))
+    /// A law that stays open, data that words change: "Now move b_2 to (6, 8)."
+    fn of_what_is_not_used(&self) -> Option<String> {
+        self.checker.unused(self.sides(), &self.statement.place)
+    }
+
+    /// f[0, 0] = 2, f[0, 2] = 6, f[2, 3] = 3, f[3, 3] = 5 are coefficients of a spline, and no values of one polar form.
+    fn of_another_piece(&self) -> Option<String> {
+        let [left, right] = self.sides();
+        let number = |expr: &Expr| bases(expr).is_empty();
+        let Kind::Apply(callee, groups) = &left.kind else { return None };
+        let arguments: Vec<&Expr> = groups.iter().flatten().collect();
+        let value = arguments.len() > 1 && arguments.into_iter().all(number) && number(right);
+        let given = self.tally.determined > 0 || self.tally.condition.is_some();
+        let name =
+            Head::of(callee).filter(|_| value && given && self.statement.topics.has(Topic::Spline))?.base;
+        Some(format!("on which piece {name} is meant is not said"))
     }
 
     /// det L = 2^{-n(n+1)/2}, where the page gives the L of one n.
@@ -433,12 +415,4 @@ impl Suspect<'_> {
     fn symbols(&self) -> BTreeSet<Symbol> {
         [&self.failure.left, &self.failure.right].into_iter().flat_map(compare::symbols).collect()
     }
-}
-
-/// Whether an equation gives a number to a member of one of some families.
-fn gives_a_value(equation: &Expr, families: &BTreeSet<String>) -> bool {
-    let Kind::Chain(left, links) = &equation.kind else { return false };
-    let member = |head: Head| head.arguments.is_none() && families.contains(&head.base);
-    let number = matches!(links.as_slice(), [link] if link.rel == Rel::Eq && bases(&link.expr).is_empty());
-    number && Head::of(left).is_some_and(member)
 }

@@ -6,6 +6,7 @@ use crate::judge::names::Head;
 use crate::judge::object::Sort;
 use crate::judge::statement::Place;
 use crate::language::lexicon::families::{self, Family};
+use crate::language::lexicon::roles::is_variable;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
@@ -52,5 +53,7 @@ pub(super) fn clash(theirs: &str, ours: &Expr, context: &Context, place: &Place)
         Sort::Knots | Sort::Nodes => Some(Role::Knots),
         _ => None,
     });
-    said.or_else(|| usual(&head.base)).is_some_and(|own| own != role)
+    // Nobody calls knots e_0, e_1 without saying so.
+    said.or_else(|| usual(&head.base))
+        .map_or(role == Role::Knots && !is_variable(&head.base), |own| own != role)
 }

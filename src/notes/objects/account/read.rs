@@ -37,6 +37,10 @@ impl Told<'_> {
                 _ => return None,
             }
         }
+        // "The h with h(0) = 1, h'(0) = 2. The points are 0, 0, 1": no control points.
+        if families.iter().any(|list| list.letter.is_none() && self.has_values_before(list.at)) {
+            return None;
+        }
         let mut letters = Vec::new();
         let mut calls = Vec::new();
         let mut names: BTreeMap<String, i64> = BTreeMap::new();
@@ -99,6 +103,18 @@ impl Told<'_> {
             }
         }
         Some(account)
+    }
+
+    /// Whether a formula before a sign gives a number as the value of a function.
+    fn has_values_before(&self, at: usize) -> bool {
+        let number = |expr: &Expr| bases(expr).is_empty();
+        formulas(&self.all[..at]).flat_map(|formula| self.page.said(formula)).any(|said| match &said.kind {
+            Kind::Chain(left, links) => {
+                matches!(links.as_slice(), [link] if link.rel == Rel::Eq && number(&link.expr))
+                    && matches!(&left.kind, Kind::Apply(_, groups) if groups.iter().flatten().all(number))
+            }
+            _ => false,
+        })
     }
 
     /// Points that equations speak of and no list: "two control points coincide: b_1 = b_0".
