@@ -1,5 +1,6 @@
 //! Where piecewise polynomials are tried: near parameters in each knot interval.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::context::{Body, is_variable};
@@ -43,19 +44,20 @@ impl Trial<'_> {
 
     /// What words introduced of the names in it.
     pub(super) fn spoken(&self) -> impl Iterator<Item = &Object> {
-        self.facts
-            .reached
-            .iter()
-            .filter_map(|base| Some(&*self.context.object_called(base, self.place)?.object))
+        self.spoken_of(&self.facts.reached)
     }
 
-    /// The knots that words give, in increasing order.
-    pub(super) fn breaks(&self, bound: &[(String, i64)]) -> Vec<Rational> {
+    fn spoken_of<'b>(&'b self, names: &'b BTreeSet<String>) -> impl Iterator<Item = &'b Object> {
+        names.iter().filter_map(|base| Some(&*self.context.object_called(base, self.place)?.object))
+    }
+
+    /// The knots that words give for splines with these names, in increasing order.
+    pub(super) fn breaks(&self, bound: &[(String, i64)], of: &BTreeSet<String>) -> Vec<Rational> {
         let model = Rc::new(self.model(None, None, &[]));
         let names: Vec<(Symbol, Value)> = as_values(bound).collect();
         let mut found: Vec<Rational> = Vec::new();
-        for object in self.spoken().filter(|object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve))
-        {
+        let splines = |object: &&Object| matches!(object.sort, Sort::BSpline | Sort::SplineCurve);
+        for object in self.spoken_of(of).filter(splines) {
             let mut add = |own: &[(Symbol, Value)]| {
                 let names: Vec<(Symbol, Value)> = names.iter().chain(own).cloned().collect();
                 let knots = evaluator::machine().with_locals(names, |machine| {

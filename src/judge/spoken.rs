@@ -92,10 +92,17 @@ impl Checker {
     fn facts_about(&self, head: &Head, chain: &Chain, statement: &Statement, before: Mark) -> Vec<Condition> {
         let place = &statement.place;
         // What is said for N = 2 says nothing of N = 3.
-        let equates = |case: &&Expr| matches!(&case.kind, Kind::Chain(_, links) if links.iter().any(|link| link.rel == Rel::Eq));
+        let value = |case: &Expr| match &case.kind {
+            Kind::Chain(left, links) if links.len() == 1 && links[0].rel == Rel::Eq => {
+                Some((left.as_ref().clone(), links[0].expr.clone()))
+            }
+            _ => None,
+        };
+        let own: Vec<(Expr, Expr)> = chain.conditions.iter().filter_map(value).collect();
         let elsewhere = |fact: &Condition| {
-            let mut cases = fact.ranges.iter().filter(equates);
-            cases.any(|case| !is_range(case) && !chain.conditions.iter().any(|own| own.same_as(case)))
+            fact.ranges.iter().filter_map(value).any(|(name, other)| {
+                own.iter().any(|(known, value)| known.same_as(&name) && !value.same_as(&other))
+            })
         };
         let told = |fact: &&Condition| {
             !elsewhere(fact)
@@ -215,7 +222,10 @@ impl Checker {
         if !tally.record.definitions.iter().any(|(number, _)| *number == before.definitions()) {
             return Tried::Open;
         }
-        let bounded = !tally.record.unbounded && !tally.record.infinite;
+        // A number is that of the knots meant, not of any.
+        let number = matches!(&self.context.definitions[before.definitions()].body, Body::Formula(body) if bases(body).is_empty());
+        let bounded =
+            !tally.record.unbounded && !tally.record.infinite && !(number && tally.record.any_knots);
         if let Some(failure) =
             tally.fails.iter().find(|failure| !failure.outside && self.is_certain(failure, statement))
         {

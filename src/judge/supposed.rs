@@ -14,6 +14,7 @@ use super::object::Object;
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
 use crate::formula::{Expr, Kind, Rel};
+use crate::language::lexicon::roles::is_control_point;
 
 impl Checker {
     /// Keeps open what was called wrong if something that the page supposes may have been needed for it.
@@ -56,7 +57,23 @@ impl Checker {
     /// Numbers that a relation rests on, or another formula for what it says, since which words may have changed them.
     fn changed_data(&self, sides: [&Expr; 2], place: &Place) -> Option<String> {
         let earlier = |other: &Place| place.knows(other, false) && place.may_change(other);
-        let reached = self.context.reached(&sides, place);
+        let mut reached = self.context.reached(&sides, place);
+        // The control points of c, which words may tell of without an equation
+        let base = |expr: &Expr| Head::of(expr).map(|head| head.base);
+        let untold = |name: &String| {
+            let told = self.context.object_called(name, place);
+            told.is_some_and(|told| told.object.is_function() && told.object.points.is_empty())
+        };
+        if reached.iter().any(untold) {
+            let members = self.context.definitions.iter().filter(|own| own.head.lower.len() == 1);
+            reached
+                .extend(members.map(|own| own.head.base.clone()).filter(|letter| is_control_point(letter)));
+        }
+        for told in &self.context.objects {
+            if told.object.of.as_ref().and_then(base).is_some_and(|of| reached.contains(&of)) {
+                reached.extend(told.object.names.iter().filter_map(base));
+            }
+        }
         let again = |own: &Definition| {
             let same = |head: &Head| head.base == own.head.base && head.lower.len() == own.head.lower.len();
             Head::of(sides[0]).is_some_and(|head| {

@@ -362,7 +362,7 @@ impl<'a> Trial<'a> {
         // First the degrees: a polar form with m arguments is one of degree m.
         let mut degrees: Vec<Option<usize>> = vec![None];
         let first = splines.then(|| integer(1) / integer(2));
-        let breaks = if splines { self.breaks(bound) } else { Vec::new() };
+        let breaks = if splines { self.breaks(bound, &self.facts.reached) } else { Vec::new() };
         let (values, probe) = self.evaluate(self.model(None, first, &breaks).discovering(), bound);
         let arities: BTreeSet<usize> =
             probe.iter().flat_map(|record| record.arities.iter().copied()).collect();
@@ -590,7 +590,11 @@ impl<'a> Trial<'a> {
             return None;
         }
         let around = self.middle_of_range(condition);
-        let breaks = if around.is_some() { self.breaks(bound) } else { Vec::new() };
+        let breaks = match around {
+            Some(_) => self.breaks(bound, &self.context.reached(&[condition], self.place)),
+            None => Vec::new(),
+        };
+        let local = around.is_some();
         let reading = Rc::new(self.model(degree, around, &breaks));
         // The n of c_{i+1} = c_i + b_i/(n + 1) is the degree, as in what the page defines.
         let size = |name: &String| {
@@ -607,8 +611,10 @@ impl<'a> Trial<'a> {
             .collect();
         let names = || as_values(bound).chain(as_values(&sizes));
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
-        let right = evaluate_reading(&link.expr, reading, names()).ok()?;
-        Some((left, right))
+        let right = evaluate_reading(&link.expr, reading.clone(), names()).ok()?;
+        // A piece of a spline is that of its own knots.
+        let any = local && reading.take_record().any_knots;
+        (!any).then_some((left, right))
     }
 }
 

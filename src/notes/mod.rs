@@ -13,6 +13,7 @@ mod brackets;
 mod cases;
 mod conditions;
 mod fixes;
+mod items;
 mod objects;
 mod page;
 mod primes;

@@ -8,6 +8,7 @@ use super::blocks::{Blocks, Changes, count_new_values};
 use super::brackets;
 use super::cases::read_conditions;
 use super::conditions::{announces_condition, attach, is_condition, is_condition_word, is_smoothness};
+use super::items::{regrouped, with_alternatives};
 use super::objects;
 use super::primes;
 use super::sentence;
@@ -15,8 +16,8 @@ use super::speech;
 use super::triangles::{self, Table};
 use crate::document::{Document, Enclosure, Formula, Item, Style};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Link, Rel, interval, spread};
-use crate::judge::names::{Head, bases, is_index_letter};
+use crate::formula::{Expr, Kind, Rel, interval, spread};
+use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Place, Said, Side, Statement};
 use crate::judge::topic::{Topic, Topics};
 use crate::language::diagnostic::Diagnostic;
@@ -529,127 +530,4 @@ fn clean(latex: &str) -> String {
     let lines: Vec<&str> = latex.lines().map(|line| line.trim_start_matches(['>', ' ']).trim_end()).collect();
     let text = lines.join("\n");
     text.trim().trim_start_matches('&').trim_end_matches('&').trim_end_matches("\\\\").trim().to_owned()
-}
-
-/// t_0, …, t_3 = 0, 0, 1, 1: one list equals the other.
-fn listed_values(items: &[Expr]) -> Option<Expr> {
-    let at = items.iter().position(|item| matches!(item.kind, Kind::Chain(..)))?;
-    let Kind::Chain(left, links) = &items[at].kind else { return None };
-    let [Link { rel: Rel::Eq, span, expr: first }] = links.as_slice() else { return None };
-    let names: Vec<Expr> = items[..at].iter().chain([left.as_ref()]).cloned().collect();
-    let values: Vec<Expr> = [first].into_iter().chain(&items[at + 1..]).cloned().collect();
-    let member = |name: &&Expr| matches!(name.kind, Kind::Subscript(..));
-    let index = |name: &Expr| match &name.kind {
-        Kind::Subscript(_, lower) => lower.first()?.as_int(),
-        _ => None,
-    };
-    let dots = names.iter().any(|name| name.kind == Kind::Ellipsis);
-    let named = names.iter().filter(|name| name.kind != Kind::Ellipsis).all(|name| member(&name));
-    let count = match dots {
-        true => index(names.last()?)? - index(names.first()?)? + 1,
-        false => names.len() as i64,
-    };
-    let constant = values.iter().all(|value| bases(value).is_empty() && value.kind != Kind::Ellipsis);
-    (at > 0 && named && constant && count == values.len() as i64).then(|| {
-        let list = |items: Vec<Expr>| {
-            let span = items[0].span.to(items[items.len() - 1].span);
-            Expr::new(Kind::Tuple(items), span)
-        };
-        let (left, right) = (list(names), list(values));
-        let whole = left.span.to(right.span);
-        let link = Link { rel: Rel::Eq, span: *span, expr: right };
-        Expr::new(Kind::Chain(Box::new(left), vec![link]), whole)
-    })
-}
-
-/// Two conditions with "or" between them as one.
-fn with_alternatives(items: Vec<Expr>) -> Vec<Expr> {
-    let mut result: Vec<Expr> = Vec::with_capacity(items.len());
-    for item in items {
-        if let [.., one, Expr { kind: Kind::Text(text), .. }] = result.as_slice()
-            && speech::goes_on(text) == Some(true)
-            && [one, &item].into_iter().all(|side| is_condition(side, true) || side.alternatives().is_some())
-        {
-            let one = one.clone();
-            result.truncate(result.len() - 2);
-            let both = one.alternatives().map_or_else(|| vec![one.clone()], <[Expr]>::to_vec);
-            let span = one.span.to(item.span);
-            let any = Expr::any(both.into_iter().chain([item]).collect());
-            result.push(Expr::new(any.kind, span));
-        } else {
-            result.push(item);
-        }
-    }
-    result
-}
-
-/// Puts `i = 0, …, n`, which the reader gives as three pieces, together as i = 0..n.
-fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
-    if let Some(lists) = listed_values(&items) {
-        return vec![lists];
-    }
-    let mut result: Vec<Expr> = Vec::with_capacity(items.len());
-    let mut rest = items.into_iter().peekable();
-    while let Some(item) = rest.next() {
-        if let Kind::Chain(left, links) = &item.kind
-            && let [Link { rel: Rel::Eq, span, expr: from }] = links.as_slice()
-            && matches!(left.kind, Kind::Name(_))
-            && rest.peek().is_some_and(|next| {
-                matches!(next.kind, Kind::Ellipsis | Kind::Number(_) | Kind::Add(_) | Kind::Name(_))
-            })
-        {
-            let mut taken = Vec::new();
-            while let Some(next) = rest.next_if(|next| {
-                matches!(next.kind, Kind::Ellipsis | Kind::Number(_) | Kind::Add(_) | Kind::Name(_))
-            }) {
-                taken.push(next);
-            }
-            let dots = taken.iter().any(|e| e.kind == Kind::Ellipsis);
-            if let (true, Some(last)) = (dots, taken.last())
-                && last.kind != Kind::Ellipsis
-            {
-                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
-                let range = Expr::new(range, from.span.to(last.span));
-                let link = Link { rel: Rel::Eq, span: *span, expr: range };
-                let whole = item.span.to(last.span);
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
-            }
-            // i = 0, 1, 2, …, without an end
-            if let (true, Some(last), Kind::Name(letter)) = (dots, taken.last(), &left.kind)
-                && is_index_letter(letter)
-            {
-                let whole = item.span.to(last.span);
-                let link = Link { rel: Rel::Ge, span: *span, expr: from.clone() };
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
-            }
-            // k = 0, 1, 2
-            let first = from.as_int();
-            let consecutive =
-                |(at, next): (usize, &Expr)| next.as_int() == first.map(|first| first + at as i64 + 1);
-            if let (Some(_), Some(last), Kind::Name(letter)) = (first, taken.last(), &left.kind)
-                && is_index_letter(letter)
-                && taken.iter().enumerate().all(consecutive)
-            {
-                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
-                let range = Expr::new(range, from.span.to(last.span));
-                let link = Link { rel: Rel::Eq, span: *span, expr: range };
-                let whole = item.span.to(last.span);
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
-            }
-            result.push(item);
-            result.extend(taken);
-            continue;
-        }
-        match item.kind {
-            Kind::Tuple(inner) if inner.iter().any(|e| matches!(e.kind, Kind::Chain(..))) => {
-                result.extend(regrouped(inner));
-            }
-            Kind::Group(inner) if matches!(inner.kind, Kind::Chain(..)) => result.push(*inner),
-            _ => result.push(item),
-        }
-    }
-    result
 }

@@ -114,6 +114,8 @@ pub struct Record {
     pub flexible: bool,
     /// Whether matrices occurred of which nothing more is said.
     pub matrices: bool,
+    /// Whether knots occurred that nothing gives.
+    pub any_knots: bool,
     /// Whether Bernstein polynomials occurred: their parameters run from 0 to 1.
     pub unit: bool,
 }
@@ -134,6 +136,7 @@ impl Record {
         self.unbounded |= other.unbounded;
         self.flexible |= other.flexible;
         self.matrices |= other.matrices;
+        self.any_knots |= other.any_knots;
         self.unit |= other.unit;
     }
 }

@@ -36,6 +36,7 @@ impl Model {
             let inner = given.range(..=j).next_back().map(|(_, knot)| knot);
             return inner.unwrap_or(if j < 0 { first } else { last }).clone();
         }
+        self.record.borrow_mut().any_knots |= !self.uniform;
         const UNEVEN: [i64; 16] = [-9, -5, -4, -1, 0, 2, 3, 7, 8, 12, 15, 16, 20, 22, 27, 29];
         let uneven = usize::try_from(j - KNOTS.start).ok().and_then(|at| UNEVEN.get(at).copied());
         integer(match uneven {
