@@ -9,7 +9,7 @@ use super::check::{Checker, equates_values};
 use super::compare;
 use super::context::{Body, Definition, is_variable};
 use super::finding::{Finding, Verdict};
-use super::names::{Head, bases};
+use super::names::{Head, bases, integer_names};
 use super::object::Object;
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
@@ -95,9 +95,11 @@ impl Checker {
             }
             Body::Value(value) => compare::symbols(value).is_empty(),
         };
+        // What is said of all i rests on no numbers.
+        let general = sides.iter().any(|side| !integer_names(side).is_empty());
         let definitions = self.context.definitions.iter().filter(|own| {
             let base = &own.head.base;
-            reached.contains(base) && (data(own) || again(own)) && earlier(&own.place)
+            reached.contains(base) && (!general && data(own) || again(own)) && earlier(&own.place)
         });
         let definitions = definitions.map(|own| (own.head.base.clone(), own.line));
         let number = |expr: &Expr| bases(expr).is_empty();
@@ -105,13 +107,16 @@ impl Checker {
             let Object { names, points, knots, values, data, .. } = &*told.object;
             let given = points.iter().chain(knots).chain(values).any(number) || !data.is_empty();
             let spoken = names.iter().chain(points).filter_map(Head::of);
-            given && earlier(&told.place) && spoken.map(|head| head.base).any(|base| reached.contains(&base))
+            given
+                && !general
+                && earlier(&told.place)
+                && spoken.map(|head| head.base).any(|base| reached.contains(&base))
         });
         let objects = objects.map(|told| ("what it rests on".to_owned(), told.line));
         let conditions = self.context.conditions.iter().filter(|condition| {
             let Kind::Chain(left, links) = &condition.expr.kind else { return false };
             let value = links.iter().any(|link| link.rel == Rel::Eq && number(&link.expr)) || number(left);
-            value && earlier(&condition.place) && bases(&condition.expr).is_subset(&reached)
+            value && !general && earlier(&condition.place) && bases(&condition.expr).is_subset(&reached)
         });
         let conditions = conditions.map(|condition| ("what it rests on".to_owned(), condition.line));
         let (name, line) = definitions.chain(objects).chain(conditions).next()?;

@@ -19,6 +19,7 @@ mod standing;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use self::entry::{Theorem, known};
@@ -214,7 +215,7 @@ impl Checker {
             .map(|meant| (meant, meant.sides.clone()))
             .or_else(|| claim.one_slip_away(instances, long))?;
         let families = instance.way.letters.iter().flat_map(|(_, own)| bases(own)).collect();
-        if self.has_equal_members(&families, claim.place) {
+        if self.has_equal_members(&families, claim.place) || self.are_related(&families, claim.place) {
             return Some(None);
         }
         Some(Some(Finding {
@@ -224,6 +225,20 @@ impl Checker {
             suggestion: suggestion([&left, &right]),
             ..finding.clone()
         }))
+    }
+
+    /// Whether the section says what a family is by another one of these: b_i = i/n c_{i-1} + (1 - i/n) c_i, from which
+    /// c_i is found again.
+    fn are_related(&self, families: &BTreeSet<String>, place: &Place) -> bool {
+        let mut near = self.context.definitions.iter().filter(|own| place.knows(&own.place, false));
+        near.any(|own| match &own.body {
+            Body::Formula(body) => {
+                families.contains(&own.head.base)
+                    && own.head.arguments.is_none()
+                    && bases(body).iter().any(|other| *other != own.head.base && families.contains(other))
+            }
+            Body::Value(_) => false,
+        })
     }
 
     /// The theorems that a claim may be an instance of.

@@ -12,6 +12,8 @@ pub(super) const CUES: &[Cue] = &[
     Before("pour un certain", Role::Exists),
     Before("pour une certaine", Role::Exists),
     Before("il existe", Role::Exists),
+    Before("serait", Role::Asked),
+    Before("aurait", Role::Asked),
     Before("existe", Role::Exists),
     After("ce qui est absurde", Role::Asked),
     After("contradiction", Role::Asked),

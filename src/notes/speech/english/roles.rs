@@ -168,6 +168,8 @@ pub const CUES: &[Cue] = &[
     Before("is it true that", Role::Asked),
     Before("whether", Role::Asked),
     Before("may have", Role::Asked),
+    Before("would have", Role::Asked),
+    Before("would be", Role::Asked),
     Before("it may happen that", Role::Asked),
     Before("it is possible that", Role::Asked),
     Before("decide whether", Role::Asked),

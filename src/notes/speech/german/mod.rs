@@ -12,6 +12,8 @@ use crate::judge::topic::Topic;
 
 pub(super) const CUES: &[Cue] = &[
     Before("für ein", Role::Exists),
+    Before("wäre", Role::Asked),
+    Before("hätte man", Role::Asked),
     Before("für eine", Role::Exists),
     Before("für einen", Role::Exists),
     Before("für geeignetes", Role::Exists),
