@@ -224,8 +224,8 @@ impl Checker {
         }
         // A number is that of the knots meant, not of any.
         let number = matches!(&self.context.definitions[before.definitions()].body, Body::Formula(body) if bases(body).is_empty());
-        let bounded =
-            !tally.record.unbounded && !tally.record.infinite && !(number && tally.record.any_knots);
+        let cut = tally.record.unbounded || tally.record.infinite;
+        let bounded = !(cut || number && tally.record.any_knots);
         if let Some(failure) =
             tally.fails.iter().find(|failure| !failure.outside && self.is_certain(failure, statement))
         {
