@@ -215,7 +215,7 @@ impl Checker {
             .map(|meant| (meant, meant.sides.clone()))
             .or_else(|| claim.one_slip_away(instances, long))?;
         let families = instance.way.letters.iter().flat_map(|(_, own)| bases(own)).collect();
-        if self.has_equal_members(&families, claim.place) || self.are_related(&families, claim.place) {
+        if self.has_equal_members(&families, claim.place) || self.is_inverse(&families, claim) {
             return Some(None);
         }
         Some(Some(Finding {
@@ -227,15 +227,18 @@ impl Checker {
         }))
     }
 
-    /// Whether the section says what a family is by another one of these: b_i = i/n c_{i-1} + (1 - i/n) c_i, from which
-    /// c_i is found again.
-    fn are_related(&self, families: &BTreeSet<String>, place: &Place) -> bool {
-        let mut near = self.context.definitions.iter().filter(|own| place.knows(&own.place, false));
+    /// Whether the section says what others of these families are by the one that a claim is about: b_i = i/n c_{i-1} +
+    /// (1 - i/n) c_i, from which c_i is found again.
+    fn is_inverse(&self, families: &BTreeSet<String>, claim: &Claim) -> bool {
+        let Some(head) = Head::of(claim.left) else { return false };
+        let mut near = self.context.definitions.iter().filter(|own| claim.place.knows(&own.place, false));
         near.any(|own| match &own.body {
             Body::Formula(body) => {
                 families.contains(&own.head.base)
+                    && own.head.base != head.base
                     && own.head.arguments.is_none()
-                    && bases(body).iter().any(|other| *other != own.head.base && families.contains(other))
+                    && Head::of(body).is_none()
+                    && bases(body).contains(&head.base)
             }
             Body::Value(_) => false,
         })
