@@ -122,10 +122,13 @@ impl Checker {
         }
         let curve = statement.curve();
         let joins = lint::joins(&self.context, chain, place).filter(|_| {
-            // F(τ) = G(τ) of two functions that words introduced: it is no definition of F.
+            // F(τ) = G(τ) of two functions that words introduced, or where curves join: it is no definition of F.
+            let joined = statement.topics.has(Topic::Join);
             chain.sides.iter().take(2).all(|side| {
-                Head::of(&side.expr)
-                    .is_some_and(|head| self.context.object_called(&head.base, place).is_some())
+                Head::of(&side.expr).is_some_and(|head| {
+                    joined && head.arguments.is_some()
+                        || self.context.object_called(&head.base, place).is_some()
+                })
             })
         });
         // D = F' says what D is; D alone is an operator.
