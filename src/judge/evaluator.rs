@@ -9,6 +9,7 @@ use crate::language::diagnostic::Diagnostic;
 use crate::language::eval::{self, Env, Equals, Machine, Outcome, Reading, Tools};
 use crate::language::functions;
 use crate::language::value::{Judgement, Value};
+use crate::math::number::Rational;
 use crate::math::poly::Symbol;
 
 /// The functions of the program and the judge of claims.
@@ -51,6 +52,11 @@ pub fn evaluate_reading(
     names: impl IntoIterator<Item = (Symbol, Value)>,
 ) -> Result<Value, Diagnostic> {
     machine().with_reading(reading).with_locals(names, |machine| machine.eval(expr))
+}
+
+/// The number that a formula without names of the page is.
+pub fn number(expr: &Expr) -> Option<Rational> {
+    machine().eval(expr).ok()?.as_rational()
 }
 
 /// Judges each relation of a chain; a chain with integer names without values by its instances.

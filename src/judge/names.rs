@@ -304,6 +304,11 @@ fn collect(expr: &Expr, position: Position, found: &mut BTreeSet<String>) {
     }
 }
 
+/// Whether a part of a formula is a member of a family with a standard meaning.
+pub(super) fn is_standard(part: &Expr) -> bool {
+    Head::of(part).is_some_and(|head| head.notation().is_some())
+}
+
 /// Whether what is applied picks the greatest or least of some numbers.
 pub(super) fn is_extreme(callee: &Expr) -> bool {
     matches!(&callee.kind, Kind::Name(name) if name == "max" || name == "min")

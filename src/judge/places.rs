@@ -206,11 +206,7 @@ impl Trial<'_> {
             walk(side, &mut |part| {
                 let Kind::Apply(callee, groups) = &part.kind else { return };
                 let ([arguments], Kind::Name(_)) = (groups.as_slice(), &callee.kind) else { return };
-                let number = |argument: &Expr| match evaluator::machine().eval(argument) {
-                    Ok(value) => value.as_rational(),
-                    Err(_) => None,
-                };
-                let numbers: Option<Vec<Rational>> = arguments.iter().map(number).collect();
+                let numbers: Option<Vec<Rational>> = arguments.iter().map(evaluator::number).collect();
                 let Some(numbers) = numbers.filter(|numbers| numbers.len() > 1) else { return };
                 hulls.extend(numbers.iter().min().cloned().zip(numbers.iter().max().cloned()));
             });

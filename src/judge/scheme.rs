@@ -140,7 +140,7 @@ impl Checker {
         });
         let defined = defined.filter_map(|definition| match &definition.body {
             Body::Formula(body) if bases(body).is_empty() => {
-                let value = evaluator::machine().eval(body).ok()?.as_rational()?;
+                let value = evaluator::number(body)?;
                 Some((definition.place.formula, value))
             }
             _ => None,

@@ -16,7 +16,7 @@ use super::evaluator::{self, evaluate_reading};
 use super::features::{ends_of_sums, has_divided_differences, has_groups, highest_derivative, pairs};
 use super::integers::{advance, as_values, equated_index, is_inner, is_outside, last_values};
 use super::model::{Choices, Curve, Model, Record, holds};
-use super::names::{integer_names, is_index_letter, is_range};
+use super::names::{bases, integer_names, is_index_letter, is_range};
 use super::related::Contacts;
 use super::statement::{Chain, Place};
 use super::tally::{Failure, Outcomes, Tally};
@@ -279,8 +279,7 @@ impl<'a> Trial<'a> {
         let restricts = |condition: &&Expr| match &condition.kind {
             Kind::Chain(left, links) => {
                 let equation = links.iter().any(|link| link.rel == Rel::Eq);
-                (!equation || matches!(left.kind, Kind::Add(_)))
-                    && super::names::bases(condition).is_disjoint(&own)
+                (!equation || matches!(left.kind, Kind::Add(_))) && bases(condition).is_disjoint(&own)
             }
             _ => false,
         };
@@ -326,7 +325,7 @@ impl<'a> Trial<'a> {
         let reading = Rc::new(model);
         let (values, records) = self.evaluate_with(&reading, bound, local);
         // c_i = t_{i+1} t_{i+2}, c_2 = 2: a number is compared with the knots that are given.
-        let number = |side: &&Expr| super::names::bases(side).is_empty();
+        let number = |side: &&Expr| bases(side).is_empty();
         let knots = || {
             let mut symbols = values.iter().flatten().flat_map(compare::symbols);
             symbols.any(|symbol| self.facts.knot_letters.iter().any(|letter| letter == symbol.base()))
@@ -563,7 +562,6 @@ impl<'a> Trial<'a> {
     /// A number in the range for which an earlier condition is said: t^3 = Σ d_i N_i(t) for 3 ≤ t ≤ 5.
     fn middle_of_range(&self, condition: &Expr) -> Option<Rational> {
         let at = self.facts.earlier.iter().position(|own| std::ptr::eq(own, condition))?;
-        let number = |expr: &Expr| evaluator::machine().eval(expr).ok()?.as_rational();
         self.facts.ranges.get(at)?.iter().find_map(|range| {
             let Kind::Chain(from, links) = &range.kind else { return None };
             let [from, to] = match links.as_slice() {
@@ -573,7 +571,7 @@ impl<'a> Trial<'a> {
                 }
                 _ => return None,
             };
-            Some((number(from)? + number(to)?) / integer(2))
+            Some((evaluator::number(from)? + evaluator::number(to)?) / integer(2))
         })
     }
 
@@ -602,13 +600,12 @@ impl<'a> Trial<'a> {
                 && !bound.iter().any(|(own, _)| own == name)
                 && self.context.number_in(name, self.place).is_none()
         };
-        let sizes: Vec<(String, i64)> = degree
-            .map(|degree| {
-                super::names::bases(condition).into_iter().filter(size).map(move |name| (name, degree as i64))
-            })
-            .into_iter()
-            .flatten()
-            .collect();
+        let sizes: Vec<(String, i64)> = match degree {
+            Some(degree) => {
+                bases(condition).into_iter().filter(size).map(|name| (name, degree as i64)).collect()
+            }
+            None => Vec::new(),
+        };
         let names = || as_values(bound).chain(as_values(&sizes));
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading.clone(), names()).ok()?;

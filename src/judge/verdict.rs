@@ -8,7 +8,7 @@ use super::conditions::CANNOT_HOLD;
 use super::doubts;
 use super::finding::{Evidence, Finding, Verdict};
 use super::hypotheses;
-use super::names::{Head, bases};
+use super::names::{Head, bases, is_standard};
 use super::object::UNNAMED;
 use super::prove::prove;
 use super::refute;
@@ -169,7 +169,8 @@ impl Checker {
                 };
                 // The r_k of p(t) q(t) = Σ r_k B_k^{m+n}(t) are no arguments.
                 let sides = [&chain.sides[at].expr, &chain.sides[at + 1].expr];
-                let expansion = sides.iter().any(|side| side.has(&is_standard_function));
+                let called = |part: &Expr| matches!(part.kind, Kind::Apply(..)) && is_standard(part);
+                let expansion = sides.iter().any(|side| side.has(&called));
                 let argument = |symbol: &Symbol| {
                     is_variable(symbol.base())
                         && (!expansion
@@ -335,9 +336,4 @@ pub(super) enum Judged {
     Recursion(Box<Head>),
     /// It defines its name anew.
     Redefinition(Option<String>),
-}
-
-/// Whether a part of a formula is a basis function as the field writes it.
-fn is_standard_function(part: &Expr) -> bool {
-    matches!(part.kind, Kind::Apply(..)) && Head::of(part).is_some_and(|head| head.notation().is_some())
 }

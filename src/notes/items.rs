@@ -79,42 +79,32 @@ pub(super) fn regrouped(items: Vec<Expr>) -> Vec<Expr> {
                 taken.push(next);
             }
             let dots = taken.iter().any(|e| e.kind == Kind::Ellipsis);
-            if let (true, Some(last)) = (dots, taken.last())
-                && last.kind != Kind::Ellipsis
-            {
-                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
-                let range = Expr::new(range, from.span.to(last.span));
-                let link = Link { rel: Rel::Eq, span: *span, expr: range };
-                let whole = item.span.to(last.span);
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
-            }
-            // i = 0, 1, 2, …, without an end
-            if let (true, Some(last), Kind::Name(letter)) = (dots, taken.last(), &left.kind)
-                && is_index_letter(letter)
-            {
-                let whole = item.span.to(last.span);
-                let link = Link { rel: Rel::Ge, span: *span, expr: from.clone() };
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
-            }
+            let index = matches!(&left.kind, Kind::Name(letter) if is_index_letter(letter));
             // k = 0, 1, 2
             let first = from.as_int();
-            let consecutive =
+            let follows =
                 |(at, next): (usize, &Expr)| next.as_int() == first.map(|first| first + at as i64 + 1);
-            if let (Some(_), Some(last), Kind::Name(letter)) = (first, taken.last(), &left.kind)
-                && is_index_letter(letter)
-                && taken.iter().enumerate().all(consecutive)
-            {
-                let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
-                let range = Expr::new(range, from.span.to(last.span));
-                let link = Link { rel: Rel::Eq, span: *span, expr: range };
-                let whole = item.span.to(last.span);
-                result.push(Expr::new(Kind::Chain(left.clone(), vec![link]), whole));
-                continue;
+            let consecutive = || first.is_some() && taken.iter().enumerate().all(follows);
+            let restricted = taken.last().and_then(|last| {
+                let (rel, expr) = if dots && last.kind != Kind::Ellipsis || !dots && index && consecutive() {
+                    let range = Kind::Range(Box::new(from.clone()), Box::new(last.clone()));
+                    (Rel::Eq, Expr::new(range, from.span.to(last.span)))
+                } else if dots && index {
+                    // i = 0, 1, 2, …, without an end
+                    (Rel::Ge, from.clone())
+                } else {
+                    return None;
+                };
+                let link = Link { rel, span: *span, expr };
+                Some(Expr::new(Kind::Chain(left.clone(), vec![link]), item.span.to(last.span)))
+            });
+            match restricted {
+                Some(restricted) => result.push(restricted),
+                None => {
+                    result.push(item);
+                    result.extend(taken);
+                }
             }
-            result.push(item);
-            result.extend(taken);
             continue;
         }
         match item.kind {

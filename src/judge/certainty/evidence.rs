@@ -14,7 +14,7 @@ use crate::judge::context::{Body, Definition, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
 use crate::judge::hypotheses::is_coefficient;
-use crate::judge::names::{Head, bases, contains, is_index_letter};
+use crate::judge::names::{Head, bases, contains, is_index_letter, is_standard};
 use crate::judge::object::Sort;
 use crate::judge::refute::calls;
 use crate::judge::repair::Repair;
@@ -333,13 +333,12 @@ impl Suspect<'_> {
         let [left, _] = self.sides();
         let Some(head) = Head::of(left).filter(|head| head.arguments.is_none()) else { return false };
         let place = &self.statement.place;
-        let standard = |part: &Expr| Head::of(part).is_some_and(|own| own.notation().is_some());
         self.tally.determined > 0
             && self.checker.context.conditions.iter().any(|condition| {
                 condition.place.group == place.group
                     && place.knows(&condition.place, condition.assumed)
                     && bases(&condition.expr).contains(&head.base)
-                    && condition.expr.has(&standard)
+                    && condition.expr.has(&is_standard)
             })
     }
 

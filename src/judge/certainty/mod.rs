@@ -185,8 +185,7 @@ impl Suspect<'_> {
         let heard = self.checker.context.values_heard(|other| other.group == place.group);
         let mut said = heard.filter_map(|(name, expr)| {
             let symbol = free.iter().find(|symbol| symbol.is_plain() && symbol.base() == name)?;
-            let value = evaluator::machine().eval(expr).ok()?.as_rational()?;
-            Some((symbol.clone(), value))
+            Some((symbol.clone(), evaluator::number(expr)?))
         });
         let holds = |(symbol, value): &(Symbol, Rational)| {
             let by = [(symbol.clone(), Fraction::from(MultiPoly::constant(value.clone())))];
@@ -202,7 +201,6 @@ impl Suspect<'_> {
 
     /// s(9/5), where s(u) = 1 + 2u was said beside [0, 1]: it may be so there only.
     fn outside_of_its_interval(&self) -> Option<String> {
-        let number = |expr: &Expr| evaluator::machine().eval(expr).ok()?.as_rational();
         let beside = |definition: &Definition| {
             let own = &definition.place;
             let mut all = self.checker.context.intervals_beside(own).rev();
@@ -211,16 +209,16 @@ impl Suspect<'_> {
         let mut used = self.used().filter(|own| own.head.flat().len() == 1 && own.head.lower.is_empty());
         used.find_map(|definition| {
             let (_, [from, to], _) = beside(definition)?;
-            let (from, to) = (number(from)?, number(to)?);
-            let outside = |part: &Expr| {
+            let (from, to) = (evaluator::number(from)?, evaluator::number(to)?);
+            let mut outside = |part: &Expr| {
                 let Kind::Apply(callee, groups) = &part.kind else { return false };
                 let [argument] = groups.as_slice() else { return false };
                 let own = Head::of(underived(callee)).is_some_and(|head| head.base == definition.head.base);
-                let at = argument.first().filter(|_| own).and_then(&number);
+                let at = argument.first().filter(|_| own).and_then(evaluator::number);
                 at.is_some_and(|at| at < from || at > to)
             };
             let name = &definition.head.base;
-            self.any(&mut { outside }).then(|| format!("what {name} is there is not said"))
+            self.any(&mut outside).then(|| format!("what {name} is there is not said"))
         })
     }
 

@@ -357,7 +357,7 @@ impl Said {
 fn number(expr: &Expr) -> Option<Rational> {
     match &expr.kind {
         Kind::Number(number) => Some(number.clone()),
-        Kind::Div(..) if bases(expr).is_empty() => evaluator::machine().eval(expr).ok()?.as_rational(),
+        Kind::Div(..) if bases(expr).is_empty() => evaluator::number(expr),
         _ => None,
     }
 }
