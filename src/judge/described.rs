@@ -213,7 +213,7 @@ impl Checker {
             .iter()
             .rev()
             .find(|taken| taken.letter == new.letter && place.knows(&taken.place, false))
-            .filter(|taken| taken.meaning.has_points());
+            .filter(|taken| taken.meaning.has_points() && !self.is_given_anew(taken, place));
         let certain = told.is_some();
         let meanings = match told {
             Some(told) => vec![told.meaning.clone()],
@@ -251,10 +251,10 @@ impl Checker {
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
         let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
-        // C(t) = a_0 + a_1 t + … says what the a_i are.
-        let known = compare::symbols(&failure.left);
+        // C(t) = a_0 + a_1 t + … says what the a_i are, and so do numbers for what is made of the a_i.
+        let (known, used) = (compare::symbols(&failure.left), compare::symbols(&failure.right));
         let alike = |symbol: &Symbol| known.iter().any(|other| other.base() == symbol.base());
-        if !compare::symbols(&failure.right).iter().all(alike) {
+        if !used.iter().all(alike) || used.is_empty() && !known.is_empty() {
             return None;
         }
         // P(t) is on the curve with the points P_i.
@@ -284,6 +284,14 @@ impl Checker {
             };
             (wrong, None)
         })
+    }
+
+    /// Whether its curve has another formula since: P(t) = Σ a_k t^k, and then P(t) = 1 - 3t of an example.
+    fn is_given_anew(&self, taken: &Taken, place: &Place) -> bool {
+        let Some(head) = Head::of(&taken.meaning.curve.name) else { return false };
+        self.context
+            .visible(&head.base, place)
+            .any(|(_, definition, _)| definition.place.formula > taken.place.formula)
     }
 
     /// Whether a small edit of the formula holds with a meaning.

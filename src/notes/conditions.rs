@@ -2,7 +2,7 @@
 
 use super::speech;
 use crate::formula::{BigOp, Expr, Kind, Link, Rel, interval};
-use crate::judge::names::{Head, bases, is_index_letter, is_range, walk};
+use crate::judge::names::{Head, bases, contains, is_index_letter, is_range, walk};
 use crate::judge::statement::{Chain, Role, Said, Side, Statement, links};
 use crate::language::lexicon::roles::is_variable;
 
@@ -163,26 +163,31 @@ fn give_intervals(statements: &mut [Statement]) {
         let opens =
             joined || last.len() < own.gap.len() || own.gap.trim_start().starts_with(char::is_uppercase);
         let (expr, group, formula) = (expr.clone(), own.place.group, own.place.formula);
-        let place = |chain: &mut Chain| {
-            if let Some(variable) = variable_of(chain) {
+        let place = |chain: &mut Chain, elsewhere: &[Expr]| {
+            let bound = |variable: &Expr| elsewhere.iter().any(|condition| contains(condition, variable));
+            if let Some(variable) = variable_of(chain).filter(|variable| !bound(variable)) {
                 chain.conditions.push(Expr::relation(variable, Rel::In, expr.clone()));
             }
         };
         if !opens && let Some(before) = at.checked_sub(1).map(|before| &mut statements[before]) {
             let near = before.place.group == group && before.place.formula + 1 == formula;
             if let (true, Said::Chain(chain)) = (near, &mut before.said) {
-                place(chain);
+                place(chain, &[]);
             }
             continue;
         }
+        // "On [2, 3] they sum to one, and for 1 ≤ t ≤ 4 we have …": t lies in the second.
+        let mut elsewhere: Vec<Expr> = Vec::new();
         for later in statements[at + 1..].iter_mut() {
             let another = matches!(&later.said, Said::Bare(side, _) if interval(&side.expr).is_some())
                 && speech::says_on(&later.gap).is_some();
             if later.place.group != group || ends(&later.gap) || another {
                 break;
             }
-            if let Said::Chain(chain) = &mut later.said {
-                place(chain);
+            match &mut later.said {
+                Said::Condition(side) => elsewhere.push(side.expr.clone()),
+                Said::Chain(chain) => place(chain, &elsewhere),
+                _ => {}
             }
         }
     }

@@ -30,7 +30,7 @@ use super::check::Checker;
 use super::context::{Body, Context, Mark};
 use super::finding::{Finding, Verdict};
 use super::model::Choices;
-use super::names::{Head, bases, is_index_letter, walk};
+use super::names::{Head, bases, has_members, is_index_letter, walk};
 use super::repair;
 use super::statement::{Chain, Place, Role, Statement};
 use super::topic::{Topic, Topics};
@@ -127,13 +127,18 @@ impl Checker {
 
     /// d_1 = f(-1, 0, 1), where nothing on the page uses d yet: a value of f gets a name, whatever the field calls so.
     fn names_a_value(&self, left: &Expr, right: &Expr) -> bool {
-        let used = |base: &String| {
-            self.context.definitions.iter().any(|definition| match &definition.body {
-                Body::Formula(body) => bases(body).contains(base),
-                Body::Value(_) => false,
-            })
+        let Some(head) = Head::of(left) else { return false };
+        let letter = [head.base];
+        // The member c_1 is not the function c.
+        let uses = |body: &Expr| match head.lower.is_empty() {
+            true => bases(body).contains(&letter[0]),
+            false => has_members(body, &letter),
         };
-        matches!(right.kind, Kind::Apply(..)) && !bases(left).iter().any(used)
+        let used = self.context.definitions.iter().any(|definition| match &definition.body {
+            Body::Formula(body) => uses(body),
+            Body::Value(_) => false,
+        });
+        matches!(right.kind, Kind::Apply(..)) && !used
     }
 
     /// A side with what the page says that members of its families are, other than the one it is about.
