@@ -223,6 +223,7 @@ impl Checker {
                 && is_variable(&head.base)
                 && !matches!(statement.role, Some(Role::Introduced))
                 && !has_call(&chain.sides[1].expr)
+                && chain.sides[1].expr.items().is_none_or(|items| items.len() < 4)
                 && (self.seen.contains(&head.base) || bases(&chain.sides[1].expr).is_empty())
                 && !defines;
             if passing {

@@ -154,6 +154,8 @@ pub struct Letters {
     first_spline: Option<i64>,
     /// The first and last number and the degree, or order, of B-splines in sums over them.
     pub spline_sums: BTreeSet<[i64; 3]>,
+    /// The letters of points and the degree, or order, of B-splines in sums over them.
+    pub spline_points: BTreeSet<(String, i64)>,
     /// The degrees, or orders, of B-splines.
     pub spline_sizes: BTreeSet<i64>,
     /// Whether somewhere the degree is the first, or the second index of B_{a,b}, as the letters tell.
@@ -232,6 +234,11 @@ impl Letters {
     /// Whether members of a letter stand in the arguments of calls: t_1 in f(t_1, t_2).
     pub fn is_argument(&self, letter: &str) -> bool {
         self.arguments.contains(letter)
+    }
+
+    /// Whether a letter stands with an index and without arguments: b_i.
+    pub fn has_members(&self, letter: &str) -> bool {
+        self.members.get(letter).is_some_and(|count| *count > 0)
     }
 
     /// Whether points are written as what looks like binomial coefficients.
@@ -371,6 +378,16 @@ impl Letters {
                         }
                     });
                 }
+            }
+            Kind::Mul(factors) => {
+                let heads: Vec<Head> = factors.iter().filter_map(Head::of).collect();
+                let spline = heads.iter().find(|head| head.is_a(Family::Spline));
+                let size = spline.and_then(|head| head.upper.last().or(head.lower.get(1))?.as_int());
+                let points = heads.iter().filter(|head| head.arguments.is_none() && head.index().is_some());
+                self.spline_points.extend(
+                    size.into_iter()
+                        .flat_map(|size| points.clone().map(move |head| (head.base.clone(), size))),
+                );
             }
             Kind::Pow(base, upper) => {
                 // b_i^{r-1} beside b_i^r is a point of the algorithm of de Casteljau.

@@ -27,16 +27,29 @@ impl Context {
                 let plain = head.upper.is_empty() && head.arguments.is_none();
                 let runs = |lower: &Expr| matches!(&lower.kind, Kind::Name(name) if name == index);
                 if let (true, Some(at)) = (plain, head.lower.iter().position(runs)) {
-                    found.extend(self.largest_given(&head.base, head.lower.len(), at, place));
+                    let given = self.given_from_to(&head.base, head.lower.len(), at, place);
+                    found.extend(given.map(|[_, last]| last));
                 }
             });
         });
         if found.len() == 1 { found.first().copied() } else { None }
     }
 
-    /// The largest index, in one place of several, of the members of a letter that the place gives, if it gives all up to
-    /// there from 0 or 1 on.
-    fn largest_given(&self, letter: &str, count: usize, at: usize, place: &Place) -> Option<i64> {
+    /// The last number of points b_0, b_1, … of which the place gives all: b_3, where it gives b_0, …, b_3.
+    pub fn last_in_data(&self, points: &[Expr], place: &Place) -> Option<i64> {
+        let heads: Vec<Head> = points
+            .iter()
+            .filter(|point| point.kind != Kind::Ellipsis)
+            .map(Head::of)
+            .collect::<Option<_>>()?;
+        let letter = &heads.first()?.base;
+        let plain = |head: &Head| head.base == *letter && head.index().is_some() && head.upper.is_empty();
+        heads.iter().all(plain).then(|| self.given_from_to(letter, 1, 0, place))?.map(|[_, last]| last)
+    }
+
+    /// The least and the largest index, in one place of several, of the members of a letter that the place gives, if it
+    /// gives all between them and the least is 0 or 1.
+    pub fn given_from_to(&self, letter: &str, count: usize, at: usize, place: &Place) -> Option<[i64; 2]> {
         let given = |definition: &Definition| -> Option<Vec<i64>> {
             let head = &definition.head;
             let constant = match &definition.body {
@@ -59,6 +72,6 @@ impl Context {
         };
         let spans: Vec<(i64, i64)> = (0..count).map(span).collect::<Option<_>>()?;
         let size: i64 = spans.iter().map(|(least, most)| most - least + 1).product();
-        (all.len() > 1 && size == all.len() as i64).then(|| spans[at].1)
+        (all.len() > 1 && size == all.len() as i64).then(|| spans[at].into())
     }
 }

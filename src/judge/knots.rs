@@ -55,7 +55,10 @@ impl Context {
             }
         }
         if found.is_empty()
-            && let Some(first) = self.first_listed(letters, place).or_else(|| self.letters.first_knot())
+            && let Some(first) = self
+                .first_listed(letters, place)
+                .or_else(|| self.letters.first_knot())
+                .or_else(|| self.first_point(place))
         {
             found = (first..).zip(self.unnamed_knots(place)).collect();
         }
@@ -72,6 +75,16 @@ impl Context {
             let listed = dots.kind == Kind::Ellipsis && Head::of(last)?.base == head.base;
             (listed && place.knows(here, false)).then(|| head.index()?.as_int())?
         })
+    }
+
+    /// The number of the first point in sums over B-splines, where all are given.
+    fn first_point(&self, place: &Place) -> Option<i64> {
+        let mut given = self
+            .letters
+            .spline_points
+            .iter()
+            .filter_map(|(letter, _)| self.given_from_to(letter, 1, 0, place));
+        given.next().map(|[first, _]| first)
     }
 
     /// Whether the section gives knots that are not at equal distances.
@@ -102,13 +115,20 @@ impl Context {
             }
         });
         let counted = || {
-            let knots = self.unnamed_knots(place).len() as i64;
-            self.letters.spline_sums.iter().find_map(|[from, to, size]| {
-                match knots - (to - from + 1) - size {
-                    1 => Some(true),
-                    0 => Some(false),
-                    _ => None,
-                }
+            let knots = match self.unnamed_knots(place).len() {
+                0 => self.given_knots(&self.stated_knots(place), place).len(),
+                listed => listed,
+            } as i64;
+            let bounded = self.letters.spline_sums.iter().map(|[from, to, size]| (to - from + 1, *size));
+            // Σ_i d_i N_{i,2}, where the d_i are given
+            let given = self.letters.spline_points.iter().filter_map(|(letter, size)| {
+                let [first, last] = self.given_from_to(letter, 1, 0, place)?;
+                Some((last - first + 1, *size))
+            });
+            bounded.chain(given).find_map(|(count, size)| match knots - count - size {
+                1 => Some(true),
+                0 => Some(false),
+                _ => None,
             })
         };
         let said = || {
@@ -172,6 +192,8 @@ impl Context {
                         _ => None,
                     })
                     .or_else(|| one.elements())?,
+                // The knots u = (0, 0, 0, 1, 2, 2, 2)
+                [Expr { kind: Kind::Chain(_, links), .. }] => links.last()?.expr.elements()?,
                 [one] => one.elements()?,
                 items => items,
             };
@@ -196,6 +218,10 @@ impl Context {
             if declared.object.sort == Sort::Knots {
                 for name in &declared.object.names {
                     match &name.kind {
+                        // The knots u = (0, 0, 0, 1, …)
+                        Kind::Chain(left, _) if matches!(left.kind, Kind::Name(_)) => {
+                            add(&Expr::new(Kind::Subscript(left.clone(), Vec::new()), left.span));
+                        }
                         // The knot vector (u_0, …, u_8) = (0, 0, 0, 1, …)
                         Kind::Chain(left, _) => left.items().into_iter().flatten().for_each(&mut add),
                         _ => add(name),

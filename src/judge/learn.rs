@@ -1,7 +1,7 @@
 //! What a chain says of names beside its verdict: definitions, values, formulas that hold.
 
 use super::check::Checker;
-use super::context::{Body, Source, is_variable};
+use super::context::{Body, Definition, Source, is_variable};
 use super::finding::{Finding, Verdict};
 use super::lint;
 use super::names::{Head, bases};
@@ -69,6 +69,9 @@ impl Checker {
         let given = matches!(statement.role, None | Some(Role::Introduced));
         let source = if given { Source::Given } else { Source::Page };
         let mut formula = body.expr.clone();
+        for (member, value) in self.members_listed(head, &formula, place) {
+            self.define_by(source, member, Body::Formula(value), &chain.conditions, place, body.expr.span);
+        }
         // p(t) = B_3^5 + B_4^5: all at t
         if let [variable @ Expr { kind: Kind::Name(name), .. }] = head.flat().as_slice()
             && is_variable(name)
@@ -97,6 +100,33 @@ impl Checker {
                 self.define(head, Body::Formula(applied), &chain.conditions, place, body.expr.span);
             }
         }
+    }
+
+    /// b = (0, 6, 3, 3), where the page speaks of b_0, b_1, …: what these are.
+    fn members_listed(&self, head: &Head, list: &Expr, place: &Place) -> Vec<(Head, Expr)> {
+        let plain = head.lower.is_empty() && head.upper.is_empty() && head.arguments.is_none();
+        let constant = |value: &Expr| bases(value).is_empty() && value.kind != Kind::Ellipsis;
+        // Of (1, 2) it is not known whether it is one point.
+        let values = list.items().filter(|values| {
+            let points = values.iter().all(|value| value.items().is_some());
+            plain && values.iter().all(constant) && (values.len() > 2 || points && values.len() > 1)
+        });
+        let Some(values) = values.filter(|_| self.context.letters.has_members(&head.base)) else {
+            return Vec::new();
+        };
+        // P = (1, 2, 3) is another point than P_0 = (0, 0, 1).
+        let point = |(_, definition, _): (usize, &Definition, bool)| match &definition.body {
+            Body::Formula(body) => !definition.head.lower.is_empty() && body.items().is_some(),
+            Body::Value(value) => value.as_scalar().is_none(),
+        };
+        if values[0].items().is_none() && self.context.visible(&head.base, place).any(point) {
+            return Vec::new();
+        }
+        let first = self.context.listed(&head.base, place).map_or(Some(0), |(first, _)| first.as_int());
+        let Some(first) = first else { return Vec::new() };
+        let member =
+            |(value, i): (&Expr, i64)| (Head { lower: vec![Expr::int(i)], ..head.clone() }, value.clone());
+        values.iter().zip(first..).map(member).collect()
     }
 
     /// A formula that holds for Lagrange polynomials says what they are for other nodes, too.

@@ -8,7 +8,6 @@ use crate::language::eval::Machine;
 use crate::language::lexicon::families::{self, Family};
 use crate::language::ops::errors::polar_error;
 use crate::language::value::Value;
-use crate::math::number::Rational;
 use crate::math::poly::{Fraction, Symbol};
 
 impl Model {
@@ -150,11 +149,11 @@ impl Model {
         }
         let (i, k) = (machine.eval_int(i)?, machine.eval_int(k)?);
         let order = if said.unwrap_or(self.choices.spline_degree) { k + 1 } else { k };
-        let knots: Vec<Rational> = (i..=i + order).map(|j| self.knot(j)).collect();
         self.note(meaning);
         if order < 1 {
             return Err(Diagnostic::error(Code::Domain, "a B-spline of order 0").at(expr.span));
         }
+        let Some(knots) = self.knots_between(i, i + order) else { return Ok(Value::int(0)) };
         self.local_spline(&knots, t, expr).map(Value::Scalar)
     }
 }

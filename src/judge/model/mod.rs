@@ -185,6 +185,8 @@ pub struct Model {
     breaks: Vec<Rational>,
     /// The knots that the page gives, by their numbers.
     given_knots: Rc<BTreeMap<i64, Rational>>,
+    /// Whether a sum runs over all B-splines that there are: beyond the given knots there are none.
+    all_splines: Cell<bool>,
     /// Letters up to which the relation sums.
     ends: Rc<BTreeSet<String>>,
     /// Whether functions of two groups of arguments occur.
@@ -220,6 +222,7 @@ impl Model {
             uniform: false,
             breaks: Vec::new(),
             given_knots: Rc::default(),
+            all_splines: Cell::new(false),
             ends: Rc::default(),
             tensor: false,
             pairs: BTreeSet::new(),

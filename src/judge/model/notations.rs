@@ -149,6 +149,9 @@ impl Model {
             let part = |machine: &mut Machine, first: i64, last: i64| {
                 machine.eval(&range(name, Expr::int(first), Expr::int(last)))
             };
+            if let Some(sum) = self.over_given_knots(&mut |first, last| part(machine, first, last)) {
+                return sum;
+            }
             let mut sum = part(machine, -LOCAL_TERMS, LOCAL_TERMS)?;
             let mut end = LOCAL_TERMS;
             // Beyond the knots there are no more, perhaps on one side only.

@@ -67,6 +67,10 @@ impl Model {
             Some(degree) => usize::try_from(degree).ok(),
             // Of degree n, where n is nothing else here.
             None => {
+                let data = self.context.last_in_data(&object.points, &self.place);
+                if let Some(last) = data.filter(|_| object.sort != Sort::SplineCurve) {
+                    return usize::try_from(last).ok();
+                }
                 if self.degree.is_none() {
                     self.record.borrow_mut().wants_degree = true;
                 }

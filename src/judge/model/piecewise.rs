@@ -46,6 +46,22 @@ impl Model {
         })
     }
 
+    /// The knots from one number to another; nothing if a sum over all B-splines goes beyond the given ones.
+    pub(super) fn knots_between(&self, first: i64, last: i64) -> Option<Vec<Rational>> {
+        let given = &self.given_knots;
+        let known = given.contains_key(&first) && given.contains_key(&last);
+        (known || !self.all_splines.get()).then(|| (first..=last).map(|j| self.knot(j)).collect())
+    }
+
+    /// The value of a sum over all B-splines on the given knots.
+    pub(super) fn over_given_knots(&self, sum: &mut dyn FnMut(i64, i64) -> Evaluated) -> Option<Evaluated> {
+        let (first, last) = (self.given_knots.first_key_value()?.0, self.given_knots.last_key_value()?.0);
+        let outer = self.all_splines.replace(true);
+        let result = sum(*first, *last);
+        self.all_splines.set(outer);
+        Some(result)
+    }
+
     /// Whether the page gives the knots by number.
     pub fn has_given_knots(&self) -> bool {
         !self.given_knots.is_empty()
@@ -93,7 +109,7 @@ impl Model {
             _ => bases(knot).is_empty(),
         };
         if !object.knots.iter().any(number) {
-            return Some(Ok((first..=first + degree as i64 + 1).map(|j| self.knot(j)).collect()));
+            return self.knots_between(first, first + degree as i64 + 1).map(Ok);
         }
         // N_2 on all the knots 0, 0, 0, 1, 2, 2, 2
         let Some(all) = self.all_knots(machine, object, bound) else {

@@ -157,6 +157,10 @@ impl Reader<'_> {
             }
             at += 1;
             end = at;
+            // the knots u = (0, 0, 0, 1, 1, 1) and d = (1, 2, 0)
+            if matches!(items.as_slice(), [only] if gives_a_list(only)) {
+                break;
+            }
             while matches!(self.tokens.get(at), Some(Token::Comma | Token::Word(Word::And))) {
                 at += 1;
             }
@@ -303,10 +307,7 @@ impl Reader<'_> {
             at += 1;
         }
         // "a knot vector, T = (0, 0, 1, 2, 2)"
-        let list = |number: usize| {
-            matches!(self.said(number), [Expr { kind: Kind::Chain(left, links), .. }]
-                if matches!(left.kind, Kind::Name(_)) && links.len() == 1 && links[0].expr.elements().is_some())
-        };
+        let list = |number: usize| matches!(self.said(number), [only] if gives_a_list(only));
         if object.sort == Sort::Knots
             && matches!(self.tokens.get(at), Some(Token::Comma))
             && self.formula_at(at + 1).is_some_and(list)
@@ -437,4 +438,10 @@ impl Reader<'_> {
 fn is_smoothness(said: &[Expr]) -> bool {
     let [Expr { kind: Kind::Pow(letter, order), .. }] = said else { return false };
     matches!(&letter.kind, Kind::Name(name) if name == "C") && matches!(order.kind, Kind::Number(_))
+}
+
+/// T = (0, 0, 1, 2, 2): all of a list at once.
+fn gives_a_list(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Chain(left, links)
+        if matches!(left.kind, Kind::Name(_)) && links.len() == 1 && links[0].expr.elements().is_some_and(|all| all.len() > 2))
 }
