@@ -44,6 +44,11 @@ impl Curve {
 }
 
 impl Curve {
+    /// Whether its weights are given.
+    pub fn has_weights(&self) -> bool {
+        self.object.as_ref().is_some_and(|object| !object.weights.is_empty())
+    }
+
     /// How many coordinates its points have, if all are given by them.
     pub fn dimension(&self) -> Option<usize> {
         let points = &self.object.as_ref()?.points;

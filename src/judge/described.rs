@@ -250,11 +250,16 @@ impl Checker {
             return Some((held, tells.then_some(meaning)));
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
-        let mut near = || self.is_one_slip_from(new, meaning, &chain, statement);
+        // Any number is one slip away from any other.
+        let mut near = || !bases(right).is_empty() && self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are, and so do numbers for what is made of the a_i.
-        let (known, used) = (compare::symbols(&failure.left), compare::symbols(&failure.right));
-        let alike = |symbol: &Symbol| known.iter().any(|other| other.base() == symbol.base());
-        if !used.iter().all(alike) || used.is_empty() && !known.is_empty() {
+        let data = |value: &Value| -> Vec<String> {
+            let parameter = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());
+            let symbols = compare::symbols(value).into_iter().filter(|symbol| !parameter(symbol));
+            symbols.map(|symbol| symbol.base().to_owned()).collect()
+        };
+        let (known, used) = (data(&failure.left), data(&failure.right));
+        if !used.iter().all(|base| known.contains(base)) || used.is_empty() && !known.is_empty() {
             return None;
         }
         // P(t) is on the curve with the points P_i.
@@ -347,6 +352,7 @@ impl Checker {
             match new.arguments {
                 // The points of a rational curve change with their weights.
                 0 if topics.has(Topic::Rational) => continue,
+                1 if topics.has(Topic::Rational) && !curve.has_weights() => continue,
                 0 => {}
                 1 if curve.object.is_some() => {
                     // x(t) = …, y(t) = …

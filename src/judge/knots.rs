@@ -176,8 +176,10 @@ impl Context {
     /// The latest list of numbers that the section calls knots: the knot vector (0, 0, 0, 1, 1, 1), perhaps by a name
     /// for it, or the knots of its latest spline.
     fn unnamed_knots(&self, place: &Place) -> Vec<Rational> {
-        let here =
-            self.objects.iter().rev().filter(|declared| place.knows(&declared.place, declared.object.local));
+        // The formula that gives them is not judged by itself.
+        let here = self.objects.iter().rev().filter(|declared| {
+            place.knows(&declared.place, declared.object.local) && declared.place.formula != place.formula
+        });
         let lists = here.map(|declared| match declared.object.sort {
             Sort::Knots => declared.object.names.as_slice(),
             Sort::SplineCurve => declared.object.knots.as_slice(),

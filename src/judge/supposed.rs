@@ -9,7 +9,7 @@ use super::check::{Checker, equates_values};
 use super::compare;
 use super::context::{Body, Definition, is_variable};
 use super::finding::{Finding, Verdict};
-use super::names::{Head, bases, integer_names};
+use super::names::{Head, bases, integer_names, is_index_letter};
 use super::object::Object;
 use super::statement::{Chain, Place, Statement};
 use super::topic::Topic;
@@ -68,6 +68,18 @@ impl Checker {
             let members = self.context.definitions.iter().filter(|own| own.head.lower.len() == 1);
             reached
                 .extend(members.map(|own| own.head.base.clone()).filter(|letter| is_control_point(letter)));
+        }
+        // n γ_i = i δ_{i-1} + (n - i) δ_i: what is said of the γ_i bears on the δ_i.
+        let related = self
+            .context
+            .conditions
+            .iter()
+            .filter(|condition| place.knows(&condition.place, condition.assumed));
+        for condition in related {
+            let own = bases(&condition.expr);
+            if own.iter().any(|name| reached.contains(name) && !is_variable(name) && !is_index_letter(name)) {
+                reached.extend(own);
+            }
         }
         for told in &self.context.objects {
             if told.object.of.as_ref().and_then(base).is_some_and(|of| reached.contains(&of)) {

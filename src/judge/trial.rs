@@ -609,9 +609,10 @@ impl<'a> Trial<'a> {
         let names = || as_values(bound).chain(as_values(&sizes));
         let left = evaluate_reading(left, reading.clone(), names()).ok()?;
         let right = evaluate_reading(&link.expr, reading.clone(), names()).ok()?;
-        // A piece of a spline is that of its own knots.
-        let any = local && reading.take_record().any_knots;
-        (!any).then_some((left, right))
+        let record = reading.take_record();
+        // A piece of a spline is that of its own knots; of a function without a degree nothing is known.
+        let open = local && record.any_knots || degree.is_none() && record.wants_degree;
+        (!open).then_some((left, right))
     }
 }
 
