@@ -154,6 +154,13 @@ pub(super) const WORDS: &[(&str, Word)] = &[
     ("多项式曲线", Noun(Sort::Polynomial)),
     ("二次", OfDegree(2)),
     ("一次", OfDegree(1)),
+    // once, not of degree one
+    ("升阶一次", Filler),
+    ("升高一次", Filler),
+    ("细分一次", Filler),
+    ("插入一次", Filler),
+    ("一次后", Filler),
+    ("一次之后", Filler),
     ("线性", OfDegree(1)),
     ("三次", OfDegree(3)),
     ("四次", OfDegree(4)),
