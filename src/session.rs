@@ -3,14 +3,18 @@
 //! A statement is evaluated against a copy of the names (copies are cheap) and its definition
 //! is kept only when everything went well: a failed line changes nothing.
 
+mod advice;
 mod certified;
 mod clauses;
 mod completion;
+mod counterexamples;
 mod data;
 mod foreign;
 mod given;
+mod line;
 mod spelling;
 mod spoken;
+mod systems;
 mod unknown;
 
 use std::collections::BTreeSet;
@@ -116,7 +120,7 @@ impl Session {
         part: Option<Span>,
         equals: Equals,
     ) -> Result<Answer, Box<Failure>> {
-        let mut answers = self.run_part(file, part, equals)?;
+        let mut answers = self.run_advised(file, part, equals)?;
         let last = answers.pop().ok_or_else(|| {
             let problem = Diagnostic::error(Code::Usage, "a name needs no declaration")
                 .hint("leave it out: a name without a value is a symbol");
@@ -125,8 +129,37 @@ impl Session {
         Ok(last)
     }
 
-    /// Runs a part of a file; `k = 1, b = 2` are two statements.
+    /// The same of a part, with advice for words that nobody reads.
+    fn run_advised(
+        &mut self,
+        file: &SourceFile,
+        part: Option<Span>,
+        equals: Equals,
+    ) -> Result<Vec<Answer>, Box<Failure>> {
+        let whole = part.unwrap_or(Span::new(0, file.text().len()));
+        self.run_part(file, part, equals).map_err(|failure| self.advised(file, whole, failure))
+    }
+
+    /// Runs a part of a file; `k = 1, b = 2` are two statements. What is no formula may be a line of several.
     fn run_part(
+        &mut self,
+        file: &SourceFile,
+        part: Option<Span>,
+        equals: Equals,
+    ) -> Result<Vec<Answer>, Box<Failure>> {
+        let whole = part.unwrap_or(Span::new(0, file.text().len()));
+        let failure = match self.run_statements(file, part, equals) {
+            Ok(answers) => return Ok(answers),
+            Err(failure) => failure,
+        };
+        match self.run_line(file, whole, equals)? {
+            Some(answers) => Ok(answers),
+            None => Err(failure),
+        }
+    }
+
+    /// Runs a part of a file as a formula, a request or a sentence.
+    fn run_statements(
         &mut self,
         file: &SourceFile,
         part: Option<Span>,
@@ -180,11 +213,17 @@ impl Session {
         if let Some(answers) = self.run_continued(file, whole, equals)? {
             return Ok(answers);
         }
-        let certified = match signs::sign_claim(file.slice(whole)) {
-            Some(found) => match found.shape.filter(|shape| shape.strict) {
-                Some(shape) => return self.run_strict(file, whole, &found, shape, equals),
-                None => self.certified(file, whole, &found)?,
-            },
+        let found = signs::sign_claim(file.slice(whole));
+        let certified = match &found {
+            Some(found) => {
+                if let Some(shape) =
+                    found.shape.filter(|shape| shape.is_strict() || found.condition.is_some())
+                    && let Some(answers) = self.run_relation(file, whole, found, shape)?
+                {
+                    return Ok(answers);
+                }
+                self.certified(file, whole, found)?
+            }
             None => None,
         };
         let formula = match certified {
@@ -215,6 +254,9 @@ impl Session {
             return Ok(answers);
         }
         if let Some(answers) = self.run_data(file, &statement, false)? {
+            return Ok(answers);
+        }
+        if let Some(answers) = self.run_system(file, &statement)? {
             return Ok(answers);
         }
         let before = self.env.clone();
@@ -359,7 +401,7 @@ impl Session {
         span: Span,
         mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
     ) -> bool {
-        match self.run_part(file, Some(span), Equals::DefinesUnbound) {
+        match self.run_advised(file, Some(span), Equals::DefinesUnbound) {
             Ok(answers) => answers.into_iter().all(|answer| each(self, Ok(answer))),
             Err(failure) => each(self, Err(failure)),
         }

@@ -418,7 +418,7 @@ pub(super) fn show(output: &Output, answer: &Answer) -> Result<Status, Trouble> 
 
 /// Whether a note tells of a reading that every textbook has.
 fn is_usual(note: &Diagnostic) -> bool {
-    note.code == Code::StandardMeaning && note.hints.is_empty()
+    note.code == Code::StandardMeaning && note.hints.is_empty() && !note.message.starts_with("read as ")
 }
 
 fn script(session: &mut Session, output: &Output, path: &Path, stop: bool) -> Ran {

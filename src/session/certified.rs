@@ -1,10 +1,11 @@
 //! Claims about signs on a region, answered by what shows them: `prove t^2 - t + 1 >= 0 on [0, 1]` is `positivity(t^2 - t + 1, 0, 1)`.
 
-use super::{Answer, Failure, Session, defines, guarded, read_in};
+use super::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Rel, Sign, Term, call};
 use crate::language::eval::Equals;
 use crate::language::lexicon::signs::{self, Shape, SignClaim};
+use crate::language::syntax::{self, Sentence};
 
 impl Session {
     /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
@@ -19,7 +20,7 @@ impl Session {
         if found.asked && defines(&self.env, &word) {
             return Ok(None);
         }
-        let SignClaim { claim, shape, region, .. } = *found;
+        let SignClaim { claim, shape, region, condition: None, .. } = *found else { return Ok(None) };
         let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
         let read = |span: Span| {
             guarded(&self.limits, || read_in(&self.env, file, Some(span)))
@@ -50,22 +51,43 @@ impl Session {
 }
 
 impl Session {
-    /// Judges that a function is positive or negative on an interval, as the inequality that says it.
-    pub(super) fn run_strict(
+    /// Judges what is said of the sign of a function, as the relation that says it: `t^2 + 1 is positive for all t`.
+    pub(super) fn run_relation(
         &mut self,
         file: &SourceFile,
         whole: Span,
         found: &SignClaim,
         shape: Shape,
-        equals: Equals,
-    ) -> Result<Vec<Answer>, Box<Failure>> {
-        let text = file.slice(whole);
-        let part = |(a, b): (usize, usize)| text.get(a..b).unwrap_or_default().trim();
-        let sign = if shape.turned { '<' } else { '>' };
-        let place = found.region.map_or_else(String::new, |region| format!(" on {}", part(region)));
-        let file = SourceFile::new(file.name(), format!("{} {sign} 0{place}", part(found.claim)));
-        let end = file.text().len();
-        self.run_part(&file, Some(Span::new(0, end)), equals)
+    ) -> Result<Option<Vec<Answer>>, Box<Failure>> {
+        let place = |(a, b): (usize, usize)| Span::new(whole.start + a, whole.start + b);
+        let claim = place(found.claim);
+        let Ok(claimed) = self.read(file, claim) else { return Ok(None) };
+        if matches!(claimed.kind, Kind::Chain(..) | Kind::Sequence(_)) {
+            return Ok(None);
+        }
+        let function = (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], claim));
+        let zero = Expr { span: claim, ..Expr::int(0) };
+        let relation = Expr { span: claim, ..Expr::relation(function, shape.relation(), zero) };
+        let note = read_as(&relation, claim);
+        let mut conditions: Vec<(Span, bool)> =
+            found.region.map(|region| (place(region), false)).into_iter().collect();
+        if let Some(condition) = found.condition {
+            let Some(said) =
+                syntax::conditions(file.slice(place(condition)), &|word| defines(&self.env, word))
+            else {
+                return Ok(None);
+            };
+            conditions
+                .extend(said.into_iter().map(|(span, all)| (span.shifted(whole.start + condition.0), all)));
+        }
+        let sentence = Sentence { formula: claim, conditions, asked: true };
+        let Some(mut answers) = self.run_said(file, &sentence, Some(relation), Equals::Claims)? else {
+            return Ok(None);
+        };
+        if let Some(first) = answers.first_mut() {
+            first.outcome.notes.insert(0, note);
+        }
+        Ok(Some(answers))
     }
 }
 
@@ -84,10 +106,10 @@ fn function(claimed: Expr, shape: Option<Shape>) -> Option<Expr> {
         Expr { span, ..Expr::sum(vec![term(Sign::Plus, left), term(Sign::Minus, right)]) }
     };
     match (shape, claimed.kind) {
-        (Some(Shape { order, turned, .. }), kind) if !matches!(kind, Kind::Chain(..)) => {
+        (Some(shape @ Shape { order, .. }), kind) if !matches!(kind, Kind::Chain(..)) => {
             let start = Expr { span, ..kind.into() };
             let derived = (0..order).fold(start, |f, _| call("diff", vec![f], span));
-            Some(if turned { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })
+            Some(if shape.is_turned() { minus(Expr { span, ..Expr::int(0) }, derived) } else { derived })
         }
         (None, Kind::Chain(left, mut links)) if links.len() == 1 => {
             let link = links.remove(0);

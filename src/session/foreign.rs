@@ -4,9 +4,11 @@ mod points;
 mod ranges;
 pub(super) mod scripts;
 mod spellings;
+mod templates;
 
 use self::ranges::{big_operator, list_maker, listed, over_ranges};
 use self::spellings::{called_elsewhere, derivatives};
+use self::templates::is_called_elsewhere;
 use crate::formula::{Expr, Kind, Rel, applied, named};
 use crate::language::functions::function_meant;
 
@@ -38,6 +40,17 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
             links.iter_mut().for_each(|link| rewrite(&mut link.expr, known));
         }
         return;
+    }
+    // BezierFunction[{{0, 0}, {1, 2}}][1/2]
+    if let Kind::Subscript(base, inside) = &expr.kind
+        && let (Kind::Subscript(function, _), [Expr { kind: Kind::List(arguments), .. }]) =
+            (&base.kind, inside.as_slice())
+        && let Kind::Name(name) = &function.kind
+        && name.len() > 2
+        && !known(name)
+        && (function_meant(name).is_some() || is_called_elsewhere(name))
+    {
+        expr.kind = Kind::Apply(base.clone(), vec![arguments.clone()]);
     }
     expr.for_each_child_mut(&mut |child| rewrite(child, known));
     if let Some(kind) = called_elsewhere(expr, known) {

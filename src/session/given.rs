@@ -7,12 +7,13 @@
 
 use std::sync::Arc;
 
+use super::counterexamples::refutations;
 use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, call, interval, named, spread};
-use crate::judge::asked;
 use crate::judge::inequality::{decided_in, positive};
 use crate::judge::names::{Head, bases};
+use crate::judge::{asked, evaluator};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{Env, Equals};
 use crate::language::functions::builtin;
@@ -20,7 +21,7 @@ use crate::language::lexicon::letters;
 use crate::language::syntax::{self, Sentence};
 use crate::language::value::{Claim, Judgement, Value, Verdict};
 use crate::language::write;
-use crate::math::poly::{Fraction, MultiPoly, Symbol};
+use crate::math::poly::{Fraction, Symbol};
 use crate::math::ring::{Field, Ring};
 use num_traits::Signed;
 
@@ -119,14 +120,14 @@ impl Session {
     fn solve(&mut self, start: Env, given: &[Given], mut claims: Vec<usize>) -> Failed<Conditions> {
         let mut solved: Vec<(Symbol, Fraction)> = Vec::new();
         loop {
-            let (mut found, mut others, mut judgements) = (None, Vec::new(), Vec::new());
+            let (mut equation, mut others, mut judgements) = (None, Vec::new(), Vec::new());
             for one in claims.iter().map(|&at| &given[at]) {
                 let answer = self.supposed(one)?;
                 let Value::Claim(claim) = &answer.outcome.value else { continue };
                 for judgement in claim.judgements.iter().filter(|judgement| !holds(judgement)) {
                     match judgement.rel {
-                        Rel::Eq | Rel::Equiv if found.is_none() => {
-                            found = Some(solution(judgement).ok_or_else(|| unused(&answer))?);
+                        Rel::Eq | Rel::Equiv if equation.is_none() => {
+                            equation = Some((judgement.clone(), answer.clone()));
                         }
                         Rel::Eq | Rel::Equiv => {}
                         _ => {
@@ -136,7 +137,10 @@ impl Session {
                     }
                 }
             }
-            let Some(value) = found else { return Ok(Conditions { claims: others, judgements }) };
+            let Some((equation, answer)) = equation else {
+                return Ok(Conditions { claims: others, judgements });
+            };
+            let value = solution(&equation, &judgements).ok_or_else(|| unused(&answer))?;
             solved.push(value);
             self.env = with(&start, &solved);
             claims = self.suppose(given)?;
@@ -172,9 +176,23 @@ impl Session {
         sentence: &Sentence,
         equals: Equals,
     ) -> Failed<Option<Vec<Answer>>> {
+        self.run_said(file, sentence, None, equals)
+    }
+
+    /// The same, with another formula than the one that stands there if words say more of that: t^2 + 1 is positive.
+    pub(super) fn run_said(
+        &mut self,
+        file: &SourceFile,
+        sentence: &Sentence,
+        meant: Option<Expr>,
+        equals: Equals,
+    ) -> Failed<Option<Vec<Answer>>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let mut given = Vec::new();
-        let formula = self.read(file, sentence.formula)?;
+        let formula = match &meant {
+            Some(meant) => meant.clone(),
+            None => self.read(file, sentence.formula)?,
+        };
         let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {
             let read = self.read(file, *span)?;
@@ -185,6 +203,7 @@ impl Session {
             free.extend(own.iter().filter(|_| *all).map(|item| item.span));
             items.extend(own);
         }
+        let items = self.with_products(&formula, items);
         for item in spread(items) {
             match &item.kind {
                 // for all t, u
@@ -214,7 +233,7 @@ impl Session {
         let mut there = self.clone();
         let conditions = there.take(&in_order(given))?;
         let equals = if sentence.asked { Equals::Claims } else { equals };
-        let mut answers = match late {
+        let mut answers = match late.or(meant) {
             None => there.run_part(file, Some(sentence.formula), equals)?,
             Some(formula) => vec![there.evaluated(file, formula, equals, false)?],
         };
@@ -241,6 +260,31 @@ impl Session {
 }
 
 impl Session {
+    /// Conditions in which a word is the product of its letters, if these are names of the formula: xy = 1 beside x + y.
+    fn with_products(&self, formula: &Expr, items: Vec<Expr>) -> Vec<Expr> {
+        let used = bases(formula);
+        let machine = evaluator::machine_in(&self.env);
+        let is_product = |word: &String| {
+            let letters: Vec<String> = word.chars().map(String::from).collect();
+            letters.len() > 1
+                && !used.contains(word)
+                && letters.iter().all(|letter| used.contains(letter))
+                && machine.is_product_of_letters(word)
+        };
+        let product = |word: &str| {
+            let letters = word.chars().map(|letter| Expr::name(letter.to_string())).collect();
+            Expr::product(letters)
+        };
+        let put_in = |item: Expr| {
+            let words: Vec<String> = bases(&item).into_iter().filter(is_product).collect();
+            words.into_iter().fold(item, |item, word| {
+                let span = item.span;
+                Expr { span, ..item.with_name(&word, &product(&word)) }
+            })
+        };
+        items.into_iter().map(put_in).collect()
+    }
+
     /// The one symbol of a claim, which runs through an interval.
     fn only_variable(&self, claim: &Expr, place: Span) -> Result<Expr, Diagnostic> {
         let symbol = |name: &String| !defines(&self.env, name) && builtin(name).is_none();
@@ -399,6 +443,10 @@ impl Conditions {
             if self.claims.is_empty() || !open || self.allow(session, judgement) {
                 return judgement.clone();
             }
+            let mut others = refutations(judgement, &self.judgements);
+            if let Some(refuted) = others.find(|refuted| self.allow(session, refuted)) {
+                return refuted;
+            }
             let reason = "a counterexample was found, but a condition excludes it".to_owned();
             Judgement {
                 verdict: Verdict::Undecided,
@@ -470,20 +518,41 @@ fn with(start: &Env, solved: &[(Symbol, Fraction)]) -> Env {
     env
 }
 
-/// A name with the value that the equation gives it: one that occurs with a number before it.
-fn solution(judgement: &Judgement) -> Option<(Symbol, Fraction)> {
+/// A name with the value that the equation gives it: one that occurs with a number before it, or with a name that is not 0.
+fn solution(judgement: &Judgement, conditions: &[Judgement]) -> Option<(Symbol, Fraction)> {
     let Some(Value::Scalar(difference)) = &judgement.difference else { return None };
     let equation = difference.numerator();
-    equation.variables().iter().find_map(|name| {
+    let solved = |name: &Symbol, allowed: &dyn Fn(&Fraction) -> bool| {
         if equation.degree_in(name) != 1 {
             return None;
         }
         let parts = equation.coefficients_in(name);
-        let factor = parts.get(1)?.as_constant()?;
+        let factor = Fraction::from(parts.get(1)?.clone());
         let rest = Fraction::from(parts[0].clone());
-        let inverse = Fraction::from(MultiPoly::constant(factor)).inverse()?;
+        let inverse = factor.inverse().filter(|_| allowed(&factor))?;
         Some((name.clone(), -(rest.times(&inverse))))
-    })
+    };
+    let names = equation.variables();
+    let number = |factor: &Fraction| factor.as_rational().is_some();
+    let not_zero = |factor: &Fraction| conditions.iter().any(|condition| excludes_zero(condition, factor));
+    names
+        .iter()
+        .find_map(|name| solved(name, &number))
+        .or_else(|| names.iter().find_map(|name| solved(name, &not_zero)))
+}
+
+/// Whether a factor c t is not 0 where a condition holds: t > 0, t != 0.
+fn excludes_zero(condition: &Judgement, factor: &Fraction) -> bool {
+    let difference = match (condition.rel, positive(condition)) {
+        (_, Some((difference, true))) => difference,
+        (Rel::Ne, _) => match (condition.left.as_scalar(), condition.right.as_scalar()) {
+            (Some(left), Some(right)) => left.minus(right),
+            _ => return false,
+        },
+        _ => return false,
+    };
+    let quotient = difference.inverse().map(|inverse| factor.times(&inverse));
+    quotient.is_some_and(|quotient| quotient.as_rational().is_some())
 }
 
 /// The error for a condition that cannot be used.

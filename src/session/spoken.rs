@@ -358,7 +358,18 @@ impl Reader<'_> {
                     let value = named(&variable.to_string(), at.clone());
                     Some(call("subs", vec![formula.clone(), value], span))
                 }
-                _ => None,
+                // x y^2 at (2, 1)
+                variables => {
+                    let Kind::Tuple(values) = &at.kind else { return None };
+                    let usual =
+                        variables.iter().all(|name| name.is_plain() && roles::is_variable(name.base()));
+                    let values = variables
+                        .iter()
+                        .zip(values)
+                        .map(|(name, value)| named(&name.to_string(), value.clone()));
+                    (usual && at.items().is_some_and(|items| items.len() == variables.len()))
+                        .then(|| call("subs", std::iter::once(formula.clone()).chain(values).collect(), span))
+                }
             },
             (Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_), _) => {
                 value_of(formula, read, &|_| false)

@@ -183,10 +183,27 @@ impl Machine {
                 let place = |k: i64| usize::try_from(k).ok().and_then(|k| k.checked_sub(1));
                 match place(i).zip(place(j)).and_then(|place| matrix.get(place)) {
                     Some(entry) => Ok(Value::Scalar(entry.clone())),
-                    None => Err(Diagnostic::error(Code::Domain, "index out of range")
-                        .at(whole.span)
-                        .reason(format!("the matrix is {rows} x {columns}"))
-                        .hint("rows and columns of a matrix count from 1")),
+                    None => {
+                        let problem = Diagnostic::error(Code::Domain, "index out of range")
+                            .at(whole.span)
+                            .reason(format!("the matrix is {rows} x {columns}"))
+                            .hint("rows and columns of a matrix count from 1");
+                        Err(match rows * columns <= FEW_ENTRIES {
+                            true => {
+                                let row = |i: usize| {
+                                    let entries: Vec<String> =
+                                        (0..columns).map(|j| matrix[(i, j)].to_string()).collect();
+                                    format!("[{}]", entries.join(", "))
+                                };
+                                let rows: Vec<String> = (0..rows).map(row).collect();
+                                problem.hint(format!(
+                                    "lists count from 0: a list of rows is [{}]",
+                                    rows.join(", ")
+                                ))
+                            }
+                            false => problem,
+                        })
+                    }
                 }
             }
             Value::Geometry(_) => {
@@ -202,6 +219,9 @@ impl Machine {
         }
     }
 }
+
+/// A larger matrix makes no hint.
+const FEW_ENTRIES: usize = 16;
 
 fn index_list(whole: &Expr) -> &[Expr] {
     match &whole.kind {

@@ -92,7 +92,7 @@ impl Machine {
     }
 
     /// Whether a word has no meaning, and each of its letters may be a factor.
-    pub(super) fn is_product_of_letters(&self, word: &str) -> bool {
+    pub(crate) fn is_product_of_letters(&self, word: &str) -> bool {
         let count = word.len();
         let lone = |letter: char| self.lookup(&Symbol::new(letter.to_string())).is_some();
         count > 1

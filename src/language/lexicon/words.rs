@@ -22,6 +22,16 @@ pub fn is_function_word(word: &str) -> bool {
 /// What is said of sets.
 const SETS: &str = "sets have no value; a list is written [1, 2, 3], an interval as claims a <= t and t <= b";
 
+/// What is said of quantifiers.
+const QUANTIFIED: &str = "a claim for all values is written x^2 - 2x + 4 > 0 for all x, an equation for some is solved by solve(x^2 = 4)";
+
+/// What is said of decimal places.
+const EXACT: &str =
+    "numbers stay exact; roots(x^2 - 2, width=1/1000) makes the interval around a root shorter";
+
+/// What is said of searches for roots.
+const ISOLATED: &str = "real roots are isolated exactly by roots(x^3 - 2)";
+
 /// Words and what to write for them.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("let", "a definition is written x := 3"),
@@ -90,6 +100,22 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("kron", "products of matrices are A B and tensor products of polynomials polar_tensor(F)"),
     ("odd", "a claim says the same: F(-t) = -F(t)"),
     ("even", "a claim says the same: F(-t) = F(t)"),
+    ("Reduce", QUANTIFIED),
+    ("reduce_inequalities", QUANTIFIED),
+    ("ForAll", QUANTIFIED),
+    ("Exists", QUANTIFIED),
+    ("Resolve", QUANTIFIED),
+    ("FindInstance", QUANTIFIED),
+    ("apart", "partial fractions are not computed; quotient(F, G) and remainder(F, G) divide"),
+    ("parfrac", "partial fractions are not computed; quotient(F, G) and remainder(F, G) divide"),
+    ("evalf", EXACT),
+    ("vpa", EXACT),
+    ("fsolve", ISOLATED),
+    ("FindRoot", ISOLATED),
+    ("nroots", ISOLATED),
+    ("fzero", ISOLATED),
+    ("BSplineFunction", "write bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]) with the degree and all knots"),
+    ("BSplineCurve", "write bspline(2, [0, 0, 0, 1, 1, 1], [1, 3, 2]) with the degree and all knots"),
     ("log2", "only polynomials and rational functions with rational coefficients are exact here"),
 ];
 
@@ -256,6 +282,12 @@ pub(crate) fn aside(word: &str) -> Option<Aside> {
     ASIDES.iter().find(|(_, words)| words.contains(&small)).map(|(aside, _)| *aside)
 }
 
+/// Whether a text begins with the word of a question: Is.
+pub(crate) fn is_question(text: &str) -> bool {
+    let word: String = text.chars().take_while(|c| c.is_alphabetic()).collect();
+    aside(&word) == Some(Aside::Question)
+}
+
 /// Whether an interval may stand behind a word, through which the variable of a claim runs: on.
 pub(crate) fn is_before_interval(word: &str) -> bool {
     ["on", "over", "auf", "sur"].contains(&word)
@@ -325,8 +357,8 @@ pub fn elsewhere(word: &str) -> Option<&'static str> {
     if is_foreign_function(word) {
         return Some("only polynomials and rational functions with rational coefficients are exact here");
     }
-    let word = without_capital(word);
-    ELSEWHERE.iter().find(|(known, _)| *known == word).map(|(_, advice)| *advice)
+    let small = without_capital(word);
+    ELSEWHERE.iter().find(|(known, _)| *known == small || *known == word).map(|(_, advice)| *advice)
 }
 
 /// A word at the beginning of a sentence: Let, Set. Two letters are more likely names: Of, At.
@@ -340,194 +372,7 @@ pub fn is_foreign_function(word: &str) -> bool {
     TRANSCENDENTAL.contains(&word)
 }
 
-/// How a name is said to be something.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Copula {
-    /// A sign: =.
-    Sign,
-    /// A word: is, be.
-    Word,
-}
-
-/// Words before a definition.
-const INTRODUCTIONS: &[&str] = &[
-    "let",
-    "if",
-    "given",
-    "given that",
-    "suppose",
-    "suppose that",
-    "assume",
-    "sei",
-    "es sei",
-    "wenn",
-    "falls",
-    "soit",
-    "si",
-    "sea",
-    "sia",
-    "se",
-    "supongamos que",
-    "supposons que",
-    "angenommen",
-    "where",
-    "wobei",
-    "où",
-    "设",
-    "令",
-    "若",
-];
-
-/// Words between a name and what it is.
-const COPULAS: &[&str] = &[
-    "be",
-    "is",
-    "denote",
-    "denotes",
-    "sei",
-    "ist",
-    "bezeichne",
-    "soit",
-    "est",
-    "es",
-    "sea",
-    "è",
-    "sia",
-    "为",
-    "是",
-];
-
-/// Words before what is asked after a definition.
-const CONTINUATIONS: &[&str] = &[
-    "then",
-    "so",
-    "what is",
-    "what's",
-    "what are",
-    "find",
-    "compute",
-    "calculate",
-    "determine",
-    "evaluate",
-    "dann",
-    "was ist",
-    "berechne",
-    "bestimme",
-    "alors",
-    "que vaut",
-    "combien vaut",
-    "calculer",
-    "calcule",
-    "entonces",
-    "calcula",
-    "cuánto vale",
-    "cuál es",
-    "allora",
-    "calcola",
-    "quanto vale",
-    "calculez",
-    "déterminer",
-    "déterminez",
-    "trouver",
-    "trouvez",
-    "donner",
-    "donnez",
-    "quelle est",
-    "quel est",
-    "halla",
-    "trova",
-    "give",
-    "gib",
-    "wie lautet",
-    "和",
-    "求",
-    "计算",
-    "and",
-];
-
-/// The length of the word with which a text begins, if it introduces a definition.
-pub(crate) fn introduces(text: &str) -> Option<usize> {
-    starts_with_one_of(text, INTRODUCTIONS)
-}
-
-/// The sign or word by which a name is said to be something.
-pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
-    let sign = [":=", "="].into_iter().find(|sign| text.starts_with(sign) && !text.starts_with("=="));
-    match sign {
-        Some(sign) => Some((Copula::Sign, sign.len())),
-        None => starts_with_one_of(text, COPULAS).map(|length| (Copula::Word, length)),
-    }
-}
-
-/// Words before what is to be shown.
-const TASKS: &[&str] = &[
-    "show that",
-    "show",
-    "prove",
-    "verify",
-    "check",
-    "beweise",
-    "zeige",
-    "montrer",
-    "vérifier",
-    "证明",
-    "prove that",
-    "prove",
-    "beweise",
-    "verify that",
-    "check that",
-    "check whether",
-    "is it true that",
-    "zeige, dass",
-    "zeigen sie, dass",
-    "beweise, dass",
-    "prüfe, ob",
-    "stimmt es, dass",
-    "montrer que",
-    "montre que",
-    "montrez que",
-    "démontrer que",
-    "vérifier que",
-    "est-ce que",
-    "demuestra que",
-    "muestra que",
-    "dimostra che",
-    "验证",
-];
-
-/// What is asked with the words with which a text begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Asking {
-    /// The length of the words.
-    pub length: usize,
-    /// Whether what follows is a claim: show that.
-    pub claims: bool,
-}
-
-/// The words with which a text begins, if they say that something is asked now.
-pub(crate) fn asks(text: &str) -> Option<Asking> {
-    let task = starts_with_one_of(text, TASKS).map(|length| Asking { length, claims: true });
-    task.or_else(|| starts_with_one_of(text, CONTINUATIONS).map(|length| Asking { length, claims: false }))
-}
-
 /// Whether a word belongs to sentences: no name is called so.
 pub(crate) fn is_prose(word: &str) -> bool {
     prose(word).is_some() || aside(word).is_some() || word.chars().count() > 3
-}
-
-/// The length of the longest of some words with which a text begins, whatever its capitals.
-fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
-    let ends = |rest: &str, word: &str| {
-        !rest.starts_with(char::is_alphanumeric) || word.chars().all(super::letters::is_ideograph)
-    };
-    let begins = |word: &&&str| {
-        text.get(..word.len()).is_some_and(|start| {
-            let same = match start.is_ascii() {
-                true => start.bytes().map(|byte| byte.to_ascii_lowercase()).eq(word.bytes()),
-                false => start.to_lowercase() == **word,
-            };
-            same && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
-        })
-    };
-    words.iter().filter(begins).map(|word| word.len()).max()
 }

@@ -2,7 +2,8 @@
 //! `if f is the derivative of t^3, what is f(2)?`.
 
 use crate::formula::source::{Pieces, Span};
-use crate::language::lexicon::words::{self, Copula};
+use crate::language::lexicon::asking::{self, Copula};
+use crate::language::lexicon::words;
 
 /// A definition in words, taken apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +22,7 @@ pub(crate) struct Clause<'a> {
 pub(crate) fn clause(text: &str) -> Option<Clause<'_>> {
     let mut at = skip(text, 0);
     let mut introduced = false;
-    while let Some(length) = words::introduces(text.piece(at..)) {
+    while let Some(length) = asking::introduces(text.piece(at..)) {
         introduced = true;
         at = skip(text, at + length);
     }
@@ -40,7 +41,7 @@ pub(crate) fn clause(text: &str) -> Option<Clause<'_>> {
     let place = Span::new(start, at);
     let gap = skip(text, at);
     // "f is" is a question or a claim without a word before it; "sei f die Ableitung" needs no second one.
-    let length = match words::copula(text.piece(gap..)) {
+    let length = match asking::copula(text.piece(gap..)) {
         Some((copula, length)) if introduced || copula == Copula::Sign => length,
         None if introduced => 0,
         _ => return None,
@@ -94,7 +95,7 @@ pub(crate) fn continuations(text: &str) -> Vec<Continuation> {
 /// The place after words such as "given" that introduce definitions.
 pub(crate) fn after_introduction(text: &str) -> usize {
     let mut at = skip(text, 0);
-    while let Some(length) = words::introduces(text.piece(at..)) {
+    while let Some(length) = asking::introduces(text.piece(at..)) {
         at = skip(text, at + length);
     }
     at
@@ -106,7 +107,7 @@ pub(crate) fn after_introduction(text: &str) -> usize {
 pub(crate) fn asked(text: &str) -> Option<(Span, bool)> {
     const SHORT: usize = 3;
     let start = skip(text, 0);
-    let first = words::asks(text.piece(start..))?;
+    let first = asking::asks(text.piece(start..))?;
     let word = text.piece(start..start + first.length);
     if word.is_ascii() && word.len() <= SHORT {
         return None;
@@ -121,7 +122,7 @@ fn after_asking(text: &str, mut start: usize) -> (usize, bool, bool) {
     if !text.piece(start..).starts_with(char::is_alphabetic) {
         return (start, asked, claims);
     }
-    while let Some(words) = words::asks(text.piece(start..)) {
+    while let Some(words) = asking::asks(text.piece(start..)) {
         start = skip(text, start + words.length);
         asked = true;
         claims |= words.claims;

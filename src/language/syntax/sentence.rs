@@ -85,6 +85,14 @@ pub(crate) fn sentence(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Sente
     (asked || introduced || words > 0).then_some(Sentence { formula, conditions: pieces, asked })
 }
 
+/// What a text says that begins with a word of conditions, each with whether it may only name what is meant for all values.
+pub(crate) fn conditions_in(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Vec<(Span, bool)>> {
+    let tokens = lexer::lex(text).ok()?;
+    let tokens = &tokens[..tokens.iter().rposition(|token| token.kind != TokenKind::Newline)? + 1];
+    let parts = parts(text, tokens, known)?;
+    matches!(parts.first(), Some(Part::Word(Aside::Condition | Aside::ForAll))).then(|| conditions(parts))
+}
+
 /// The pieces among parts, each with whether a word such as "all" stands before it, after the last "for".
 fn conditions(parts: impl IntoIterator<Item = Part>) -> Vec<(Span, bool)> {
     let mut all = false;

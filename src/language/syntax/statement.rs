@@ -10,7 +10,7 @@ use std::ops::Range;
 use super::token::{Token, TokenKind};
 use crate::formula::source::Pieces;
 use crate::language::lexicon::letters::is_ideograph;
-use crate::language::lexicon::words;
+use crate::language::lexicon::{asking, words};
 
 /// The token ranges of the statements; none is empty, line ends at their ends are cut off.
 pub(super) fn split(text: &str, tokens: &[Token]) -> Vec<Range<usize>> {
@@ -70,7 +70,8 @@ fn ends_sentence(text: &str, token: &Token) -> bool {
     let word = next.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
     let factor = token.spaced && word.len() < next.len() && word.starts_with(['(', '[']);
     let sentence = next.starts_with(|c: char| c.is_uppercase() || is_ideograph(c))
-        && words::asks(next).is_none()
+        && asking::asks(next).is_none()
+        && !words::is_question(next)
         && !factor;
     next.is_empty() || next.starts_with(['\n', '#']) || sentence && (rest != next || written == "。")
 }

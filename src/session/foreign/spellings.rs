@@ -2,84 +2,9 @@
 
 use crate::formula::source::Span;
 use crate::formula::{BigOp, Delimiter, Expr, Kind, Link, Rel, Sign, Term, applied};
-use crate::language::syntax;
 
 use super::as_list;
-
-/// A call elsewhere, and what it is here; each letter stands for an argument.
-struct Template {
-    names: &'static [&'static str],
-    letters: &'static [&'static str],
-    meaning: &'static str,
-}
-
-/// The index of lists in [`TEMPLATES`].
-const INDEX: &str = "iota";
-
-const TEMPLATES: &[Template] = &[
-    Template {
-        names: &["linspace"],
-        letters: &["a", "b", "n"],
-        meaning: "[a + (b - a) iota/(n - 1) for iota = 0..n - 1]",
-    },
-    Template {
-        names: &["arange", "range"],
-        letters: &["a", "b", "s"],
-        meaning: "[a + s iota for iota = 0..ceil((b - a)/s) - 1]",
-    },
-    Template {
-        names: &["interp", "polyinterp"],
-        letters: &["a", "b", "x"],
-        meaning: "lagrange(a, b, variable=x)",
-    },
-    Template { names: &["Series", "series"], letters: &["F", "x", "a", "n"], meaning: "taylor(F, a, n, x)" },
-    Template { names: &["Range"], letters: &["b"], meaning: "[iota for iota = 1..b]" },
-    Template { names: &["Range"], letters: &["a", "b"], meaning: "[iota for iota = a..b]" },
-    Template { names: &["discrim", "disc"], letters: &["F"], meaning: "discriminant(F)" },
-    Template { names: &["discrim", "disc"], letters: &["F", "x"], meaning: "discriminant(F, x)" },
-    Template { names: &["Total"], letters: &["a"], meaning: "sum(a)" },
-    Template { names: &["lcoeff", "LC"], letters: &["F", "x"], meaning: "coefficient(F, x, degree(F, x))" },
-    Template { names: &["floordiv", "iquo", "Quotient"], letters: &["a", "b"], meaning: "floor(a/b)" },
-];
-
-impl Template {
-    /// What a call means; `None` if it is none of these.
-    fn filled(&self, name: &str, arguments: &[Expr], span: Span) -> Option<Kind> {
-        let arguments: Vec<Expr> = arguments
-            .iter()
-            .flat_map(|argument| match &argument.kind {
-                // Series[F, {x, 0, 3}]
-                Kind::Set(items, None) => items.clone(),
-                _ => vec![argument.clone()],
-            })
-            .collect();
-        let own = arguments.iter().any(|argument| crate::judge::names::bases(argument).contains(INDEX));
-        if !self.names.contains(&name) || self.letters.len() != arguments.len() || own {
-            return None;
-        }
-        let mut meaning = syntax::parse(self.meaning).ok()?;
-        self.put_into(&mut meaning, &arguments, span);
-        match meaning.kind {
-            kind @ (Kind::Apply(..) | Kind::List(_)) => Some(kind),
-            _ => Some(Kind::Group(Box::new(meaning))),
-        }
-    }
-
-    fn put_into(&self, expr: &mut Expr, arguments: &[Expr], span: Span) {
-        expr.span = span;
-        // variable=x is no relation about x
-        if let Kind::Name(name) = &expr.kind
-            && let Some(at) = self.letters.iter().position(|letter| letter == name)
-        {
-            *expr = match &arguments[at].kind {
-                Kind::Name(_) | Kind::Number(_) | Kind::List(_) => arguments[at].clone(),
-                _ => arguments[at].clone().grouped(),
-            };
-            return;
-        }
-        expr.for_each_child_mut(&mut |child| self.put_into(child, arguments, span));
-    }
-}
+use super::templates::{INDEX, TEMPLATES};
 
 /// Calls as SymPy, Maple, MATLAB and Maxima have them, of functions with another form here.
 pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
@@ -100,6 +25,15 @@ pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
         },
         _ => return None,
     };
+    // Res_x(F, G)
+    if let (Kind::Subscript(name, indices), [first, second]) = (&callee.kind, arguments)
+        && let [letter] = indices.as_slice()
+        && matches!(&name.kind, Kind::Name(name) if matches!(name.as_str(), "Res" | "res" | "Resultant") && !known(name))
+        && matches!(letter.kind, Kind::Name(_))
+    {
+        let function = Expr { span: callee.span, ..Expr::name("resultant") };
+        return Some(applied(function, vec![first.clone(), second.clone(), letter.clone()], expr.span).kind);
+    }
     let Kind::Name(name) = &callee.kind else { return None };
     let bracketed = matches!(expr.kind, Kind::Subscript(..));
     if known(name) || bracketed && name.chars().count() < 2 {
@@ -193,6 +127,49 @@ pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
         }
         ("matrix", rows) if rows.len() > 1 && rows.iter().all(|row| matches!(row.kind, Kind::List(_))) => {
             matrix_of(rows)
+        }
+        // matrix(QQ, [[1, 2], [3, 4]])
+        ("Matrix" | "matrix" | "vector", [Expr { kind: Kind::Name(ring), .. }, rest @ ..])
+            if matches!(ring.as_str(), "QQ" | "ZZ" | "RR") && !known(ring) && !rest.is_empty() =>
+        {
+            called_elsewhere(&Expr::new(call(name, rest.to_vec()), expr.span), known)
+        }
+        // Polynomial({(0, 0), (1, 1), (2, 8)}) through points
+        ("Polynomial", points) if !bracketed && !points.is_empty() => {
+            let letter = Expr { span: callee.span, ..Expr::name("x") };
+            let point = |expr: &Expr| matches!(&expr.kind, Kind::Tuple(items) if items.len() == 2);
+            let points = match points {
+                [list] if !point(list) => items_in(list)?,
+                points => points,
+            };
+            let points = points.iter().all(point).then_some(points)?;
+            interpolated(points, &letter).map(|arguments| call("lagrange", arguments))
+        }
+        // Intersect(y = x^2, x + y = 2), Intersect(x^2, 2 - x)
+        ("Intersect" | "intersect", [first, second]) if !bracketed => {
+            let equation =
+                |expr: &Expr| matches!(&expr.kind, Kind::Chain(_, links) if links[0].rel == Rel::Eq);
+            let list = |items: Vec<Expr>| Expr::new(Kind::List(items), expr.span);
+            match (equation(first), equation(second)) {
+                (true, true) => Some(call("solve", vec![list(vec![first.clone(), second.clone()])])),
+                (false, false) if plain(first) && plain(second) && !is_name(first) && !is_name(second) => {
+                    let meet =
+                        Expr { span: expr.span, ..Expr::relation(first.clone(), Rel::Eq, second.clone()) };
+                    Some(call("solve", vec![meet]))
+                }
+                _ => None,
+            }
+        }
+        // bspline_basis(2, [0, 1, 2, 3], 0).subs(x, 1/2): the value of a curve at its parameter
+        ("subs", [curve @ Expr { kind: Kind::Apply(function, _), .. }, letter, value])
+            if is_name(letter)
+                && matches!(&function.kind, Kind::Name(name) if matches!(name.as_str(), "bspline_basis" | "bezier" | "bspline")) =>
+        {
+            Some(applied(curve.clone(), vec![value.clone()], expr.span).kind)
+        }
+        // D(t -> t^2)
+        ("D", [function]) if !bracketed && matches!(function.kind, Kind::Lambda(..)) => {
+            Some(call("derivative", vec![function.clone()]))
         }
         ("Rational", [above, below]) => {
             Some(Kind::Group(Box::new(above.clone().grouped().over(below.clone().grouped()))))

@@ -1,0 +1,318 @@
+//! Words of sentences around what is defined, asked and claimed: let, what is, show that, such that, `Claim:`.
+
+/// How a name is said to be something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Copula {
+    /// A sign: =.
+    Sign,
+    /// A word: is, be.
+    Word,
+}
+
+/// Words before a definition.
+const INTRODUCTIONS: &[&str] = &[
+    "let",
+    "if",
+    "given",
+    "given that",
+    "suppose",
+    "suppose that",
+    "assume",
+    "sei",
+    "es sei",
+    "wenn",
+    "falls",
+    "soit",
+    "si",
+    "sea",
+    "sia",
+    "se",
+    "supongamos que",
+    "supposons que",
+    "angenommen",
+    "where",
+    "wobei",
+    "où",
+    "设",
+    "令",
+    "若",
+];
+
+/// Words between a name and what it is.
+const COPULAS: &[&str] = &[
+    "be",
+    "is",
+    "denote",
+    "denotes",
+    "sei",
+    "ist",
+    "bezeichne",
+    "soit",
+    "est",
+    "es",
+    "sea",
+    "è",
+    "sia",
+    "为",
+    "是",
+];
+
+/// Words before what is asked after a definition.
+const CONTINUATIONS: &[&str] = &[
+    "then",
+    "so",
+    "what is",
+    "what's",
+    "what are",
+    "find",
+    "compute",
+    "calculate",
+    "determine",
+    "evaluate",
+    "dann",
+    "was ist",
+    "berechne",
+    "bestimme",
+    "alors",
+    "que vaut",
+    "combien vaut",
+    "calculer",
+    "calcule",
+    "entonces",
+    "calcula",
+    "cuánto vale",
+    "cuál es",
+    "allora",
+    "calcola",
+    "quanto vale",
+    "calculez",
+    "déterminer",
+    "déterminez",
+    "trouver",
+    "trouvez",
+    "donner",
+    "donnez",
+    "quelle est",
+    "quel est",
+    "halla",
+    "trova",
+    "give",
+    "gib",
+    "wie lautet",
+    "和",
+    "求",
+    "计算",
+    "and",
+];
+
+/// The length of the word with which a text begins, if it introduces a definition.
+pub(crate) fn introduces(text: &str) -> Option<usize> {
+    starts_with_one_of(text, INTRODUCTIONS)
+}
+
+/// The sign or word by which a name is said to be something.
+pub(crate) fn copula(text: &str) -> Option<(Copula, usize)> {
+    let sign = [":=", "="].into_iter().find(|sign| text.starts_with(sign) && !text.starts_with("=="));
+    match sign {
+        Some(sign) => Some((Copula::Sign, sign.len())),
+        None => starts_with_one_of(text, COPULAS).map(|length| (Copula::Word, length)),
+    }
+}
+
+/// Words before what is to be shown.
+const TASKS: &[&str] = &[
+    "show that",
+    "show",
+    "prove",
+    "verify",
+    "check",
+    "beweise",
+    "zeige",
+    "montrer",
+    "vérifier",
+    "证明",
+    "prove that",
+    "prove",
+    "beweise",
+    "verify that",
+    "check that",
+    "check whether",
+    "is it true that",
+    "zeige, dass",
+    "zeigen sie, dass",
+    "beweise, dass",
+    "prüfe, ob",
+    "stimmt es, dass",
+    "montrer que",
+    "montre que",
+    "montrez que",
+    "démontrer que",
+    "vérifier que",
+    "est-ce que",
+    "demuestra que",
+    "muestra que",
+    "dimostra che",
+    "验证",
+];
+
+/// What is asked with the words with which a text begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Asking {
+    /// The length of the words.
+    pub length: usize,
+    /// Whether what follows is a claim: show that.
+    pub claims: bool,
+}
+
+/// The words with which a text begins, if they say that something is asked now.
+pub(crate) fn asks(text: &str) -> Option<Asking> {
+    let task = starts_with_one_of(text, TASKS).map(|length| Asking { length, claims: true });
+    task.or_else(|| starts_with_one_of(text, CONTINUATIONS).map(|length| Asking { length, claims: false }))
+}
+
+/// Words between what is asked and a condition on it.
+const SUCH: &[&str] = &[
+    "such that",
+    "so that",
+    "subject to",
+    "provided that",
+    "assuming",
+    "under the condition",
+    "sodass",
+    "so dass",
+    "unter der bedingung",
+    "tel que",
+    "telle que",
+    "tels que",
+    "telles que",
+    "sachant que",
+    "sous la condition",
+    "tal que",
+    "tale che",
+    "使得",
+    "满足",
+];
+
+/// Words between a condition and what follows from it.
+const THUS: &[&str] = &[
+    "then",
+    "implies",
+    "implies that",
+    "dann",
+    "impliziert",
+    "folgt",
+    "alors",
+    "implique",
+    "implique que",
+    "entonces",
+    "implica",
+    "allora",
+    "则",
+    "那么",
+    "推出",
+];
+
+/// The length of the words with which a text begins, if a condition follows: such that.
+pub(crate) fn conditions_follow(text: &str) -> Option<usize> {
+    starts_with_one_of(text, SUCH)
+}
+
+/// The same, if what goes before is a condition: implies, then.
+pub(crate) fn follows_from(text: &str) -> Option<usize> {
+    starts_with_one_of(text, THUS)
+}
+
+/// Labels before a claim.
+const CLAIMS: &[&str] = &[
+    "claim",
+    "statement",
+    "assertion",
+    "theorem",
+    "lemma",
+    "proposition",
+    "true or false",
+    "behauptung",
+    "satz",
+    "aussage",
+    "wahr oder falsch",
+    "richtig oder falsch",
+    "affirmation",
+    "théorème",
+    "lemme",
+    "vrai ou faux",
+    "命题",
+    "定理",
+    "断言",
+    "判断",
+];
+
+/// Labels before anything.
+const LABELS: &[&str] = &[
+    "question",
+    "problem",
+    "exercise",
+    "example",
+    "task",
+    "quiz",
+    "q",
+    "answer",
+    "solution",
+    "frage",
+    "aufgabe",
+    "beispiel",
+    "übung",
+    "exercice",
+    "exemple",
+    "problème",
+    "ejemplo",
+    "ejercicio",
+    "pregunta",
+    "问题",
+    "例",
+    "例题",
+    "练习",
+    "题",
+];
+
+/// A label with its colon at the start of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Labelled {
+    /// Its length, with the colon.
+    pub length: usize,
+    /// Whether what follows is claimed.
+    pub claims: bool,
+}
+
+/// The label with which a text begins: `Claim:`, `check:`, `Aufgabe:`.
+pub(crate) fn label(text: &str) -> Option<Labelled> {
+    let found = starts_with_one_of(text, CLAIMS).map(|length| (length, true));
+    let found = found.or_else(|| starts_with_one_of(text, TASKS).map(|length| (length, true)));
+    let (length, claims) =
+        found.or_else(|| starts_with_one_of(text, LABELS).map(|length| (length, false)))?;
+    // Exercise 3:
+    let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | ' ' | '\u{a0}');
+    let rest = text.get(length..)?.trim_start_matches(number);
+    let sign = rest.chars().next().filter(|sign| matches!(sign, ':' | '：'))?.len_utf8();
+    let after = rest.get(sign..)?.chars().next()?;
+    if after == '=' {
+        return None;
+    }
+    Some(Labelled { length: text.len() - rest.len() + sign, claims })
+}
+
+/// The length of the longest of some words with which a text begins, whatever its capitals.
+fn starts_with_one_of(text: &str, words: &[&str]) -> Option<usize> {
+    let ends = |rest: &str, word: &str| {
+        !rest.starts_with(char::is_alphanumeric) || word.chars().all(super::letters::is_ideograph)
+    };
+    let begins = |word: &&&str| {
+        text.get(..word.len()).is_some_and(|start| {
+            let same = match start.is_ascii() {
+                true => start.bytes().map(|byte| byte.to_ascii_lowercase()).eq(word.bytes()),
+                false => start.to_lowercase() == **word,
+            };
+            same && text.get(word.len()..).is_some_and(|rest| ends(rest, word))
+        })
+    };
+    words.iter().filter(begins).map(|word| word.len()).max()
+}
