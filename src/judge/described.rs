@@ -250,8 +250,9 @@ impl Checker {
             return Some((held, tells.then_some(meaning)));
         }
         let [(failure, meaning)] = failures.as_slice() else { return None };
-        // Any number is one slip away from any other.
-        let mut near = || !bases(right).is_empty() && self.is_one_slip_from(new, meaning, &chain, statement);
+        // A number is one slip away from many of those that a new point may be.
+        let telling = !bases(right).is_empty() || matches!(meaning.made, Made::PolarForm);
+        let mut near = || telling && self.is_one_slip_from(new, meaning, &chain, statement);
         // C(t) = a_0 + a_1 t + … says what the a_i are, and so do numbers for what is made of the a_i.
         let data = |value: &Value| -> Vec<String> {
             let parameter = |symbol: &Symbol| symbol.is_plain() && is_variable(symbol.base());

@@ -410,8 +410,8 @@ pub fn contains(whole: &Expr, sought: &Expr) -> bool {
 pub fn has_members(expr: &Expr, letters: &[String]) -> bool {
     let mut found = false;
     walk(expr, &mut |part| {
-        found |= matches!(&part.kind, Kind::Subscript(base, _)
-            if matches!(&base.kind, Kind::Name(name) if letters.contains(name)));
+        found |= matches!(part.kind, Kind::Subscript(..) | Kind::Upper(..))
+            && Head::of(part).is_some_and(|head| !head.lower.is_empty() && letters.contains(&head.base));
     });
     found
 }

@@ -177,6 +177,12 @@ impl Trial<'_> {
             return None;
         }
         let knots = |end: &Expr| has_members(end, &self.facts.knot_letters);
+        // "f the blossom of the piece on [t_j, t_{j+1})", perhaps in an earlier paragraph
+        let mut forms = self.spoken().filter(|object| object.sort == Sort::PolarForm);
+        let own = forms.find_map(|form| form.interval.as_ref());
+        if let Some((from, to)) = own.filter(|(from, to)| knots(from) && knots(to)) {
+            return Some([from, to]);
+        }
         let heard = self.context.intervals_beside(self.place).map(|(_, ends, _)| ends);
         let mut heard = heard.filter(|ends| ends.iter().all(|end| knots(end)));
         let first = heard.next()?;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Bound, Evaluated, Model, holds};
 use crate::formula::{Expr, Kind, Rel, Sign};
 use crate::judge::context::{Body, Condition, Definition, Source};
-use crate::judge::names::{Head, bases, capital_of, integer_names, is_capital, is_index_letter};
+use crate::judge::names::{Head, bases, capital_of, integer_names, is_capital, is_index_letter, walk};
 use crate::judge::refute::calls;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
@@ -217,8 +217,12 @@ impl Model {
         if self.depth.get() >= crate::budget::depth().min(60) {
             return Err(Diagnostic::error(Code::Recursion, "this definition refers to itself without end"));
         }
+        let coordinates = coordinates(body, &bound).map_err(|name| {
+            let message = format!("what the coordinates of {name} are is not said");
+            Diagnostic::error(Code::Undecided, message).at(body.span)
+        })?;
         // Integers that nothing fixes have the value of the degree.
-        let mut bound = bound;
+        let mut bound: Bound = bound.into_iter().chain(coordinates).collect();
         for name in integer_names(body) {
             let symbol = Symbol::new(&name);
             if roles::is_degree(&name)
@@ -567,4 +571,27 @@ fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
         Kind::Name(letter) if is_index_letter(letter) => Some((letter, times, more)),
         _ => None,
     }
+}
+
+/// p_x and p_y in a ∧ b = a_x b_y - a_y b_x, for the points that are put for a and b; or the name whose coordinates are
+/// not known.
+fn coordinates(body: &Expr, bound: &Bound) -> Result<Bound, String> {
+    let mut members: BTreeSet<(String, usize)> = BTreeSet::new();
+    walk(body, &mut |part| {
+        let Some(head) = Head::of(part).filter(|head| head.upper.is_empty()) else { return };
+        let Some(Expr { kind: Kind::Name(axis), .. }) = head.index() else { return };
+        let axis = ["x", "y", "z"].iter().position(|own| own == axis);
+        members.extend(axis.map(|axis| (head.base, axis)));
+    });
+    let mut found = Bound::new();
+    for (name, axis) in members {
+        let Some((symbol, value)) = bound.iter().find(|(symbol, _)| *symbol == Symbol::new(&name)) else {
+            continue;
+        };
+        let own =
+            value.clone().coordinates().and_then(|mut all| (axis < all.len()).then(|| all.swap_remove(axis)));
+        let index = Index::Word(["x", "y", "z"][axis].into());
+        found.push((symbol.clone().with_indices([index]), own.ok_or(name)?));
+    }
+    Ok(found)
 }
