@@ -4,10 +4,11 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use super::context::{Body, Condition, Context, Definition, Letters, Mark, Source, is_variable};
+use super::context::{Body, Condition, Context, Definition, Mark, Source, is_variable};
 use super::described::Taken;
 use super::finding::{Finding, Verdict};
 use super::known::definable;
+use super::letters::Letters;
 use super::lint;
 use super::model::Ambiguity;
 use super::names::{Head, bases, is_range};

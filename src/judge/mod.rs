@@ -40,6 +40,7 @@ mod integers;
 mod knots;
 mod known;
 mod learn;
+mod letters;
 mod lint;
 mod lists;
 mod model;
