@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::context::{Body, Context, Definition};
 use super::names::{Head, bases, walk};
+use super::object::{Object, Sort};
 use super::statement::Place;
 use crate::formula::{Expr, Kind};
 
@@ -35,16 +36,14 @@ impl Context {
         if found.len() == 1 { found.first().copied() } else { None }
     }
 
-    /// The last number of points b_0, b_1, … of which the place gives all: b_3, where it gives b_0, …, b_3.
-    pub fn last_in_data(&self, points: &[Expr], place: &Place) -> Option<i64> {
-        let heads: Vec<Head> = points
-            .iter()
-            .filter(|point| point.kind != Kind::Ellipsis)
-            .map(Head::of)
-            .collect::<Option<_>>()?;
-        let letter = &heads.first()?.base;
+    /// The degree of a curve with the points b_0, b_1, …, of which the place gives all: 3, where it gives b_0, …, b_3.
+    pub fn degree_in_data(&self, object: &Object, place: &Place) -> Option<usize> {
+        let names = object.points.iter().filter(|point| point.kind != Kind::Ellipsis);
+        let heads: Vec<Head> = names.map(Head::of).collect::<Option<_>>()?;
+        let letter = &heads.first().filter(|_| object.sort != Sort::SplineCurve)?.base;
         let plain = |head: &Head| head.base == *letter && head.index().is_some() && head.upper.is_empty();
-        heads.iter().all(plain).then(|| self.given_from_to(letter, 1, 0, place))?.map(|[_, last]| last)
+        let ends = heads.iter().all(plain).then(|| self.given_from_to(letter, 1, 0, place))?;
+        usize::try_from(ends?[1]).ok()
     }
 
     /// The least and the largest index, in one place of several, of the members of a letter that the place gives, if it

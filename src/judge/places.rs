@@ -8,7 +8,7 @@ use super::evaluator;
 use super::features::has_splines;
 use super::integers::as_values;
 use super::model::Model;
-use super::names::{Head, has_members, is_index_letter, is_range, walk};
+use super::names::{Head, bases, has_members, is_index_letter, is_range, walk};
 use super::object::{Object, Sort};
 use super::trial::Trial;
 use crate::formula::{BigOp, Expr, Kind, Rel};
@@ -234,13 +234,21 @@ impl Trial<'_> {
     /// The bounds and the degree of each sum of B-splines in the sides, for some values of the integers.
     fn sums_of_splines(&self, bound: &[(String, i64)]) -> Vec<[i64; 3]> {
         let names: Vec<(Symbol, Value)> = as_values(bound).collect();
-        let number = |expr: &Expr| {
-            let value = evaluator::machine().with_locals(names.clone(), |machine| machine.eval_int(expr));
+        let number = |expr: &Expr, own: &[(Symbol, Value)]| {
+            let names: Vec<_> = names.iter().chain(own).cloned().collect();
+            let value = evaluator::machine().with_locals(names, |machine| machine.eval_int(expr));
             value.ok()
         };
+        // C'(u), where C(u) = Σ P_i N_{i,p}(u)
+        let defined = self.facts.reached.iter().filter_map(|base| {
+            match &self.context.visible(base, self.place).next()?.1.body {
+                Body::Formula(body) => Some(body),
+                Body::Value(_) => None,
+            }
+        });
         let order = i64::from(self.context.spline_has_degree(self.place) == Some(false));
         let mut found = Vec::new();
-        for side in &self.sides {
+        for side in self.sides.iter().copied().chain(defined) {
             walk(side, &mut |part| {
                 let Kind::Big { op: BigOp::Sum, lower, upper: Some(upper), body } = &part.kind else {
                     return;
@@ -249,13 +257,16 @@ impl Trial<'_> {
                 let (Kind::Name(index), [link]) = (&own.kind, links.as_slice()) else { return };
                 walk(body, &mut |inner| {
                     let Some(head) = Head::of(inner).filter(|head| head.is_a(Family::Spline)) else { return };
-                    let runs = |expr: &&Expr| matches!(&expr.kind, Kind::Name(name) if name == index);
+                    // N_i, N_{i+1}
+                    let runs = |expr: &&Expr| bases(expr).contains(index);
                     let mut indices = head.lower.iter().chain(&head.upper);
-                    if let (Some(_), Some(degree)) = (indices.next().filter(runs), indices.next())
+                    if let (Some(own), Some(degree)) = (indices.next().filter(runs), indices.next())
                         && let (Some(from), Some(to), Some(degree)) =
-                            (number(&link.expr), number(upper), number(degree))
+                            (number(&link.expr, &[]), number(upper, &[]), number(degree, &[]))
                     {
-                        found.push([from, to, degree - order]);
+                        let at = |end: i64| number(own, &[(Symbol::new(index), Value::int(end))]);
+                        let ends = at(from).zip(at(to));
+                        found.extend(ends.map(|(from, to)| [from, to, degree - order]));
                     }
                 });
             });

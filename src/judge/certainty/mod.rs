@@ -21,7 +21,7 @@ use super::statement::{Chain, Place, Role, Statement};
 use super::tally::{Failure, Tally};
 use super::topic::Topic;
 use crate::formula::{Expr, Kind, Rel};
-use crate::language::lexicon::roles::is_intermediate;
+use crate::language::lexicon::roles::{is_degree, is_intermediate};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::number::Rational;
 use crate::math::poly::{Fraction, MultiPoly, Symbol};
@@ -48,7 +48,7 @@ impl Suspect<'_> {
 
     /// Why it may not be wrong, whatever its names stand for.
     fn doubt_of_form(&self) -> Option<String> {
-        let rules: [fn(&Self) -> Option<String>; 19] = [
+        let rules: [fn(&Self) -> Option<String>; 20] = [
             Self::of_one_that_exists,
             Self::join_of_any_degree,
             Self::unrelated_functions,
@@ -67,6 +67,7 @@ impl Suspect<'_> {
             Self::of_another_size,
             Self::of_a_value_heard,
             Self::outside_of_its_interval,
+            Self::outside_of_a_range,
             Self::unused_equation,
         ];
         rules.into_iter().find_map(|rule| rule(self))
@@ -220,6 +221,25 @@ impl Suspect<'_> {
             let name = &definition.head.base;
             self.any(&mut outside).then(|| format!("what {name} is there is not said"))
         })
+    }
+
+    /// d_i^1 = …, where what d_i^r is was said for i = j - n + r, …, j, and which j is meant here is open.
+    fn outside_of_a_range(&self) -> Option<String> {
+        let known: BTreeSet<&String> = self.failure.integers.iter().map(|(name, _)| name).collect();
+        let open = |definition: &Definition| {
+            let own: BTreeSet<String> =
+                definition.head.lower.iter().chain(&definition.head.upper).flat_map(bases).collect();
+            let ranges = definition
+                .conditions
+                .iter()
+                .filter(|range| bases(range).iter().any(|name| own.contains(name)));
+            let mut names = ranges.flat_map(bases);
+            names.find(|name| {
+                is_index_letter(name) && !own.contains(name) && !known.contains(name) && !is_degree(name)
+            })
+        };
+        let name = self.used().find_map(open).filter(|_| self.tally.holds > 0)?;
+        Some(format!("for which {name} it is said is open"))
     }
 
     /// "We may assume w_0 = 1", in an earlier paragraph, or w = cos 45°, which is not computed: it was not used, so that

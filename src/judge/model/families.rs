@@ -6,9 +6,13 @@ use crate::judge::names::Head;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Machine;
 use crate::language::lexicon::families::{self, Family};
+use crate::language::ops::arithmetic;
 use crate::language::ops::errors::polar_error;
 use crate::language::value::Value;
+use crate::math::number::integer;
 use crate::math::poly::{Fraction, Symbol};
+use crate::math::ring::Ring;
+use num_traits::Zero;
 
 impl Model {
     /// A name whose meaning is standard without arguments: B_i^n as a function of t, A_n.
@@ -156,4 +160,17 @@ impl Model {
         let Some(knots) = self.knots_between(i, i + order) else { return Ok(Value::int(0)) };
         self.local_spline(&knots, t, expr).map(Value::Scalar)
     }
+}
+
+/// The value of the Lagrange polynomial with number `i` of nodes.
+pub(super) fn lagrange(nodes: &[Fraction], i: usize, x: &Fraction) -> Result<Fraction, Diagnostic> {
+    let mut product = Fraction::from_rational(&integer(1));
+    for (_, node) in nodes.iter().enumerate().filter(|(j, _)| *j != i) {
+        let above = Value::Scalar(x.minus(node));
+        match arithmetic::divide(above, Value::Scalar(nodes[i].minus(node)))? {
+            Value::Scalar(factor) => product = product.times(&factor),
+            _ => return Ok(Fraction::zero()),
+        }
+    }
+    Ok(product)
 }

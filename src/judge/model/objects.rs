@@ -1,6 +1,7 @@
 //! Values of what the page introduced in words: polar forms, B-splines, Bézier curves, their points.
 
 use super::calls::{each, unclear, variable};
+use super::families::lagrange;
 use super::lists::{combination, index_of_support};
 use std::rc::Rc;
 
@@ -67,9 +68,8 @@ impl Model {
             Some(degree) => usize::try_from(degree).ok(),
             // Of degree n, where n is nothing else here.
             None => {
-                let data = self.context.last_in_data(&object.points, &self.place);
-                if let Some(last) = data.filter(|_| object.sort != Sort::SplineCurve) {
-                    return usize::try_from(last).ok();
+                if let Some(last) = self.context.degree_in_data(object, &self.place) {
+                    return Some(last);
                 }
                 if self.degree.is_none() {
                     self.record.borrow_mut().wants_degree = true;
@@ -615,19 +615,6 @@ pub(super) fn polar_arguments(values: &[Value], expr: &Expr) -> Result<Vec<Argum
         _ => Err(unclear("what these arguments are", expr)),
     };
     values.iter().map(argument).collect()
-}
-
-/// The value of the Lagrange polynomial with number `i` of nodes.
-fn lagrange(nodes: &[Fraction], i: usize, x: &Fraction) -> Result<Fraction, Diagnostic> {
-    let mut product = Fraction::from_rational(&integer(1));
-    for (_, node) in nodes.iter().enumerate().filter(|(j, _)| *j != i) {
-        let above = Value::Scalar(x.minus(node));
-        match arithmetic::divide(above, Value::Scalar(nodes[i].minus(node)))? {
-            Value::Scalar(factor) => product = product.times(&factor),
-            _ => return Ok(Fraction::zero()),
-        }
-    }
-    Ok(product)
 }
 
 /// The coordinates of a point of the plane.
