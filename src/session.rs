@@ -11,6 +11,7 @@ mod counterexamples;
 mod data;
 mod foreign;
 mod given;
+mod intervals;
 mod line;
 mod spelling;
 mod spoken;
@@ -94,6 +95,8 @@ pub struct Session {
     pub limits: Limits,
     /// How answers are arranged.
     pub arrangement: Arrangement,
+    /// What the line is about that is being read, for words such as "its".
+    about: Option<Expr>,
 }
 
 impl Session {

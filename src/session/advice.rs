@@ -46,15 +46,20 @@ impl Session {
                 | Code::UnexpectedToken
                 | Code::UnexpectedEnd
                 | Code::BadNumber
-                | Code::AmbiguousProduct
         );
-        if !of_words || failure.file.text() != file.text() {
+        if !(of_words || failure.problem.code == Code::Type) || failure.file.text() != file.text() {
             return failure;
         }
         let text = file.slice(whole);
         let found = self.words_of(text);
-        if found.count < 2 || found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none()
+        let asked = text.trim_end().ends_with(['?', '？']) && !found.unknown.is_empty();
+        if found.count < 2 && !asked
+            || found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none()
         {
+            return failure;
+        }
+        // derivative is a function, which its letters are multiplied with
+        if failure.problem.code == Code::Type && !found.pieces.is_empty() {
             return failure;
         }
         let problem = self.advice_for(file, whole, &found);
@@ -106,8 +111,11 @@ impl Session {
                 Advice::Say(advice) => said.push(advice),
             }
         }
+        // The control points of a B-spline are those of a B-spline.
+        let mut functions = found.functions.clone();
+        functions.sort_by_key(|name| matches!(*name, "control_points" | "bezier_points" | "coefficients"));
         let own: Vec<(bool, String)> =
-            found.functions.iter().filter_map(|name| self.example(name, &items)).collect();
+            functions.iter().filter_map(|name| self.example(name, &items)).collect();
         if proposed.is_empty() && own.is_empty() && said.is_empty() {
             proposed.extend(found.likely.and_then(|name| self.example(name, &items)));
         }

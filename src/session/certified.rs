@@ -2,10 +2,11 @@
 
 use super::{Answer, Failure, Session, defines, guarded, read_as, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Rel, Sign, Term, call};
-use crate::language::eval::Equals;
+use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call};
+use crate::language::eval::{Equals, Outcome};
 use crate::language::lexicon::signs::{self, Shape, SignClaim};
 use crate::language::syntax::{self, Sentence};
+use crate::language::value::{Value, symbol_expr};
 
 impl Session {
     /// The formula of such a claim; `None` if the text is none. Strict inequalities are other claims.
@@ -65,6 +66,14 @@ impl Session {
         if matches!(claimed.kind, Kind::Chain(..) | Kind::Sequence(_)) {
             return Ok(None);
         }
+        // p is positive
+        let claimed = match self.clone().evaluate(&mut claimed.clone(), Equals::Claims) {
+            Ok(Outcome { value: Value::Function(function), .. }) => match function.as_formula() {
+                Some((letter, _)) => applied(claimed, vec![symbol_expr(letter)], claim),
+                None => claimed,
+            },
+            _ => claimed,
+        };
         let function = (0..shape.order).fold(claimed, |function, _| call("diff", vec![function], claim));
         let zero = Expr { span: claim, ..Expr::int(0) };
         let relation = Expr { span: claim, ..Expr::relation(function, shape.relation(), zero) };

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::counterexamples::refutations;
 use super::{Answer, Failure, Session, defines, guarded, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, call, interval, named, spread};
+use crate::formula::{Enclosure, Expr, Kind, Link, Rel, call, interval, named, spread};
 use crate::judge::inequality::{decided_in, positive};
 use crate::judge::names::{Head, bases};
 use crate::judge::{asked, evaluator};
@@ -195,7 +195,8 @@ impl Session {
         };
         let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {
-            let read = self.read(file, *span)?;
+            let read =
+                self.read(file, *span).or_else(|failure| self.half_open(file, *span).ok_or(failure))?;
             let own = match read.kind {
                 Kind::Sequence(items) => items,
                 _ => vec![read],
@@ -414,6 +415,13 @@ fn value_given(mut statement: Expr) -> Result<Expr, Diagnostic> {
 /// t ∈ [a, b] as a ≤ t ≤ b.
 fn bounded(statement: Expr) -> Expr {
     let Kind::Chain(left, links) = &statement.kind else { return statement };
+    // |x| < 1
+    if let (Kind::Enclosed(Enclosure::Abs, inner), [link @ Link { rel: Rel::Lt | Rel::Le, .. }]) =
+        (&left.kind, links.as_slice())
+    {
+        let links = vec![Link { expr: (**inner).clone(), ..link.clone() }, link.clone()];
+        return Expr::new(Kind::Chain(Box::new(link.expr.clone().negated()), links), statement.span);
+    }
     let [Link { rel: Rel::In, span, expr }] = links.as_slice() else { return statement };
     let Some(([from, to], open)) = interval(expr) else { return statement };
     let link = |open: bool, expr: &Expr| Link {
@@ -479,7 +487,7 @@ impl Conditions {
         Err(Diagnostic::error(Code::Usage, "this condition is for claims only")
             .at(first.statement.span)
             .reason("a value does not depend on it")
-            .hint("give a name its value: t^2 for t = 2")
+            .hint("leave it out, or give a name its value: t^2 for t = 2")
             .hint("a function by cases is cases(t^2 if t < 1, 2t - 1 otherwise)"))
     }
 }
@@ -560,6 +568,7 @@ fn unused(answer: &Answer) -> Box<Failure> {
     let problem = Diagnostic::error(Code::Undecided, "this condition cannot be solved for one of its names")
         .at(answer.statement.span)
         .reason("neither a definition nor a linear equation")
-        .hint("write it as a definition, for example a := 1 - b");
+        .hint("write it as a definition, for example a := 1 - b")
+        .hint(format!("solve({}) gives the values for which it holds", write::text(&answer.statement)));
     Box::new(Failure { problem, file: answer.file.clone() })
 }

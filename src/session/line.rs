@@ -45,7 +45,9 @@ impl Session {
             return Ok(None);
         }
         let mut there = self.clone();
-        match there.run_pieces(file, &line, equals) {
+        let ran = there.run_pieces(file, whole, &line, equals);
+        there.about = None;
+        match ran {
             Ok(answers) => {
                 self.env = there.env;
                 Ok(Some(answers))
@@ -58,6 +60,7 @@ impl Session {
     fn run_pieces(
         &mut self,
         file: &SourceFile,
+        whole: Span,
         line: &Line,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
@@ -101,7 +104,12 @@ impl Session {
                 return Ok(found);
             }
         }
-        for one in in_order(std::mem::take(&mut taken.definitions)) {
+        let definitions = in_order(first_cases_first(std::mem::take(&mut taken.definitions)));
+        let functions: Vec<Expr> = definitions.iter().filter_map(|one| function_of(&one.statement)).collect();
+        if !functions.is_empty() {
+            self.about = functions.first().filter(|_| functions.len() == 1).cloned();
+        }
+        for one in definitions {
             answers.push(self.evaluated(file, one.statement, Equals::DefinesUnbound, false)?);
         }
         for (piece, claims) in &taken.asked {
@@ -111,6 +119,20 @@ impl Session {
                 .filter(|(condition, own)| !own || condition.sentence == piece.sentence)
                 .map(|(condition, _)| (condition.span, condition.role == Role::Condition { all: true }))
                 .collect();
+            let claims_here = if *claims { Equals::Claims } else { equals };
+            // The words behind it may belong to what is asked: the blossom at (1, 2).
+            let last = line.pieces.iter().rfind(|last| last.sentence == piece.sentence);
+            if let Some(rest) = last.map(|last| piece.span.to(last.span)).filter(|rest| *rest != piece.span)
+                && !conditions.is_empty()
+                && rest.len() < file.slice(whole).trim().len()
+            {
+                let mut there = self.clone();
+                if let Ok(found) = there.run_part(file, Some(rest), claims_here) {
+                    self.env = there.env;
+                    answers.extend(found);
+                    continue;
+                }
+            }
             if let Some(formula) = self.unknown_of(file, piece.span, &conditions) {
                 let note = read_as(&formula, piece.span);
                 let mut answer = self.evaluated(file, formula, Equals::Claims, false)?;
@@ -118,7 +140,6 @@ impl Session {
                 answers.push(answer);
                 continue;
             }
-            let claims_here = if *claims { Equals::Claims } else { equals };
             let said = match conditions.is_empty() {
                 true => None,
                 false => {
@@ -205,7 +226,7 @@ impl Session {
                 Role::Given => piece.direct,
                 _ => false,
             };
-            piece.question
+            piece.question && !condition
                 || matches!(piece.role, Role::Asked | Role::Claimed)
                 || !relation(&read[at]) && !condition
         };
@@ -293,6 +314,29 @@ impl Session {
         let of = Expr { span, ..Expr::name(head) };
         Some(Expr { span, ..Expr::relation(name, Rel::Define, call(function, vec![of], span)) })
     }
+}
+
+/// The name of the function that a definition is of.
+fn function_of(definition: &Expr) -> Option<Expr> {
+    let Kind::Chain(left, _) = &definition.kind else { return None };
+    match &left.kind {
+        Kind::Apply(callee, _) => Some((**callee).clone()),
+        _ => None,
+    }
+}
+
+/// The first case of a recursion goes before it: a_n = 2 a_{n-1}, a_0 = 1.
+fn first_cases_first(definitions: Vec<Given>) -> Vec<Given> {
+    let is_case = |one: &Given| match &one.statement.kind {
+        Kind::Chain(left, _) => match &left.kind {
+            Kind::Subscript(_, indices) => indices.iter().all(|index| matches!(index.kind, Kind::Number(_))),
+            _ => false,
+        },
+        _ => false,
+    };
+    let (mut first, others): (Vec<Given>, Vec<Given>) = definitions.into_iter().partition(is_case);
+    first.extend(others);
+    first
 }
 
 /// The name on the left of a definition.

@@ -3,6 +3,7 @@
 //! What is said of the arguments goes to the innermost function that has such a parameter; values that no function takes
 //! are put into the result.
 
+mod apposition;
 mod draft;
 mod lists;
 mod notations;
@@ -193,6 +194,7 @@ impl Reader<'_> {
         {
             return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
         }
+        apposition::curve_of_points(&mut drafts, &items, &said);
         let mut formula: Option<Expr> = None;
         if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
             && builtin.name == "esym"
@@ -219,9 +221,24 @@ impl Reader<'_> {
                 _ => None,
             });
         }
+        if let (None, [innermost]) = (&formula, drafts.as_slice())
+            && let Some(meant) = apposition::meant(innermost, &items, &said, &self.session.env)
+        {
+            return Ok(match claimed {
+                Some(right) => Some(equation(meant, right)),
+                None => Some(meant),
+            });
+        }
+        apposition::letters_of_polar(&drafts, &mut said);
         if let (None, Some(innermost)) = (&formula, drafts.first_mut()) {
             if items.is_empty() {
                 items = innermost.subject_among(&mut said);
+            }
+            // F(t) = t^2, what is its derivative?
+            if items.is_empty() && innermost.placed.is_empty() {
+                items.extend(
+                    self.session.about.iter().map(|name| Expr { span: innermost.phrase, ..name.clone() }),
+                );
             }
             if innermost.wants_curve(&items)
                 && let Some(bezier) = builtin("bezier")

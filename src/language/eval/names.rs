@@ -3,6 +3,7 @@
 use super::machine::{Evaluated, Machine};
 use crate::formula::{Accent, Expr, Kind};
 use crate::language::diagnostic::{Code, Diagnostic, nearest};
+use crate::language::lexicon::topics::{self, Advice};
 use crate::language::lexicon::{letters, words};
 use crate::language::ops::function;
 use crate::language::value::{Function, Value};
@@ -311,6 +312,17 @@ impl Machine {
         let part = || name.split('_').filter(|part| part.len() > 3).find_map(called);
         if let Some(form) = words::topic(name).and_then(called).or_else(part) {
             return error.hint(format!("write {form}"));
+        }
+        let about = topics::advice(&name.to_lowercase());
+        if let Some(advice) = about.first() {
+            let hint = match advice {
+                Advice::Write(query) | Advice::Equations(query) => Some(format!("for example {query}")),
+                Advice::Function(function) => called(function).map(|form| format!("write {form}")),
+                Advice::Say(advice) => Some((*advice).to_owned()),
+            };
+            if let Some(hint) = hint {
+                return error.hint(hint);
+            }
         }
         if !name.is_ascii() && letters::sign(name).is_none() {
             return error.hint("write a formula; polarform functions lists the functions");

@@ -222,6 +222,46 @@ pub(crate) fn follows_from(text: &str) -> Option<usize> {
     starts_with_one_of(text, THUS)
 }
 
+/// Words behind a claim that say nothing more.
+const TRUTH: &[&str] = &[
+    "true",
+    "correct",
+    "right",
+    "valid",
+    "always true",
+    "an identity",
+    "wahr",
+    "richtig",
+    "korrekt",
+    "immer wahr",
+    "vrai",
+    "vraie",
+    "exact",
+    "exacte",
+    "toujours vrai",
+    "verdadero",
+    "vero",
+    "成立",
+    "正确",
+    "对吗",
+    "是否成立",
+    "是否正确",
+    "吗",
+];
+
+/// A claim without a word behind it such as "true".
+pub(crate) fn without_truth(text: &str) -> &str {
+    let own = |word: &&&str| {
+        let before = text.strip_suffix(**word).filter(|before| !before.trim().is_empty());
+        let ideographs = word.chars().all(super::letters::is_ideograph);
+        before.is_some_and(|before| ideographs || before.ends_with([' ', '$', ',']))
+    };
+    match TRUTH.iter().filter(own).map(|word| word.len()).max() {
+        Some(length) => text.get(..text.len() - length).unwrap_or(text).trim_end_matches([' ', ',']),
+        None => text,
+    }
+}
+
 /// Labels before a claim.
 const CLAIMS: &[&str] = &[
     "claim",

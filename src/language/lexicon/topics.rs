@@ -73,6 +73,12 @@ const TOPICS: &[(&str, Advice)] = &[
     ("odd | ungerade~ | impair~ | 奇数", Write("sum(k=1..5, (2k - 1)^2)")),
     ("even | gerade zahl~ | pair~ | 偶数", Write("sum(k=1..5, (2k)^2)")),
     ("squares | quadrate | carrés | cubes | 平方和", Write("sum(k=1..4, k^2)")),
+    (
+        "prime | irreducible | primzahl | irreduzibel | premier | irréductible | 素数 | 质数",
+        Function("factor"),
+    ),
+    ("sum | summe | somme | suma | 求和", Write("sum(k=1..100, k)")),
+    ("plot | graph | draw | sketch | zeichne~ | skizzier~ | tracer | 画", Function("figure_functions")),
     ("monoton~ | increas~ | decreas~ | wachsend | croissant~ | 单调", Write("t^3 is increasing on [0, 1]")),
     ("positiv~ | nonnegativ~ | positif~ | 正定", Write("t^2 - t + 1 > 0 for all t")),
     ("critical | stationary | extrem~ | extrema | turning | kritisch~ | 极值", Write("roots(diff(t^3 - t))")),
@@ -97,9 +103,14 @@ const TOPICS: &[(&str, Advice)] = &[
     ("insert~ | einfüg~ | insér~ | 插入", Function("insert_knots")),
     ("einfügen | einzufügen", Function("insert_knots")),
     ("split~ | subdivi~ | halbier~ | unterteil~ | 细分", Function("subdivide")),
-    ("partition of unity | zerlegung der eins | partition de l'unité", Write("sum(i=0..3, B_i^3(t)) = 1")),
-    ("bernstein", Write("sum(i=0..3, B_i^3(t)) = 1")),
-    ("convert | from | umwandeln | umrechn~ | powers | potenz~ | 转换", Write("bezier([1, 0, 0, 1])(t)")),
+    (
+        "partition of unity | sum to 1 | sum to one | add up to 1 | zerlegung der eins | partition de l'unité",
+        Write("sum(i=0..3, B_i^3(t)) = 1"),
+    ),
+    (
+        "convert | to powers | to monomial | power basis | umwandeln | umrechn~ | powers | potenz~ | 转换",
+        Write("bezier([1, 0, 0, 1])(t)"),
+    ),
     ("centroid | schwerpunkt~ | 重心", Write("triangle_patch([0, 1, 3, 2, 1, 4])(1/3, 1/3, 1/3)")),
     ("matrix | matrices | 矩阵", Write("[1, 2; 3, 4]")),
     ("value~ | wert | werte | valeur~ | 值", Write("t^3 - 2t at t = 2")),
@@ -109,14 +120,15 @@ const TOPICS: &[(&str, Advice)] = &[
     ("satisf~ | such | fulfil~ | so that | sodass | tel que | 使得", Write("solve(a + 3 = 0, a)")),
 ];
 
-/// What the words of a question, in small letters with single blanks, are about; the longest words first.
+/// What the words of a question, in small letters with single blanks, are about; several words first.
 pub(crate) fn advice(text: &str) -> Vec<Advice> {
     let mut found: Vec<(usize, usize, Advice)> = Vec::new();
     for (at, (names, advice)) in TOPICS.iter().enumerate() {
-        let length = names.split(" | ").filter(|name| stands_in(text, name)).map(str::len).max();
-        found.extend(length.map(|length| (usize::MAX - length, at, *advice)));
+        let words = |name: &str| name.split(' ').count();
+        let most = names.split(" | ").filter(|name| stands_in(text, name)).map(words).max();
+        found.extend(most.map(|most| (usize::MAX - most, at, *advice)));
     }
-    found.sort_by_key(|(length, at, _)| (*length, *at));
+    found.sort_by_key(|(words, at, _)| (*words, *at));
     found.into_iter().map(|(_, _, advice)| advice).collect()
 }
 

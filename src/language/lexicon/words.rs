@@ -255,7 +255,8 @@ const ASIDES: &[(Aside, &[&str])] = &[
         Aside::Every,
         &[
             "all", "every", "any", "each", "alle", "jedes", "jeden", "tout", "tous", "toute", "toutes",
-            "chaque", "所有", "任意",
+            "chaque", "所有", "任意", "real", "reals", "numbers", "zahlen", "nombres", "reellen", "réel",
+            "réels", "réelle", "实数",
         ],
     ),
     (Aside::ForAll, &["\\forall", "∀"]),

@@ -167,9 +167,7 @@ impl Cutter<'_> {
                 self.role = if found.claims { Role::Claimed } else { Role::Asked };
                 return self.after(at + found.length);
             }
-            if let Some(length) = asking::introduces(rest).filter(|length| apart(*length))
-                && words::aside(&word) != Some(Aside::Condition)
-            {
+            if let Some(length) = asking::introduces(rest).filter(|length| apart(*length)) {
                 self.cues += 1;
                 self.role = Role::Given;
                 return self.after(at + length);
@@ -274,6 +272,11 @@ impl Cutter<'_> {
             // Is $a = b$? has a question mark behind its piece.
             return;
         }
+        // Is a = b true?
+        let inner = match self.role == Role::Claimed || question {
+            true => asking::without_truth(inner),
+            false => inner,
+        };
         let mut span = Span::new(start, start + inner.len());
         // $f(1) = ?$
         let mut question = question;

@@ -119,7 +119,12 @@ pub(crate) fn request(
     let valued = matches!(parts.as_slice(),
         [Part::Piece(_), Part::Phrase(Phrase::Label(Label::At), _), Part::Piece(at)]
             if !text.piece(at.range()).contains('='));
-    if !parts.iter().any(named) && !polite && !labelled && !valued {
+    // the rational quadratic (0, 0), (1, 2), (2, 0)
+    let qualified = parts.windows(2).any(|pair| {
+        matches!(pair[0], Part::Phrase(Phrase::Rational | Phrase::Degree(_), _))
+            && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
+    });
+    if !parts.iter().any(named) && !polite && !labelled && !valued && !qualified {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {

@@ -234,6 +234,10 @@ pub(super) fn called_elsewhere(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
         }
         // solve([x + y - 3, x - y - 1], [x, y]), solve({x + y = 3}, {x, y})
         ("solve" | "Solve" | "NSolve" | "nsolve" | "linsolve", [equations, rest @ ..]) => {
+            // NSolve[x^2 == 2, x]
+            if let (Kind::Chain(..), true) = (&equations.kind, name.as_str() != "solve") {
+                return Some(call("solve", arguments.iter().cloned().map(as_list).collect()));
+            }
             let written = items_in(equations)?;
             let claims = written.iter().all(|item| matches!(item.kind, Kind::Chain(..)));
             let unknowns = matches!(rest, [names] if is_name(names) || items_in(names).is_some_and(|names| names.iter().all(is_name)));

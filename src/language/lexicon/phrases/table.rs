@@ -200,7 +200,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("bspline_basis"),
         "cox de boor | b spline~ | bspline~ | b spline basis function~ | b spline basis | basis function~ | \
-         basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条",
+         basisfunktion~ | bspline basis function~ | b spline funktion~ | 样条基函数 | b样条 | b样条基函数 | b样条函数",
     ),
     (
         Function("bspline"),
@@ -347,7 +347,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Weights), "weights | gewicht~ | poids | pesos | pesi | 权"),
     (
         Phrase::Label(Points),
-        "points | coefficients | coeffs | coefs | coef | koeffizienten | coeficientes | coefficienti | \
+        "points | control value~ | control coefficient~ | control ordinate~ | coefficients | coeffs | coefs | coef | koeffizienten | coeficientes | coefficienti | \
          de boor point~ | punkt~ | puntos | punti | control net | kontrollnetz | net | \
          corners | corner points",
     ),
@@ -355,7 +355,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
+        "as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | its | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \

@@ -307,6 +307,14 @@ impl Parser<'_> {
             return Box::new(problem.reason("a product, or one number?").hint("write * for the product"));
         };
         let (a, b) = (self.text_of(last), self.text_of(token));
+        // 0 0 0 1 3 3 3
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let more = rest.iter().take_while(|token| token.kind == TokenKind::Number && token.spaced);
+        let numbers: Vec<&str> = more.map(|token| self.text_of(*token)).collect();
+        if numbers.len() > 1 {
+            let list = format!("write [{a}, {}] for a list", numbers.join(", "));
+            return Box::new(problem.reason("a list has brackets, and commas").hint(list));
+        }
         let after = |at: usize| self.tokens.get(self.at + at).filter(|token| !token.spaced);
         if let (Some(slash), Some(below)) = (after(1), after(2))
             && slash.kind == TokenKind::Slash

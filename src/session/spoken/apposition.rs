@@ -1,0 +1,88 @@
+//! What is named beside its own notation: the divided difference f[a, b], the blossom p(a, b, c); names and values said in
+//! another way than a function takes them.
+
+use super::Read;
+use super::draft::{Draft, list};
+use crate::formula::{Expr, Kind, applied, call};
+use crate::language::eval::Env;
+use crate::language::functions::builtin;
+use crate::language::lexicon::phrases::Label;
+use crate::language::value::Value;
+use crate::math::poly::Symbol;
+
+/// The formula that a function names with its own notation; `None` if it is asked for of something else.
+pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<Expr> {
+    // the divided differences of 1, 4, 9 at 1, 2, 3
+    let several = items.len() > 1 && items.iter().all(is_number);
+    if several && matches!(draft.builtin.name, "divided_differences" | "newton" | "lagrange") {
+        return meant(draft, &[list(items.to_vec())], said, env);
+    }
+    let [item] = items else { return None };
+    match (draft.builtin.name, &item.kind) {
+        // the divided difference f[a, b]
+        ("divided_differences", Kind::Subscript(_, nodes))
+            if said.is_empty() && matches!(nodes.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
+        {
+            Some(item.clone())
+        }
+        ("divided_differences" | "newton" | "lagrange", Kind::List(values)) => match said {
+            [Read { label: Label::At | Label::Nodes | Label::With, items: nodes }] => {
+                let nodes = match nodes.as_slice() {
+                    [Expr { kind: Kind::List(nodes), .. }] => nodes.clone(),
+                    nodes => nodes.to_vec(),
+                };
+                let fits = nodes.len() == values.len()
+                    && nodes.len() > 1
+                    && nodes.iter().chain(values).all(is_number);
+                fits.then(|| call(draft.builtin.name, vec![list(nodes), item.clone()], item.span))
+            }
+            _ => None,
+        },
+        // the blossom p(a, b, c) of a polynomial p(t)
+        ("polar", Kind::Apply(callee, groups)) if said.is_empty() => {
+            let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_slice()) else { return None };
+            let of_one = match env.get(&Symbol::new(name)) {
+                Some(Value::Function(function)) => function.as_formula().is_some(),
+                _ => false,
+            };
+            let form = call("polar", vec![(**callee).clone()], callee.span);
+            (of_one && arguments.len() > 1).then(|| applied(form, arguments.clone(), item.span))
+        }
+        _ => None,
+    }
+}
+
+fn is_number(item: &Expr) -> bool {
+    !matches!(item.kind, Kind::Chain(..) | Kind::List(_) | Kind::Tuple(_))
+}
+
+/// Points with a degree or with weights are those of a Bézier curve: the rational quadratic (0, 0), (1, 2), (2, 0) with weights
+/// 1, 3, 1; the cubic 0, 0, 8, 8 at 1/2.
+pub(super) fn curve_of_points(drafts: &mut Vec<Draft>, items: &[Expr], said: &[Read]) {
+    let says = |label: Label| said.iter().any(|read| read.label == label);
+    let curve = says(Label::Rational) || says(Label::OfDegree) && says(Label::At);
+    if let (true, [first, _, ..], true, false) = (drafts.is_empty(), items, curve, says(Label::Knots))
+        && let Some(bezier) = builtin("bezier")
+    {
+        drafts.push(Draft::new(bezier, first.span));
+    }
+}
+
+/// Several letters that are said of a polar form are its arguments: the blossom of t^2 in u and v.
+pub(super) fn letters_of_polar(drafts: &[Draft], said: &mut Vec<Read>) {
+    let letter = |read: &Read| {
+        read.label == Label::In && matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }])
+    };
+    let count = said.iter().filter(|read| letter(read)).count();
+    if count > 1 && drafts.last().is_some_and(|draft| draft.builtin.name == "polar") {
+        let mut items = Vec::new();
+        said.retain_mut(|read| {
+            let own = letter(read);
+            if own {
+                items.append(&mut read.items);
+            }
+            !own
+        });
+        said.push(Read { label: Label::At, items });
+    }
+}
