@@ -193,6 +193,10 @@ impl Session {
             Some(meant) => meant.clone(),
             None => self.read(file, sentence.formula)?,
         };
+        // \textbf{Claim.} For all n, ...
+        if matches!(formula.kind, Kind::Text(_)) {
+            return Ok(None);
+        }
         let (mut items, mut free) = (Vec::new(), Vec::new());
         for (span, all) in &sentence.conditions {
             let read =

@@ -58,6 +58,7 @@ impl Reader<'_> {
         // u v is a product here, no list.
         let mut claimed = equals.map(|span| self.one(span)).transpose()?;
         let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
+        let mut through = None;
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
             let (labels, phrase) = match *request {
@@ -100,12 +101,17 @@ impl Reader<'_> {
                     Label::In if values => Label::At,
                     // the parabola through (0, 1), (1, 3), (2, 11)
                     Label::Through if draft::is_points(&items) && drafts.is_empty() => Label::Through,
-                    Label::Through => Label::With,
+                    Label::Through => {
+                        through = items.first().map(|item| item.span);
+                        Label::With
+                    }
                     label => label,
                 };
                 said.push(Read { label, items });
             }
         }
+        apposition::meets_points(&drafts, through)
+            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))?;
         if drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
             lists::gather(&mut items, &mut said);
         }

@@ -175,7 +175,8 @@ impl Reader<'_> {
         let start = self.bump().start;
         let below = self.argument()?;
         let braces = self.peek() == Some(Tok::OpenBrace);
-        let window = if braces { self.inside(self.pos)? } else { self.pos..self.after(self.pos) };
+        let window =
+            if braces { self.inside(self.pos)? } else { self.pos..self.after(self.pos).min(self.end) };
         let inner = self.trim(window.clone());
         let end = if braces { window.end + 1 } else { window.end };
         if let [only] = &self.tokens[inner.clone()]

@@ -15,6 +15,16 @@ const INTRODUCTIONS: &[&str] = &[
     "if",
     "given",
     "given that",
+    "gegeben",
+    "gegeben sei",
+    "gegeben ist",
+    "étant donné",
+    "on donne",
+    "dado",
+    "dada",
+    "dato",
+    "已知",
+    "给定",
     "suppose",
     "suppose that",
     "assume",
@@ -99,6 +109,13 @@ const CONTINUATIONS: &[&str] = &[
     "give",
     "gib",
     "wie lautet",
+    "gesucht",
+    "gesucht ist",
+    "how much is",
+    "wie viel ist",
+    "wie groß ist",
+    "puis",
+    "danach",
     "和",
     "求",
     "计算",
@@ -212,6 +229,56 @@ const THUS: &[&str] = &[
     "推出",
 ];
 
+/// Nouns before a name that is defined: the polynomial $p(t) = t^2$.
+const NOUNS: &[&str] = &[
+    "matrix",
+    "vector",
+    "function",
+    "polynomial",
+    "curve",
+    "point",
+    "points",
+    "number",
+    "numbers",
+    "sequence",
+    "vektor",
+    "funktion",
+    "polynom",
+    "kurve",
+    "punkt",
+    "punkte",
+    "zahl",
+    "zahlen",
+    "folge",
+    "matrice",
+    "vecteur",
+    "fonction",
+    "polynôme",
+    "courbe",
+    "suite",
+    "矩阵",
+    "函数",
+    "多项式",
+    "向量",
+];
+
+const ARTICLES: &[&str] =
+    &["the", "a", "an", "die", "der", "das", "eine", "ein", "la", "le", "les", "une", "un"];
+
+/// The length of the noun with which a text begins, with its article, if a name and its value follow.
+pub(crate) fn noun(text: &str) -> Option<usize> {
+    let article = starts_with_one_of(text, ARTICLES).unwrap_or(0);
+    let rest = text.get(article..)?;
+    let gap = rest.len() - rest.trim_start().len();
+    let length = starts_with_one_of(rest.trim_start(), NOUNS)?;
+    let end = article + gap + length;
+    let next = text.get(end..)?.trim_start();
+    let name = next.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+    let defines =
+        next.len() > name.len() && name.trim_start().starts_with(['=', '(', ':']) && name.contains('=');
+    (next.starts_with('$') || defines).then_some(end)
+}
+
 /// The length of the words with which a text begins, if a condition follows: such that.
 pub(crate) fn conditions_follow(text: &str) -> Option<usize> {
     starts_with_one_of(text, SUCH)
@@ -224,6 +291,10 @@ pub(crate) fn follows_from(text: &str) -> Option<usize> {
 
 /// Words behind a claim that say nothing more.
 const TRUTH: &[&str] = &[
+    "true or false",
+    "wahr oder falsch",
+    "vrai ou faux",
+    "right or wrong",
     "true",
     "correct",
     "right",

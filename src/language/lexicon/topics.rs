@@ -74,9 +74,10 @@ const TOPICS: &[(&str, Advice)] = &[
     ("even | gerade zahl~ | pair~ | 偶数", Write("sum(k=1..5, (2k)^2)")),
     ("squares | quadrate | carrés | cubes | 平方和", Write("sum(k=1..4, k^2)")),
     (
-        "prime | irreducible | primzahl | irreduzibel | premier | irréductible | 素数 | 质数",
+        "perfect square | quadrat | prime | irreducible | primzahl | irreduzibel | premier | irréductible | 素数 | 质数",
         Function("factor"),
     ),
+    ("divisible | teilbar~ | divisible par | 整除", Write("2^10 mod 7")),
     ("sum | summe | somme | suma | 求和", Write("sum(k=1..100, k)")),
     ("plot | graph | draw | sketch | zeichne~ | skizzier~ | tracer | 画", Function("figure_functions")),
     ("monoton~ | increas~ | decreas~ | wachsend | croissant~ | 单调", Write("t^3 is increasing on [0, 1]")),

@@ -260,7 +260,7 @@ const ASIDES: &[(Aside, &[&str])] = &[
         ],
     ),
     (Aside::ForAll, &["\\forall", "∀"]),
-    (Aside::Joint, &["and", "und", "et", "且", "和", "及", "时"]),
+    (Aside::Joint, &["and", "und", "et", "且", "和", "及", "时", "puis"]),
     (Aside::Question, &["is", "ist", "gilt", "stimmt", "?", "？"]),
 ];
 

@@ -61,9 +61,23 @@ pub(crate) fn line(text: &str, known: &dyn Fn(&str) -> bool) -> Option<Line> {
         sentence: 0,
         cues: 0,
         direct: false,
+        claims: false,
     };
     cutter.run();
-    let Cutter { pieces, cues, .. } = cutter;
+    let Cutter { mut pieces, cues, claims, .. } = cutter;
+    // For all n, a = b: the last of conditions alone is what they are conditions of.
+    let last: Vec<usize> = (0..pieces.len())
+        .filter(|at| pieces.get(at + 1).is_none_or(|next| next.sentence != pieces[*at].sentence))
+        .collect();
+    for at in last {
+        let own = pieces.iter().filter(|piece| piece.sentence == pieces[at].sentence);
+        if own.clone().count() > 1
+            && !pieces[at].direct
+            && own.clone().all(|piece| matches!(piece.role, Role::Condition { .. }))
+        {
+            pieces[at].role = if claims { Role::Claimed } else { Role::Free };
+        }
+    }
     let in_dollars = |piece: &Piece| text.piece(piece.span.range()).contains(['$', '\\']);
     let cut_at_dollars = pieces.iter().filter(|piece| in_dollars(piece)).count() > 1;
     let asks = pieces.iter().any(|piece| piece.question);
@@ -81,6 +95,8 @@ struct Cutter<'a> {
     cues: usize,
     /// Whether no stop has come since the last word.
     direct: bool,
+    /// Whether a label says that the line is a claim.
+    claims: bool,
 }
 
 impl Cutter<'_> {
@@ -111,6 +127,11 @@ impl Cutter<'_> {
             }
             match c {
                 '\\' => {
+                    if outside && let Some(end) = self.label_in_command(at) {
+                        at = end;
+                        before = ' ';
+                        continue;
+                    }
                     // \( and \[ are no brackets of a formula.
                     let next = text.piece(at + 1..).chars().next();
                     match next {
@@ -161,7 +182,24 @@ impl Cutter<'_> {
             rest.piece(..length).chars().all(is_ideograph)
                 || next.is_none_or(|next| matches!(next, ' ' | '$' | ',' | ':' | '\n' | '\\'))
         };
+        // Given a > 0 show that a + 1 > 0
+        const LONG: usize = 4;
+        let given = matches!(self.role, Role::Given | Role::Condition { .. });
+        if !fresh
+            && given
+            && let Some(found) =
+                asking::asks(rest).filter(|found| found.length >= LONG && apart(found.length))
+        {
+            self.cues += 1;
+            self.end(at, false);
+            self.role = if found.claims { Role::Claimed } else { Role::Asked };
+            return self.after(at + found.length);
+        }
         if fresh {
+            if let Some(length) = asking::noun(rest) {
+                self.cues += 1;
+                return self.after(at + length);
+            }
             if let Some(found) = asking::asks(rest).filter(|found| apart(found.length)) {
                 self.cues += 1;
                 self.role = if found.claims { Role::Claimed } else { Role::Asked };
@@ -174,6 +212,7 @@ impl Cutter<'_> {
             }
             if let Some(label) = asking::label(rest) {
                 self.cues += 1;
+                self.claims |= label.claims;
                 self.role = if label.claims { Role::Claimed } else { Role::Free };
                 return self.after(at + label.length);
             }
@@ -218,10 +257,30 @@ impl Cutter<'_> {
         self.after(at + word.len())
     }
 
+    /// Takes a label that is set in another type, `\textbf{Claim.}`; the place behind it.
+    fn label_in_command(&mut self, at: usize) -> Option<usize> {
+        const COMMANDS: &[&str] = &["\\textbf{", "\\emph{", "\\textit{", "\\textsc{", "\\text{"];
+        let rest = self.text.piece(at..);
+        let command = COMMANDS.iter().find(|command| rest.starts_with(**command))?;
+        let inside = rest.piece(command.len()..);
+        let close = inside.find('}')?;
+        let words = inside.piece(..close).trim().trim_end_matches(['.', ':']);
+        let label = asking::label(&format!("{words}: "))?;
+        if label.length < words.len() || !self.text.piece(self.start..at).trim().is_empty() {
+            return None;
+        }
+        self.cues += 1;
+        self.claims |= label.claims;
+        self.role = if label.claims { Role::Claimed } else { Role::Free };
+        self.after(at + command.len() + close + 1)
+    }
+
     fn after(&mut self, at: usize) -> Option<usize> {
         let rest = self.text.piece(at..);
-        let gap =
-            rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || matches!(c, ':' | ',')).len();
+        let gap = rest.len()
+            - rest
+                .trim_start_matches(|c: char| c.is_whitespace() || matches!(c, ':' | ',' | '¿' | '¡'))
+                .len();
         self.start = at + gap;
         self.direct = true;
         Some(self.start)

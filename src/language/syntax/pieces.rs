@@ -30,7 +30,8 @@ pub(super) fn parts(
     let push = |parts: &mut Vec<Part>, from: usize, to: usize| {
         let piece = text.piece(from..to);
         let separates = |c: char| {
-            c.is_whitespace() || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!')
+            c.is_whitespace()
+                || matches!(c, ',' | ';' | ':' | '.' | '?' | '？' | '，' | '：' | '。' | '!' | '¿' | '¡')
         };
         // 5! is a factorial
         let trimmed = piece.trim_start_matches(separates).trim_end_matches(|c| c != '!' && separates(c));

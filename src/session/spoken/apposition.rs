@@ -3,7 +3,9 @@
 
 use super::Read;
 use super::draft::{Draft, list};
+use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, applied, call};
+use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
 use crate::language::functions::builtin;
 use crate::language::lexicon::phrases::Label;
@@ -54,6 +56,21 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
 
 fn is_number(item: &Expr) -> bool {
     !matches!(item.kind, Kind::Chain(..) | Kind::List(_) | Kind::Tuple(_))
+}
+
+/// Refuses a curve of control points that is said to go through points.
+pub(super) fn meets_points(drafts: &[Draft], through: Option<Span>) -> Result<(), Diagnostic> {
+    let of_control_points = |draft: &Draft| matches!(draft.builtin.name, "bezier" | "bspline" | "patch");
+    match (through, drafts.last()) {
+        (Some(place), Some(draft)) if of_control_points(draft) => {
+            Err(Diagnostic::error(Code::Usage, "control points, or points on the curve?")
+                .at(place)
+                .reason("a curve goes through its first and last control point")
+                .hint("write control points 0, 1, 3 for the first")
+                .hint("the polynomial through points is lagrange([0, 1, 2], [1, 3, 2])"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Points with a degree or with weights are those of a Bézier curve: the rational quadratic (0, 0), (1, 2), (2, 0) with weights

@@ -2,7 +2,7 @@
 
 use super::{Read, one_term};
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, Rel, Sign, Term, applied, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
 use crate::judge::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Builtin, Need, Parameter, Takes, builtin};
@@ -98,6 +98,16 @@ impl Draft {
         let Some(first) = self.builtin.parameters.first() else { return items.is_empty() };
         if items.is_empty() {
             return first.kind == Takes::Size;
+        }
+        // the area under y = x^2
+        if let [Expr { kind: Kind::Chain(left, links), .. }] = items.as_slice()
+            && let (Kind::Name(y), [Link { rel: Rel::Eq, expr, .. }]) = (&left.kind, links.as_slice())
+            && matches!(first.kind, Takes::Polynomial | Takes::Function | Takes::Scalar)
+            && y == "y"
+            && !bases(expr).contains(y)
+            && self.builtin.on_equations.is_none()
+        {
+            items = vec![expr.clone()];
         }
         // the roots of x^2 = 1
         if let ("roots" | "count_roots", [Expr { kind: Kind::Chain(left, links), span }]) =

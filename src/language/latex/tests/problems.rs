@@ -165,3 +165,10 @@ fn upper_indices_in_brackets_and_bold_letters() {
     assert!(read("c_1^{[0]}").same_as(&read("c_1^{(0)}")));
     assert!(read(r"\textbf{Q}_i").same_as(&read(r"\mathbf{Q}_i")));
 }
+
+#[test]
+fn what_stands_above_nothing_is_missing() {
+    for text in [r"\underset a", r"\underset{a}", r"(\underset a)"] {
+        assert!(crate::language::latex::read(text).is_err(), "{text}");
+    }
+}
