@@ -1,8 +1,11 @@
 //! Definitions in words: `let f be the polar form of t^2`, `f = derivative of t^3; f(2)`.
 
+use super::given::{Given, in_order};
+use super::line::defining;
 use super::{Answer, Failure, Session, defines};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Rel};
+use crate::formula::{Expr, Kind, Rel};
+use crate::judge::evaluator;
 use crate::language::eval::Equals;
 use crate::language::syntax;
 
@@ -100,7 +103,7 @@ impl Session {
                 continue;
             }
             let mut there = self.clone();
-            let Ok(mut answers) = there.run_part(file, Some(head), Equals::DefinesUnbound) else { continue };
+            let Ok(mut answers) = there.run_given(file, head) else { continue };
             if answers.iter().any(|answer| answer.outcome.defined.is_none()) {
                 continue;
             }
@@ -110,6 +113,24 @@ impl Session {
             return Ok(Some(answers));
         }
         Ok(None)
+    }
+
+    /// Runs what is given, each definition after those that it uses: a = 2b and b = 3.
+    fn run_given(&mut self, file: &SourceFile, head: Span) -> Result<Vec<Answer>, Box<Failure>> {
+        if let Ok(read) = self.read(file, head)
+            && matches!(read.kind, Kind::Sequence(_))
+        {
+            let given: Vec<Expr> =
+                self.statements_in(read, Equals::DefinesUnbound).into_iter().map(defining).collect();
+            let all = given.iter().all(|one| evaluator::machine_in(&self.env).defines(one));
+            if all && given.len() > 1 {
+                let given =
+                    given.into_iter().map(|statement| Given { file: file.clone(), statement }).collect();
+                let run = |one: Given| self.evaluated(file, one.statement, Equals::DefinesUnbound, false);
+                return in_order(given).into_iter().map(run).collect();
+            }
+        }
+        self.run_part(file, Some(head), Equals::DefinesUnbound)
     }
 
     /// Runs what is asked for with words such as "compute" and "show that".

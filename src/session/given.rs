@@ -5,6 +5,7 @@
 //! `a - b = 0` makes a the same as b. Other conditions are kept: a counterexample counts only where
 //! they hold.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::counterexamples::refutations;
@@ -206,9 +207,9 @@ impl Session {
                 _ => vec![read],
             };
             free.extend(own.iter().filter(|_| *all).map(|item| item.span));
-            items.extend(own);
+            items.extend(own.into_iter().flat_map(each_equal));
         }
-        let items = self.with_products(&formula, items);
+        let items = self.with_products(&bases(&formula), items);
         for item in spread(items) {
             match &item.kind {
                 // for all t, u
@@ -227,6 +228,7 @@ impl Session {
                 _ => return Ok(None),
             }
         }
+        no_name_twice(&given).map_err(fail)?;
         let asks = |expr: &Expr| matches!(expr.kind, Kind::Chain(..));
         let several = matches!(&formula.kind, Kind::Sequence(items)
             if items.iter().all(|item| asks(item) || matches!(item.kind, Kind::Text(_))));
@@ -266,8 +268,7 @@ impl Session {
 
 impl Session {
     /// Conditions in which a word is the product of its letters, if these are names of the formula: xy = 1 beside x + y.
-    fn with_products(&self, formula: &Expr, items: Vec<Expr>) -> Vec<Expr> {
-        let used = bases(formula);
+    pub(super) fn with_products(&self, used: &BTreeSet<String>, items: Vec<Expr>) -> Vec<Expr> {
         let machine = evaluator::machine_in(&self.env);
         let is_product = |word: &String| {
             let letters: Vec<String> = word.chars().map(String::from).collect();
@@ -327,6 +328,41 @@ impl Session {
         }));
         (arguments.len() > 1).then(|| call("subs", arguments, formula.span))
     }
+}
+
+/// What is said of each name in a = d = 1.
+pub(super) fn each_equal(item: Expr) -> Vec<Expr> {
+    let Kind::Chain(first, links) = &item.kind else { return vec![item] };
+    let name = |expr: &Expr| matches!(expr.kind, Kind::Name(_) | Kind::Subscript(..));
+    let Some((last, between)) = links.split_last() else { return vec![item] };
+    let names: Vec<&Expr> =
+        std::iter::once(first.as_ref()).chain(between.iter().map(|link| &link.expr)).collect();
+    if between.is_empty()
+        || links.iter().any(|link| link.rel != Rel::Eq)
+        || !names.iter().all(|expr| name(expr))
+    {
+        return vec![item];
+    }
+    let one =
+        |name: &Expr| Expr { span: item.span, ..Expr::relation(name.clone(), Rel::Eq, last.expr.clone()) };
+    names.into_iter().map(one).collect()
+}
+
+/// Refuses two values for one name: t^2 at t = 1 and t = 2.
+fn no_name_twice(given: &[Given]) -> Result<(), Diagnostic> {
+    let mut seen: Vec<String> = Vec::new();
+    for one in given.iter().filter(|one| one.definition().is_some()) {
+        let Kind::Chain(left, _) = &one.statement.kind else { continue };
+        let name = write::text(left);
+        if seen.contains(&name) {
+            return Err(Diagnostic::error(Code::Usage, format!("two values for {name}"))
+                .at(one.statement.span)
+                .reason("it has one already")
+                .hint("ask for each by itself, or for a list: [t^2 for t = 0..2]"));
+        }
+        seen.push(name);
+    }
+    Ok(())
 }
 
 /// Refuses a value for a name that occurs nowhere: a curve at t = 1/2.

@@ -1,6 +1,6 @@
 //! A line of several formulas: what is defined and supposed in it, then what is asked, wherever each of them stands.
 
-use super::given::{Given, in_order};
+use super::given::{Given, each_equal, in_order};
 use super::{Answer, Failure, Session, defines, read_as};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, call, named, spread};
@@ -52,7 +52,7 @@ impl Session {
                 self.env = there.env;
                 Ok(Some(answers))
             }
-            Err(failure) if line.cut_at_dollars => Err(failure),
+            Err(failure) if line.cut_at_dollars || is_one_question(&line) => Err(failure),
             Err(_) => Ok(None),
         }
     }
@@ -121,7 +121,14 @@ impl Session {
                 .collect();
             let claims_here = if *claims { Equals::Claims } else { equals };
             // The words behind it may belong to what is asked: the blossom at (1, 2).
-            let last = line.pieces.iter().rfind(|last| last.sentence == piece.sentence);
+            let behind = line
+                .pieces
+                .iter()
+                .filter(|other| other.sentence == piece.sentence && other.span.start > piece.span.start);
+            let last = behind
+                .clone()
+                .next_back()
+                .filter(|_| behind.clone().all(|other| matches!(other.role, Role::Condition { .. })));
             if let Some(rest) = last.map(|last| piece.span.to(last.span)).filter(|rest| *rest != piece.span)
                 && !conditions.is_empty()
                 && rest.len() < file.slice(whole).trim().len()
@@ -267,6 +274,11 @@ impl Session {
                 Some(one) => vec![one.clone()],
                 None => Vec::new(),
             };
+            let parts: Vec<Expr> = parts.into_iter().flat_map(each_equal).collect();
+            // xy = 1 beside x and y
+            let others =
+                (0..read.len()).filter(|other| *other != at).filter_map(|other| read[other].as_ref());
+            let parts = self.with_products(&others.flat_map(bases).collect(), parts);
             // A value for a name of what is asked holds there alone: F(t) for t = 2. One of a definition stays: b in
             // p(t) = b_0 + b_1 t.
             let here = |part: &Expr| {
@@ -316,6 +328,11 @@ impl Session {
     }
 }
 
+/// Whether there is nothing but one formula that is asked for.
+fn is_one_question(line: &Line) -> bool {
+    matches!(line.pieces.as_slice(), [piece] if !matches!(piece.role, Role::Condition { .. } | Role::Given))
+}
+
 /// The name of the function that a definition is of.
 fn function_of(definition: &Expr) -> Option<Expr> {
     let Kind::Chain(left, _) = &definition.kind else { return None };
@@ -348,7 +365,7 @@ fn defined_name(part: &Expr) -> Option<String> {
 }
 
 /// A definition with := in place of =.
-fn defining(mut part: Expr) -> Expr {
+pub(super) fn defining(mut part: Expr) -> Expr {
     if let Kind::Chain(_, links) = &mut part.kind
         && let [link @ Link { rel: Rel::Eq, .. }] = links.as_mut_slice()
     {

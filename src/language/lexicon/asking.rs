@@ -272,7 +272,11 @@ pub(crate) fn noun(text: &str) -> Option<usize> {
     let gap = rest.len() - rest.trim_start().len();
     let length = starts_with_one_of(rest.trim_start(), NOUNS)?;
     let end = article + gap + length;
-    let next = text.get(end..)?.trim_start();
+    let next = text.get(end..)?;
+    if !next.starts_with(|c: char| c.is_whitespace() || c == '$' || super::letters::is_ideograph(c)) {
+        return None;
+    }
+    let next = next.trim_start();
     let name = next.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
     let defines =
         next.len() > name.len() && name.trim_start().starts_with(['=', '(', ':']) && name.contains('=');

@@ -124,6 +124,10 @@ fn after_asking(text: &str, mut start: usize) -> (usize, bool, bool) {
     }
     while let Some(words) = asking::asks(text.piece(start..)) {
         start = skip(text, start + words.length);
+        // Compute: 3 + 4
+        if let Some(rest) = text.piece(start..).strip_prefix(':').filter(|rest| !rest.starts_with('=')) {
+            start = skip(text, text.len() - rest.len());
+        }
         asked = true;
         claims |= words.claims;
     }

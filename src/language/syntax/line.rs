@@ -246,9 +246,13 @@ impl Cutter<'_> {
             }
             Aside::ForAll => Role::Condition { all: true },
             Aside::Let if fresh => Role::Given,
-            Aside::Question if fresh => Role::Claimed,
+            Aside::Question if fresh || matches!(self.role, Role::Condition { .. }) => Role::Claimed,
             // Between formulas in dollars; else it belongs to the formula.
-            Aside::Joint if self.between_dollars(at, word.len()) || fresh => self.role,
+            Aside::Joint
+                if fresh || self.between_dollars(at, word.len()) || self.joins_relations(at, word.len()) =>
+            {
+                self.role
+            }
             _ => return None,
         };
         self.cues += 1;
@@ -295,6 +299,15 @@ impl Cutter<'_> {
             && (after.starts_with('$') || after.starts_with("\\(") || after.starts_with(char::is_alphabetic))
     }
 
+    /// Whether relations stand at both sides: x + y = 5 and x y = 6.
+    fn joins_relations(&self, at: usize, length: usize) -> bool {
+        let relation = |text: &str| text.contains(['=', '<', '>', '≤', '≥']);
+        let after = self.text.piece(at + length..);
+        let end = after.find([',', ';', '?', ':']).unwrap_or(after.len());
+        let end = end.min(after.find(". ").unwrap_or(after.len()));
+        relation(self.text.piece(self.start..at)) && relation(after.piece(..end))
+    }
+
     /// What a sign outside of formulas ends.
     fn stop(&self, at: usize, c: char) -> Option<Stop> {
         let rest = self.text.piece(at + c.len_utf8()..);
@@ -307,7 +320,10 @@ impl Cutter<'_> {
             '。' => Some(Stop { sentence: true, question: false }),
             '.' if apart => Some(Stop { sentence: true, question: false }),
             ';' | '；' => Some(Stop { sentence: true, question: false }),
-            ':' | '：' if apart && !rest.is_empty() => Some(Stop { sentence: false, question: false }),
+            // c: 3 gives c its value elsewhere; a = 2: a + 1
+            ':' | '：' if apart && self.text.piece(self.start..at).contains(['=', '<', '>', '$']) => {
+                Some(Stop { sentence: false, question: false })
+            }
             ',' | '，' => {
                 let next = rest.trim_start();
                 let cue = asking::asks(next).is_some()
@@ -324,7 +340,7 @@ impl Cutter<'_> {
     /// Ends the piece before a place.
     fn end(&mut self, to: usize, question: bool) {
         let piece = self.text.piece(self.start..to);
-        let inner = piece.trim();
+        let inner = piece.trim().trim_end_matches([',', ' ']);
         let start = self.start + (piece.len() - piece.trim_start().len());
         self.start = to;
         if inner.is_empty() {
@@ -388,7 +404,7 @@ mod tests {
             &[("$p(t) = b_0 t$", Free), ("$b = (1, 0)$", condition), ("p(2)", condition)],
         );
         is("$a(t) = t$, is $a(t) = 1$?", &[("$a(t) = t$", Free), ("$a(t) = 1$", Claimed)]);
-        is("x > 0 and y > 0. is x + y > 0?", &[("x > 0 and y > 0", Free), ("x + y > 0", Claimed)]);
+        is("x > 0 and y > 0. is x + y > 0?", &[("x > 0", Free), ("y > 0", Free), ("x + y > 0", Claimed)]);
         is(
             "Claim: $t^2 >= 0$ for all $t$",
             &[("$t^2 >= 0$", Claimed), ("$t$", Role::Condition { all: true })],

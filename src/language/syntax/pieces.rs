@@ -52,6 +52,8 @@ pub(super) fn parts(
             && c.is_alphabetic()
             && let Some((phrase, length)) = phrase(text.piece(at..), function)
             && is_word(text, at, length, known, phrase)
+            // for which a is a^2 = 4
+            && !(length == 1 && matches!(parts.last(), Some(Part::Phrase(Phrase::Which, _))) && text.piece(start..at).trim().is_empty())
         {
             push(&mut parts, start, at);
             parts.push(Part::Phrase(phrase, Span::new(at, at + length)));

@@ -61,7 +61,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (
         Function("count_roots"),
         "how many roots has | how many real roots has | how many solutions has | how many real solutions has | \
-         how many real zeros has | how many zeros has | how many real roots does | how many roots does | \
+         how many real zeros has | how many solutions does | how many real solutions does | how many zeros does | how many real zeros does | how many zeros has | how many real roots does | how many roots does | \
          number of roots | number of real roots | number of solutions | number of real solutions | \
          number of real zeros | wie viele nullstellen hat | wie viele lösungen hat | anzahl der nullstellen | \
          combien de racines a | nombre de racines | nombre de racines réelles",
@@ -355,7 +355,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Label(Number), "index"),
     (
         Filler,
-        "how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
+        "to a fraction | into a fraction | in einen bruch | by induction | per induktion | durch vollständige induktion | par récurrence | how do i compute | how do i find | how to compute | how to find | how can i compute | how does one compute | could you | can you | would you | i want | i need | hi | hello | hallo | bonjour | for me | thanks | thank you | danke | merci | wie berechne ich | wie berechnet man | comment calculer | as a fraction | as fraction | as an exact fraction | als bruch | en fraction | comme fraction | 化为分数 | have | their | constant | konstante | constante | horner | horner scheme | hornerschema | évalue | évaluer | 值 | 用 | 算法 | \
          the | a | an | its | what is | what's | whats | what are | compute | calculate | find | \
          give | give me | show | show me | list | list all | all | tell me | please | pls | \
          determine | write | express | convert | transform | rewrite | evaluate | value | \
