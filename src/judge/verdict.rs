@@ -1,5 +1,7 @@
 //! From the instances of a relation to its verdict.
 
+use std::collections::BTreeSet;
+
 use super::attempt::{Attempt, beyond_degree, restricted};
 use super::bare;
 use super::certainty::Suspect;
@@ -8,13 +10,13 @@ use super::conditions::CANNOT_HOLD;
 use super::doubts;
 use super::finding::{Evidence, Finding, Verdict};
 use super::hypotheses;
-use super::names::{Head, bases, is_standard};
+use super::names::{Head, bases, is_standard, walk};
 use super::object::UNNAMED;
 use super::prove::prove;
 use super::refute;
 use super::repair::{self, Repair};
 use super::statement::{Chain, Place, Role, Side, Statement};
-use super::tally::{Failure, Tally};
+use super::tally::{Failure, Outcomes, Tally};
 use super::trial::Setting;
 use super::witness;
 use crate::budget::{self, Limits};
@@ -97,18 +99,10 @@ impl Checker {
             }
             if ranged {
                 finding.instances = Some(format!("{} instances: {}", tally.holds, range()));
-                let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
-                if tally.holds < 2 || few {
-                    finding.verdict = Verdict::Undecided;
-                    finding.reason = Some("too few instances make sense".to_owned());
-                } else if tally.nonzero == 0 && !says_zero(chain) {
-                    finding.verdict = Verdict::Undecided;
-                    finding.reason =
-                        Some("both sides are 0 in every instance, so nothing was tested".to_owned());
-                } else if let Some(gap) = &tally.gap {
-                    finding.verdict = Verdict::Undecided;
-                    finding.reason = Some(format!("not all instances could be computed: {gap}"));
-                }
+            }
+            if let Some(reason) = untested(tally, outcomes, chain, at, ranged) {
+                finding.verdict = Verdict::Undecided;
+                finding.reason = Some(reason);
             }
             if let Some(number) = tally.condition {
                 finding.notes.push(format!("uses an earlier condition (number {number})"));
@@ -318,6 +312,31 @@ impl Checker {
         }
         notes
     }
+}
+
+/// Why a relation that holds in all instances is not confirmed by them.
+fn untested(tally: &Tally, outcomes: &Outcomes, chain: &Chain, at: usize, ranged: bool) -> Option<String> {
+    let few = tally.holds_inner == 0 && tally.holds < 6 && !outcomes.integers.is_empty();
+    if ranged && (tally.holds < 2 || few) {
+        return Some("too few instances make sense".to_owned());
+    }
+    // x'(0) = 8(b_1 - b_0), where b_1 = b_0; but h(-1, 1) = p(2) may well be 0.
+    let data = |side: &Side| {
+        let mut called = BTreeSet::new();
+        walk(&side.expr, &mut |part| {
+            if let Kind::Apply(callee, _) = &part.kind {
+                called.extend(bases(callee));
+            }
+        });
+        !bases(&side.expr).is_subset(&called)
+    };
+    let given = tally.condition.is_some() || !tally.record.definitions.is_empty();
+    let special = ranged || given && chain.sides[at..=at + 1].iter().any(data);
+    if special && tally.nonzero == 0 && !says_zero(chain) {
+        return Some("both sides are 0 in every instance, so nothing was tested".to_owned());
+    }
+    let gap = tally.gap.as_ref().filter(|_| ranged)?;
+    Some(format!("not all instances could be computed: {gap}"))
 }
 
 /// Whether a side is the number 0: then vanishing is what is claimed.
