@@ -2,6 +2,7 @@
 
 use super::reader::{Reader, Result, Window};
 use super::token::{Env, Fence, Tok};
+use crate::formula::source::Span;
 use crate::formula::{Delimiter, Enclosure, Expr, Kind, Rel};
 use crate::language::diagnostic::{Code, Diagnostic};
 
@@ -43,9 +44,10 @@ impl Reader<'_> {
         if self.is_table(window.clone()) {
             return self.bracketed_matrix(window, Delimiter::Paren);
         }
+        let place = self.span_of(window.clone());
         let mut groups = self.groups_in(window)?;
         if groups.len() > 1 {
-            return Ok(Kind::Tuple(groups.into_iter().map(sequence).collect()));
+            return Ok(Kind::Tuple(groups.into_iter().map(|items| sequence(items, place)).collect()));
         }
         let mut items = groups.swap_remove(0);
         Ok(if items.len() == 1 { Kind::Group(Box::new(items.swap_remove(0))) } else { Kind::Tuple(items) })
@@ -212,14 +214,14 @@ fn fence(kind: Tok) -> Fence {
     }
 }
 
-/// A group of arguments as one expression.
-fn sequence(mut items: Vec<Expr>) -> Expr {
+/// A group of arguments as one expression; without any it stands at `place`.
+fn sequence(mut items: Vec<Expr>, place: Span) -> Expr {
     match items.as_slice() {
         [_] => items.swap_remove(0),
         [first, .., last] => {
             let span = first.span.to(last.span);
             Expr::new(Kind::Sequence(items), span)
         }
-        [] => Kind::Sequence(items).into(),
+        [] => Expr::new(Kind::Sequence(items), place),
     }
 }

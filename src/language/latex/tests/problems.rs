@@ -172,3 +172,18 @@ fn what_stands_above_nothing_is_missing() {
         assert!(crate::language::latex::read(text).is_err(), "{text}");
     }
 }
+
+#[test]
+fn groups_without_arguments_stand_in_their_brackets() {
+    let read = crate::language::latex::read("0(;)").expect("a product");
+    let mut inside = true;
+    read.for_each_child(&mut |child| {
+        inside &= read.span.start <= child.span.start && child.span.end <= read.span.end
+    });
+    read.for_each_child(&mut |child| {
+        child.for_each_child(&mut |group| {
+            inside &= child.span.start <= group.span.start && group.span.end <= child.span.end
+        });
+    });
+    assert!(inside);
+}
