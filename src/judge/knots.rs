@@ -207,9 +207,8 @@ impl Context {
     /// The letters that the page itself gives to knots.
     pub fn stated_knots(&self, place: &Place) -> Vec<String> {
         let mut found: Vec<String> = Vec::new();
-        let mut add = |expr: &Expr| {
-            if let Kind::Subscript(base, _) = &expr.kind
-                && let Kind::Name(letter) = &base.kind
+        let mut put = |letter: &Expr| {
+            if let Kind::Name(letter) = &letter.kind
                 && !found.contains(letter)
             {
                 found.push(letter.clone());
@@ -221,17 +220,17 @@ impl Context {
                 for name in &declared.object.names {
                     match &name.kind {
                         // The knots u = (0, 0, 0, 1, …)
-                        Kind::Chain(left, _) if matches!(left.kind, Kind::Name(_)) => {
-                            add(&Expr::new(Kind::Subscript(left.clone(), Vec::new()), left.span));
-                        }
+                        Kind::Chain(left, _) if matches!(left.kind, Kind::Name(_)) => put(left),
                         // The knot vector (u_0, …, u_8) = (0, 0, 0, 1, …)
-                        Kind::Chain(left, _) => left.items().into_iter().flatten().for_each(&mut add),
-                        _ => add(name),
+                        Kind::Chain(left, _) => {
+                            left.items().into_iter().flatten().filter_map(family).for_each(&mut put);
+                        }
+                        _ => family(name).into_iter().for_each(&mut put),
                     }
                 }
             }
             if matches!(declared.object.sort, Sort::BSpline | Sort::SplineCurve) {
-                declared.object.knots.iter().for_each(&mut add);
+                declared.object.knots.iter().filter_map(family).for_each(&mut put);
             }
         }
         for definition in self.definitions.iter().filter(|d| place.in_reach(&d.place, d.assumed)) {
@@ -241,8 +240,7 @@ impl Context {
                     && let [one, two] = links.as_slice()
                     && matches!((one.rel, two.rel), (Rel::Le | Rel::Lt, Rel::Le | Rel::Lt))
                 {
-                    add(left);
-                    add(&two.expr);
+                    [left, &two.expr].into_iter().filter_map(family).for_each(&mut put);
                 }
             }
         }
@@ -266,6 +264,14 @@ impl Context {
             }
         }
         found
+    }
+}
+
+/// The letter of a member: t of t_i.
+fn family(member: &Expr) -> Option<&Expr> {
+    match &member.kind {
+        Kind::Subscript(base, _) => Some(base),
+        _ => None,
     }
 }
 

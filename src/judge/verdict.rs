@@ -328,7 +328,7 @@ fn untested(tally: &Tally, outcomes: &Outcomes, chain: &Chain, at: usize, ranged
                 called.extend(bases(callee));
             }
         });
-        !bases(&side.expr).is_subset(&called)
+        bases(&side.expr).iter().any(|name| !called.contains(name) && !is_variable(name))
     };
     let given = tally.condition.is_some() || !tally.record.definitions.is_empty();
     let special = ranged || given && chain.sides[at..=at + 1].iter().any(data);
