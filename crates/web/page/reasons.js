@@ -210,6 +210,8 @@ const REASONS = {
     ["what line {} says is not used here", "这里没有用到第 {} 行所说的"],
     ["what line {} says of {} is not used", "没有用到第 {} 行关于 {} 所说的"],
     ["line {} may say what {} is, and was not understood", "第 {} 行可能说明 {} 是什么，但没有看懂"],
+    ["for which {} it is said is open", "没有说明这里是对哪个 {} 说的"],
+    ["what the coordinates of {} are is not said", "没有说明 {} 的坐标是什么"],
     ["for which {} it is meant is not said", "没有说明对哪些 {} 成立"],
     ["which values {} has is not said", "没有说明 {} 取哪些值"],
     ["how this depends on {} is not said", "没有说明这如何依赖于 {}"],
