@@ -305,7 +305,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
-        "at | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
+        "at | at barycentric coordinates | at the barycentric coordinates | en el punto | nel punto | at parameter | at the parameter | at the point | bei | an der stelle | für t | \
          im punkt | en | au point | 在 | evaluated at | ausgewertet bei | évaluée en | value at | \
          wert bei",
     ),
@@ -366,7 +366,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          écrire | quelle est | quel est | courbe | polynôme | svp | bitte | matrix | \
          求 | 计算 | 将 | 把 | 处 | 上 | 处的点 | 处的值 | 点 | 请 | 矩阵 | 多项式 | 函数 | 曲线 | 过点 | poly | \
          scheme | schema | schemas | schéma | algorithm | algorithmus | algorithme | algoritmo | \
-         wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | barycentric~ | barycentric coordinates | calcula | calcular | halla | hallar | encuentra | el | los | las | \
+         wie lautet | how much is | que vaut | combien vaut | cuánto vale | quanto vale | symbolic~ | calcula | calcular | halla | hallar | encuentra | el | los | las | \
          curva~ | wert | función | polinomio~ | valor | valeur | calcola | trova | qué es | cuál es | \
          form | basis | equation | gleichung | l'équation | 方程 | aus | arguments",
     ),
