@@ -290,7 +290,8 @@ pub fn run(
 /// The same, from Python.
 pub fn answered(py: Python<'_>, session: &Session, callee: Callee, given: Given) -> PyResult<Value> {
     let done = compute(py, &session.limits.clone(), |limits| {
-        let session = Session { limits: limits.clone(), ..session.clone() };
+        let mut session = session.clone();
+        session.limits = limits.clone();
         run(&session, callee, given)
     })?;
     let (value, notes, _) = done.map_err(|failure| failed(py, &failure))?;

@@ -102,14 +102,15 @@ impl Session {
     ) -> PyResult<T> {
         let mut copy = self.copied();
         let own = copy.limits.clone();
-        let (copy, result) = compute(py, &own, move |limits| {
+        let (mut copy, result) = compute(py, &own, move |limits| {
             copy.limits = limits.clone();
             let result = work(&mut copy);
             (copy, result)
         })?;
         let result = result.map_err(|failure| failed(py, &failure));
         // Statements before the one that failed have been done.
-        *self.native.lock().unwrap_or_else(PoisonError::into_inner) = Native { limits: own, ..copy };
+        copy.limits = own;
+        *self.native.lock().unwrap_or_else(PoisonError::into_inner) = copy;
         result
     }
 }
