@@ -123,7 +123,8 @@ impl Session {
         part: Option<Span>,
         equals: Equals,
     ) -> Result<Answer, Box<Failure>> {
-        let mut answers = self.run_advised(file, part, equals)?;
+        let whole = part.unwrap_or(Span::new(0, file.text().len()));
+        let mut answers = self.run_advised(file, whole, equals)?;
         let last = answers.pop().ok_or_else(|| {
             let problem = Diagnostic::error(Code::Usage, "a name needs no declaration")
                 .hint("leave it out: a name without a value is a symbol");
@@ -136,22 +137,20 @@ impl Session {
     fn run_advised(
         &mut self,
         file: &SourceFile,
-        part: Option<Span>,
+        whole: Span,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
-        let whole = part.unwrap_or(Span::new(0, file.text().len()));
-        self.run_part(file, part, equals).map_err(|failure| self.advised(file, whole, failure))
+        self.run_part(file, whole, equals).map_err(|failure| self.advised(file, whole, failure))
     }
 
     /// Runs a part of a file; `k = 1, b = 2` are two statements. What is no formula may be a line of several.
     fn run_part(
         &mut self,
         file: &SourceFile,
-        part: Option<Span>,
+        whole: Span,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
-        let whole = part.unwrap_or(Span::new(0, file.text().len()));
-        let failure = match self.run_statements(file, part, equals) {
+        let failure = match self.run_statements(file, whole, equals) {
             Ok(answers) => return Ok(answers),
             Err(failure) => failure,
         };
@@ -165,12 +164,11 @@ impl Session {
     fn run_statements(
         &mut self,
         file: &SourceFile,
-        part: Option<Span>,
+        whole: Span,
         equals: Equals,
     ) -> Result<Vec<Answer>, Box<Failure>> {
         let fail = |problem| Box::new(Failure { problem, file: file.clone() });
         let limits = self.limits.clone();
-        let whole = part.unwrap_or(Span::new(0, file.text().len()));
         // t^2 + 2t = ?
         let text = file.slice(whole).trim_end();
         // x = Symbol('x'): a name without a value is a symbol
@@ -181,7 +179,7 @@ impl Session {
             return Ok(Vec::new());
         }
         if let Some(start) = foreign::scripts::after_package(text) {
-            return self.run_part(file, Some(Span::new(whole.start + start, whole.end)), equals);
+            return self.run_part(file, Span::new(whole.start + start, whole.end), equals);
         }
         let asked = text.trim_end_matches(['?', '？']).trim_end().strip_suffix('=');
         if let Some(formula) =
@@ -202,7 +200,7 @@ impl Session {
             {
                 return Ok(answers);
             }
-            return self.run_part(file, Some(part), Equals::Claims);
+            return self.run_part(file, part, Equals::Claims);
         }
         if let Some(answers) = self.run_clause(file, whole, equals)? {
             return Ok(answers);
@@ -250,7 +248,7 @@ impl Session {
         {
             return Ok(answers);
         }
-        let statement = guarded(&limits, || read_in(&self.env, file, part)).map_err(fail)?;
+        let statement = guarded(&limits, || read_in(&self.env, file, Some(whole))).map_err(fail)?;
         if let Some(sentence) = given::beside(&statement)
             && let Some(answers) = self.run_sentence(file, &sentence, equals)?
         {
@@ -404,7 +402,7 @@ impl Session {
         span: Span,
         mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
     ) -> bool {
-        match self.run_advised(file, Some(span), Equals::DefinesUnbound) {
+        match self.run_advised(file, span, Equals::DefinesUnbound) {
             Ok(answers) => answers.into_iter().all(|answer| each(self, Ok(answer))),
             Err(failure) => each(self, Err(failure)),
         }

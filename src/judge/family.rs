@@ -5,6 +5,8 @@
 //! fails where nothing is degenerate; a claim that fails for some values and holds for others
 //! is undecided, because its author may have meant a part of them.
 
+use std::collections::BTreeSet;
+
 use super::claim::judge_plainly;
 use super::integers::advance;
 use super::names::{is_gcd, names_a_parameter, walk};
@@ -162,13 +164,8 @@ fn integer_names(machine: &mut Machine, expr: &Expr, inside: bool, names: &mut V
             let mut inner = Vec::new();
             integer_names(machine, body, inside, &mut inner);
             names.extend(inner.into_iter().filter(|name| !own.contains(name)));
-            let mut seen = Vec::new();
-            names.retain(|name| {
-                !seen.contains(name) && {
-                    seen.push(name.clone());
-                    true
-                }
-            });
+            let mut seen = BTreeSet::new();
+            names.retain(|name| seen.insert(name.clone()));
         }
         Kind::Range(from, to) => {
             integer_names(machine, from, true, names);

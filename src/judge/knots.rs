@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::context::{Body, Context};
+use super::letters::Letters;
 use super::names::{Head, bases, walk};
 use super::object::{Declared, Sort};
 use super::statement::Place;
@@ -115,13 +116,17 @@ impl Context {
             }
         });
         let counted = || {
+            let Letters { spline_sums, spline_points, .. } = &self.letters;
+            if spline_sums.is_empty() && spline_points.is_empty() {
+                return None;
+            }
             let knots = match self.unnamed_knots(place).len() {
                 0 => self.given_knots(&self.stated_knots(place), place).len(),
                 listed => listed,
             } as i64;
-            let bounded = self.letters.spline_sums.iter().map(|[from, to, size]| (to - from + 1, *size));
+            let bounded = spline_sums.iter().map(|[from, to, size]| (to - from + 1, *size));
             // Σ_i d_i N_{i,2}, where the d_i are given
-            let given = self.letters.spline_points.iter().filter_map(|(letter, size)| {
+            let given = spline_points.iter().filter_map(|(letter, size)| {
                 let [first, last] = self.given_from_to(letter, 1, 0, place)?;
                 Some((last - first + 1, *size))
             });

@@ -148,21 +148,20 @@ impl Checker {
             });
             sides.into_iter().chain(bodies).any(|side| side.has(&own))
         };
-        let lists = self.context.definitions.iter().filter(|own| {
+        let mut lists = self.context.definitions.iter().filter(|own| {
             let Body::Formula(body) = &own.body else { return false };
             let whole =
                 own.head.lower.is_empty() && own.head.upper.is_empty() && own.head.arguments.is_none();
             let numbers = body.items().is_some_and(|items| items.len() > 2) && bases(body).is_empty();
             whole && numbers && reached.contains(&own.head.base) && place.knows(&own.place, false)
         });
-        // It was read so, or its letter stands for something else, too.
+        // Its items are known as members already.
         let read = |list: &Definition| {
             let mut items =
                 self.context.definitions.iter().filter(|own| own.place.formula == list.place.formula);
             items.any(|own| own.head.base == list.head.base && !own.head.lower.is_empty())
         };
-        let mut lists = lists.filter(|list| !read(list));
-        let list = lists.find(|own| member(&own.head.base))?;
+        let list = lists.find(|own| member(&own.head.base) && !read(own))?;
         Some(format!("line {} may say what the {} with indices are", list.line, list.head.base))
     }
 

@@ -1,6 +1,8 @@
 //! What to write for words that nobody reads: queries about what they name, made of what stands between them where
 //! that is possible. Whatever is proposed here was tried.
 
+use std::collections::BTreeSet;
+
 use super::{Failure, Session, defines, guarded, read_in};
 use crate::budget::Limits;
 use crate::formula::source::{Pieces, SourceFile, Span};
@@ -122,13 +124,8 @@ impl Session {
         // What words of requests name is surer.
         let place = usize::from(!proposed.is_empty());
         proposed.splice(place..place, own);
-        let mut seen = Vec::new();
-        proposed.retain(|query| {
-            !seen.contains(query) && {
-                seen.push(query.clone());
-                true
-            }
-        });
+        let mut seen = BTreeSet::new();
+        proposed.retain(|query| seen.insert(query.clone()));
         for (own, query) in proposed.into_iter().take(MOST) {
             problem =
                 problem.hint(if own { format!("write {query}") } else { format!("for example {query}") });
@@ -163,10 +160,11 @@ impl Session {
     fn system(&self, items: &[Expr]) -> Option<String> {
         let equations: Vec<Expr> =
             items.iter().filter(|item| matches!(item.kind, Kind::Chain(..))).cloned().collect();
+        if equations.len() < 2 {
+            return None;
+        }
         let list = Expr::new(Kind::List(equations), Span::default());
-        matches!(&list.kind, Kind::List(equations) if equations.len() > 1)
-            .then(|| call("solve", vec![list], Span::default()))
-            .and_then(|query| self.tried(query))
+        self.tried(call("solve", vec![list], Span::default()))
     }
 
     /// A call of a function with what is there, or its own example.
@@ -198,7 +196,6 @@ impl Session {
         let mut at = 0;
         let mut before = ' ';
         let mut depth = 0_usize;
-        let mut likely: Option<&'static str> = None;
         let end_piece = |found: &mut Words, from: usize, to: usize| {
             let piece = text.piece(from..to);
             let separates = |c: char| {
@@ -229,7 +226,7 @@ impl Session {
                     found.count += text.piece(at..at + length).split_whitespace().count();
                     match meant {
                         Meant::Function(function) => found.functions.push(function),
-                        Meant::Likely(function) => likely = likely.max(Some(function)),
+                        Meant::Likely(function) => found.likely = found.likely.max(Some(function)),
                         Meant::Known => {}
                         Meant::Unknown => found.unknown.push(Span::new(at, at + length)),
                     }
@@ -245,7 +242,6 @@ impl Session {
             }
         }
         end_piece(&mut found, start, text.len());
-        found.likely = likely;
         found
     }
 

@@ -35,7 +35,7 @@ impl Session {
             let Some(formula) = self.spoken(file, head)? else { continue };
             let mut there = self.clone();
             let defined = there.evaluated(file, define(formula), Equals::DefinesUnbound, false)?;
-            let mut answers = there.run_part(file, Some(rest), equals)?;
+            let mut answers = there.run_part(file, rest, equals)?;
             if let Some(first) = answers.first_mut() {
                 first.outcome.notes.insert(0, super::read_as(&defined.statement, head));
             }
@@ -73,7 +73,7 @@ impl Session {
         let Ok(Some(defined)) = there.run_clause(&masked, rest, Equals::DefinesUnbound) else {
             return Ok(None);
         };
-        let mut answers = there.run_part(&masked, Some(head), equals)?;
+        let mut answers = there.run_part(&masked, head, equals)?;
         if let (Some(first), Some(definition)) = (answers.first_mut(), defined.first()) {
             first.outcome.notes.insert(0, super::read_as(&definition.statement, rest));
         }
@@ -108,7 +108,7 @@ impl Session {
                 continue;
             }
             let equals = if found.claims { Equals::Claims } else { equals };
-            answers.extend(there.run_part(file, Some(rest.shifted(whole.start)), equals)?);
+            answers.extend(there.run_part(file, rest.shifted(whole.start), equals)?);
             self.env = there.env;
             return Ok(Some(answers));
         }
@@ -130,7 +130,7 @@ impl Session {
                 return in_order(given).into_iter().map(run).collect();
             }
         }
-        self.run_part(file, Some(head), Equals::DefinesUnbound)
+        self.run_part(file, head, Equals::DefinesUnbound)
     }
 
     /// Runs what is asked for with words such as "compute" and "show that".
@@ -147,7 +147,7 @@ impl Session {
             return Ok(None);
         }
         let equals = if claims { Equals::Claims } else { equals };
-        self.run_part(file, Some(rest.shifted(whole.start)), equals).map(Some)
+        self.run_part(file, rest.shifted(whole.start), equals).map(Some)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Counterexamples where conditions hold: fractions between and beside the numbers that bound the names of a claim.
 
+use std::collections::BTreeSet;
+
 use crate::formula::Rel;
 use crate::judge::inequality::positive;
 use crate::language::lexicon::roles;
@@ -88,12 +90,7 @@ fn trial_values(name: &Symbol, conditions: &[Judgement]) -> Vec<Rational> {
     }
     values.extend([rational(1, 2), integer(2), rational(-1, 2), integer(1), integer(0), integer(-1)]);
     values.extend(bounds);
-    let mut seen = Vec::new();
-    values.retain(|value| {
-        !seen.contains(value) && {
-            seen.push(value.clone());
-            true
-        }
-    });
+    let mut seen = BTreeSet::new();
+    values.retain(|value| seen.insert(value.clone()));
     values
 }

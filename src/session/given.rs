@@ -241,7 +241,7 @@ impl Session {
         let conditions = there.take(&in_order(given))?;
         let equals = if sentence.asked { Equals::Claims } else { equals };
         let mut answers = match late.or(meant) {
-            None => there.run_part(file, Some(sentence.formula), equals)?,
+            None => there.run_part(file, sentence.formula, equals)?,
             Some(formula) => vec![there.evaluated(file, formula, equals, false)?],
         };
         for answer in &mut answers {

@@ -1,6 +1,7 @@
 //! A line of several formulas: what is defined and supposed in it, then what is asked, wherever each of them stands.
 
 use super::given::{Given, each_equal, in_order};
+use super::systems::is_equation;
 use super::{Answer, Failure, Session, defines, read_as};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, call, named, spread};
@@ -134,7 +135,7 @@ impl Session {
                 && rest.len() < file.slice(whole).trim().len()
             {
                 let mut there = self.clone();
-                if let Ok(found) = there.run_part(file, Some(rest), claims_here) {
+                if let Ok(found) = there.run_part(file, rest, claims_here) {
                     self.env = there.env;
                     answers.extend(found);
                     continue;
@@ -155,7 +156,7 @@ impl Session {
                 }
             };
             match said {
-                None => answers.extend(self.run_part(file, Some(piece.span), claims_here)?),
+                None => answers.extend(self.run_part(file, piece.span, claims_here)?),
                 Some(Some(found)) => answers.extend(found),
                 Some(None) => {
                     let problem = Diagnostic::error(Code::Usage, "these conditions are not read here")
@@ -184,10 +185,9 @@ impl Session {
                 _ => equations.push(read),
             }
         }
-        let equation = |item: &Expr| matches!(&item.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]));
         let mut machine = evaluator::machine_in(&self.env);
         let symbol = name_of(&name, &mut machine).filter(|symbol| self.env.get(symbol).is_none())?;
-        if equations.is_empty() || !equations.iter().all(equation) {
+        if equations.is_empty() || !equations.iter().all(is_equation) {
             return None;
         }
         // The names in what the equations say, also through sums and values of functions.

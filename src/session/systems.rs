@@ -20,14 +20,10 @@ impl Session {
         let text = file.slice(statement.span).trim_start_matches(['$', ' ']);
         let text =
             ["\\[", "\\("].iter().find_map(|open| text.strip_prefix(open)).unwrap_or(text).trim_start();
-        let equation = |item: &Expr| match &item.kind {
-            Kind::Chain(_, links) => matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]),
-            _ => false,
-        };
         let Kind::Sequence(items) = &statement.kind else { return Ok(None) };
         let mut machine = evaluator::machine_in(&self.env);
         if items.len() < 2
-            || !items.iter().all(equation)
+            || !items.iter().all(is_equation)
             || items.iter().all(|item| machine.defines(item))
             || !BRACES.iter().any(|brace| text.starts_with(brace))
         {
@@ -40,4 +36,9 @@ impl Session {
         answer.outcome.notes.insert(0, note);
         Ok(Some(vec![answer]))
     }
+}
+
+/// Whether it says that two things are equal.
+pub(super) fn is_equation(expr: &Expr) -> bool {
+    matches!(&expr.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]))
 }

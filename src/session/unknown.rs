@@ -95,7 +95,7 @@ impl Session {
         let note = read_as(&definition, whole);
         let mut answers = vec![there.evaluated(file, definition, Equals::DefinesUnbound, false)?];
         if let Some(asked) = unknown.asked {
-            answers = there.run_part(file, Some(asked.shifted(whole.start)), equals)?;
+            answers = there.run_part(file, asked.shifted(whole.start), equals)?;
         }
         if let Some(first) = answers.first_mut() {
             first.outcome.notes.insert(0, note);

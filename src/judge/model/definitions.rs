@@ -573,15 +573,19 @@ fn linear(pattern: &Expr) -> Option<(&str, i64, i64)> {
     }
 }
 
+/// The indices of coordinates.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// p_x and p_y in a ∧ b = a_x b_y - a_y b_x, for the points that are put for a and b; or the name whose coordinates are
 /// not known.
 fn coordinates(body: &Expr, bound: &Bound) -> Result<Bound, String> {
     let mut members: BTreeSet<(String, usize)> = BTreeSet::new();
     walk(body, &mut |part| {
-        let Some(head) = Head::of(part).filter(|head| head.upper.is_empty()) else { return };
-        let Some(Expr { kind: Kind::Name(axis), .. }) = head.index() else { return };
-        let axis = ["x", "y", "z"].iter().position(|own| own == axis);
-        members.extend(axis.map(|axis| (head.base, axis)));
+        // Each definition is unfolded thousands of times.
+        let Kind::Subscript(_, lower) = &part.kind else { return };
+        let [Expr { kind: Kind::Name(axis), .. }] = lower.as_slice() else { return };
+        let Some(axis) = AXES.iter().position(|own| own == axis) else { return };
+        members.extend(Head::of(part).map(|head| (head.base, axis)));
     });
     let mut found = Bound::new();
     for (name, axis) in members {
@@ -590,7 +594,7 @@ fn coordinates(body: &Expr, bound: &Bound) -> Result<Bound, String> {
         };
         let own =
             value.clone().coordinates().and_then(|mut all| (axis < all.len()).then(|| all.swap_remove(axis)));
-        let index = Index::Word(["x", "y", "z"][axis].into());
+        let index = Index::Word(AXES[axis].into());
         found.push((symbol.clone().with_indices([index]), own.ok_or(name)?));
     }
     Ok(found)
