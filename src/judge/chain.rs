@@ -241,8 +241,10 @@ impl Checker {
             start = 1;
         }
         if start == 0
-            && let Some(function) = self.new_derivative(chain, place)
+            && let Some(derivative) = self.new_derivative(chain, place)
         {
+            self.definition(chain, &derivative, statement, &mut findings[0]);
+            let function = derivative.base.trim_end_matches('\'');
             findings[0].verdict = Verdict::Definition;
             findings[0].reason = Some(format!("says what the derivative of {function} is"));
             start = 1;

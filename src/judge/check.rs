@@ -118,6 +118,9 @@ impl Checker {
     }
 
     fn take_in(&mut self, statement: &Statement) {
+        if let Some(chain) = self.sum_of_known(statement) {
+            return self.take_in(&Statement { said: Said::Chain(chain), ..statement.clone() });
+        }
         match &statement.said {
             Said::Declaration(text, span) => self.declare(text, &statement.place, Some(*span)),
             Said::Object(object) => self.object(object, &statement.place),
@@ -220,6 +223,27 @@ impl Checker {
                 }
             }
         }
+    }
+
+    /// α + β + γ = 1 is a condition on names, unless formulas say what each of them is: then it is claimed.
+    fn sum_of_known(&self, statement: &Statement) -> Option<Chain> {
+        let Said::Condition(side) = &statement.said else { return None };
+        if !matches!(statement.role, None | Some(Role::Claimed | Role::Always)) {
+            return None;
+        }
+        let Kind::Chain(left, links) = &side.expr.kind else { return None };
+        let [Link { rel: Rel::Eq, expr: right, span }] = links.as_slice() else { return None };
+        let known = |base: &String| {
+            let mut definitions = self.context.visible(base, &statement.place);
+            definitions.any(|(_, definition, _)| matches!(definition.body, Body::Formula(_)))
+        };
+        let names = bases(left);
+        if names.is_empty() || !names.iter().all(known) {
+            return None;
+        }
+        let (before, after) = side.latex.split_once('=')?;
+        let side = |expr: &Expr, latex: &str| Side { expr: expr.clone(), latex: latex.trim().to_owned() };
+        Some(Chain::new(vec![side(left, before), side(right, after)], vec![(Rel::Eq, *span)]))
     }
 
     /// Judges a chain in all ways.

@@ -6,7 +6,7 @@ use super::context::{Body, Condition, Definition, Source, is_variable};
 use super::model::Curve;
 use super::names::{
     Head, base_of, bases, capital_of, has_members, integer_names, is_capital, is_index_letter, is_range,
-    polar_names, walk,
+    polar_names, primed, walk,
 };
 use super::object::Sort;
 use super::refute::calls;
@@ -47,9 +47,8 @@ pub fn definable(expr: &Expr) -> Option<Head> {
     if head.arguments.is_none() && head.lower.is_empty() && !head.upper.is_empty() && !head.parenthesized {
         return None;
     }
-    if matches!(head.base.as_str(), "Delta" | "nabla" | "D")
-        && (head.lower.is_empty() || head.arguments.is_some())
-    {
+    // Δ f_i and D f are values of operators; Δ = t_1 - t_0 gives a name.
+    if matches!(head.base.as_str(), "Delta" | "nabla" | "D") && head.arguments.is_some() {
         return None;
     }
     // f(t_1, t_2, t_3) has places; f(t_2, t_3, t) is a value at knots.
@@ -353,10 +352,15 @@ impl Checker {
     }
 
     /// S''(x) = … of an unknown S tells what its derivative is.
-    pub(super) fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<String> {
+    pub(super) fn new_derivative(&self, chain: &Chain, place: &Place) -> Option<Head> {
         let Kind::Apply(callee, groups) = &chain.sides[0].expr.kind else { return None };
-        let Kind::Prime(function, _) = &callee.kind else { return None };
+        let Kind::Prime(function, order) = &callee.kind else { return None };
         let head = Head::of(function)?;
+        let own = Head {
+            base: primed(&head.base, *order as usize),
+            arguments: Some(groups.clone()),
+            ..head.clone()
+        };
         let bare = groups
             .iter()
             .flatten()
@@ -385,8 +389,9 @@ impl Checker {
                 .visible(&head.base, place)
                 .any(|(_, d, near)| d.head.arguments.is_some() || near && of_functions(d))
             || right.contains(&head.base)
-            || right.contains(&head.base.to_lowercase());
-        (bare && !known).then_some(head.base)
+            || right.contains(&head.base.to_lowercase())
+            || self.context.visible(&own.base, place).any(|(.., near)| near);
+        (bare && !known).then_some(own)
     }
 
     /// Whether a claim rests on knots that the page does not give.

@@ -481,6 +481,11 @@ pub fn bracket_beside_name(first: &Expr, second: &Expr) -> Option<bool> {
     }
 }
 
+/// The name under which a derivative of a function is known of which the page says nothing else: x'' for x.
+pub(super) fn primed(function: &str, order: usize) -> String {
+    format!("{function}{}", "'".repeat(order))
+}
+
 /// A function without the marks of derivatives: F of F'(t), also with dots.
 pub fn underived(callee: &Expr) -> &Expr {
     match &callee.kind {

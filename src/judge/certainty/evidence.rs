@@ -414,8 +414,11 @@ impl Suspect<'_> {
         let literal = |side: &Expr| matches!(side.kind, Kind::Number(_));
         let numbers = self.sides().iter().all(|side| bases(side).iter().all(|name| is_function_word(name)));
         let circular = contains(right, left) && !bases(left).is_empty();
-        let plain =
-            self.claimed() && self.tally.record.definitions.is_empty() && self.failure.integers.is_empty();
+        // p + q = 2, where p and q were defined right before: one apart for all that is in them
+        let plain = self.claimed()
+            && self.uses_what_is_near()
+            && self.failure.integers.is_empty()
+            && self.used().all(|definition| !definition.source.is_text());
         // k = 1^k is one apart in one instance only; "set k = k + 1" is an assignment
         let circular = circular
             && (self.failure.integers.is_empty() || !self.are_numbers())

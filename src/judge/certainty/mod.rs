@@ -424,7 +424,8 @@ impl Suspect<'_> {
     fn has_no_solution(&self) -> bool {
         match (&self.failure.left, &self.failure.right) {
             (Value::Scalar(left), Value::Scalar(right)) => {
-                left.minus(right).numerator().as_constant().is_some()
+                let difference = left.minus(right);
+                difference.numerator().as_constant().is_some() || difference.as_rational().is_some()
             }
             _ => false,
         }

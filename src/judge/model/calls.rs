@@ -150,13 +150,20 @@ impl Model {
                 {
                     return declared.object.is_function();
                 }
-                if plain && (is_index_letter(&head.base) && !self.context.letters.is_function(&head.base)) {
-                    return false;
-                }
                 let context = self.context.clone();
                 let defined = context
                     .visible(&head.base, &self.place)
                     .find(|(_, definition, _)| definition.head.lower.len() == head.lower.len());
+                // k (t) is a product, unless k(t) was defined.
+                let applied =
+                    || defined.is_some_and(|(_, definition, near)| near && definition.head.arguments.is_some());
+                if plain
+                    && is_index_letter(&head.base)
+                    && !self.context.letters.is_function(&head.base)
+                    && !applied()
+                {
+                    return false;
+                }
                 match defined {
                     Some((_, definition, near)) if near || !self.context.letters.is_function(&head.base) => {
                         definition.head.arguments.is_some() || self.context.letters.is_function(&head.base)

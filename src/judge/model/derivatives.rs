@@ -4,7 +4,7 @@ use super::calls::{each, unclear};
 use super::definitions::OPEN_PIECE;
 use super::{Evaluated, Model};
 use crate::formula::{Expr, Kind};
-use crate::judge::names::{Head, bases};
+use crate::judge::names::{Head, bases, primed};
 use crate::judge::object::Sort;
 use crate::judge::values::symbols;
 use crate::language::eval::Machine;
@@ -100,6 +100,10 @@ impl Model {
         if order == 0 {
             return self.apply(machine, function, values, expr);
         }
+        // x''(t), where the page says what x'(t) is, and not what x is
+        if let Some((given, derivative)) = self.derivative_given(function, order) {
+            return self.derivative(machine, &derivative, order - given, values, expr);
+        }
         let fresh = Symbol::new(FRESH);
         let own = vec![vec![Value::symbol(fresh.clone())]];
         // Near the argument it is a polynomial.
@@ -150,6 +154,18 @@ impl Model {
         }
     }
 
+    /// The highest derivative, up to an order, that the page gives of a function of which it says no more.
+    fn derivative_given(&self, function: &Expr, order: usize) -> Option<(usize, Expr)> {
+        let head = Head::of(function).filter(|head| head.lower.is_empty() && head.upper.is_empty())?;
+        let visible = |name: &str| self.context.visible(name, &self.place).next().is_some();
+        if visible(&head.base) {
+            return None;
+        }
+        let given = (1..=order).rev().find(|order| visible(&primed(&head.base, *order)))?;
+        let name = Kind::Name(primed(&head.base, given));
+        Some((given, Expr::new(name, function.span)))
+    }
+
     /// F' alone, as in F' = 3 t^2.
     pub(super) fn derived_name(
         &self,
@@ -163,7 +179,9 @@ impl Model {
             return None;
         }
         let context = self.context.clone();
-        let definition = context.visible(&head.base, &self.place).find_map(|(_, definition, _)| {
+        let given = self.derivative_given(body, order).and_then(|(_, derivative)| Head::of(&derivative));
+        let known = given.as_ref().unwrap_or(&head);
+        let definition = context.visible(&known.base, &self.place).find_map(|(_, definition, _)| {
             let arguments = definition.head.flat();
             match arguments.as_slice() {
                 [one] => Head::of(one).map(|own| own.base),
