@@ -265,13 +265,16 @@ pub struct Statement {
     pub denied: bool,
     /// Whether its sentence draws a conclusion before it, or says nothing but it.
     pub concludes: bool,
+    /// The name for which it is an equation: its sentence goes on to the solution.
+    pub solved: Option<String>,
 }
 
 impl Statement {
     /// A statement without words around it.
     pub fn new(said: Said, place: Place) -> Self {
         let (topics, near, gap) = Default::default();
-        Statement { said, place, role: None, topics, near, gap, denied: false, concludes: false }
+        let (denied, concludes, solved) = Default::default();
+        Statement { said, place, role: None, topics, near, gap, denied, concludes, solved }
     }
 
     /// The Bézier curve that its sentence speaks of without naming its points, if it speaks of its polar form.

@@ -146,9 +146,16 @@ pub(super) struct Changes {
     pub(super) so_far: u32,
     /// Whether data of the sentence are its own: "for integer knots t_i = i we get".
     passing: bool,
+    /// Whether words that are not understood may change data in each paragraph.
+    foreign: bool,
 }
 
 impl Changes {
+    /// Those of a page with these words.
+    pub(super) fn of(words: &str) -> Self {
+        Changes { foreign: !speech::is_understood(words), ..Changes::default() }
+    }
+
     /// Words that put other data in the place of those before, or end a sentence that has data of its own.
     pub(super) fn words(&mut self, words: &str) {
         let ends = self.passing && speech::ends_a_sentence(words);
@@ -163,7 +170,7 @@ impl Changes {
 
     /// A paragraph begins.
     pub(super) fn paragraph(&mut self) {
-        self.so_far += u32::from(std::mem::take(&mut self.passing));
+        self.so_far += u32::from(std::mem::take(&mut self.passing) || self.foreign);
     }
 }
 

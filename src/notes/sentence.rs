@@ -308,6 +308,7 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         };
     }
     examples(around, statements);
+    equations(statements);
     attach_cases(statements, &|statement| role_of(statement).1);
     let last = formulas.last().copied().unwrap_or_default();
     cases::complete(statements, &|statements, at| {
@@ -328,6 +329,26 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         };
         said.or_else(in_words)
     });
+}
+
+/// "From 2h/9 = 1/3 follows h = 3/2": an equation, and then what solves it.
+fn equations(statements: &mut [Statement]) {
+    let solution = |statement: &Statement| match &statement.said {
+        Said::Chain(Chain { sides, relations, .. }) => match (&sides[0].expr.kind, relations.as_slice()) {
+            (Kind::Name(name), [(Rel::Eq, _)]) if !bases(&sides[1].expr).contains(name) => Some(name.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    for at in 1..statements.len() {
+        let Some(name) = solution(&statements[at]) else { continue };
+        if let Said::Chain(chain) = &statements[at - 1].said
+            && chain.sides.iter().any(|side| bases(&side.expr).contains(&name))
+            && solution(&statements[at - 1]).is_none()
+        {
+            statements[at - 1].solved = Some(name);
+        }
+    }
 }
 
 /// "We know it for f(x) = x and f(x) = x^2": formulas for one function in a row are examples of it.

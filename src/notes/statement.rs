@@ -29,6 +29,11 @@ const LAST_WORDS: usize = 400;
 
 /// The statements of a document in order.
 pub fn statements(document: &Document) -> Vec<Statement> {
+    let words = document.items.iter().filter_map(|item| match item {
+        Item::Words(span) => Some(document.words(*span)),
+        _ => None,
+    });
+    let words: String = words.flat_map(|words| [words, " ".into()]).collect();
     let mut reader = Reader {
         document,
         statements: Vec::new(),
@@ -44,7 +49,7 @@ pub fn statements(document: &Document) -> Vec<Statement> {
         gap: String::new(),
         trailing: None,
         formula: 0,
-        changes: Changes::default(),
+        changes: Changes::of(&words),
         apart: None,
         table: Table::default(),
     };

@@ -134,15 +134,20 @@ impl Suspect<'_> {
 
     /// f[0, 0] = 2, f[0, 2] = 6, f[2, 3] = 3, f[3, 3] = 5 are coefficients of a spline, and no values of one polar form.
     fn of_another_piece(&self) -> Option<String> {
-        let [left, right] = self.sides();
-        let number = |expr: &Expr| bases(expr).is_empty();
-        let Kind::Apply(callee, groups) = &left.kind else { return None };
-        let arguments: Vec<&Expr> = groups.iter().flatten().collect();
-        let value = arguments.len() > 1 && arguments.into_iter().all(number) && number(right);
         let given = self.tally.determined > 0 || self.tally.condition.is_some();
-        let name =
-            Head::of(callee).filter(|_| value && given && self.statement.topics.has(Topic::Spline))?.base;
-        Some(format!("on which piece {name} is meant is not said"))
+        if !given || !self.statement.topics.has(Topic::Spline) {
+            return None;
+        }
+        let mut found = None;
+        self.any(&mut |part| {
+            let Kind::Apply(callee, groups) = &part.kind else { return false };
+            let arguments: Vec<&Expr> = groups.iter().flatten().collect();
+            if arguments.len() > 1 && arguments.into_iter().all(|argument| bases(argument).is_empty()) {
+                found = found.take().or_else(|| Head::of(callee).map(|head| head.base));
+            }
+            false
+        });
+        found.map(|name| format!("on which piece {name} is meant is not said"))
     }
 
     /// det L = 2^{-n(n+1)/2}, where the page gives the L of one n.
@@ -271,22 +276,27 @@ impl Suspect<'_> {
         Some(format!("what line {line} says is not used here"))
     }
 
-    /// q''(1) = 6, where words say that q is a curve, but its data are not understood: nobody claims it of any curve.
+    /// q''(1) = 6, where words say that q is a curve, but its data are not understood, or leave its value open: nobody claims
+    /// it of any curve.
     fn value_of_unknown_data(&self) -> Option<String> {
         let [left, right] = self.sides();
         let number = |expr: &Expr| bases(expr).is_empty();
-        let own = |side: &Expr, other: &Expr| {
+        let own = |side: &Expr, value: &Value, other: &Expr| {
             let Kind::Apply(callee, groups) = &side.kind else { return None };
-            let name = Head::of(underived(callee))
-                .filter(|head| self.tally.record.unknown.contains(&head.base))?
-                .base;
+            let name = Head::of(underived(callee))?.base;
+            let unknown = self.tally.determined == 0 && self.tally.record.unknown.contains(&name);
+            // In terms of letters that it does not have
+            let open = || {
+                let own = bases(side);
+                compare::symbols(value)
+                    .iter()
+                    .any(|symbol| !symbol.is_plain() && !own.contains(symbol.base()))
+            };
             let zero = matches!(&other.kind, Kind::Number(q) if q.is_zero());
-            (groups.iter().flatten().all(number) && number(other) && !zero).then_some(name)
+            let value = groups.iter().flatten().all(number) && number(other) && !zero;
+            (value && (unknown || open())).then_some(name)
         };
-        if self.tally.determined > 0 {
-            return None;
-        }
-        let name = own(left, right).or_else(|| own(right, left))?;
+        let name = own(left, &self.failure.left, right).or_else(|| own(right, &self.failure.right, left))?;
         Some(format!("the data of {name} are not understood here"))
     }
 
@@ -364,6 +374,11 @@ impl Suspect<'_> {
 
     /// P(α) = 0; x_1^2 - 4 x_1 x_2 + 1 = 0, where x_1 and x_2 were numbers in an example.
     fn equation_to_be_solved(&self) -> Option<String> {
+        if let Some(name) = &self.statement.solved
+            && self.used().any(|definition| definition.head.base == *name)
+        {
+            return Some(format!("it may be an equation for {name}"));
+        }
         let zero = |expr: &Expr| matches!(&expr.kind, Kind::Number(q) if q.is_zero());
         let mut structure =
             |part: &Expr| matches!(part.kind, Kind::Apply(..) | Kind::Big { .. } | Kind::Integral { .. });

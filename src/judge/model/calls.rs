@@ -155,8 +155,9 @@ impl Model {
                     .visible(&head.base, &self.place)
                     .find(|(_, definition, _)| definition.head.lower.len() == head.lower.len());
                 // k (t) is a product, unless k(t) was defined.
-                let applied =
-                    || defined.is_some_and(|(_, definition, near)| near && definition.head.arguments.is_some());
+                let applied = || {
+                    defined.is_some_and(|(_, definition, near)| near && definition.head.arguments.is_some())
+                };
                 if plain
                     && is_index_letter(&head.base)
                     && !self.context.letters.is_function(&head.base)

@@ -229,7 +229,11 @@ impl Model {
         let spline = KnotVector::new(degree, knots.to_vec()).and_then(|knots| knots.basis_function(0));
         let spline =
             spline.map_err(|error| Diagnostic::error(Code::Domain, error.to_string()).at(expr.span))?;
-        let inside = spline.breaks().last().is_some_and(|last| at < *last);
+        // Where it jumps at the end of the domain it is what it is to the left.
+        let jumps = |last: &Rational| degree > 0 && knots.iter().skip(1).all(|knot| knot == last);
+        let ends = |last: &Rational| self.given_knots.values().all(|knot| knot <= last);
+        let inside =
+            spline.breaks().last().is_some_and(|last| at < *last || at == *last && jumps(last) && ends(last));
         Ok(match spline.locate(&at) {
             Ok(piece) if inside => {
                 let piece = spline.pieces()[piece].iter().map(Fraction::from_rational);

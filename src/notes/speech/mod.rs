@@ -15,6 +15,8 @@ mod quantities;
 mod starts;
 #[cfg(test)]
 mod tests;
+mod tongue;
+mod unreal;
 
 pub use blocks::{
     Block, block, changes_data, ends_a_sentence, generalises, gives_example, is_for_some_data, kind_of_block,
@@ -23,6 +25,7 @@ pub use blocks::{
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
+pub use tongue::is_understood;
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -465,7 +468,9 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
             }
         }
     }
-    best.map(|(_, role)| role)
+    let role = best.map(|(_, role)| role);
+    let asserted = matches!(role, None | Some(Role::Claimed | Role::Always | Role::Introduced));
+    if asserted && unreal::is_unreal(&around.left, &around.right) { Some(Role::Asked) } else { role }
 }
 
 /// Whether the first words of a sentence are those of a case, with nothing set apart: "For uniform knots of distance".

@@ -32,8 +32,17 @@ const MOST_SENTENCES: usize = 8;
 ///
 /// Cost: linear in the words, times the number of hints.
 pub(super) fn tell(sentences: &[Vec<Piece>], page: &Page, found: &mut BTreeMap<usize, Vec<Object>>) {
+    let forms: Vec<(String, String)> = found
+        .values()
+        .flatten()
+        .filter(|object| object.sort == Sort::PolarForm)
+        .filter_map(|object| {
+            let form = Head::of(object.names.first()?)?.base;
+            Some((form, Head::of(object.of.as_ref()?)?.base))
+        })
+        .collect();
     for paragraph in paragraphs(sentences, page) {
-        let Some(account) = Account::of(paragraph, page) else { continue };
+        let Some(account) = Account::of(paragraph, page, &forms) else { continue };
         let numbers = account.numbers.clone();
         let objects = account.objects();
         let claimed = objects.iter().any(|object| account.is_claimed(object));
@@ -111,7 +120,7 @@ struct Account {
 }
 
 impl Account {
-    fn of(paragraph: &[Vec<Piece>], page: &Page) -> Option<Account> {
+    fn of(paragraph: &[Vec<Piece>], page: &Page, forms: &[(String, String)]) -> Option<Account> {
         let mut all = Vec::new();
         let mut topics = Topics::default();
         for sentence in paragraph {
@@ -146,7 +155,7 @@ impl Account {
         if all.iter().any(stops) || other.into_iter().any(|topic| topics.has(topic)) {
             return None;
         }
-        let told = Told { all: &all, page, topics };
+        let told = Told { all: &all, page, topics, forms };
         told.account(numbers)
     }
 }

@@ -18,6 +18,8 @@ pub(super) struct Told<'a> {
     pub all: &'a [Sign],
     pub page: &'a Page<'a>,
     pub topics: Topics,
+    /// Polar forms that were told before, and of what.
+    pub forms: &'a [(String, String)],
 }
 
 impl Told<'_> {
@@ -221,7 +223,9 @@ impl Told<'_> {
             }
         }
         let unnamed = Expr::name(format!("{UNNAMED}{}", formulas(self.all).next().unwrap_or_default()));
-        let Some(call) = found.filter(|_| formula.is_none()) else { return Some(unnamed) };
+        let Some(call) = found.filter(|_| formula.is_none()) else {
+            return Some(polar.and_then(|polar| self.form_told_before(polar)).unwrap_or(unnamed));
+        };
         // "Its derivative is y(t) = …": another function, unless the curve is called so.
         let other = [Topic::Derivative, Topic::PolarForm].into_iter().any(|topic| self.topics.has(topic));
         if other && !call.derived && !self.is_called(&call.name) {
@@ -258,7 +262,7 @@ impl Told<'_> {
         let mut several = calls.iter().filter(|call| call.arguments > 1 && !call.derived);
         match (count, several.next()) {
             (0, None) => Some(None),
-            (0, Some(_)) => None,
+            (0, Some(first)) => self.form_told_before(&first.name).map(|_| Some(first.name.clone())),
             (_, None) => Some(None),
             (_, Some(first)) => {
                 let one = several.all(|call| call.name.same_as(&first.name));
@@ -266,6 +270,13 @@ impl Told<'_> {
                 (one && !cut).then(|| Some(first.name.clone()))
             }
         }
+    }
+
+    /// The function whose polar form a name was said to be before, if the curve is called so: "Let p be the cubic …".
+    fn form_told_before(&self, name: &Expr) -> Option<Expr> {
+        let own = Head::of(name)?.base;
+        let (_, of) = self.forms.iter().find(|(form, _)| *form == own)?;
+        Some(Expr::name(of)).filter(|of| self.is_called(of))
     }
 
     /// The formula of the curve: a sum in a variable, or what a function is defined as. Nothing if there are several.
