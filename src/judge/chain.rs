@@ -141,6 +141,7 @@ impl Checker {
             .or_else(|| named(left))
             .map(|head| self.context.with_pairs_apart(head))
             .filter(|_| joins.is_none())
+            .filter(|head| !self.is_power_of_member(head, &chain.sides[1].expr, place))
             .filter(|_| matches!(chain.relations[0].0, Rel::Eq | Rel::Define))
             .filter(|head| statement.role != Some(Role::All) || !is_root_of(head, chain))
             .filter(|head| {

@@ -17,6 +17,7 @@ use super::reach::whole_sums;
 use super::reliance::Use;
 use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
+use super::theorems::Agreement;
 use super::topic::Topic;
 use super::unread::Unread;
 use crate::budget::{self, Limits, Stop};
@@ -50,6 +51,8 @@ pub struct Checker {
     pub(super) seen: BTreeSet<String>,
     /// Letters of control points that words speak of, of which one agreed.
     pub(super) agreed: Vec<(String, Place)>,
+    /// Theorems that gave a member of a family.
+    pub(super) agreements: Vec<Agreement>,
     /// How ambiguous notations were found to be meant: true is the second reading.
     pub(super) settled: RefCell<BTreeMap<Ambiguity, bool>>,
     /// Functions with laws that stayed open, each with its place and line.
@@ -80,6 +83,7 @@ impl Checker {
             schemes: Vec::new(),
             seen: BTreeSet::new(),
             agreed: Vec::new(),
+            agreements: Vec::new(),
             settled: RefCell::default(),
             laws: Vec::new(),
             before: Mark::default(),

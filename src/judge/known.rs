@@ -394,6 +394,23 @@ impl Checker {
         (bare && !known).then_some(own)
     }
 
+    /// x_1^2 = 4 x_0 x_2, where the page says what x_1 is: a power, and no name. In b_0^2 = (1 - t) b_0^1 + t b_1^1 nothing of
+    /// the family is multiplied by its own.
+    pub(super) fn is_power_of_member(&self, head: &Head, right: &Expr, place: &Place) -> bool {
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let [upper] = head.upper.as_slice() else { return false };
+        if head.arguments.is_some() || head.parenthesized || head.lower.is_empty() || !number(upper) {
+            return false;
+        }
+        let own = |factor: &Expr| Head::of(factor).is_some_and(|other| other.base == head.base);
+        let product = right.has(&|part| match &part.kind {
+            Kind::Mul(factors) => factors.iter().filter(|factor| own(factor)).count() > 1,
+            _ => false,
+        });
+        let member = Head { upper: Vec::new(), ..head.clone() };
+        product && self.is_covered(&member, place)
+    }
+
     /// Whether a claim rests on knots that the page does not give.
     pub(super) fn invents_knots(&self, left: &Expr, right: &Expr, place: &Place) -> bool {
         let letters = self.context.knot_letters(place, &[left, right]);

@@ -8,6 +8,7 @@
 //! What fits is proved or sampled. What fits no theorem is wrong only if it is one slip away from one: a page may call
 //! anything c_i.
 
+mod agreement;
 mod entry;
 mod fit;
 mod forms;
@@ -22,6 +23,7 @@ mod tests;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+pub(super) use self::agreement::Agreement;
 use self::entry::{Theorem, known};
 use self::fit::{Claim, Instance, Standing};
 use self::forms::{main_case, with_indices_apart, with_repetitions, without_marks, without_parameters};
@@ -63,7 +65,8 @@ impl Checker {
                 continue;
             }
             let found = budget::run(&limits, || self.by_theorems(chain, at, statement, finding));
-            let Ok(Some(found)) = found else { continue };
+            let Ok(Some((found, agreement))) = found else { continue };
+            self.agreements.extend(agreement);
             if joined && found.verdict == Verdict::Refuted {
                 continue;
             }
@@ -81,7 +84,7 @@ impl Checker {
         at: usize,
         statement: &Statement,
         finding: &Finding,
-    ) -> Option<Finding> {
+    ) -> Option<(Finding, Option<Agreement>)> {
         let (left, right) = (&chain.sides[at].expr, main_case(&chain.sides[at + 1].expr));
         if !matches!(chain.relations[at].0, Rel::Eq | Rel::Define)
             || chain.sides[at].is_unread()
@@ -116,7 +119,7 @@ impl Checker {
                 && self.names_a_value(left, right);
             match self.among(&claim, &instances, finding, names, &long, &suggestion) {
                 Some(Some(found)) => {
-                    return Some(found).filter(|found| !doubt || found.verdict != Verdict::Refuted);
+                    return Some(found).filter(|(found, _)| !doubt || found.verdict != Verdict::Refuted);
                 }
                 Some(None) => doubt = true,
                 None => {}
@@ -180,7 +183,11 @@ impl Checker {
         names: bool,
         long: &dyn Fn() -> bool,
         suggestion: &dyn Fn([&Expr; 2]) -> Option<String>,
-    ) -> Option<Option<Finding>> {
+    ) -> Option<Option<(Finding, Option<Agreement>)>> {
+        let agreed = claim.agreed(instances, &self.agreements);
+        if let Some(instance) = agreed.filter(|instance| !claim.fits(instance)) {
+            return Some(Some((self.differs(claim, instance, &instance.sides, finding, suggestion), None)));
+        }
         let mut doubt = false;
         let mut slip: Option<&Instance> = None;
         for instance in instances {
@@ -195,6 +202,13 @@ impl Checker {
                 continue;
             }
             match instance.standing {
+                // c_2 = (b_2 + b_3)/2, where words say nothing of another degree
+                _ if instance.apart
+                    && instance.theorem.is_about(Topic::Elevation)
+                    && claim.profile.integers.is_empty() =>
+                {
+                    doubt = true;
+                }
                 Standing::Doubtful => doubt = true,
                 Standing::Shifted => {
                     slip = instances.iter().find(|other| {
@@ -203,13 +217,14 @@ impl Checker {
                 }
                 Standing::Certain => {
                     let ranged = !claim.profile.integers.is_empty();
-                    return Some(Some(Finding {
+                    let found = Finding {
                         verdict: if ranged { Verdict::Sampled } else { Verdict::Proved },
                         reason: Some(format!("{}, as the field has it", instance.theorem.name)),
                         witness: None,
                         suggestion: None,
                         ..finding.clone()
-                    }));
+                    };
+                    return Some(Some((found, Agreement::of(claim, instance))));
                 }
             }
         }
@@ -223,13 +238,24 @@ impl Checker {
         if self.has_equal_members(&families, claim.place) || self.is_inverse(&families, claim) {
             return Some(None);
         }
-        Some(Some(Finding {
+        Some(Some((self.differs(claim, instance, &[left, right], finding, suggestion), None)))
+    }
+
+    fn differs(
+        &self,
+        claim: &Claim,
+        instance: &Instance,
+        [left, right]: &[Expr; 2],
+        finding: &Finding,
+        suggestion: &dyn Fn([&Expr; 2]) -> Option<String>,
+    ) -> Finding {
+        Finding {
             verdict: Verdict::Refuted,
             reason: Some(format!("it differs from {}", instance.theorem.name)),
             witness: claim.witness(instance),
-            suggestion: suggestion([&left, &right]),
+            suggestion: suggestion([left, right]),
             ..finding.clone()
-        }))
+        }
     }
 
     /// Whether the section says what others of these families are by the one that a claim is about: b_i = i/n c_{i-1} +
