@@ -284,6 +284,17 @@ impl Checker {
             self.condition(equation, name.span, false, place);
             return;
         }
+        // "The point b_i arises …": the b_i that are known
+        let known = |head: Head| {
+            let known = self.context.object(&head, place).filter(|known| known.place.scope == place.scope);
+            known.is_some_and(|known| known.object.has_values())
+        };
+        if matches!(object.sort, Sort::Symbols | Sort::ControlPoints)
+            && object.is_bare()
+            && object.names.iter().filter_map(Head::of).all(known)
+        {
+            return;
+        }
         let object = Rc::new(object);
         let declared = Declared { object: object.clone(), place: place.clone(), line };
         Rc::make_mut(&mut self.context).declare(declared);
