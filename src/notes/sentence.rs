@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use super::cases::{self, parity};
 use super::speech::{self, Around};
 use crate::document::{Document, Item, Style};
-use crate::formula::source::Pieces;
+use crate::formula::source::{Pieces, Span};
 use crate::formula::{Expr, Kind, Link, Rel};
 use crate::judge::names::{Head, bases};
 use crate::judge::statement::{Chain, Role, Said, Statement, links};
@@ -56,7 +56,10 @@ fn sentence_end(text: &str) -> Option<usize> {
                 let number = !word.is_empty()
                     && word.chars().all(|c| c.is_ascii_digit())
                     && text.piece(..at).trim() == word;
-                let open = c == '.' && (ABBREVIATIONS.contains(&word.as_str()) || number);
+                // "see 4. and 5."
+                let goes_on = word.ends_with(|c: char| c.is_ascii_digit())
+                    && rest.trim_start().starts_with(char::is_lowercase);
+                let open = c == '.' && (ABBREVIATIONS.contains(&word.as_str()) || number || goes_on);
                 if !open && (rest.is_empty() || rest.starts_with(char::is_whitespace)) {
                     return Some(text.len() - rest.len());
                 }
@@ -134,7 +137,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
     let mut found: Vec<Around> = Vec::new();
     for sentence in sentences {
         let (mut left, mut first) = (String::new(), true);
-        let (mut ours, mut proves) = (false, false);
+        let (mut ours, mut proves, mut mistaken) = (false, false, false);
         let asks = is_question(sentence);
         for piece in sentence {
             match piece {
@@ -146,6 +149,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
                     left.push(' ');
                     ours |= speech::ours(words);
                     proves |= speech::proves(words);
+                    mistaken |= speech::names_a_mistake(words);
                 }
                 Piece::Formula(_) => {
                     found.push(Around {
@@ -154,6 +158,7 @@ fn surroundings(sentences: &[Vec<Piece>]) -> Vec<Around> {
                         first,
                         ours,
                         proves,
+                        mistaken,
                         asks,
                     });
                     first = false;
@@ -307,6 +312,7 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
             _ => None,
         };
     }
+    rewritten(statements);
     examples(around, statements);
     equations(statements);
     attach_cases(statements, &|statement| role_of(statement).1);
@@ -329,6 +335,29 @@ fn sentence(around: &[Around], statements: &mut [Statement]) {
         };
         said.or_else(in_words)
     });
+}
+
+/// "We write p(t) = t^2 as Σ b_i B_i^2(t)": the two are equal.
+fn rewritten(statements: &mut [Statement]) {
+    let composed = |expr: &Expr| matches!(expr.kind, Kind::Add(_) | Kind::Big { .. });
+    for at in 1..statements.len() {
+        let (before, own) = statements.split_at_mut(at);
+        let (Some(before), Some(own)) = (before.last(), own.first_mut()) else { continue };
+        let first = match &before.said {
+            Said::Chain(chain) if !chain.given => chain.sides.first(),
+            Said::Bare(side, _) => Some(side),
+            _ => None,
+        };
+        if let (Some(first), Said::Bare(sum, problems)) = (first, &own.said)
+            && before.place.formula < own.place.formula
+            && composed(&sum.expr)
+            && speech::says_as(&own.gap)
+        {
+            let sign = Span { start: first.expr.span.end, end: sum.expr.span.start };
+            let equation = Chain::new(vec![first.clone(), sum.clone()], vec![(Rel::Eq, sign)]);
+            own.said = Said::Chain(Chain { problems: problems.clone(), ..equation });
+        }
+    }
 }
 
 /// "From 2h/9 = 1/3 follows h = 3/2": an equation, and then what solves it.

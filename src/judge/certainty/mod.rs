@@ -409,6 +409,7 @@ impl Suspect<'_> {
             && self.at == 0
             && !self.chain.universal
             && self.tally.record.definitions.is_empty()
+            && self.tally.record.standard.is_empty()
             && !self.has_no_solution()
             && !self.any(&mut product);
         let free = |argument: &Expr| match &argument.kind {

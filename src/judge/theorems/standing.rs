@@ -307,7 +307,10 @@ fn is_over_another_interval(theorem: &Theorem, equation: &Equation, said: &Said)
     let numbers = |(from, to): &(Expr, Expr)| bases(from).is_empty() && bases(to).is_empty();
     let over_unit = ["curve", "powers", "casteljau", "hermite", "interval"];
     let lengths = |name: &Expr| matches!(&name.kind, Kind::Name(name) if is_end(name) || name == "h");
-    theorem.meaning.split(' ').any(|word| over_unit.contains(&word))
+    let words = || theorem.meaning.split(' ');
+    words().any(|word| over_unit.contains(&word))
         && !equation.profile.variables.iter().any(lengths)
-        && said.intervals.iter().any(|ends| numbers(ends) && !unit(ends))
+        && (said.intervals.iter().any(|ends| numbers(ends) && !unit(ends))
+            || words().any(|word| word == "hermite")
+                && said.intervals.first().is_some_and(|ends| !unit(ends)))
 }

@@ -551,7 +551,7 @@ impl<'a> Reader<'a> {
         self.found.entry(number).or_default().push(object);
     }
 
-    /// The members of the family of a name that a formula gives one by one.
+    /// The members of the family of a name that a formula, or several in a row, give one by one.
     fn siblings(&self, name: &Expr, number: usize) -> Vec<Expr> {
         let member = |expr: &Expr| {
             Head::of(expr)
@@ -559,7 +559,14 @@ impl<'a> Reader<'a> {
         };
         let Some(own) = member(left_side(name)) else { return vec![name.clone()] };
         let given = |item: &&Expr| matches!(item.kind, Kind::Chain(..));
-        let alike = self.said(number).iter().filter(given).map(left_side);
+        let start = self.tokens.iter().position(|token| matches!(token, Token::Formula(at) if *at == number));
+        let row = self.tokens.iter().skip(start.map_or(0, |at| at + 1)).map_while(|token| match token {
+            Token::Formula(at) => Some(Some(*at)),
+            Token::Comma | Token::Word(Word::And) => Some(None),
+            _ => None,
+        });
+        let numbers: Vec<usize> = std::iter::once(number).chain(row.flatten()).collect();
+        let alike = numbers.iter().flat_map(|at| self.said(*at)).filter(given).map(left_side);
         let alike = alike.filter(|left| member(left).is_some_and(|head| head.base == own.base));
         let found: Vec<Expr> = alike.cloned().collect();
         if found.len() > 1 { found } else { vec![name.clone()] }

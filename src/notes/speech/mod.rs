@@ -26,6 +26,7 @@ pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
 pub use tongue::is_understood;
+pub use unreal::names_a_mistake;
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -266,6 +267,8 @@ pub struct Around {
     pub ours: bool,
     /// Whether the sentence asks for a proof.
     pub proves: bool,
+    /// Whether the sentence speaks of a mistake, up to the formula.
+    pub mistaken: bool,
     /// Whether the sentence is a question.
     pub asks: bool,
 }
@@ -470,7 +473,11 @@ pub fn role(around: &Around, claims: bool) -> Option<Role> {
     }
     let role = best.map(|(_, role)| role);
     let asserted = matches!(role, None | Some(Role::Claimed | Role::Always | Role::Introduced));
-    if asserted && unreal::is_unreal(&around.left, &around.right) { Some(Role::Asked) } else { role }
+    if asserted && (around.mistaken || unreal::is_unreal(&around.left, &around.right)) {
+        Some(Role::Asked)
+    } else {
+        role
+    }
 }
 
 /// Whether the first words of a sentence are those of a case, with nothing set apart: "For uniform knots of distance".
@@ -581,6 +588,31 @@ pub fn zero_elsewhere(words: &str) -> bool {
         has_one_of(&text, language.zero, language) && language.cues.iter().any(elsewhere)
     })
 }
+
+/// Whether words between two formulas say that the one is written as the other: "as a sum of Bernstein polynomials".
+pub fn says_as(words: &str) -> bool {
+    let text = normal(words);
+    let short = text.chars().count() < 60 && !text.contains(['.', ',', ';', ':']);
+    short
+        && AS.iter().any(|(start, spaced)| {
+            let rest = text.strip_prefix(start);
+            rest.is_some_and(|rest| !spaced || rest.is_empty() || rest.starts_with(' '))
+        })
+}
+
+/// How words begin that lead from a formula to another form of it, and whether blanks separate them.
+const AS: &[(&str, bool)] = &[
+    ("as", true),
+    ("in the form", true),
+    ("als", true),
+    ("in der form", true),
+    ("comme", true),
+    ("sous la forme", true),
+    ("写成", false),
+    ("写为", false),
+    ("表示为", false),
+    ("表示成", false),
+];
 
 /// Whether words say what "we" do.
 pub fn ours(words: &str) -> bool {

@@ -1,6 +1,6 @@
 //! Formulas that a sentence gives without standing for them: "It would be wrong to write …", "…, which is false".
 
-use super::normal;
+use super::{normal, plain};
 use crate::formula::source::Pieces;
 
 /// Verbs of what is not so.
@@ -16,7 +16,6 @@ const CONDITIONAL: &[&str] =
 /// How words begin that call something wrong.
 const WRONG: &[&str] = &[
     "wrong",
-    "mistake",
     "incorrect",
     "false",
     "erroneous",
@@ -40,6 +39,22 @@ const WRONG: &[&str] = &[
 
 const NOT: &[&str] = &["not", "never", "no", "nicht", "nie", "pas", "kein", "keine"];
 
+/// Mistakes that a sentence may tell of at length.
+const MISTAKES: &[&str] = &[
+    "mistake",
+    "common error",
+    "typical error",
+    "häufiger fehler",
+    "häufigen fehler",
+    "typischer fehler",
+    "beliebter fehler",
+    "erreur fréquente",
+    "erreur courante",
+    "erreur classique",
+    "常见错误",
+    "常见的错误",
+];
+
 /// Words with which something else begins.
 const JOINTS: &[&str] = &["and", "but", "while", "whereas", "und", "aber", "während", "et", "mais", "tandis"];
 
@@ -58,6 +73,12 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let near: String = clause.split(' ').take(7).collect::<Vec<_>>().join(" ");
     let joint = near.split(' ').next().is_some_and(|first| JOINTS.contains(&first));
     !joint && calls_wrong(&near)
+}
+
+/// Whether words begin to tell of a mistake that many make.
+pub fn names_a_mistake(words: &str) -> bool {
+    let text = plain(words);
+    MISTAKES.iter().any(|mistake| text.contains(mistake))
 }
 
 fn calls_wrong(clause: &str) -> bool {

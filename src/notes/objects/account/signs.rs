@@ -85,7 +85,9 @@ fn words_of(words: &str, found: &mut Vec<Sign>) {
                 if sign == Sign::Knots && whole.iter().any(|whole| rest.piece(..length).contains(whole)) {
                     found.push(Sign::Hint(Hint::Integers));
                 }
-                (length, sign)
+                // "In the Bernstein basis" names no functions.
+                let basis = ["basis", "base", "基"].iter().any(|basis| rest.piece(..length).ends_with(basis));
+                (length, if basis && sign == Sign::Strange { Sign::Filler } else { sign })
             }
             _ if matches!(c, ';' | '；') => (c.len_utf8(), Sign::End),
             _ if matches!(c, ',' | '，' | '、') => (c.len_utf8(), Sign::Join),
