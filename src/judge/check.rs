@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
+use super::agreement::Agreement;
 use super::context::{Body, Condition, Context, Definition, Mark, Source, is_variable};
 use super::described::Taken;
 use super::finding::{Finding, Verdict};
@@ -17,7 +18,6 @@ use super::reach::whole_sums;
 use super::reliance::Use;
 use super::scheme::Scheme;
 use super::statement::{Chain, Place, Role, Said, Side, Statement, links};
-use super::theorems::Agreement;
 use super::topic::Topic;
 use super::unread::Unread;
 use crate::budget::{self, Limits, Stop};
@@ -190,6 +190,8 @@ impl Checker {
                 if equates_values(chain) {
                     Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
                 }
+                let required = self.required(chain, statement);
+                let statement = required.as_ref().unwrap_or(statement);
                 if let Some(mut findings) = self.unasserted(chain, statement) {
                     Rc::make_mut(&mut self.context).hear(&chain.whole(), &statement.place);
                     // What two curves have to fulfil where they meet is known.
@@ -248,6 +250,26 @@ impl Checker {
         let (before, after) = side.latex.split_once('=')?;
         let side = |expr: &Expr, latex: &str| Side { expr: expr.clone(), latex: latex.trim().to_owned() };
         Some(Chain::new(vec![side(left, before), side(right, after)], vec![(Rel::Eq, *span)]))
+    }
+
+    /// "Given the points p_0, …, p_3, find the cubic x with x(i/3) = p_i": they are no control points of it.
+    fn required(&mut self, chain: &Chain, statement: &Statement) -> Option<Statement> {
+        let (Some(Role::Introduced), [(Rel::Eq, _)]) = (statement.role, chain.relations.as_slice()) else {
+            return None;
+        };
+        let (call, value) = (Head::of(&chain.sides[0].expr)?, Head::of(&chain.sides[1].expr)?);
+        if call.flat().len() != 1 || value.lower.is_empty() || value.arguments.is_some() {
+            return None;
+        }
+        let told = self.context.object_called(&call.base, &statement.place)?;
+        let mut points = told.object.points.iter().filter_map(Head::of);
+        if !points.any(|point| point.base == value.base) {
+            return None;
+        }
+        let object = Object { points: Vec::new(), ..told.object.as_ref().clone() };
+        let declared = Declared { object: Rc::new(object), place: statement.place.clone(), line: told.line };
+        Rc::make_mut(&mut self.context).declare(declared);
+        Some(Statement { role: Some(Role::Assumed), ..statement.clone() })
     }
 
     /// Judges a chain in all ways.

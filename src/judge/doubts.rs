@@ -108,6 +108,16 @@ impl Checker {
                 near && definition.head.arguments.is_some()
                     && definition.head.flat().iter().all(|argument| matches!(argument.kind, Kind::Name(_)))
             });
+            // So do those for all its members here.
+            let mut members = Vec::new();
+            for side in sides {
+                walk(side, &mut |part| {
+                    let own = |head: &Head| head.base == base && !head.lower.is_empty();
+                    members.extend(Head::of(part).filter(own).map(|head| Head { upper: Vec::new(), ..head }));
+                });
+            }
+            let defined =
+                defined || !members.is_empty() && members.iter().all(|member| self.is_covered(member, place));
             match &self.context.object_called(&base, place)?.object.sort {
                 Sort::Other(words) if !defined => {
                     Some(format!("it fails for some values, but {base} is said to be: {words}"))

@@ -10,6 +10,7 @@
 //! A claim within the language (`claim`, `family`) is judged by its values (`values`); `evaluator`
 //! hands this judge and the functions of the program to the evaluator.
 
+mod agreement;
 pub(crate) mod asked;
 mod attempt;
 mod bare;

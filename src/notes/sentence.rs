@@ -351,7 +351,8 @@ fn rewritten(statements: &mut [Statement]) {
         if let (Some(first), Said::Bare(sum, problems)) = (first, &own.said)
             && before.place.formula < own.place.formula
             && composed(&sum.expr)
-            && speech::says_as(&own.gap)
+            && !matches!(&first.expr.kind, Kind::Name(name) if bases(&sum.expr).contains(name))
+            && speech::says_as(&own.gap, matches!(first.expr.kind, Kind::Apply(..)))
         {
             let sign = Span { start: first.expr.span.end, end: sum.expr.span.start };
             let equation = Chain::new(vec![first.clone(), sum.clone()], vec![(Rel::Eq, sign)]);

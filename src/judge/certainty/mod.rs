@@ -281,23 +281,24 @@ impl Suspect<'_> {
     fn value_of_unknown_data(&self) -> Option<String> {
         let [left, right] = self.sides();
         let number = |expr: &Expr| bases(expr).is_empty();
-        let own = |side: &Expr, value: &Value, other: &Expr| {
+        let own = |side: &Expr, other: &Expr| {
             let Kind::Apply(callee, groups) = &side.kind else { return None };
             let name = Head::of(underived(callee))?.base;
             let unknown = self.tally.determined == 0 && self.tally.record.unknown.contains(&name);
-            // In terms of letters that it does not have
-            let open = || {
-                let own = bases(side);
-                compare::symbols(value)
-                    .iter()
-                    .any(|symbol| !symbol.is_plain() && !own.contains(symbol.base()))
-            };
             let zero = matches!(&other.kind, Kind::Number(q) if q.is_zero());
             let value = groups.iter().flatten().all(number) && number(other) && !zero;
-            (value && (unknown || open())).then_some(name)
+            (value && (unknown || self.is_in_letters_beyond(side))).then_some(name)
         };
-        let name = own(left, &self.failure.left, right).or_else(|| own(right, &self.failure.right, left))?;
+        let name = own(left, right).or_else(|| own(right, left))?;
         Some(format!("the data of {name} are not understood here"))
+    }
+
+    /// Whether the sides differ, after all that is known, by something in members that a side does not name.
+    fn is_in_letters_beyond(&self, side: &Expr) -> bool {
+        let Outcome::Fails(judgement) = &self.failure.outcome else { return false };
+        let own = bases(side);
+        let other = |symbol: &Symbol| !symbol.is_plain() && !own.contains(symbol.base());
+        judgement.difference.as_ref().is_some_and(|value| compare::symbols(value).iter().any(other))
     }
 
     fn sides(&self) -> [&Expr; 2] {

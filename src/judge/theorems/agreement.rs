@@ -3,19 +3,8 @@
 use super::fit::{Claim, Instance, Standing};
 use super::letters::Letters;
 use crate::formula::{Expr, Kind};
+use crate::judge::agreement::Agreement;
 use crate::judge::names::{Head, bases, walk};
-use crate::judge::statement::Place;
-
-/// A theorem that gave a member of a family on the page.
-#[derive(Clone, Debug)]
-pub(in crate::judge) struct Agreement {
-    theorem: &'static str,
-    /// What stands for its letters and for its sizes.
-    letters: Letters,
-    sizes: Letters,
-    member: Expr,
-    place: Place,
-}
 
 impl Agreement {
     /// That of a claim with an instance that it fits, if it is of several members: b_0 = a_0 is one of many a theorem.

@@ -23,11 +23,11 @@ mod tests;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-pub(super) use self::agreement::Agreement;
 use self::entry::{Theorem, known};
 use self::fit::{Claim, Instance, Standing};
 use self::forms::{main_case, with_indices_apart, with_repetitions, without_marks, without_parameters};
 use self::letters::{Profile, Said, ways};
+use super::agreement::Agreement;
 use super::check::Checker;
 use super::context::{Body, Context, Mark};
 use super::finding::{Finding, Verdict};

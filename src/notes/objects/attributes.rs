@@ -10,6 +10,28 @@ use crate::judge::object::{Object, Sort};
 use crate::notes::speech::Word;
 
 impl Reader<'_> {
+    /// The members of the family of a name that a formula, or with `row` several after each other, give one by one.
+    pub(super) fn siblings(&self, name: &Expr, number: usize, row: bool) -> Vec<Expr> {
+        let member = |expr: &Expr| {
+            Head::of(expr)
+                .filter(|head| head.arguments.is_none() && head.lower.len() == 1 && head.upper.is_empty())
+        };
+        let Some(own) = member(left_side(name)) else { return vec![name.clone()] };
+        let given = |item: &&Expr| matches!(item.kind, Kind::Chain(..));
+        let start = self.tokens.iter().position(|token| matches!(token, Token::Formula(at) if *at == number));
+        let others = self.tokens.iter().skip(start.map_or(0, |at| at + 1)).map_while(|token| match token {
+            Token::Formula(at) => Some(Some(*at)),
+            Token::Comma | Token::Word(Word::And) => Some(None),
+            _ => None,
+        });
+        let numbers: Vec<usize> =
+            std::iter::once(number).chain(row.then_some(others).into_iter().flatten().flatten()).collect();
+        let alike = numbers.iter().flat_map(|at| self.said(*at)).filter(given).map(left_side);
+        let alike = alike.filter(|left| member(left).is_some_and(|head| head.base == own.base));
+        let found: Vec<Expr> = alike.cloned().collect();
+        if found.len() > 1 { found } else { vec![name.clone()] }
+    }
+
     /// Reads the values of what was named: the knots t_0, …, t_3 are 0, 0, 1, 1; the control points 0, 4, 8.
     pub(super) fn values(&self, object: &mut Object, at: usize, named: bool) -> Option<usize> {
         if !matches!(object.sort, Sort::Knots | Sort::Nodes | Sort::ControlPoints) {

@@ -361,7 +361,7 @@ impl<'a> Reader<'a> {
         let subject = subject.or_else(|| {
             let number = self.formula_at(to + 1).filter(|_| stop && object.sort == Sort::ControlPoints)?;
             let [first @ Expr { kind: Kind::Chain(..), .. }, ..] = self.said(number) else { return None };
-            let names = self.siblings(&name_in(first)?, number);
+            let names = self.siblings(&name_in(first)?, number, false);
             (names.len() > 1 && !of.is_empty()).then_some((names, number))
         });
         let Some((names, number)) = subject else {
@@ -380,7 +380,10 @@ impl<'a> Reader<'a> {
         }
         // "Its control points are a_0 = 1, a_1 = 0, …": all that the formula gives
         let names = match (&object.sort, names.as_slice()) {
-            (Sort::ControlPoints, [only]) => self.siblings(only, number),
+            (Sort::ControlPoints, [only]) => {
+                let row = !of.is_empty() && !self.is(from, &Word::Its);
+                self.siblings(only, number, row)
+            }
             _ => names,
         };
         // "The control points are f(0, 1), f(1, 1)": values, no names.
@@ -549,27 +552,6 @@ impl<'a> Reader<'a> {
             self.owned_by(owner, &object, from);
         }
         self.found.entry(number).or_default().push(object);
-    }
-
-    /// The members of the family of a name that a formula, or several in a row, give one by one.
-    fn siblings(&self, name: &Expr, number: usize) -> Vec<Expr> {
-        let member = |expr: &Expr| {
-            Head::of(expr)
-                .filter(|head| head.arguments.is_none() && head.lower.len() == 1 && head.upper.is_empty())
-        };
-        let Some(own) = member(left_side(name)) else { return vec![name.clone()] };
-        let given = |item: &&Expr| matches!(item.kind, Kind::Chain(..));
-        let start = self.tokens.iter().position(|token| matches!(token, Token::Formula(at) if *at == number));
-        let row = self.tokens.iter().skip(start.map_or(0, |at| at + 1)).map_while(|token| match token {
-            Token::Formula(at) => Some(Some(*at)),
-            Token::Comma | Token::Word(Word::And) => Some(None),
-            _ => None,
-        });
-        let numbers: Vec<usize> = std::iter::once(number).chain(row.flatten()).collect();
-        let alike = numbers.iter().flat_map(|at| self.said(*at)).filter(given).map(left_side);
-        let alike = alike.filter(|left| member(left).is_some_and(|head| head.base == own.base));
-        let found: Vec<Expr> = alike.cloned().collect();
-        if found.len() > 1 { found } else { vec![name.clone()] }
     }
 
     /// "Of degree n", "k is the order": which letter a size is.

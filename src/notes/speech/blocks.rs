@@ -56,10 +56,11 @@ pub fn changes_data(words: &str) -> bool {
     let text = words.to_lowercase();
     let begins =
         |cue: &str| text.match_indices(cue).any(|(at, _)| !text.piece(..at).ends_with(char::is_alphanumeric));
-    LANGUAGES.iter().any(|language| {
+    let known = LANGUAGES.iter().any(|language| {
         let mut cues = language.recalls.changed.iter();
         cues.any(|cue| if language.spaced { begins(cue) } else { text.contains(cue) })
-    })
+    });
+    known || super::tongue::CHANGED.iter().any(|cue| begins(cue))
 }
 
 /// Whether a sentence ends within these words or right before them.
@@ -138,10 +139,25 @@ fn is_run_in_heading(words: &str) -> bool {
 }
 
 /// Whether a paragraph begins with a title of its own that sets it apart from those beside it: "*Uniform knots.*",
-/// "**Second choice:**".
+/// "**Second choice:**", or with a mark of a part, "(b)".
 pub fn sets_apart(words: &str) -> bool {
+    if is_part(words) {
+        return true;
+    }
     let titled = ["**", "__", "*", "_"].into_iter().find_map(|mark| run_in_title(words, mark));
     titled.is_some_and(|(title, closed)| closed.is_some() && title.chars().any(char::is_alphabetic))
+}
+
+/// Whether words begin with "(b)", "ii)", "(3)".
+fn is_part(words: &str) -> bool {
+    let text = words.trim_start().trim_start_matches(['*', '_']);
+    let text = text.strip_prefix('(').unwrap_or(text);
+    let Some((mark, after)) = text.split_once(')') else { return false };
+    let after = after.trim_start_matches(['*', '_']);
+    let roman = mark.chars().all(|c| matches!(c, 'i' | 'v' | 'x'));
+    let letter = mark.chars().count() == 1 && mark.starts_with(char::is_alphanumeric);
+    let number = mark.len() < 3 && mark.chars().all(|c| c.is_ascii_digit());
+    !mark.is_empty() && (roman || letter || number) && after.starts_with(char::is_whitespace)
 }
 
 /// The emphasised words at the start of a paragraph, and the point or colon that closes them.

@@ -12,6 +12,7 @@ mod french;
 mod german;
 mod hints;
 mod quantities;
+mod rewriting;
 mod starts;
 #[cfg(test)]
 mod tests;
@@ -25,8 +26,9 @@ pub use blocks::{
 pub use contact::{Agreement, concludes, cues};
 pub use hints::{Hint, hint};
 pub use quantities::{ends_with_a_point, leads_to_a_point, speaks_of_the_centroid};
+pub use rewriting::says_as;
 pub use tongue::is_understood;
-pub use unreal::names_a_mistake;
+pub use unreal::{denies, names_a_mistake};
 
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -589,44 +591,10 @@ pub fn zero_elsewhere(words: &str) -> bool {
     })
 }
 
-/// Whether words between two formulas say that the one is written as the other: "as a sum of Bernstein polynomials".
-pub fn says_as(words: &str) -> bool {
-    let text = normal(words);
-    let short = text.chars().count() < 60 && !text.contains(['.', ',', ';', ':']);
-    short
-        && AS.iter().any(|(start, spaced)| {
-            let rest = text.strip_prefix(start);
-            rest.is_some_and(|rest| !spaced || rest.is_empty() || rest.starts_with(' '))
-        })
-}
-
-/// How words begin that lead from a formula to another form of it, and whether blanks separate them.
-const AS: &[(&str, bool)] = &[
-    ("as", true),
-    ("in the form", true),
-    ("als", true),
-    ("in der form", true),
-    ("comme", true),
-    ("sous la forme", true),
-    ("写成", false),
-    ("写为", false),
-    ("表示为", false),
-    ("表示成", false),
-];
-
 /// Whether words say what "we" do.
 pub fn ours(words: &str) -> bool {
     let text = plain(words);
     text.split(' ').any(|word| LANGUAGES.iter().any(|language| language.subjects.contains(&word)))
-}
-
-/// Whether words deny what follows them: "but not".
-pub fn denies(words: &str) -> bool {
-    let text = plain(words);
-    text.contains('不')
-        || text
-            .split(' ')
-            .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
 }
 
 /// Whether a question asks for a reason.

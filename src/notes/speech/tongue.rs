@@ -9,6 +9,40 @@ const SMALL: &[&str] = &[
     "qui", "où", "soit", "sont", "aux", "cette", "alors", "donc", "avec",
 ];
 
+/// How words begin that put other data in the place of those before, in Spanish, Italian and Portuguese, of which nothing
+/// else is understood.
+pub(super) const CHANGED: &[&str] = &[
+    "sustitu",
+    "sustitú",
+    "reemplaz",
+    "cambi",
+    "ahora",
+    "en lugar",
+    "en vez",
+    "intercambi",
+    "otro ejemplo",
+    "segundo ejemplo",
+    "esta vez",
+    "sostitu",
+    "rimpiazz",
+    "invece",
+    "adesso",
+    "al posto",
+    "scambi",
+    "altro esempio",
+    "secondo esempio",
+    "questa volta",
+    "substitu",
+    "trocar",
+    "troque",
+    "trocam",
+    "agora",
+    "em vez",
+    "outro exemplo",
+    "segundo exemplo",
+    "desta vez",
+];
+
 /// Fewer words show nothing.
 const LEAST: usize = 12;
 

@@ -34,6 +34,9 @@ const WRONG: &[&str] = &[
     "误写",
     "误以为",
     "不成立",
+    "impossible",
+    "unmöglich",
+    "absurd",
     "不正确",
 ];
 
@@ -73,6 +76,15 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let near: String = clause.split(' ').take(7).collect::<Vec<_>>().join(" ");
     let joint = near.split(' ').next().is_some_and(|first| JOINTS.contains(&first));
     !joint && calls_wrong(&near)
+}
+
+/// Whether words deny what follows them: "but not".
+pub fn denies(words: &str) -> bool {
+    let text = plain(words);
+    text.contains('不')
+        || text
+            .split(' ')
+            .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
 }
 
 /// Whether words begin to tell of a mistake that many make.
