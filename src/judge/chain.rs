@@ -192,7 +192,8 @@ impl Checker {
                         let symbol =
                             symbol_of(&head.base).with_upper(head.upper.iter().map(|_| Index::Number(0)));
                         let given = self.context.object(head, place).is_some_and(|d| d.object.has_values());
-                        claimed && (given || around)
+                        claimed && given
+                            || around
                             || tried[0].determined
                             || self
                                 .agreed

@@ -125,12 +125,17 @@ fn covers(definition: &Definition, head: &Head) -> bool {
         _ => pattern.same_as(index),
     };
     let dots = |head: &Head| head.flat().iter().any(|argument| argument.kind == Kind::Ellipsis);
-    own.lower.len() == head.lower.len()
-        && own.upper.len() == head.upper.len()
-        && own.arguments.is_some() == head.arguments.is_some()
+    is_alike(own, head)
         && own.lower.iter().zip(&head.lower).all(|(a, b)| index(a, b))
         && own.upper.iter().zip(&head.upper).all(|(a, b)| index(a, b))
         && (dots(own) || dots(head) || own.flat().len() == head.flat().len())
+}
+
+/// Whether two names have as many indices, and both or neither of them arguments.
+fn is_alike(one: &Head, other: &Head) -> bool {
+    one.lower.len() == other.lower.len()
+        && one.upper.len() == other.upper.len()
+        && one.arguments.is_some() == other.arguments.is_some()
 }
 
 impl Checker {
@@ -150,7 +155,11 @@ impl Checker {
         recursion.is_recursive()
             && bare(&recursion.head)
             && !bare(head)
-            && self.context.visible(&head.base, place).all(|(_, d, _)| d.is_recursive() && bare(&d.head))
+            && self
+                .context
+                .visible(&head.base, place)
+                .filter(|(_, d, _)| is_alike(&d.head, head))
+                .all(|(_, d, _)| d.is_recursive() && bare(&d.head))
     }
 
     /// Whether words say what a name is, and all that it is made of is known.

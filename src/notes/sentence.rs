@@ -462,7 +462,13 @@ fn attach_cases(statements: &mut [Statement], is_alternative: &dyn Fn(&Statement
                     .collect()
             })
             .unwrap_or_default();
-        let targets = match (forward, after.is_empty(), before.is_empty()) {
+        // "The algorithm b_i^r = … for t = 1/4 gives b_0^1 = 2": the verb after the case is of what comes.
+        let leads = statements.get(end).is_some_and(|next| {
+            let words = next.gap.trim();
+            let joined = words.starts_with(|c: char| !c.is_alphanumeric()) || speech::joins(words);
+            next.role == Some(Role::Claimed) && !joined && words.split_whitespace().count() < 3
+        });
+        let targets = match (forward || leads, after.is_empty(), before.is_empty()) {
             (true, false, _) | (false, false, true) => after,
             _ => before,
         };

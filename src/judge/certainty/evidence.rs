@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use super::Suspect;
 use crate::formula::{Expr, Kind, Rel, interval};
-use crate::judge::compare;
+use crate::judge::compare::{self, Outcome};
 use crate::judge::context::{Body, Definition, is_variable};
 use crate::judge::features::has_structure;
 use crate::judge::finding::Evidence;
@@ -373,7 +373,7 @@ impl Suspect<'_> {
             },
             _ => None,
         };
-        let Some(head) = called(left) else { return false };
+        let Some(head) = called(left) else { return self.is_value_of_member() };
         let place = &self.statement.place;
         // Its formula stands around an example that gives what is in it.
         let data = self.used().any(|definition| {
@@ -397,6 +397,27 @@ impl Suspect<'_> {
             }
         };
         self.is_equation() && known && self.tally.record.unknown.is_empty() && self.used().any(own)
+    }
+
+    /// Whether it claims the number that a member of a family is, which a formula for all of them and numbers give here:
+    /// b_0^1 = 2 for t = 1/4, after b_i^r = (1 - t) b_i^{r-1} + t b_{i+1}^{r-1}.
+    fn is_value_of_member(&self) -> bool {
+        let [left, right] = self.sides();
+        let number = |index: &Expr| matches!(index.kind, Kind::Number(_));
+        let head = Head::of(left).filter(|head| head.arguments.is_none() && !head.lower.is_empty());
+        let Some(head) = head.filter(|head| head.lower.iter().chain(&head.upper).all(number)) else {
+            return false;
+        };
+        let Outcome::Fails(judgement) = &self.failure.outcome else { return false };
+        let differ = judgement.difference.as_ref().is_some_and(|value| value.as_rational().is_some());
+        let place = &self.statement.place;
+        let family = |definition: &Definition| {
+            definition.head.base == head.base
+                && !definition.head.lower.iter().any(number)
+                && (&definition.place.scope, &definition.place.blocks) == (&place.scope, &place.blocks)
+        };
+        let claimed = self.claimed() || self.statement.concludes;
+        claimed && differ && bases(right).is_empty() && self.used().any(family)
     }
 
     /// Whether it writes any function of a kind by its own values or derivatives: Taylor's formula.

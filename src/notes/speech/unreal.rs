@@ -74,8 +74,7 @@ pub(super) fn is_unreal(left: &str, right: &str) -> bool {
     let right = normal(right);
     let clause = right.split(['.', ';', '。', '；']).next().unwrap_or_default();
     let near: String = clause.split(' ').take(7).collect::<Vec<_>>().join(" ");
-    let joint = near.split(' ').next().is_some_and(|first| JOINTS.contains(&first));
-    !joint && calls_wrong(&near)
+    !joins(&near) && calls_wrong(&near)
 }
 
 /// Whether words deny what follows them: "but not".
@@ -85,6 +84,11 @@ pub fn denies(words: &str) -> bool {
         || text
             .split(' ')
             .any(|word| matches!(word, "not" | "nicht" | "kein" | "keine" | "pas" | "never" | "nie"))
+}
+
+/// Whether words begin with "and", "but" or the like.
+pub fn joins(words: &str) -> bool {
+    plain(words).split(' ').next().is_some_and(|first| JOINTS.contains(&first))
 }
 
 /// Whether words begin to tell of a mistake that many make.
