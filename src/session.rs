@@ -95,8 +95,6 @@ pub struct Session {
     pub limits: Limits,
     /// How answers are arranged.
     pub arrangement: Arrangement,
-    /// What the line is about that is being read, for words such as "its".
-    about: Option<Expr>,
 }
 
 impl Session {

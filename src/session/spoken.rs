@@ -7,17 +7,21 @@ mod apposition;
 mod draft;
 mod lists;
 mod notations;
+mod utterance;
 mod values;
 
 use self::draft::Draft;
+use self::utterance::Utterance;
 use self::values::{Values, value_of};
+use std::cell::Cell;
+
 use super::foreign::as_list;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
-use crate::language::functions::{Takes, builtin, function_called};
+use crate::language::functions::{builtin, function_called};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 use crate::language::syntax::{self, Asked, Call, Request, Said, Total, What};
@@ -33,12 +37,23 @@ struct Read {
 impl Session {
     /// The formula that a request in words stands for; `None` if it is none, or says what no function takes.
     pub(super) fn spoken(&self, file: &SourceFile, whole: Span) -> Result<Option<Expr>, Box<Failure>> {
+        self.spoken_about(file, whole, None).map(|found| found.map(|(formula, _)| formula))
+    }
+
+    /// The same, where a name is known that all is about: F(t) = t^2, what is its derivative? Tells whether it was needed.
+    pub(super) fn spoken_about(
+        &self,
+        file: &SourceFile,
+        whole: Span,
+        topic: Option<&Expr>,
+    ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
         let known = |word: &str| defines(&self.env, word);
         let Some(asked) = syntax::request(file.slice(whole), &known, &function_called) else {
             return Ok(None);
         };
-        let reader = Reader { session: self, file, start: whole.start };
-        reader.formula(asked)
+        let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
+        let formula = reader.formula(asked)?;
+        Ok(formula.map(|formula| (formula, reader.used_topic.get())))
     }
 }
 
@@ -52,14 +67,56 @@ struct Reader<'a> {
     session: &'a Session,
     file: &'a SourceFile,
     start: usize,
+    /// What the line is about, for words such as "its".
+    topic: Option<&'a Expr>,
+    used_topic: Cell<bool>,
 }
 
 impl Reader<'_> {
     fn formula(&self, Asked { request, equals }: Asked) -> Result<Option<Expr>, Box<Failure>> {
         // u v is a product here, no list.
-        let mut claimed = equals.map(|span| self.one(span)).transpose()?;
-        let (mut drafts, mut said, mut items) = (Vec::new(), Vec::new(), Vec::new());
-        let mut through = None;
+        let claimed = equals.map(|span| self.one(span)).transpose()?;
+        let Some(mut asked) = self.collected(request)? else { return Ok(None) };
+        apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
+        asked.settle();
+        if let Some(whole) = asked.whole() {
+            return Ok(Some(whole));
+        }
+        asked.put_into_notations();
+        if asked.formula.is_none() {
+            // compute 3 + 4
+            if asked.drafts.is_empty() {
+                return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
+                    ([one], []) => Some(one.clone()),
+                    ([one], [read]) => self.value_at(one, read),
+                    _ => None,
+                });
+            }
+            if let [innermost] = asked.drafts.as_slice()
+                && let Some(meant) =
+                    apposition::meant(innermost, &asked.items, &asked.said, &self.session.env)
+            {
+                return Ok(match claimed {
+                    Some(right) => Some(equation(meant, right)),
+                    None => Some(meant),
+                });
+            }
+        }
+        apposition::letters_of_polar(&asked.drafts, &mut asked.said);
+        self.find_subject(&mut asked);
+        if let Some(difference) = self.divided_difference(&asked) {
+            return Ok(Some(difference));
+        }
+        self.name_variables(&mut asked);
+        if !asked.apply_innermost() {
+            return Ok(None);
+        }
+        self.assembled(asked, claimed)
+    }
+
+    /// What a request says, read: its functions from the outermost to the innermost, their object and what is said besides.
+    fn collected(&self, request: Request) -> Result<Option<Utterance>, Box<Failure>> {
+        let mut asked = Utterance::default();
         let mut rest = Some(Box::new(request));
         while let Some(request) = rest.take() {
             let (labels, phrase) = match *request {
@@ -72,18 +129,18 @@ impl Reader<'_> {
                         Some(What::Degree(number)) => Some(Expr { span: phrase, ..Expr::int(number) }),
                         _ => None,
                     };
-                    drafts.push(draft);
+                    asked.drafts.push(draft);
                     rest = subject;
                     (labels, phrase)
                 }
                 Request::Formula(spans, labels) => {
                     for span in spans {
-                        items.extend(self.items(span)?);
+                        asked.items.extend(self.items(span)?);
                     }
                     (labels, Span::default())
                 }
                 Request::Total(total) => {
-                    items.push(self.total(&total)?);
+                    asked.items.push(self.total(&total)?);
                     (Vec::new(), Span::default())
                 }
             };
@@ -96,198 +153,48 @@ impl Reader<'_> {
                         None => return Ok(None),
                     },
                 };
-                // in t = 1
-                let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
-                let label = match label {
-                    Label::In if values => Label::At,
-                    // the parabola through (0, 1), (1, 3), (2, 11)
-                    Label::Through if draft::is_points(&items) && drafts.is_empty() => Label::Through,
-                    Label::Through => {
-                        through = items.first().map(|item| item.span);
-                        Label::With
-                    }
-                    label => label,
-                };
-                said.push(Read { label, items });
+                asked.hear(label, items);
             }
         }
-        apposition::meets_points(&drafts, through)
-            .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))?;
-        if drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
-            lists::gather(&mut items, &mut said);
+        Ok(Some(asked))
+    }
+
+    /// Finds what the innermost function is about, if no formula stands behind it.
+    fn find_subject(&self, asked: &mut Utterance) {
+        let (None, Some(innermost)) = (&asked.formula, asked.drafts.first_mut()) else { return };
+        if asked.items.is_empty() {
+            asked.items = innermost.subject_among(&mut asked.said);
         }
-        // the maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3
-        if let [Draft { builtin: of, .. }] = drafts.as_mut_slice()
-            && matches!(of.name, "max" | "min" | "maximum" | "minimum")
+        // F(t) = t^2, what is its derivative?
+        if asked.items.is_empty()
+            && innermost.placed.is_empty()
+            && let Some(name) = self.topic
         {
-            for read in &mut said {
-                if let (Label::At, [Expr { kind: Kind::List(_), .. }]) = (read.label, read.items.as_slice()) {
-                    read.label = Label::Over;
-                }
-            }
-            let over = said
-                .iter()
-                .any(|read| matches!(read.label, Label::Over | Label::In | Label::With | Label::From));
-            let meant = match (of.name, items.len() == 1 && over) {
-                ("max", true) => builtin("maximum"),
-                ("min", true) => builtin("minimum"),
-                ("maximum", false) if items.len() > 1 => builtin("max"),
-                ("minimum", false) if items.len() > 1 => builtin("min"),
-                _ => None,
-            };
-            *of = meant.unwrap_or(of);
+            self.used_topic.set(true);
+            asked.items.push(Expr { span: innermost.phrase, ..name.clone() });
         }
-        // From the inside out.
-        drafts.reverse();
-        // the control points of the Bézier curve t^2
-        if let ([Draft { builtin: curve, .. }, Draft { builtin: points, .. }, ..], [formula]) =
-            (drafts.as_slice(), items.as_slice())
-            && (curve.name, points.name) == ("bezier", "control_points")
-            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        if innermost.wants_curve(&asked.items)
+            && let Some(bezier) = builtin("bezier")
         {
-            drafts.remove(0);
+            let phrase = innermost.phrase;
+            asked.drafts.insert(0, Draft::new(bezier, phrase));
         }
-        // insert knot 1: knots 0, 0, 2, 2, control points 3, 4
-        let knots = said.iter().any(|read| read.label == Label::Knots);
-        if let Some(Draft { builtin: first, phrase, .. }) = drafts.first()
-            && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
-            && let (true, Some(spline)) = (knots, builtin("bspline"))
-        {
-            drafts.insert(0, Draft::new(spline, *phrase));
-            drafts[1].placed = std::mem::take(&mut items);
-        }
-        if said.iter().any(|read| read.label == Label::Points)
-            && let Some(basis) = drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
-            && let Some(spline) = builtin("bspline")
-        {
-            basis.builtin = spline;
-        }
-        if let (
-            true,
-            true,
-            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
-        ) = (drafts.is_empty(), items.is_empty(), said.as_slice())
-            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
-            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
-        {
-            items.clone_from(points);
-            drafts.push(Draft::new(lagrange, items[0].span));
-            said.clear();
-        }
-        notations::exponents(&mut items, &mut said);
-        let points = said.iter().find(|read| read.label == Label::Points);
-        if let (true, true, Some(points)) = (drafts.is_empty(), items.is_empty(), points)
-            && let Some(curve) = builtin(if knots { "bspline" } else { "bezier" })
-        {
-            drafts.push(Draft::new(curve, points.items.first().map_or(Span::default(), |item| item.span)));
-        }
-        if let ([Draft { builtin, phrase, .. }], [matrix @ Expr { kind: Kind::Matrix(..), .. }], [read]) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "solve"
-            && let [item] = read.items.as_slice()
-            && let Some((_, right)) = eval::named(item)
-            && matches!(right.kind, Kind::Matrix(..) | Kind::List(_))
-        {
-            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
-        }
-        // solve [2, 1; 1, 3] x = [3; 5]
-        if let ([Draft { builtin, phrase, .. }], [Expr { kind: Kind::Chain(left, links), .. }], []) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "solve"
-            && let (Kind::Mul(factors), [Link { rel: Rel::Eq, expr: right, .. }]) =
-                (&left.kind, links.as_slice())
-            && let [matrix @ Expr { kind: Kind::Matrix(..), .. }, Expr { kind: Kind::Name(_), .. }] =
-                factors.as_slice()
-        {
-            return Ok(Some(call("solve", vec![matrix.clone(), right.clone()], *phrase)));
-        }
-        apposition::curve_of_points(&mut drafts, &items, &said);
-        let mut formula: Option<Expr> = None;
-        if let ([one], [Draft { builtin, .. }]) = (items.as_slice(), drafts.as_slice())
-            && builtin.name == "esym"
-            && let Some(called) = notations::symmetric(one)
-        {
-            return Ok(said.is_empty().then_some(called));
-        }
-        if let [one] = items.as_slice()
-            && let Some(read) = notations::with_values(one, &mut said)
-        {
-            // the B-spline N_{0,2}, the Lagrange polynomial L_1
-            let same =
-                |name: &str| name == read.function || name == "lagrange" && read.function == "lagrange_basis";
-            if drafts.first().is_some_and(|draft| same(draft.builtin.name)) {
-                drafts.remove(0);
-            }
-            formula = Some(read.formula);
-            items.clear();
-        } else if drafts.is_empty() {
-            // compute 3 + 4
-            return Ok(match (items.as_slice(), said.as_slice()) {
-                ([one], []) => Some(one.clone()),
-                ([one], [read]) => self.value_at(one, read),
-                _ => None,
-            });
-        }
-        if let (None, [innermost]) = (&formula, drafts.as_slice())
-            && let Some(meant) = apposition::meant(innermost, &items, &said, &self.session.env)
-        {
-            return Ok(match claimed {
-                Some(right) => Some(equation(meant, right)),
-                None => Some(meant),
-            });
-        }
-        apposition::letters_of_polar(&drafts, &mut said);
-        if let (None, Some(innermost)) = (&formula, drafts.first_mut()) {
-            if items.is_empty() {
-                items = innermost.subject_among(&mut said);
-            }
-            // F(t) = t^2, what is its derivative?
-            if items.is_empty() && innermost.placed.is_empty() {
-                items.extend(
-                    self.session.about.iter().map(|name| Expr { span: innermost.phrase, ..name.clone() }),
-                );
-            }
-            if innermost.wants_curve(&items)
-                && let Some(bezier) = builtin("bezier")
-            {
-                let phrase = innermost.phrase;
-                drafts.insert(0, Draft::new(bezier, phrase));
-            }
-        }
-        // the divided difference of x^3 at 1, 2, 4
-        if let ([Draft { builtin, .. }], [function], [read]) =
-            (drafts.as_slice(), items.as_slice(), said.as_slice())
-            && builtin.name == "divided_differences"
-            && matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over)
-            && let Some(difference) = self.divided_difference(function, read)
-        {
-            return Ok(Some(difference));
-        }
-        // the tensor polar form of u^2 v
-        if let ([Draft { builtin, .. }], [of]) = (drafts.as_slice(), items.as_slice())
+    }
+
+    /// The letters of the tensor polar form of u^2 v.
+    fn name_variables(&self, asked: &mut Utterance) {
+        if let ([Draft { builtin, .. }], [of]) = (asked.drafts.as_slice(), asked.items.as_slice())
             && builtin.name == "polar_tensor"
             && let [u, v] = self.variables(of).as_slice()
         {
-            items.extend([u, v].map(|letter| Expr { span: items[0].span, ..symbol_expr(letter) }));
+            let span = of.span;
+            asked.items.extend([u, v].map(|letter| Expr { span, ..symbol_expr(letter) }));
         }
-        if let (None, Some(innermost)) = (&formula, drafts.first_mut())
-            && !innermost.is_about(items, &mut said)
-        {
-            return Ok(None);
-        }
-        if let Some(innermost) = drafts.first_mut() {
-            innermost.takes_coefficient(&mut said);
-            let of_variable = |read: &Read| {
-                let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
-                variable && matches!(read.label, Label::In | Label::To)
-            };
-            if innermost.builtin.name == "derivative"
-                && said.iter().any(of_variable)
-                && let Some(of_formulas) = builtin("diff")
-            {
-                innermost.builtin = of_formulas;
-            }
-        }
+    }
+
+    /// The calls, one in another, with what is said put where it belongs.
+    fn assembled(&self, asked: Utterance, mut claimed: Option<Expr>) -> Result<Option<Expr>, Box<Failure>> {
+        let Utterance { mut drafts, mut said, mut formula, .. } = asked;
         // Whether there are weights is known after all the others.
         said.sort_by_key(|read| read.label == Label::Rational);
         let mut after = Vec::new();
@@ -305,14 +212,13 @@ impl Reader<'_> {
         }
         let mut values = Values(after);
         let forms: Vec<String> = drafts.iter().map(|draft| draft.builtin.signature()).collect();
+        let number = |formula: &Expr| self.is_number(formula);
         for draft in drafts {
             // What is solved has its values before: solve for a: f(1, 2) equals 3
             if draft.builtin.on_equations.is_some()
                 && let Some(left) = formula.take()
             {
-                let left = values
-                    .put_into(left, &|formula| self.is_number(formula))
-                    .map_err(|left| self.unused(&left, &forms))?;
+                let left = values.put_into(left, &number).map_err(|left| self.unused(&left, &forms))?;
                 formula =
                     Some(claimed.take().map_or_else(|| left.clone(), |right| equation(left.clone(), right)));
             }
@@ -321,18 +227,16 @@ impl Reader<'_> {
                 return Ok(None);
             }
         }
-        let formula = match formula {
-            Some(formula) => Some(
-                values
-                    .put_into(formula, &|formula| self.is_number(formula))
-                    .map_err(|left| self.unused(&left, &forms))?,
-            ),
-            None => None,
-        };
-        Ok(match (formula, claimed) {
-            (Some(left), Some(right)) => Some(equation(left, right)),
-            (formula, _) => formula,
-        })
+        let Some(formula) = formula else { return Ok(None) };
+        let formula = values.put_into(formula, &number).map_err(|left| self.unused(&left, &forms))?;
+        Ok(Some(match claimed {
+            Some(right) => equation(formula, right),
+            None => formula,
+        }))
+    }
+
+    fn fail(&self, problem: Diagnostic) -> Box<Failure> {
+        Box::new(Failure { problem, file: self.file.clone() })
     }
 
     /// The sum or product that is asked for in words.
@@ -410,8 +314,17 @@ impl Reader<'_> {
         }
     }
 
-    /// F[x_0, x_1, …] of a formula in one variable, or of a function.
-    fn divided_difference(&self, function: &Expr, read: &Read) -> Option<Expr> {
+    /// F[x_0, x_1, …] of a formula in one variable, or of a function: the divided difference of x^3 at 1, 2, 4.
+    fn divided_difference(&self, asked: &Utterance) -> Option<Expr> {
+        let ([Draft { builtin, .. }], [function], [read]) =
+            (asked.drafts.as_slice(), asked.items.as_slice(), asked.said.as_slice())
+        else {
+            return None;
+        };
+        let at = matches!(read.label, Label::At | Label::Nodes | Label::With | Label::Over);
+        if builtin.name != "divided_differences" || !at {
+            return None;
+        }
         let nodes = match read.items.as_slice() {
             [Expr { kind: Kind::List(nodes) | Kind::Tuple(nodes), .. }] => nodes.clone(),
             nodes => nodes.to_vec(),
