@@ -12,16 +12,17 @@ mod values;
 
 use self::draft::Draft;
 use self::utterance::Utterance;
-use self::values::{Values, value_of};
+use self::values::{Nature, Values, value_of};
 use std::cell::Cell;
 
 use super::foreign::as_list;
+use super::given::each_equal;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
-use crate::language::functions::{builtin, function_called};
+use crate::language::functions::{Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 use crate::language::syntax::{self, Asked, Call, Request, Said, Total, What};
@@ -29,6 +30,7 @@ use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
 
 /// Something that a label says, read.
+#[derive(Clone)]
 struct Read {
     label: Label,
     items: Vec<Expr>,
@@ -48,7 +50,7 @@ impl Session {
         topic: Option<&Expr>,
     ) -> Result<Option<(Expr, bool)>, Box<Failure>> {
         let known = |word: &str| defines(&self.env, word);
-        let Some(asked) = syntax::request(file.slice(whole), &known, &function_called) else {
+        let Some(asked) = syntax::request(file.slice(whole), &known, &function_in_words) else {
             return Ok(None);
         };
         let reader = Reader { session: self, file, start: whole.start, topic, used_topic: Cell::new(false) };
@@ -87,19 +89,22 @@ impl Reader<'_> {
             // compute 3 + 4
             if asked.drafts.is_empty() {
                 return Ok(match (asked.items.as_slice(), asked.said.as_slice()) {
-                    ([one], []) => Some(one.clone()),
+                    ([one], []) => Some(match claimed {
+                        Some(right) => equation(one.clone(), right),
+                        None => one.clone(),
+                    }),
                     ([one], [read]) => self.value_at(one, read),
                     _ => None,
                 });
             }
             if let [innermost] = asked.drafts.as_slice()
-                && let Some(meant) =
+                && let Some((meant, used)) =
                     apposition::meant(innermost, &asked.items, &asked.said, &self.session.env)
             {
-                return Ok(match claimed {
-                    Some(right) => Some(equation(meant, right)),
-                    None => Some(meant),
-                });
+                asked.said.drain(..used);
+                asked.formula = Some(meant);
+                asked.drafts.clear();
+                return self.assembled(asked, claimed);
             }
         }
         apposition::letters_of_polar(&asked.drafts, &mut asked.said);
@@ -111,7 +116,34 @@ impl Reader<'_> {
         if !asked.apply_innermost() {
             return Ok(None);
         }
-        self.assembled(asked, claimed)
+        let several = asked.said.iter().filter(|read| read.label == Label::OfDegree).count() > 1;
+        let copy = several.then(|| asked.clone());
+        let failure = match self.assembled(asked, claimed.clone()) {
+            Err(failure) => failure,
+            assembled => return assembled,
+        };
+        match copy.and_then(|copy| self.for_each_degree(&copy)) {
+            Some(all) if claimed.is_none() => Ok(Some(all)),
+            _ => Err(failure),
+        }
+    }
+
+    /// A result for each of several degrees: the Bernstein coefficients of t^2 for degree 2 and degree 3.
+    fn for_each_degree(&self, asked: &Utterance) -> Option<Expr> {
+        let is_degree = |read: &Read| read.label == Label::OfDegree;
+        let (degrees, others): (Vec<Read>, Vec<Read>) = asked.said.iter().cloned().partition(is_degree);
+        let mut asked = asked.clone();
+        // Of a list each item is arranged as usual, so the coefficients are wanted.
+        if let [Draft { builtin: own, .. }] = asked.drafts.as_mut_slice()
+            && own.name == "in_bernstein"
+        {
+            *own = builtin("bezier_points")?;
+        }
+        let of_one = |degree: Read| {
+            let said = others.iter().cloned().chain([degree]).collect();
+            self.assembled(Utterance { said, ..asked.clone() }, None).ok().flatten()
+        };
+        degrees.into_iter().map(of_one).collect::<Option<Vec<_>>>().map(draft::list)
     }
 
     /// What a request says, read: its functions from the outermost to the innermost, their object and what is said besides.
@@ -129,6 +161,7 @@ impl Reader<'_> {
                         Some(What::Degree(number)) => Some(Expr { span: phrase, ..Expr::int(number) }),
                         _ => None,
                     };
+                    draft.take_words(&self.file.slice(phrase).to_lowercase());
                     asked.drafts.push(draft);
                     rest = subject;
                     (labels, phrase)
@@ -148,6 +181,14 @@ impl Reader<'_> {
                 let items = match what {
                     What::Formula(span) => self.items(span)?,
                     What::Degree(degree) => vec![Expr { span: phrase, ..Expr::int(degree) }],
+                    What::Place(place) => {
+                        asked.places.push(place);
+                        continue;
+                    }
+                    What::Flag(name, value) => {
+                        asked.flags.push((name, Expr { span: phrase, ..Expr::int(value) }));
+                        continue;
+                    }
                     What::Basis(function) => match basis_of(function) {
                         Some(basis) => vec![Expr { span: phrase, ..Expr::name(basis) }],
                         None => return Ok(None),
@@ -194,7 +235,14 @@ impl Reader<'_> {
 
     /// The calls, one in another, with what is said put where it belongs.
     fn assembled(&self, asked: Utterance, mut claimed: Option<Expr>) -> Result<Option<Expr>, Box<Failure>> {
-        let Utterance { mut drafts, mut said, mut formula, .. } = asked;
+        let Utterance { mut drafts, mut said, mut formula, flags, .. } = asked;
+        for (name, value) in flags {
+            let takes = |draft: &&mut Draft| {
+                draft.builtin.parameters.iter().any(|own| own.name == name && own.kind == Takes::Flag)
+            };
+            let Some(draft) = drafts.iter_mut().find(takes) else { return Ok(None) };
+            draft.named.push((name, value));
+        }
         // Whether there are weights is known after all the others.
         said.sort_by_key(|read| read.label == Label::Rational);
         let mut after = Vec::new();
@@ -212,7 +260,7 @@ impl Reader<'_> {
         }
         let mut values = Values(after);
         let forms: Vec<String> = drafts.iter().map(|draft| draft.builtin.signature()).collect();
-        let number = |formula: &Expr| self.is_number(formula);
+        let number = |formula: &Expr| self.nature(formula);
         for draft in drafts {
             // What is solved has its values before: solve for a: f(1, 2) equals 3
             if draft.builtin.on_equations.is_some()
@@ -276,7 +324,7 @@ impl Reader<'_> {
             return None;
         }
         if equations {
-            return value_of(formula, read, &|_| false);
+            return value_of(formula, read, &|_| Nature::Other);
         }
         let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims).ok()?;
         let span = formula.span;
@@ -300,7 +348,7 @@ impl Reader<'_> {
                 }
             },
             (Value::Geometry(_) | Value::Piecewise(_) | Value::Polar(_) | Value::Function(_), _) => {
-                value_of(formula, read, &|_| false)
+                value_of(formula, read, &|_| Nature::Other)
             }
             _ => None,
         }
@@ -381,8 +429,8 @@ impl Reader<'_> {
         Err(Box::new(Failure { problem, file: self.file.clone() }))
     }
 
-    /// Whether a result is a number, which has no value at a parameter: the degree of t^3 at 2.
-    fn is_number(&self, formula: &Expr) -> bool {
+    /// What a result is, as to its values: the degree of t^3 has none at 2.
+    fn nature(&self, formula: &Expr) -> Nature {
         let function = match &formula.kind {
             Kind::Apply(callee, _) => match &callee.kind {
                 Kind::Name(name) => builtin(name),
@@ -390,11 +438,19 @@ impl Reader<'_> {
             },
             _ => None,
         };
-        if function.is_some_and(|function| function.gives_function) {
-            return false;
+        if function.is_some_and(|function| function.gives_function && function.name != "derivative") {
+            return Nature::Other;
         }
-        let outcome = self.session.clone().evaluate(&mut formula.clone(), Equals::Claims);
-        outcome.is_ok_and(|outcome| outcome.value.as_rational().is_some())
+        match self.session.clone().evaluate(&mut formula.clone(), Equals::Claims) {
+            Ok(outcome) if outcome.value.as_rational().is_some() => match function {
+                Some(function) if function.gives_function => Nature::Other,
+                _ => Nature::Number,
+            },
+            Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
+            Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
+            Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => Nature::OfOne,
+            _ => Nature::Other,
+        }
     }
 
     /// The formula of F(t) = t^2, where it is asked about: the polar form of F(t) = t^2.
@@ -446,7 +502,11 @@ impl Reader<'_> {
         let named = self.file.slice(span).contains(char::is_alphabetic);
         guarded(&session.limits, || items_in(&session.env, self.file, span))
             .or_else(|problem| if named { read(span).map(|one| vec![one]) } else { Err(problem) })
-            .map(|items| items.into_iter().map(|item| as_list(self.of_definition(item))).collect())
+            .map(|items| {
+                // u = v = 1/2
+                let items = items.into_iter().flat_map(each_equal);
+                items.map(|item| as_list(self.of_definition(item))).collect()
+            })
             .map_err(|problem| Box::new(Failure { problem, file: self.file.clone() }))
     }
 }

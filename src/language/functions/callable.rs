@@ -194,6 +194,33 @@ pub(crate) fn function_called(name: &str) -> Option<&'static str> {
     own.or_else(|| ALIASES.iter().find(|(other, _)| *other == name).map(|(_, known)| *known))
 }
 
+/// Nouns that say nothing more behind the name of a function: the aitken scheme.
+const NOUNS: &[&str] =
+    &["scheme", "algorithm", "matrix", "tableau", "table", "method", "identity", "polynomial", "polynomials"];
+
+/// Words that mean something else in sentences.
+const OF_SENTENCES: &[&str] =
+    &["value", "evaluate", "points", "curve", "rational", "basis", "triangle", "tangent", "spline", "subdivision", "delta"];
+
+/// The function that words name, with `_` between them: also in the singular or plural, and by other names for it.
+pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
+    const SHORTEST: usize = 4;
+    function_called(name).or_else(|| {
+        let singular = name.strip_suffix('s').filter(|one| one.len() >= SHORTEST);
+        let plural = format!("{name}s");
+        let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST);
+        let other = || SYNONYMS.iter().find(|(other, _)| *other == name && !OF_SENTENCES.contains(other));
+        singular
+            .and_then(function_called)
+            .or_else(|| plural.and_then(function_called))
+            .or_else(|| other().map(|(_, known)| *known))
+            .or_else(|| {
+                let (inner, noun) = name.rsplit_once('_')?;
+                (NOUNS.contains(&noun) && inner.len() >= SHORTEST).then(|| function_called(inner))?
+            })
+    })
+}
+
 /// The same, also written as other systems do.
 pub(crate) fn function_meant(name: &str) -> Option<&'static str> {
     function_called(name).or_else(|| function_in_capitals(name))

@@ -111,6 +111,35 @@ pub(super) fn parts(
     parts
 }
 
+/// The text with blanks for the parentheses around words: `at t = 1/2 (degree 2)`.
+pub(super) fn without_asides<'a>(
+    text: &'a str,
+    known: &dyn Fn(&str) -> bool,
+    function: &dyn Fn(&str) -> Option<&'static str>,
+) -> Cow<'a, str> {
+    let mut masked: Option<Vec<u8>> = None;
+    let mut at = 0;
+    while let Some(found) = text.piece(at..).find(['(', '[', '{']) {
+        let open = at + found;
+        let length = text.piece(open..).len() - after_brackets(text.piece(open..)).len();
+        let closed = text.piece(open..open + length).ends_with(')');
+        let inside = text.piece(open + 1..(open + length).saturating_sub(1));
+        let says = match phrase(inside, function) {
+            Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
+                is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
+            }
+            _ => false,
+        };
+        if closed && says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
+            let bytes = masked.get_or_insert_with(|| text.as_bytes().to_vec());
+            bytes[open] = b' ';
+            bytes[open + length - 1] = b' ';
+        }
+        at = open + length.max(1);
+    }
+    masked.and_then(|bytes| String::from_utf8(bytes).ok()).map_or(Cow::Borrowed(text), Cow::Owned)
+}
+
 /// Whether a name with its value stands at the start of a text: t = 1/2.
 pub(super) fn begins_equation(text: &str) -> bool {
     let rest = text.trim_start_matches(|c: char| c.is_alphanumeric() || matches!(c, '_' | '\''));

@@ -6,10 +6,10 @@
 
 mod totals;
 
-use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_text_commands};
+use super::pieces::{Part, begins_equation, has_words, is_several, is_sum, parts, without_asides, without_text_commands};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
-use crate::language::lexicon::phrases::{Label, Phrase};
+use crate::language::lexicon::phrases::{Label, Phrase, Place};
 
 /// What is asked for, and what it is claimed or wanted to be.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,6 +81,10 @@ pub(crate) enum What {
     Degree(i64),
     /// A basis, by the function that gives coefficients in it.
     Basis(&'static str),
+    /// at the end
+    Place(Place),
+    /// closed
+    Flag(&'static str, i64),
 }
 
 /// What the words of a text ask for; `None` if they are no request or some of them are not known.
@@ -93,6 +97,7 @@ pub(crate) fn request(
     function: &dyn Fn(&str) -> Option<&'static str>,
 ) -> Option<Asked> {
     let masked = without_text_commands(text);
+    let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
     let named = |part: &Part| {
@@ -102,7 +107,8 @@ pub(crate) fn request(
             | Phrase::Part(..)
             | Phrase::Total(_)
             | Phrase::Between(_)
-            | Phrase::Which => true,
+            | Phrase::Which
+            | Phrase::Equals => true,
             // N_{0,2}(1/2) for the knots 0, 1, 2, 3
             Phrase::Label(label) => label.names_values(),
             _ => false,
@@ -134,7 +140,21 @@ pub(crate) fn request(
     if pieces.into_iter().any(|piece| has_words(piece, known)) {
         return None;
     }
-    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler, _));
+    // A note tells where a largest value is taken; of other functions it is not known.
+    let extreme = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(
+                Phrase::Function("maximum" | "minimum" | "max" | "min")
+                    | Phrase::Command("maximum" | "minimum" | "max" | "min"),
+                _
+            )
+        )
+    };
+    if parts.iter().any(|part| matches!(part, Part::Phrase(Phrase::Where, _))) && !parts.iter().any(extreme) {
+        return None;
+    }
+    let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
     let mut reader = Reader { text, parts, at: 0 };
     let asked = reader.asked()?;
@@ -183,6 +203,14 @@ impl Reader<'_> {
             return Some(Asked { request: Request::Call(call), equals: None });
         }
         let asks = self.take(Phrase::Is);
+        // is B_0^3(1/2) equal to 1/8?
+        if let Some([Part::Piece(left), Part::Phrase(Phrase::Equals, _), Part::Piece(right)]) =
+            self.parts.get(self.at..)
+        {
+            self.at += 3;
+            let request = Request::Formula(vec![*left], Vec::new());
+            return Some(Asked { request, equals: Some(*right) });
+        }
         if asks
             && let Some(Part::Piece(claimed)) = self.next()
             && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
@@ -264,6 +292,19 @@ impl Reader<'_> {
                     request =
                         Request::Call(Call { function, phrase, subject, labels: Vec::new(), part: None });
                 }
+                // (t + 1)^5 coefficient of t^3
+                Part::Phrase(Phrase::Of, _)
+                    if let Request::Call(Call { function: "coefficient", subject: Some(subject), labels, .. }) =
+                        &mut request
+                        && let (Request::Formula(whole, _), Some(Part::Piece(monomial))) =
+                            (subject.as_mut(), self.parts.get(self.at + 1)) =>
+                {
+                    let whole = std::mem::replace(whole, vec![*monomial]);
+                    labels.extend(
+                        whole.into_iter().map(|span| Said { label: Label::In, what: What::Formula(span) }),
+                    );
+                    self.at += 2;
+                }
                 // t^3 的导数
                 Part::Phrase(Phrase::Of, _)
                     if !matches!(self.parts.get(self.at + 1), Some(Part::Piece(_))) =>
@@ -320,7 +361,9 @@ impl Reader<'_> {
                         | Part::Phrase(Phrase::Function(_) | Phrase::Degree(_) | Phrase::Rational, _)
                 )
             );
-        matches!(self.phrase(), Some(Phrase::Label(_))) || says_degree || self.at_points()
+        matches!(self.phrase(), Some(Phrase::Label(_) | Phrase::Place(_) | Phrase::Flag(..)))
+            || says_degree
+            || self.at_points()
     }
 
     /// Whether points follow their name here: control points 0, 1, 3.
@@ -559,8 +602,18 @@ impl Reader<'_> {
                 self.at += 1;
                 return Some(vec![Said { label: Label::OfDegree, what: What::Degree(degree) }]);
             }
+            Part::Phrase(Phrase::Place(place), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::At, what: What::Place(place) }]);
+            }
+            Part::Phrase(Phrase::Flag(name, value), _) => {
+                self.at += 1;
+                return Some(vec![Said { label: Label::With, what: What::Flag(name, value) }]);
+            }
             Part::Phrase(Phrase::Ordinal(number), _) => {
                 self.at += 1;
+                // one step
+                self.take(Phrase::Label(Label::Times));
                 return Some(vec![Said { label: Label::Times, what: What::Degree(number) }]);
             }
             // bezier 0, 1, 4, t = 1/2

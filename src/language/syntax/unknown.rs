@@ -54,6 +54,7 @@ pub(crate) fn unknown(
                 Phrase::Filler
                 | Phrase::Of
                 | Phrase::And
+                | Phrase::Multiaffine
                 | Phrase::Function("polar")
                 | Phrase::Label(Label::With | Label::Values),
                 _,

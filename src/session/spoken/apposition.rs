@@ -12,8 +12,9 @@ use crate::language::lexicon::phrases::Label;
 use crate::language::value::Value;
 use crate::math::poly::Symbol;
 
-/// The formula that a function names with its own notation; `None` if it is asked for of something else.
-pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<Expr> {
+/// The formula that a function names with its own notation, and how many of the labels it has used, the first ones; `None`
+/// if it is asked for of something else.
+pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> Option<(Expr, usize)> {
     // the divided differences of 1, 4, 9 at 1, 2, 3
     let several = items.len() > 1 && items.iter().all(is_number);
     if several && matches!(draft.builtin.name, "divided_differences" | "newton" | "lagrange") {
@@ -25,10 +26,10 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
         ("divided_differences", Kind::Subscript(_, nodes))
             if said.is_empty() && matches!(nodes.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
         {
-            Some(item.clone())
+            Some((item.clone(), 0))
         }
         ("divided_differences" | "newton" | "lagrange", Kind::List(values)) => match said {
-            [Read { label: Label::At | Label::Nodes | Label::With, items: nodes }] => {
+            [Read { label: Label::At | Label::Nodes | Label::With, items: nodes }, ..] => {
                 let nodes = match nodes.as_slice() {
                     [Expr { kind: Kind::List(nodes), .. }] => nodes.clone(),
                     nodes => nodes.to_vec(),
@@ -36,7 +37,7 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
                 let fits = nodes.len() == values.len()
                     && nodes.len() > 1
                     && nodes.iter().chain(values).all(is_number);
-                fits.then(|| call(draft.builtin.name, vec![list(nodes), item.clone()], item.span))
+                fits.then(|| (call(draft.builtin.name, vec![list(nodes), item.clone()], item.span), 1))
             }
             _ => None,
         },
@@ -48,7 +49,7 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
                 _ => false,
             };
             let form = call("polar", vec![(**callee).clone()], callee.span);
-            (of_one && arguments.len() > 1).then(|| applied(form, arguments.clone(), item.span))
+            (of_one && arguments.len() > 1).then(|| (applied(form, arguments.clone(), item.span), 0))
         }
         _ => None,
     }

@@ -10,6 +10,7 @@ use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
 
 /// A call whose arguments are being gathered.
+#[derive(Clone)]
 pub(super) struct Draft {
     pub(super) builtin: &'static Builtin,
     pub(super) phrase: Span,
@@ -41,6 +42,11 @@ fn nodes_and_values(points: &[Expr]) -> Option<[Expr; 2]> {
     Some([list(nodes), list(values)])
 }
 
+/// A point, and no list of points.
+fn is_flat(item: &Expr) -> bool {
+    matches!(item.kind, Kind::Tuple(_)) && item.items().is_some_and(|items| !is_points(items))
+}
+
 fn is_list(kind: Takes) -> bool {
     matches!(
         kind,
@@ -58,6 +64,17 @@ fn is_list(kind: Takes) -> bool {
 impl Draft {
     pub(super) fn new(builtin: &'static Builtin, phrase: Span) -> Self {
         Draft { builtin, phrase, placed: Vec::new(), named: Vec::new(), part: None, degree: None }
+    }
+
+    /// Takes the words of its own phrase that are values of parameters: Chaikin's scheme.
+    pub(super) fn take_words(&mut self, phrase: &str) {
+        for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
+            let words = phrase.split(|c: char| !c.is_alphabetic());
+            let found = words.filter_map(|word| parameter.kind.words().iter().find(|own| **own == word)).next();
+            if let Some(word) = found.filter(|word| **word != self.builtin.name) {
+                self.named.push((parameter.name, Expr { span: self.phrase, ..Expr::name(*word) }));
+            }
+        }
     }
 
     /// What the function is applied to, where a label says it: bezier with control points 0, 1, 3.
@@ -85,6 +102,7 @@ impl Draft {
         let Some(first) = self.builtin.parameters.first() else { return false };
         match first.kind {
             Takes::Function => items.len() > 1 && is_points(items),
+            Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
                 _ => items.len() > 1,
@@ -202,6 +220,8 @@ impl Draft {
                 Some(both) => self.placed = both.into(),
                 None => return false,
             },
+            // Which of the corners (0, 0), (1, 2), … are neighbours?
+            Takes::Net if !one_list && is_points(&items) && items.iter().all(is_flat) => return false,
             kind if is_list(kind) => {
                 self.placed = match items.as_slice() {
                     [Expr { kind: Kind::List(_), .. }] => items,
@@ -213,7 +233,12 @@ impl Draft {
             }
             // A degree before knots: b-spline 0, 1, 2, 3
             Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
-                self.named.push((self.builtin.parameters[1].name, list(items)));
+                let values = match items.as_slice() {
+                    // greville abscissae of (0, 0, 1, 1)
+                    [Expr { kind: Kind::List(values) | Kind::Tuple(values), .. }] => values.clone(),
+                    _ => items,
+                };
+                self.named.push((self.builtin.parameters[1].name, list(values)));
             }
             _ => self.placed = items,
         }
@@ -244,6 +269,7 @@ impl Draft {
 
     /// Takes what a label says, if there is a parameter for it; else gives it back.
     pub(super) fn take(&mut self, read: Read) -> Option<Read> {
+        let read = self.take_other(read)?;
         let one = read.items.len() == 1;
         let Some(first) = read.items.first().cloned() else { return Some(read) };
         // n = 3, a = 0
@@ -316,6 +342,14 @@ impl Draft {
             Label::Over | Label::With | Label::In => return self.take_interval(read),
             Label::Times => single(&["k", "times"]),
             Label::Number => single(&["i"]),
+            // puntos de control de t^3 en [0, 2]
+            Label::At
+                if matches!(&first.kind, Kind::List(ends) if one && ends.len() == 2)
+                    && self.has_ends()
+                    && !matches!(self.builtin.name, "bezier" | "bspline" | "patch") =>
+            {
+                return self.take_interval(read);
+            }
             Label::At => return self.take_parameter(read),
             Label::Knots | Label::Nodes | Label::Values | Label::Weights | Label::Points => {
                 let name = match read.label {
@@ -420,6 +454,32 @@ impl Draft {
         }
     }
 
+    /// Whether its object may be a curve, though other things may be, too.
+    fn takes_curves(&self) -> bool {
+        self.builtin.parameters.first().is_some_and(|first| first.doc.contains("curve"))
+    }
+
+    /// The curve, or the set F(x, y) = 0, that a curve meets: with the line y = 1/2.
+    fn take_other(&mut self, read: Read) -> Option<Read> {
+        let second = self.builtin.parameters.get(1).filter(|p| p.name == "other" && self.placed.len() < 2);
+        let taken = self.named.iter().any(|(name, _)| *name == "other");
+        let ([item], Some(second), false) = (read.items.as_slice(), second, taken) else { return Some(read) };
+        if !matches!(read.label, Label::With | Label::In | Label::At | Label::Over) {
+            return Some(read);
+        }
+        let Kind::Chain(left, links) = &item.kind else { return Some(read) };
+        let [link @ Link { rel: Rel::Eq, .. }] = links.as_slice() else { return Some(read) };
+        if !bases(item).iter().all(|name| matches!(name.as_str(), "x" | "y" | "z")) {
+            return Some(read);
+        }
+        let terms = vec![
+            Term { sign: Sign::Plus, expr: one_term((**left).clone()) },
+            Term { sign: Sign::Minus, expr: one_term(link.expr.clone()) },
+        ];
+        self.named.push((second.name, Expr { span: item.span, ..Expr::sum(terms) }));
+        None
+    }
+
     /// Whether it cannot be without an interval: the part of a curve.
     pub(super) fn needs_ends(&self) -> bool {
         self.parameter(&["r"]).is_some_and(|end| end.need == Need::Required)
@@ -478,7 +538,7 @@ impl Draft {
                     ) => inside = curve.clone(),
                     // The zeros of a Bézier polynomial.
                     (Some(Takes::Polynomial | Takes::Scalar | Takes::Any), "bezier", _)
-                        if self.builtin.on_curve.is_none() && self.builtin.name != "reverse" =>
+                        if self.builtin.on_curve.is_none() && !self.takes_curves() =>
                     {
                         let span = inside.span;
                         inside = applied(inside, vec![Expr { span, ..Expr::name("t") }], span);

@@ -1,0 +1,254 @@
+//! A request while it is put together: its functions, their object, and what is said of them.
+
+use super::draft::{self, Draft};
+use super::{Read, apposition, lists, notations};
+use crate::formula::source::Span;
+use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
+use crate::language::eval;
+use crate::language::functions::{Parameter, Takes, builtin};
+use crate::language::lexicon::phrases::{Label, Place};
+
+/// A request, read.
+#[derive(Clone, Default)]
+pub(super) struct Utterance {
+    /// The functions; once settled, from the inside out.
+    pub(super) drafts: Vec<Draft>,
+    /// What the innermost of them is about.
+    pub(super) items: Vec<Expr>,
+    /// What is said of the arguments.
+    pub(super) said: Vec<Read>,
+    /// What the innermost function is applied to, if that is a formula with lists in place of its notations.
+    pub(super) formula: Option<Expr>,
+    /// Points that are to be met.
+    pub(super) through: Option<Span>,
+    /// Places that have a word: in the middle.
+    pub(super) places: Vec<Place>,
+    /// Whether something is so: closed.
+    pub(super) flags: Vec<(&'static str, Expr)>,
+}
+
+impl Utterance {
+    /// Takes what a label says.
+    pub(super) fn hear(&mut self, label: Label, items: Vec<Expr>) {
+        // in t = 1
+        let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
+        let label = match label {
+            Label::In if values => Label::At,
+            // the parabola through (0, 1), (1, 3), (2, 11)
+            Label::Through if draft::is_points(&items) && self.drafts.is_empty() => Label::Through,
+            Label::Through => {
+                self.through = items.first().map(|item| item.span);
+                Label::With
+            }
+            label => label,
+        };
+        self.said.push(Read { label, items });
+    }
+
+    /// Values for the places that have a word. Of a spline they depend on its knots.
+    fn take_places(&mut self) {
+        let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
+        let (a, b) = match ends {
+            Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }]) if let [a, b] = ends.as_slice() => {
+                (a.clone(), b.clone())
+            }
+            _ => (Expr::int(0), Expr::int(1)),
+        };
+        let unit = ends.is_none();
+        let half = |expr: Expr, by: i64| expr.over(Expr::int(by));
+        for place in std::mem::take(&mut self.places) {
+            let value = match place {
+                Place::Start => a.clone(),
+                Place::End => b.clone(),
+                Place::Middle if unit => half(Expr::int(1), 2),
+                Place::Middle => {
+                    let sum = [&a, &b].map(|end| Term { sign: Sign::Plus, expr: end.clone().grouped() });
+                    half(Expr::sum(sum.into()).grouped(), 2)
+                }
+                Place::Centre => Expr::new(Kind::Tuple(vec![half(Expr::int(1), 3); 3]), Span::default()),
+            };
+            self.said.push(Read { label: Label::At, items: vec![value] });
+        }
+    }
+
+    fn says(&self, label: Label) -> bool {
+        self.said.iter().any(|read| read.label == label)
+    }
+
+    /// Finds the functions that are meant but not named, from what is said.
+    pub(super) fn settle(&mut self) {
+        if self.drafts.iter().all(|draft| draft.builtin.on_equations.is_none()) {
+            lists::gather(&mut self.items, &mut self.said);
+        }
+        self.take_places();
+        self.extremes();
+        // the interpolation polynomial of Lagrange
+        let of_data = |name: &str| {
+            ["lagrange", "newton", "hermite", "bezier", "bspline", "patch", "triangle_patch"].contains(&name)
+        };
+        self.drafts.dedup_by(|inner, outer| {
+            inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name)
+        });
+        self.bases();
+        self.drafts.reverse();
+        self.points_of_formula();
+        self.splines();
+        self.interpolants();
+        notations::exponents(&mut self.items, &mut self.said);
+        let points = self.said.iter().find(|read| read.label == Label::Points);
+        if let (true, true, Some(points)) = (self.drafts.is_empty(), self.items.is_empty(), points)
+            && let Some(curve) = builtin(if self.says(Label::Knots) { "bspline" } else { "bezier" })
+        {
+            let span = points.items.first().map_or(Span::default(), |item| item.span);
+            self.drafts.push(Draft::new(curve, span));
+        }
+        apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
+    }
+
+    /// The maximum of t (1 - t) on [0, 1], that of 1/2 and 2/3.
+    fn extremes(&mut self) {
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        if !matches!(of.name, "max" | "min" | "maximum" | "minimum") {
+            return;
+        }
+        for read in &mut self.said {
+            if let (Label::At, [Expr { kind: Kind::List(_), .. }]) = (read.label, read.items.as_slice()) {
+                read.label = Label::Over;
+            }
+        }
+        let over = self
+            .said
+            .iter()
+            .any(|read| matches!(read.label, Label::Over | Label::In | Label::With | Label::From));
+        let meant = match (of.name, self.items.len() == 1 && over) {
+            ("max", true) => builtin("maximum"),
+            ("min", true) => builtin("minimum"),
+            ("maximum", false) if self.items.len() > 1 => builtin("max"),
+            ("minimum", false) if self.items.len() > 1 => builtin("min"),
+            _ => None,
+        };
+        *of = meant.unwrap_or(of);
+    }
+
+    /// The basis that a function works with: the mass matrix of the Bernstein polynomials.
+    fn bases(&mut self) {
+        let [outer, inner] = self.drafts.as_mut_slice() else { return };
+        let basis = |p: &&Parameter| matches!(p.kind, Takes::Basis | Takes::BasisOrKnots);
+        if let (Some(parameter), Some(name)) =
+            (outer.builtin.parameters.iter().find(basis), super::basis_of(inner.builtin.name))
+        {
+            outer.named.push((parameter.name, Expr { span: inner.phrase, ..Expr::name(name) }));
+            self.drafts.pop();
+        }
+    }
+
+    /// The control points of the Bézier curve t^2.
+    fn points_of_formula(&mut self) {
+        if let ([Draft { builtin: curve, .. }, Draft { builtin: points, .. }, ..], [formula]) =
+            (self.drafts.as_slice(), self.items.as_slice())
+            && (curve.name, points.name) == ("bezier", "control_points")
+            && matches!(formula.kind, Kind::Add(_) | Kind::Mul(_) | Kind::Pow(..))
+        {
+            self.drafts.remove(0);
+        }
+    }
+
+    /// The spline that knots and control points are of: insert knot 1: knots 0, 0, 2, 2, control points 3, 4.
+    fn splines(&mut self) {
+        if let Some(Draft { builtin: first, phrase, .. }) = self.drafts.first()
+            && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
+            && let (true, Some(spline)) = (self.says(Label::Knots), builtin("bspline"))
+        {
+            self.drafts.insert(0, Draft::new(spline, *phrase));
+            self.drafts[1].placed = std::mem::take(&mut self.items);
+        }
+        if self.says(Label::Points)
+            && let Some(basis) = self.drafts.iter_mut().find(|draft| draft.builtin.name == "bspline_basis")
+            && let Some(spline) = builtin("bspline")
+        {
+            basis.builtin = spline;
+        }
+    }
+
+    /// The parabola through points.
+    fn interpolants(&mut self) {
+        if let (
+            true,
+            true,
+            [Read { label: Label::OfDegree, items: degree }, Read { label: Label::Through, items: points }],
+        ) = (self.drafts.is_empty(), self.items.is_empty(), self.said.as_slice())
+            && let ([degree], Some(lagrange)) = (degree.as_slice(), builtin("lagrange"))
+            && degree.as_int().is_some_and(|degree| usize::try_from(degree + 1) == Ok(points.len()))
+        {
+            self.items.clone_from(points);
+            self.drafts.push(Draft::new(lagrange, self.items[0].span));
+            self.said.clear();
+        }
+    }
+
+    /// What is asked for, where it is a call by itself: the solution of M x = b, an elementary symmetric polynomial.
+    pub(super) fn whole(&self) -> Option<Expr> {
+        let [Draft { builtin, phrase, .. }] = self.drafts.as_slice() else { return None };
+        let [object] = self.items.as_slice() else { return None };
+        match (builtin.name, self.said.as_slice()) {
+            ("esym", []) => notations::symmetric(object),
+            ("solve", [Read { items, .. }]) => match (&object.kind, items.as_slice()) {
+                (Kind::Matrix(..), [item]) => {
+                    let (_, right) = eval::named(item)?;
+                    let vector = matches!(right.kind, Kind::Matrix(..) | Kind::List(_));
+                    vector.then(|| call("solve", vec![object.clone(), right.clone()], *phrase))
+                }
+                _ => None,
+            },
+            // solve [2, 1; 1, 3] x = [3; 5]
+            ("solve", []) => {
+                let Kind::Chain(left, links) = &object.kind else { return None };
+                let (Kind::Mul(factors), [Link { rel: Rel::Eq, expr: right, .. }]) =
+                    (&left.kind, links.as_slice())
+                else {
+                    return None;
+                };
+                match factors.as_slice() {
+                    [matrix @ Expr { kind: Kind::Matrix(..), .. }, Expr { kind: Kind::Name(_), .. }] => {
+                        Some(call("solve", vec![matrix.clone(), right.clone()], *phrase))
+                    }
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// Puts lists into the notations that they are said for: the B-spline N_{0,2}, the Lagrange polynomial L_1.
+    pub(super) fn put_into_notations(&mut self) {
+        let [one] = self.items.as_slice() else { return };
+        let Some(read) = notations::with_values(one, &mut self.said) else { return };
+        let same =
+            |name: &str| name == read.function || name == "lagrange" && read.function == "lagrange_basis";
+        if self.drafts.first().is_some_and(|draft| same(draft.builtin.name)) {
+            self.drafts.remove(0);
+        }
+        self.formula = Some(read.formula);
+        self.items.clear();
+    }
+
+    /// Gives the innermost function its object; false if it cannot take it.
+    pub(super) fn apply_innermost(&mut self) -> bool {
+        let Some(innermost) = self.drafts.first_mut() else { return true };
+        if self.formula.is_none() && !innermost.is_about(std::mem::take(&mut self.items), &mut self.said) {
+            return false;
+        }
+        innermost.takes_coefficient(&mut self.said);
+        let of_variable = |read: &Read| {
+            let variable = matches!(read.items.as_slice(), [Expr { kind: Kind::Name(_), .. }]);
+            variable && matches!(read.label, Label::In | Label::To)
+        };
+        if innermost.builtin.name == "derivative"
+            && self.said.iter().any(of_variable)
+            && let Some(of_formulas) = builtin("diff")
+        {
+            innermost.builtin = of_formulas;
+        }
+        true
+    }
+}
