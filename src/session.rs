@@ -11,11 +11,14 @@ mod counterexamples;
 mod data;
 mod foreign;
 mod given;
+mod habits;
 mod intervals;
 mod line;
+mod members;
 mod spelling;
 mod spoken;
 mod systems;
+mod units;
 mod unknown;
 
 use std::collections::BTreeSet;
@@ -229,7 +232,7 @@ impl Session {
             Some(formula) => Some(formula),
             None => self.spoken(file, whole)?,
         };
-        if let Some(formula) = formula {
+        if let Some(formula) = formula.or_else(|| self.called_in_words(file, whole)) {
             let read = read_as(&formula, whole);
             let mut answer = self.evaluated(file, formula, equals, false)?;
             answer.outcome.notes.insert(0, read);
@@ -281,13 +284,19 @@ impl Session {
         latex: bool,
     ) -> Result<Answer, Box<Failure>> {
         let span = statement.span;
-        if let Some(problem) = spelling::set_of_numbers(&statement, &|name| defines(&self.env, name)) {
+        let (with_arguments, remark) = self.with_members_called(statement);
+        statement = with_arguments;
+        let known = |name: &str| defines(&self.env, name);
+        if let Some(problem) =
+            spelling::set_of_numbers(&statement, &known).or_else(|| spelling::degree_last(&statement, &known))
+        {
             return Err(Box::new(Failure { problem, file: file.clone() }));
         }
         match self.evaluate(&mut statement, equals) {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);
                 spelling::remarks(&statement, file, &mut outcome.notes);
+                outcome.notes.extend(remark);
                 Ok(Answer { statement, outcome, file: file.clone() })
             }
             // What exceeds a limit has no place of its own; the statement will do.
@@ -369,41 +378,6 @@ impl Session {
             .at(span)
             .hint(hint),
         );
-    }
-
-    /// Runs all statements of a file, one after the other, calling `each` after every one.
-    /// `each` says whether to go on.
-    pub fn run_file(
-        &mut self,
-        file: &SourceFile,
-        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
-    ) {
-        let spans = match syntax::statements(file.text()) {
-            Ok(spans) => spans,
-            Err(problem) => {
-                each(self, Err(Box::new(Failure { problem, file: file.clone() })));
-                return;
-            }
-        };
-        for span in spans {
-            if !self.run_span(file, span, &mut each) {
-                return;
-            }
-        }
-    }
-
-    /// Runs the statement at `span`, calling `each` after it, or after each of the definitions that it
-    /// is; false as soon as `each` says not to go on.
-    pub fn run_span(
-        &mut self,
-        file: &SourceFile,
-        span: Span,
-        mut each: impl FnMut(&mut Session, Result<Answer, Box<Failure>>) -> bool,
-    ) -> bool {
-        match self.run_advised(file, span, Equals::DefinesUnbound) {
-            Ok(answers) => answers.into_iter().all(|answer| each(self, Ok(answer))),
-            Err(failure) => each(self, Err(failure)),
-        }
     }
 }
 

@@ -35,6 +35,36 @@ pub(super) fn set_of_numbers(statement: &Expr, known: &dyn Fn(&str) -> bool) -> 
     }
 }
 
+/// Refuses a Bernstein polynomial whose number is larger than its degree: the degree goes before the number here.
+pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Diagnostic> {
+    if let Kind::Apply(callee, groups) = &statement.kind
+        && let (Kind::Name(name), Some([degree, number, rest @ ..])) =
+            (&callee.kind, groups.first().map(Vec::as_slice))
+        && name == "bernstein"
+        && !known(name)
+        && let (Some(n), Some(i)) = (degree.as_int(), number.as_int())
+        && i > n
+    {
+        let rest: String = rest.iter().map(|item| format!(", {}", write::text(item))).collect();
+        let problem = Diagnostic::error(Code::Domain, format!("the degree is {n} here, and the number {i}"))
+            .at(degree.span.to(number.span))
+            .reason("the degree goes first")
+            .hint(format!("write bernstein({i}, {n}{rest}) for the degree {i}"))
+            .hint(format!("B_i^n with i > n is 0: B_{i}^{n}(t)"));
+        return Some(problem);
+    }
+    let mut found = None;
+    statement.for_each_child(&mut |child| {
+        if found.is_none() {
+            found = degree_last(child, known);
+        }
+    });
+    if let (None, Kind::Apply(_, groups)) = (&found, &statement.kind) {
+        found = groups.iter().flatten().find_map(|argument| degree_last(argument, known));
+    }
+    found
+}
+
 /// Adds the remarks on a statement that was read from a file.
 pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
     if let Some(note) = of_part(statement, file)

@@ -448,7 +448,9 @@ impl Reader<'_> {
             },
             Ok(Outcome { value: Value::Geometry(geometry), .. }) if !geometry.is_surface() => Nature::OfOne,
             Ok(Outcome { value: Value::Piecewise(_), .. }) => Nature::OfOne,
-            Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => Nature::OfOne,
+            Ok(Outcome { value: Value::Scalar(formula), .. }) if formula.variables().len() == 1 => {
+                Nature::OfOne
+            }
             _ => Nature::Other,
         }
     }

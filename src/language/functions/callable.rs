@@ -139,6 +139,8 @@ const ALIASES: &[(&str, &str)] = &[
     ("ratsimp", "simplify"),
     ("multiply_out", "expand"),
     ("reduced_row_echelon_form", "row_echelon"),
+    ("de_boor", "deboor"),
+    ("de_casteljau", "casteljau"),
     ("invert", "inverse"),
     ("maximum_value", "maximum"),
     ("minimum_value", "minimum"),
@@ -199,8 +201,19 @@ const NOUNS: &[&str] =
     &["scheme", "algorithm", "matrix", "tableau", "table", "method", "identity", "polynomial", "polynomials"];
 
 /// Words that mean something else in sentences.
-const OF_SENTENCES: &[&str] =
-    &["value", "evaluate", "points", "curve", "rational", "basis", "triangle", "tangent", "spline", "subdivision", "delta"];
+const OF_SENTENCES: &[&str] = &[
+    "value",
+    "evaluate",
+    "points",
+    "curve",
+    "rational",
+    "basis",
+    "triangle",
+    "tangent",
+    "spline",
+    "subdivision",
+    "delta",
+];
 
 /// The function that words name, with `_` between them: also in the singular or plural, and by other names for it.
 pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {

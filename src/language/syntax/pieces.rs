@@ -122,15 +122,18 @@ pub(super) fn without_asides<'a>(
     while let Some(found) = text.piece(at..).find(['(', '[', '{']) {
         let open = at + found;
         let length = text.piece(open..).len() - after_brackets(text.piece(open..)).len();
-        let closed = text.piece(open..open + length).ends_with(')');
-        let inside = text.piece(open + 1..(open + length).saturating_sub(1));
+        let Some(inside) = text.piece(open..open + length).strip_suffix(')').and_then(|all| all.get(1..))
+        else {
+            at = open + length.max(1);
+            continue;
+        };
         let says = match phrase(inside, function) {
             Some((own @ (Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_)), length)) => {
                 is_word(inside, 0, length, known, own) && inside.piece(length..).starts_with(' ')
             }
             _ => false,
         };
-        if closed && says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
+        if says && text.piece(..open).ends_with(' ') && text.piece(open..).starts_with('(') {
             let bytes = masked.get_or_insert_with(|| text.as_bytes().to_vec());
             bytes[open] = b' ';
             bytes[open + length - 1] = b' ';

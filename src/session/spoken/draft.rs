@@ -70,7 +70,8 @@ impl Draft {
     pub(super) fn take_words(&mut self, phrase: &str) {
         for parameter in self.builtin.parameters.iter().filter(|parameter| parameter.has_name()) {
             let words = phrase.split(|c: char| !c.is_alphabetic());
-            let found = words.filter_map(|word| parameter.kind.words().iter().find(|own| **own == word)).next();
+            let found =
+                words.filter_map(|word| parameter.kind.words().iter().find(|own| **own == word)).next();
             if let Some(word) = found.filter(|word| **word != self.builtin.name) {
                 self.named.push((parameter.name, Expr { span: self.phrase, ..Expr::name(*word) }));
             }

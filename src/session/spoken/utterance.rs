@@ -49,7 +49,9 @@ impl Utterance {
     fn take_places(&mut self) {
         let ends = self.said.iter().find(|read| read.label == Label::Over).map(|read| read.items.as_slice());
         let (a, b) = match ends {
-            Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }]) if let [a, b] = ends.as_slice() => {
+            Some([Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }])
+                if let [a, b] = ends.as_slice() =>
+            {
                 (a.clone(), b.clone())
             }
             _ => (Expr::int(0), Expr::int(1)),
@@ -81,14 +83,14 @@ impl Utterance {
             lists::gather(&mut self.items, &mut self.said);
         }
         self.take_places();
+        self.meeting();
         self.extremes();
         // the interpolation polynomial of Lagrange
         let of_data = |name: &str| {
             ["lagrange", "newton", "hermite", "bezier", "bspline", "patch", "triangle_patch"].contains(&name)
         };
-        self.drafts.dedup_by(|inner, outer| {
-            inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name)
-        });
+        self.drafts
+            .dedup_by(|inner, outer| inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name));
         self.bases();
         self.drafts.reverse();
         self.points_of_formula();
@@ -128,6 +130,25 @@ impl Utterance {
             _ => None,
         };
         *of = meant.unwrap_or(of);
+    }
+
+    /// Where curves meet that are given by equations: they are solved together.
+    fn meeting(&mut self) {
+        let equation = |item: &Expr| matches!(&item.kind, Kind::Chain(_, links) if matches!(links.as_slice(), [Link { rel: Rel::Eq, .. }]));
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        let of_them = |read: &Read| read.label == Label::With && read.items.iter().all(equation);
+        let line = |read: &Read| read.label == Label::OfDegree;
+        if of.name != "intersections"
+            || self.items.is_empty()
+            || !self.items.iter().all(equation)
+            || !self.said.iter().all(|read| of_them(read) || line(read))
+        {
+            return;
+        }
+        let Some(solve) = builtin("solve") else { return };
+        *of = solve;
+        self.items
+            .extend(std::mem::take(&mut self.said).into_iter().filter(of_them).flat_map(|read| read.items));
     }
 
     /// The basis that a function works with: the mass matrix of the Bernstein polynomials.

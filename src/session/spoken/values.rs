@@ -26,11 +26,7 @@ impl Values {
     ///
     /// # Errors
     /// What cannot be put into it.
-    pub(super) fn put_into(
-        &mut self,
-        formula: Expr,
-        nature: &dyn Fn(&Expr) -> Nature,
-    ) -> Result<Expr, Read> {
+    pub(super) fn put_into(&mut self, formula: Expr, nature: &dyn Fn(&Expr) -> Nature) -> Result<Expr, Read> {
         // A curve at t = 1/2, a patch at u = 1/2 and v = 1/3: letters that do not occur are those of its parameters.
         let occur = bases(&formula);
         let parameter = |read: &Read| {

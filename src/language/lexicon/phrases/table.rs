@@ -237,14 +237,20 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          bézierstücke | bezierstücke | bézier segmente | bezier segmente | segments de bézier | segments de bezier | \
          segmentos de bézier | tramos de bézier",
     ),
-    (Function("gram"), "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa"),
+    (
+        Function("gram"),
+        "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
+    ),
     (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
     (
         Function("subdivide_polygon"),
         "chaikin | chaikin's algorithm | chaikin's scheme | corner cutting | 切角",
     ),
-    (Function("barycentric"), "barycentric coordinates | baryzentrische koordinaten | baryzentrischen koordinaten | \
-         coordonnées barycentriques | coordenadas baricéntricas | 重心坐标"),
+    (
+        Function("barycentric"),
+        "barycentric coordinates | baryzentrische koordinaten | baryzentrischen koordinaten | \
+         coordonnées barycentriques | coordenadas baricéntricas | 重心坐标",
+    ),
     (
         Function("inflections"),
         "inflection point~ | point of inflection | points of inflection | wendepunkt~ | point~ d'inflexion | \
@@ -256,9 +262,18 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          puntos de intersección | punti di intersezione | 交点",
     ),
     (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
-    (Function("length"), "number of | anzahl der | anzahl | nombre de | número de | numero di | how many | wie viele | combien de | cuántos | cuántas"),
-    (Phrase::Place(Start), "at the start | at the beginning | at its start | am anfang | au début | al principio | al inicio | at the left end"),
-    (Phrase::Place(End), "at the end | at its end | am ende | à la fin | al final | alla fine | at the right end"),
+    (
+        Function("length"),
+        "number of | anzahl der | anzahl | nombre de | número de | numero di | how many | wie viele | combien de | cuántos | cuántas",
+    ),
+    (
+        Phrase::Place(Start),
+        "at the start | at the beginning | at its start | am anfang | au début | al principio | al inicio | at the left end",
+    ),
+    (
+        Phrase::Place(End),
+        "at the end | at its end | am ende | à la fin | al final | alla fine | at the right end",
+    ),
     (
         Phrase::Place(Middle),
         "in the middle | at the middle | at the midpoint | at its midpoint | at the parameter midpoint | in der mitte | au milieu | \
@@ -269,8 +284,14 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "at the centroid | at the barycenter | at the barycentre | im schwerpunkt | au centre de gravité | au barycentre | \
          en el baricentro | nel baricentro | at the center | at the centre",
     ),
-    (Flag("closed", 1), "closed | closed polygon | geschlossen~ | geschlossenes polygon | fermé~ | polygone fermé | cerrad~ | 封闭 | 闭"),
-    (Flag("closed", 0), "open | open polygon | offen~ | offenes polygon | ouvert~ | polygone ouvert | abiert~"),
+    (
+        Flag("closed", 1),
+        "closed | closed polygon | geschlossen~ | geschlossenes polygon | fermé~ | polygone fermé | cerrad~ | 封闭 | 闭",
+    ),
+    (
+        Flag("closed", 0),
+        "open | open polygon | offen~ | offenes polygon | ouvert~ | polygone ouvert | abiert~",
+    ),
     (
         Phrase::Where,
         "and where | where does | where is | where has | attain | attains | attained | reach | reaches | taken | how large is it | \
@@ -286,8 +307,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "greville abscissae | greville points | greville | greville abszissen | \
          abscisses de greville | abscisas de greville",
     ),
-    (Command("insert_knots"), "insert knot | insert knots | knot insertion | \
-         insert | add knot | füge den knoten | füge knoten | knoten einfügen | insère le nœud | insérer le nœud | insérer | inserta el nudo | inserta | inserisci | boehm | boehm's algorithm | 插入节点"),
+    (
+        Command("insert_knots"),
+        "insert knot | insert knots | knot insertion | \
+         insert | add knot | füge den knoten | füge knoten | knoten einfügen | insère le nœud | insérer le nœud | insérer | inserta el nudo | inserta | inserisci | boehm | boehm's algorithm | 插入节点",
+    ),
     (
         Function("lagrange"),
         "interpolation polynomial | interpolating polynomial | lagrange polynomial~ | interpolant~ | \
@@ -358,7 +382,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
-    (And, "and | und | et | 和 | 与 | on division by | upon division by | when divided by | after division by | by division by | bei division durch | in the division by | dans la division par | al dividir por | al dividir entre | divided by | geteilt durch | divisé par | dividido por"),
+    (
+        And,
+        "and | und | et | 和 | 与 | on division by | upon division by | when divided by | after division by | by division by | bei division durch | in the division by | dans la division par | al dividir por | al dividir entre | divided by | geteilt durch | divisé par | dividido por",
+    ),
     (Phrase::Or, "or | oder | ou"),
     (
         Phrase::Label(At),
@@ -389,7 +416,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Phrase::Label(With),
         "for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
     ),
-    (Phrase::Label(Through), "through | passing through | that passes through | which passes through | durch | passant par | que pasa por | que pasa por los puntos | passante per | attraverso | 经过 | 通过"),
+    (
+        Phrase::Label(Through),
+        "through | passing through | that passes through | which passes through | durch | passant par | que pasa por | que pasa por los puntos | passante per | attraverso | 经过 | 通过",
+    ),
     (
         Phrase::Label(OfDegree),
         "degree | deg | grad~ | degré~ | vom grad | of degree | de degré | de grado | di grado | \
@@ -409,7 +439,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          de boor point~ | punkt~ | puntos | punti | control net | kontrollnetz | net | \
          corners | corner points",
     ),
-    (Phrase::Label(Times), "times | step~ | schritt~ | étape~ | pas | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次"),
+    (
+        Phrase::Label(Times),
+        "times | step~ | schritt~ | étape~ | pas | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
+    ),
     (Phrase::Label(Number), "index"),
     (
         Filler,
