@@ -10,13 +10,13 @@ use crate::language::write;
 impl Session {
     /// A statement whose members of families have their argument, and a remark on it.
     ///
-    /// All of them are read so or none: each has integers i and n with 0 <= i <= n, and there are at least two different
-    /// ones, for B_1^2 by itself may be a power.
+    /// All of them are read so or none: each has integers i and n with 0 <= i <= n, and there are two different ones, or a
+    /// function is asked of one, for B_1^2 by itself may be a power.
     pub(super) fn with_members_called(&self, statement: Expr) -> (Expr, Option<Diagnostic>) {
         let mut found = Members { env: &|name| defines(&self.env, name), ..Members::default() };
         found.gather(&statement);
         let distinct = |names: &[String]| names.windows(2).any(|pair| pair[0] != pair[1]);
-        if found.others || found.alone.is_empty() || !distinct(&found.names) {
+        if found.others || found.alone.is_empty() || !(found.asked || distinct(&found.names)) {
             return (statement, None);
         }
         let (span, letter) = (found.alone[0].span, found.argument(&statement));
@@ -26,7 +26,7 @@ impl Session {
             format!("{} is read as {}", write::text(&found.alone[0]), write::text(&read)),
         )
         .at(span)
-        .hint("write (B_1)^2 for a power");
+        .hint(power(&found.alone[0]));
         let mut statement = statement;
         put(&mut statement, &|expr| found.member(expr).is_some(), &letter);
         (statement, Some(note))
@@ -43,11 +43,20 @@ struct Members<'a> {
     called: Option<Expr>,
     /// Whether the letter stands for something else, too.
     others: bool,
+    /// Whether a function is asked of one.
+    asked: bool,
 }
 
 impl Default for Members<'_> {
     fn default() -> Self {
-        Members { env: &|_| false, alone: Vec::new(), names: Vec::new(), called: None, others: false }
+        Members {
+            env: &|_| false,
+            alone: Vec::new(),
+            names: Vec::new(),
+            called: None,
+            others: false,
+            asked: false,
+        }
     }
 }
 
@@ -77,12 +86,8 @@ impl Members<'_> {
                     // (B_0^2 + B_1^2)(t) has its argument
                     None => self.others |= callee.has(&|part| self.member(part).is_some()),
                 }
-                // A function takes B_1^2 as the function that it is.
-                for argument in groups.iter().flatten() {
-                    if self.member(argument).is_none() {
-                        self.gather(argument);
-                    }
-                }
+                self.asked |= groups.iter().flatten().any(|argument| self.member(argument).is_some());
+                groups.iter().flatten().for_each(|argument| self.gather(argument));
             }
             Kind::Mul(factors) => {
                 let called = |pair: &[Expr]| {
@@ -116,7 +121,16 @@ impl Members<'_> {
     }
 }
 
-/// Gives members their argument, but not those that a function takes.
+fn power(member: &Expr) -> String {
+    match &member.kind {
+        Kind::Pow(base, exponent) => {
+            format!("write ({})^{} for a power", write::text(base), write::text(exponent))
+        }
+        _ => String::new(),
+    }
+}
+
+/// Gives members their argument.
 fn put(expr: &mut Expr, member: &dyn Fn(&Expr) -> bool, letter: &Expr) {
     if member(expr) {
         let span = expr.span;
@@ -127,7 +141,7 @@ fn put(expr: &mut Expr, member: &dyn Fn(&Expr) -> bool, letter: &Expr) {
         if !member(callee) {
             put(callee, member, letter);
         }
-        groups.iter_mut().flatten().filter(|one| !member(one)).for_each(|one| put(one, member, letter));
+        groups.iter_mut().flatten().for_each(|one| put(one, member, letter));
         return;
     }
     expr.for_each_child_mut(&mut |child| put(child, member, letter));

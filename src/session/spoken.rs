@@ -19,7 +19,7 @@ use super::foreign::as_list;
 use super::given::each_equal;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
+use crate::formula::{BigOp, Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_in_words};
@@ -172,6 +172,11 @@ impl Reader<'_> {
                     }
                     (labels, Span::default())
                 }
+                Request::Joined(op, spans) => {
+                    let Some(joined) = self.joined(op, spans)? else { return Ok(None) };
+                    asked.items.push(joined);
+                    (Vec::new(), Span::default())
+                }
                 Request::Total(total) => {
                     asked.items.push(self.total(&total)?);
                     (Vec::new(), Span::default())
@@ -285,6 +290,24 @@ impl Reader<'_> {
 
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {
         Box::new(Failure { problem, file: self.file.clone() })
+    }
+
+    /// The sum or product of formulas; of lists it is not clear what that is.
+    fn joined(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
+        let formulas = spans.into_iter().map(|span| self.one(span)).collect::<Result<Vec<_>, _>>()?;
+        let several = |item: &Expr| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Sequence(_));
+        if formulas.iter().any(several) {
+            return Ok(None);
+        }
+        let span = formulas.iter().map(|formula| formula.span).reduce(Span::to).unwrap_or_default();
+        let whole = match op {
+            BigOp::Product => Expr::product(formulas.into_iter().map(one_term).collect()),
+            BigOp::Sum => Expr::sum(
+                formulas.into_iter().map(|expr| Term { sign: Sign::Plus, expr: one_term(expr) }).collect(),
+            ),
+            _ => return Ok(None),
+        };
+        Ok(Some(Expr { span, ..whole }))
     }
 
     /// The sum or product that is asked for in words.
@@ -498,6 +521,16 @@ impl Reader<'_> {
             };
             let list = Expr::new(Kind::List(items), Span::new(start, span.end));
             return Ok(vec![Expr { span, ..Expr::relation(letter, Rel::Eq, list) }]);
+        }
+        // 10,20 40,80 80,80
+        let pairs = lists::pairs(text);
+        if !pairs.is_empty() {
+            let read = |(start, end): (usize, usize)| {
+                let place = Span::new(span.start + start, span.start + end);
+                let read = guarded(&session.limits, || items_in(&session.env, self.file, place));
+                read.map(|items| Expr::new(Kind::Tuple(items), place)).map_err(|problem| self.fail(problem))
+            };
+            return pairs.into_iter().map(read).collect();
         }
         // (0,0) (1,2), 0 0 1 1; a name with its value may have a list: knots = 0, 1, 2
         let read = |span| guarded(&session.limits, || read_in(&session.env, self.file, Some(span)));

@@ -221,7 +221,8 @@ pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
     function_called(name).or_else(|| {
         let singular = name.strip_suffix('s').filter(|one| one.len() >= SHORTEST);
         let plural = format!("{name}s");
-        let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST);
+        // A difference of two things is none of a list.
+        let plural = Some(plural.as_str()).filter(|_| name.len() >= SHORTEST && name != "difference");
         let other = || SYNONYMS.iter().find(|(other, _)| *other == name && !OF_SENTENCES.contains(other));
         singular
             .and_then(function_called)

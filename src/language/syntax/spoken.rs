@@ -32,6 +32,8 @@ pub(crate) enum Request {
     Call(Call),
     /// A sum or product.
     Total(Total),
+    /// A sum or product of formulas that stand side by side: the product of t + 1 and t - 1.
+    Joined(BigOp, Vec<Span>),
 }
 
 /// A function, and what is said of its arguments.
@@ -214,6 +216,18 @@ impl Reader<'_> {
             let request = Request::Formula(vec![*left], Vec::new());
             return Some(Asked { request, equals: Some(*right) });
         }
+        // does t^3 - t have roots in [0, 1]?
+        let finds = |part: &Part| {
+            matches!(
+                part,
+                Part::Phrase(
+                    Phrase::Function("roots" | "double_points" | "inflections" | "intersections"),
+                    _
+                )
+            )
+        };
+        let found = self.parts.iter().filter(|part| finds(part)).count();
+        let asks = asks && !(found == 1 && !self.next().is_some_and(|part| finds(&part)));
         if asks
             && let Some(Part::Piece(claimed)) = self.next()
             && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
@@ -247,6 +261,8 @@ impl Reader<'_> {
             Some(Phrase::Label(Label::At | Label::Points | Label::Weights | Label::Knots))
         ) && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)))
             || self.at_points_of_curve()
+            || self.at_points()
+            || self.at_data()
         {
             early.extend(self.said()?);
             while matches!(self.phrase(), Some(Phrase::Of | Phrase::And)) {
@@ -255,6 +271,8 @@ impl Reader<'_> {
         }
         let mut request = match self.next() {
             None if !early.is_empty() => Request::Formula(Vec::new(), Vec::new()),
+            // Bézier points 0, 4, 2 over [2, 4]
+            Some(_) if !early.is_empty() && self.at_label() => Request::Formula(Vec::new(), Vec::new()),
             _ => self.subject()?,
         };
         if !early.is_empty() {
@@ -278,6 +296,14 @@ impl Reader<'_> {
                         labels: Vec::new(),
                         part: None,
                     });
+                }
+                // split bezier 0, 1, 4 at 1/2 and give the left part
+                Part::Phrase(Phrase::Part(part, number), _)
+                    if let Request::Call(Call { function, part: wanted @ None, .. }) = &mut request
+                        && *function == part =>
+                {
+                    *wanted = Some(What::Degree(number));
+                    self.at += 1;
                 }
                 // 7 choose 3
                 Part::Phrase(Phrase::Between(function), phrase) => {
@@ -396,7 +422,10 @@ impl Reader<'_> {
             }
             Part::Phrase(Phrase::Total(op), phrase) if labels.is_empty() => {
                 self.at += 1;
-                self.total(op, phrase).map(Request::Total)
+                match self.joined() {
+                    Some(formulas) => Some(Request::Joined(op, formulas)),
+                    None => self.total(op, phrase).map(Request::Total),
+                }
             }
             Part::Phrase(word, phrase) => {
                 let of = matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Of, _)));
@@ -523,6 +552,10 @@ impl Reader<'_> {
             _ => return None,
         };
         self.at += 1;
+        // Marsden's identity: coefficients of t^2
+        if label == Label::Points && self.phrase() == Some(Phrase::Of) {
+            return Some(Vec::new());
+        }
         while self.take(Phrase::Of) {}
         match self.next()? {
             // between 0 and 1
@@ -563,7 +596,7 @@ impl Request {
         match self {
             Request::Formula(_, labels) => Some(labels),
             Request::Call(call) => Some(&mut call.labels),
-            Request::Total(_) => None,
+            Request::Total(_) | Request::Joined(..) => None,
         }
     }
 }

@@ -104,6 +104,7 @@ impl Draft {
         match first.kind {
             Takes::Function => items.len() > 1 && is_points(items),
             Takes::Any if first.name == "curve" => items.len() > 1 && is_points(items),
+            Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
                 _ => items.len() > 1,
@@ -271,6 +272,29 @@ impl Draft {
     /// Takes what a label says, if there is a parameter for it; else gives it back.
     pub(super) fn take(&mut self, read: Read) -> Option<Read> {
         let read = self.take_other(read)?;
+        let read = self.take_labelled(read)?;
+        self.take_second(read)
+    }
+
+    /// Takes points for the second parameter, if that is a list and has to be given: in the triangle (0, 0), (1, 0), (0, 1).
+    fn take_second(&mut self, read: Read) -> Option<Read> {
+        let label = matches!(read.label, Label::In | Label::With | Label::Over | Label::At | Label::Points);
+        let second = self.builtin.parameters.get(1).filter(|p| {
+            p.need == Need::Required && p.kind == Takes::Points && p.has_name() && self.placed.len() == 1
+        });
+        let known = |name: &str| self.named.iter().any(|(own, _)| *own == name);
+        match second {
+            Some(second)
+                if label && !known(second.name) && read.items.len() > 1 && is_points(&read.items) =>
+            {
+                self.named.push((second.name, list(read.items)));
+                None
+            }
+            _ => Some(read),
+        }
+    }
+
+    fn take_labelled(&mut self, read: Read) -> Option<Read> {
         let one = read.items.len() == 1;
         let Some(first) = read.items.first().cloned() else { return Some(read) };
         // n = 3, a = 0
@@ -311,7 +335,15 @@ impl Draft {
             if !(names && matches!(read.label, Label::With | Label::In)) {
                 return Some(read);
             }
-            self.named.extend(read.items.into_iter().map(|name| ("", name)));
+            let several = read.items.len() > 1;
+            let unknowns = read.items.into_iter();
+            match several {
+                true => self.named.push(("", list(unknowns.collect()))),
+                false => self.named.extend(unknowns.map(|name| ("", name))),
+            }
+            if self.placed.len() > 1 {
+                self.placed = vec![list(std::mem::take(&mut self.placed))];
+            }
             return None;
         }
         let number = one && matches!(first.kind, Kind::Number(_));

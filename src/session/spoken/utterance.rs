@@ -34,6 +34,12 @@ impl Utterance {
         let values = !items.is_empty() && items.iter().all(|item| eval::named(item).is_some());
         let label = match label {
             Label::In if values => Label::At,
+            // forma polare di t^2 in (1, 2)
+            Label::In
+                if is_point(&items) && self.drafts.iter().any(|draft| draft.builtin.name == "polar") =>
+            {
+                Label::At
+            }
             // the parabola through (0, 1), (1, 3), (2, 11)
             Label::Through if draft::is_points(&items) && self.drafts.is_empty() => Label::Through,
             Label::Through => {
@@ -89,8 +95,11 @@ impl Utterance {
         let of_data = |name: &str| {
             ["lagrange", "newton", "hermite", "bezier", "bspline", "patch", "triangle_patch"].contains(&name)
         };
-        self.drafts
-            .dedup_by(|inner, outer| inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name));
+        self.drafts.dedup_by(|inner, outer| {
+            let same = inner.builtin.name == outer.builtin.name && of_data(inner.builtin.name);
+            // the Newton form of the interpolant
+            same || inner.builtin.name == "lagrange" && outer.builtin.name == "newton"
+        });
         self.bases();
         self.drafts.reverse();
         self.points_of_formula();
@@ -104,6 +113,7 @@ impl Utterance {
             let span = points.items.first().map_or(Span::default(), |item| item.span);
             self.drafts.push(Draft::new(curve, span));
         }
+        self.curve_for_function();
         apposition::curve_of_points(&mut self.drafts, &self.items, &self.said);
     }
 
@@ -149,6 +159,29 @@ impl Utterance {
         *of = solve;
         self.items
             .extend(std::mem::take(&mut self.said).into_iter().filter(of_them).flat_map(|read| read.items));
+    }
+
+    /// A curve with the control points that are said, for a function that takes none by itself: control points 1, 3 to monomials.
+    fn curve_for_function(&mut self) {
+        let points = self.items.is_empty() && self.says(Label::Points);
+        let Some(innermost) = self.drafts.first().filter(|_| points) else { return };
+        let takes = |p: &Parameter| {
+            let named = matches!(p.name, "points" | "net" | "curve" | "spline");
+            let of_points = matches!(
+                p.kind,
+                Takes::Points
+                    | Takes::Net
+                    | Takes::Curve
+                    | Takes::Polar
+                    | Takes::Geometry
+                    | Takes::Coordinates
+            );
+            named || of_points
+        };
+        let curve = builtin(if self.says(Label::Knots) { "bspline" } else { "bezier" });
+        if let (false, Some(curve)) = (innermost.builtin.parameters.iter().any(takes), curve) {
+            self.drafts.insert(0, Draft::new(curve, innermost.phrase));
+        }
     }
 
     /// The basis that a function works with: the mass matrix of the Bernstein polynomials.
@@ -272,4 +305,10 @@ impl Utterance {
         }
         true
     }
+}
+
+/// Whether something is nothing but one point of numbers.
+fn is_point(items: &[Expr]) -> bool {
+    let number = |item: &Expr| matches!(item.kind, Kind::Number(_) | Kind::Div(..));
+    matches!(items, [Expr { kind: Kind::Tuple(items), .. }] if items.iter().all(number))
 }

@@ -164,7 +164,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "right part | right half | second half | rechter teil | rechte hälfte | partie droite",
     ),
     (Phrase::Total(BigOp::Sum), "sum | summe | somme | suma | somma"),
-    (Phrase::Total(BigOp::Product), "product | produkt | produit"),
+    (
+        Phrase::Total(BigOp::Product),
+        "multiply | multipliziere mit | multiplie | multiplier | multiplica | multiplicar | moltiplica | product | produkt | produit",
+    ),
     (
         Command("max"),
         "which is bigger | which is larger | which is greater | was ist größer | lequel est plus grand | \
@@ -261,7 +264,15 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "intersection | intersections | intersection point~ | schnittpunkt~ | points d'intersection | \
          puntos de intersección | punti di intersezione | 交点",
     ),
+    (
+        Function("double_points"),
+        "loop~ | self intersection~ | selbstüberschneidung~ | point~ double | punto doble | puntos dobles | cusp~ | spitze~",
+    ),
     (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
+    (
+        Function("arc_length"),
+        "length | arc length | länge | bogenlänge | longueur | longueur d'arc | longitud | longitud de arco | lunghezza | 弧长",
+    ),
     (
         Function("length"),
         "number of | anzahl der | anzahl | nombre de | número de | numero di | how many | wie viele | combien de | cuántos | cuántas",
@@ -368,7 +379,10 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         Ordinal(3),
         "third | dritte~ | troisième~ | tercer~ | terz~ | thrice | three times | dreimal | trois fois | tres veces | 三阶",
     ),
-    (Ordinal(1), "once | one | one time | einmal | une fois"),
+    (
+        Ordinal(1),
+        "um eins | by one | d'un degré | en uno | di uno | once | one | one time | einmal | une fois",
+    ),
     (Degree(5), "quintic~ | quintique~ | 五次"),
     (
         Of,
@@ -414,7 +428,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(With),
-        "for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
+        "let | suppose | assume | sei | seien | gegeben | gegeben sei~ | gegeben ist | soit | soient | étant donné~ | on donne | sea | sean | dada~ | sia | siano | 设 | 已知 | 令 | 给定 | for | with | where | when | given | für | mit | avec | pour | wobei | con | para | par | por | zu | zum | donde",
     ),
     (
         Phrase::Label(Through),
@@ -464,7 +478,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \
          corresponding | consider | take | turn | bring | put | make | draw up | work out | derive for me | \
          in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | please give | bitte gib | bitte berechne | \
-         je voudrais | je veux | ich möchte | ich brauche | ich hätte gern | quiero | necesito | vorrei | \
+         qual è | evalúa | evaluar | valuta | triangle | dreieck~ | triángulo | triangolo | 三角形 | je voudrais | je veux | ich möchte | ich brauche | ich hätte gern | quiero | necesito | vorrei | \
          calcúlame | dame | dime | dammi | dimmi | gib mir | zeig mir | zeige mir | donne moi | montre moi | muéstrame | mostra | \
          the following | folgende~ | suivant~ | siguiente~ | seguente | given by | gegeben durch | donné par | donnée par | dado por | dada por | dato da | \
          whose | deren | dessen | dont | both | both halves | both parts | both polygons | beide | beide teile | les deux | ambos | ambas | \

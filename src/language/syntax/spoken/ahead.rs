@@ -3,7 +3,7 @@
 use super::{Reader, Said, What};
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase};
-use crate::language::syntax::pieces::{Part, is_several};
+use crate::language::syntax::pieces::{Part, begins_equation, is_several};
 
 impl Reader<'_> {
     /// Whether a label stands here.
@@ -27,6 +27,15 @@ impl Reader<'_> {
             self.parts.get(self.at..self.at + 2),
             Some([Part::Phrase(Phrase::Function("control_points" | "bezier_points"), _), Part::Piece(span)])
                 if is_several(self.text.piece(span.range()))
+        )
+    }
+
+    /// Whether data stand here before what is asked: given b0 = 1, b1 = 3, b2 = 1.
+    pub(super) fn at_data(&self) -> bool {
+        matches!(
+            self.parts.get(self.at..self.at + 3),
+            Some([Part::Phrase(Phrase::Label(Label::With), _), Part::Piece(span), _])
+                if begins_equation(self.text.piece(span.range())) && is_several(self.text.piece(span.range()))
         )
     }
 
