@@ -155,19 +155,17 @@ impl Session {
             Ok(answers) => return Ok(answers),
             Err(failure) => failure,
         };
-        if let Some(answers) = self.run_line(file, whole, equals)? {
-            return Ok(answers);
-        }
+        let failure = match self.run_line(file, whole, equals) {
+            Ok(Some(answers)) => return Ok(answers),
+            Ok(None) => failure,
+            Err(failure) => failure,
+        };
         // Given b0 = 1, b1 = 3, b2 = 1, find the point at t = 1/2: the definitions are data of a request.
-        match self.spoken(file, whole) {
-            Ok(Some(formula)) => {
-                let note = read_as(&formula, whole);
-                let mut answer = self.evaluated(file, formula, equals, false).map_err(|_| failure)?;
-                answer.outcome.notes.insert(0, note);
-                Ok(vec![answer])
-            }
-            _ => Err(failure),
-        }
+        let Ok(Some(formula)) = self.spoken(file, whole) else { return Err(failure) };
+        let note = read_as(&formula, whole);
+        let mut answer = self.evaluated(file, formula, equals, false).map_err(|_| failure)?;
+        answer.outcome.notes.insert(0, note);
+        Ok(vec![answer])
     }
 
     /// Runs a part of a file as a formula, a request or a sentence.

@@ -172,6 +172,11 @@ impl Reader<'_> {
                     }
                     (labels, Span::default())
                 }
+                Request::Curves(curves) => {
+                    let Some(curves) = self.curves(curves)? else { return Ok(None) };
+                    asked.items.extend(curves);
+                    (Vec::new(), Span::default())
+                }
                 Request::Joined(op, spans) => {
                     let Some(joined) = self.joined(op, spans)? else { return Ok(None) };
                     asked.items.push(joined);
@@ -290,6 +295,29 @@ impl Reader<'_> {
 
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {
         Box::new(Failure { problem, file: self.file.clone() })
+    }
+
+    /// Curves by their control points; where no intervals are said, one begins where the other ends.
+    fn curves(&self, curves: Vec<(Span, Option<Span>)>) -> Result<Option<Vec<Expr>>, Box<Failure>> {
+        let mut found = Vec::new();
+        for (number, (points, interval)) in (0_i64..).zip(curves) {
+            let place = points.shifted(self.start);
+            let points = match self.items(points)?.as_slice() {
+                [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
+                points => draft::list(points.to_vec()),
+            };
+            let ends = match interval {
+                Some(interval) => match self.items(interval)?.as_slice() {
+                    [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] if ends.len() == 2 => {
+                        ends.clone()
+                    }
+                    _ => return Ok(None),
+                },
+                None => vec![Expr::int(number), Expr::int(number + 1)],
+            };
+            found.push(call("bezier", std::iter::once(points).chain(ends).collect(), place));
+        }
+        Ok(Some(found))
     }
 
     /// The sum or product of formulas; of lists it is not clear what that is.

@@ -5,6 +5,7 @@
 //! it, where functions are known.
 
 mod ahead;
+mod pairs;
 mod totals;
 
 use super::pieces::{
@@ -34,6 +35,8 @@ pub(crate) enum Request {
     Total(Total),
     /// A sum or product of formulas that stand side by side: the product of t + 1 and t - 1.
     Joined(BigOp, Vec<Span>),
+    /// Curves by their control points, each perhaps with its interval.
+    Curves(Vec<(Span, Option<Span>)>),
 }
 
 /// A function, and what is said of its arguments.
@@ -135,7 +138,22 @@ pub(crate) fn request(
         matches!(pair[0], Part::Phrase(Phrase::Rational | Phrase::Degree(_), _))
             && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
     });
-    if !parts.iter().any(named) && !polite && !labelled && !valued && !qualified {
+    // are 0, 1, 2 and 2, 3, 5 C^1?
+    let smooth = parts.iter().any(|part| {
+        matches!(part, Part::Piece(span)
+            if text.piece(span.range()).split_whitespace().next_back().is_some_and(pairs::is_order))
+    });
+    // given b0 = 1, b1 = 3, b2 = 1, at 1/2
+    let member = |part: &&Part| {
+        matches!(part, Part::Piece(span) if {
+            let piece = text.piece(span.range());
+            let index = piece.trim_start_matches(char::is_alphabetic).trim_start_matches('_');
+            begins_equation(piece) && index.starts_with(|c: char| c.is_ascii_digit())
+        })
+    };
+    let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
+    let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
+    if !parts.iter().any(named) && !polite && !labelled && !valued && !qualified && !smooth && !given {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -192,6 +210,10 @@ impl Reader<'_> {
 
     /// A request, or what it is claimed to be: is u v the polar form of t^2? The degree of t^2 equals 2.
     fn asked(&mut self) -> Option<Asked> {
+        if let Some(request) = self.two_curves() {
+            self.at = self.parts.len();
+            return Some(Asked { request, equals: None });
+        }
         // for which x is x^2 = 1
         if self.take(Phrase::Which) {
             let (Part::Piece(name), true) = (self.next()?, {
@@ -263,6 +285,8 @@ impl Reader<'_> {
             || self.at_points_of_curve()
             || self.at_points()
             || self.at_data()
+            || !early.is_empty()
+                && matches!(self.next(), Some(Part::Piece(span)) if begins_equation(self.text.piece(span.range())))
         {
             early.extend(self.said()?);
             while matches!(self.phrase(), Some(Phrase::Of | Phrase::And)) {
@@ -472,6 +496,8 @@ impl Reader<'_> {
             while self.take(Phrase::Of) {}
             match self.next() {
                 None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => return Some(None),
+                // bezier 0, 1, 3 at 1/2 and give the left part
+                Some(Part::Phrase(Phrase::Part(..), _)) if !labels.is_empty() => return Some(None),
                 // degree elevation twice: 1, 0, 1
                 Some(Part::Phrase(Phrase::Ordinal(_), _)) => labels.extend(self.said()?),
                 // with b0 = 1, b1 = 3
@@ -495,7 +521,9 @@ impl Reader<'_> {
                     if !(more || self.phrase() == Some(Phrase::Of) || self.at_label()) {
                         // control points 0, 1, 3
                         return match self.next() {
-                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is, _)) => Some(None),
+                            None | Some(Part::Phrase(Phrase::Equals | Phrase::Is | Phrase::Part(..), _)) => {
+                                Some(None)
+                            }
                             Some(_) => self.subject().map(Some),
                         };
                     }
@@ -596,7 +624,7 @@ impl Request {
         match self {
             Request::Formula(_, labels) => Some(labels),
             Request::Call(call) => Some(&mut call.labels),
-            Request::Total(_) | Request::Joined(..) => None,
+            Request::Total(_) | Request::Joined(..) | Request::Curves(_) => None,
         }
     }
 }

@@ -107,7 +107,8 @@ impl Draft {
             Takes::Any if first.doc.starts_with("a Bézier curve") => items.len() > 1,
             Takes::Curve | Takes::Polar | Takes::Geometry | Takes::Spline => match items {
                 [Expr { kind: Kind::List(points) | Kind::Tuple(points), .. }] => !points.is_empty(),
-                _ => items.len() > 1,
+                // two curves
+                _ => items.len() > 1 && !items.iter().all(|item| matches!(item.kind, Kind::Apply(..))),
             },
             _ => false,
         }
@@ -242,9 +243,20 @@ impl Draft {
                 };
                 self.named.push((self.builtin.parameters[1].name, list(values)));
             }
+            // the area of (0, 0), (1, 0), (0, 1)
+            Takes::Any | Takes::List if items.len() > 1 && self.is_of_one() => {
+                self.placed = vec![list(items)]
+            }
             _ => self.placed = items,
         }
         true
+    }
+
+    /// Whether it has one argument with a place.
+    fn is_of_one(&self) -> bool {
+        let placed = |p: &&Parameter| matches!(p.need, Need::Required | Need::Optional(_) | Need::Many(..));
+        let mut own = self.builtin.parameters.iter().filter(placed);
+        own.next().is_some_and(|first| first.need == Need::Required) && own.next().is_none()
     }
 
     /// The coefficient of x^3 in (1 + x)^7.
@@ -335,15 +347,7 @@ impl Draft {
             if !(names && matches!(read.label, Label::With | Label::In)) {
                 return Some(read);
             }
-            let several = read.items.len() > 1;
-            let unknowns = read.items.into_iter();
-            match several {
-                true => self.named.push(("", list(unknowns.collect()))),
-                false => self.named.extend(unknowns.map(|name| ("", name))),
-            }
-            if self.placed.len() > 1 {
-                self.placed = vec![list(std::mem::take(&mut self.placed))];
-            }
+            self.named.extend(read.items.into_iter().map(|name| ("", name)));
             return None;
         }
         let number = one && matches!(first.kind, Kind::Number(_));
@@ -426,6 +430,16 @@ impl Draft {
     }
 
     fn take_degree(&mut self, read: Read, degree: Expr) -> Option<Read> {
+        // Are the cubics 0, 0, 1, 2 and 2, 3, 5, 9 C^2?
+        if matches!(self.builtin.name, "continuity" | "geometric_continuity") && self.placed.len() == 2 {
+            let count = |curve: &Expr| match &curve.kind {
+                Kind::Apply(_, groups) => groups.first()?.first()?.items().map(<[_]>::len),
+                _ => None,
+            };
+            let number = degree.as_int().and_then(|n| usize::try_from(n + 1).ok());
+            let agrees = number.is_some() && self.placed.iter().any(|curve| count(curve) == number);
+            return (!agrees).then_some(read);
+        }
         if matches!(self.builtin.name, "elevate" | "reduce") && self.degree.is_none() {
             self.degree = Some(degree);
             return None;
@@ -622,6 +636,19 @@ impl Draft {
                 && knots > points
             {
                 self.named.push(("n", Expr { span, ..Expr::int(knots - points - 1) }));
+            }
+        }
+        // solve x + y = 3, x - y = 1 for x and y
+        if self.builtin.on_equations.is_some() {
+            let (unknowns, others): (Vec<_>, Vec<_>) =
+                self.named.into_iter().partition(|(name, _)| name.is_empty());
+            self.named = others;
+            if self.placed.len() > 1 {
+                self.placed = vec![list(self.placed)];
+            }
+            match unknowns.len() {
+                0 | 1 => self.named.extend(unknowns),
+                _ => self.named.push(("", list(unknowns.into_iter().map(|(_, name)| name).collect()))),
             }
         }
         let others = self.named.into_iter().map(|(name, value)| match name {

@@ -270,6 +270,11 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (Command("intersections"), "intersect | schneide | intersecte | intersecta | interseca"),
     (
+        Function("continuity"),
+        "join | joins | joint | meet smoothly | continuous | stetig | glatt | übergang | smooth join | smooth | smoothly | join smoothly | \
+         raccord | raccordement | continues | continuité | continuidad | continuas | 连续 | 拼接",
+    ),
+    (
         Function("arc_length"),
         "length | arc length | länge | bogenlänge | longueur | longueur d'arc | longitud | longitud de arco | lunghezza | 弧长",
     ),
@@ -390,7 +395,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          dei | 的",
     ),
     (Phrase::Rational, "rational~ | rationnel~ | rationnelle~ | racional~ | razional~"),
-    (Phrase::Is, "is | ist | est | gilt | does | do | stimmt"),
+    (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
     (
         Phrase::Equals,
         "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
@@ -477,8 +482,8 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
          wie | wie lauten | welche~ | which | which are | cuáles son | cuáles | cuál | quels sont | quelles sont | quelles | quels | quali sono | \
          can you tell me | i would like | i'd like | i want to know | let me | let us | let's | now | then | also | just | simply | explicitly | resulting | \
          corresponding | consider | take | turn | bring | put | make | draw up | work out | derive for me | \
-         in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | please give | bitte gib | bitte berechne | \
-         qual è | evalúa | evaluar | valuta | triangle | dreieck~ | triángulo | triangolo | 三角形 | je voudrais | je veux | ich möchte | ich brauche | ich hätte gern | quiero | necesito | vorrei | \
+         in closed form | step by step | schritt für schritt | étape par étape | paso a paso | hallo bitte | can you please | bitte gib | bitte berechne | \
+         qual è | evalúa | evaluar | valuta | triangle | dreieck~ | triángulo | triangolo | 三角形 | curves | kurven | courbes | curve bezier | segments | segmente | polynome | polynomials | functions | funktionen | 两条 | je voudrais | je veux | ich möchte | ich brauche | ich hätte gern | quiero | necesito | vorrei | \
          calcúlame | dame | dime | dammi | dimmi | gib mir | zeig mir | zeige mir | donne moi | montre moi | muéstrame | mostra | \
          the following | folgende~ | suivant~ | siguiente~ | seguente | given by | gegeben durch | donné par | donnée par | dado por | dada por | dato da | \
          whose | deren | dessen | dont | both | both halves | both parts | both polygons | beide | beide teile | les deux | ambos | ambas | \
