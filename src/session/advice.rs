@@ -367,6 +367,7 @@ impl Session {
                 Phrase::Label(Label::Knots) => Meant::Likely("bspline"),
                 Phrase::Label(_) => Meant::Label,
                 Phrase::Multiaffine => Meant::Likely("laws"),
+                Phrase::Which => Meant::Likely("solve"),
                 _ => Meant::Known,
             };
             return Some((own, meant));

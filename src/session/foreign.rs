@@ -203,7 +203,8 @@ fn with_range(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
         _ => {
             let second = own.parameters.get(1)?;
             let parameter = matches!(second.need, Need::Many(..)) || second.need == Need::Required;
-            (parameter && second.kind == Takes::Scalar).then(|| written(vec![value.clone()]))?
+            let number = matches!(second.kind, Takes::Scalar | Takes::Number | Takes::ScalarOrList);
+            (parameter && number).then(|| written(vec![value.clone()]))?
         }
     }
 }

@@ -40,6 +40,14 @@ impl Session {
         let arguments: Vec<Expr> = arguments.iter().cloned().map(as_list).map(inside_as_list).collect();
         let arguments = match first.kind {
             Takes::Spline => of_spline(arguments, whole)?,
+            Takes::Curve | Takes::Polar | Takes::Geometry => {
+                let mut arguments = in_places(builtin, arguments);
+                if let Some(points @ Expr { kind: Kind::List(_), .. }) = arguments.first_mut() {
+                    let span = points.span;
+                    *points = call("bezier", vec![points.clone()], span);
+                }
+                arguments
+            }
             _ => in_places(builtin, arguments),
         };
         Some(applied(Expr { span: callee.span, ..Expr::name(function) }, arguments, whole))

@@ -130,6 +130,8 @@ impl Session {
                 .filter(|_| behind.clone().all(|other| matches!(other.role, Role::Condition { .. })));
             if let Some(rest) = last.map(|last| piece.span.to(last.span)).filter(|rest| *rest != piece.span)
                 && !conditions.is_empty()
+                // Those before it would be lost: for which k is …
+                && conditions.iter().all(|(condition, _)| condition.start > piece.span.start)
                 && rest.len() < file.slice(whole).trim().len()
             {
                 let mut there = self.clone();

@@ -1,7 +1,7 @@
 //! Members of a family without their argument, beside others: `B_0^2 + B_1^2 + B_2^2 = 1` is about the polynomials.
 
 use super::{Session, defines};
-use crate::formula::{Expr, Kind, applied};
+use crate::formula::{Expr, Kind, Rel, applied};
 use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::lexicon::{families, roles};
@@ -10,11 +10,14 @@ use crate::language::write;
 impl Session {
     /// A statement whose members of families have their argument, and a remark on it.
     ///
-    /// All of them are read so or none: each has integers i and n with 0 <= i <= n, and there are two different ones, or a
-    /// function is asked of one, for B_1^2 by itself may be a power.
+    /// All of them are read so or none: each has integers i and n with 0 <= i <= n, and there are two different ones, or one is
+    /// claimed to be something or handed to a function, for B_1^2 by itself may be a power.
     pub(super) fn with_members_called(&self, statement: Expr) -> (Expr, Option<Diagnostic>) {
         let mut found = Members { env: &|name| defines(&self.env, name), ..Members::default() };
         found.gather(&statement);
+        // B_0^2 = (1 - t)^2
+        found.asked |= matches!(&statement.kind, Kind::Chain(_, links)
+            if links.iter().all(|link| matches!(link.rel, Rel::Eq | Rel::Ne | Rel::Le | Rel::Ge | Rel::Lt | Rel::Gt)));
         let distinct = |names: &[String]| names.windows(2).any(|pair| pair[0] != pair[1]);
         if found.others || found.alone.is_empty() || !(found.asked || distinct(&found.names)) {
             return (statement, None);

@@ -7,6 +7,8 @@ mod apposition;
 mod draft;
 mod lists;
 mod notations;
+mod objects;
+mod taking;
 mod utterance;
 mod values;
 
@@ -19,13 +21,13 @@ use super::foreign::as_list;
 use super::given::each_equal;
 use super::{Failure, Session, defines, guarded, items_in, read_in};
 use crate::formula::source::{SourceFile, Span};
-use crate::formula::{BigOp, Expr, Kind, Link, Rel, Sign, Term, applied, call, named};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Equals, Outcome};
 use crate::language::functions::{Takes, builtin, function_in_words};
 use crate::language::lexicon::phrases::Label;
 use crate::language::lexicon::roles;
-use crate::language::syntax::{self, Asked, Call, Request, Said, Total, What};
+use crate::language::syntax::{self, Asked, Call, Request, Said, What};
 use crate::language::value::{Value, symbol_expr};
 use crate::math::poly::Symbol;
 
@@ -81,6 +83,7 @@ impl Reader<'_> {
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
         asked.settle();
+        apposition::has_rows(&asked.drafts, &asked.items).map_err(|problem| self.fail(problem))?;
         if let Some(whole) = asked.whole() {
             return Ok(Some(whole));
         }
@@ -94,6 +97,12 @@ impl Reader<'_> {
                         None => one.clone(),
                     }),
                     ([one], [read]) => self.value_at(one, read),
+                    // t^2 at 2 and at 3
+                    ([one], reads) if reads.iter().all(|read| read.label == Label::At) => reads
+                        .iter()
+                        .map(|read| self.value_at(one, read))
+                        .collect::<Option<_>>()
+                        .map(draft::list),
                     _ => None,
                 });
             }
@@ -295,76 +304,6 @@ impl Reader<'_> {
 
     fn fail(&self, problem: Diagnostic) -> Box<Failure> {
         Box::new(Failure { problem, file: self.file.clone() })
-    }
-
-    /// Curves by their control points; where no intervals are said, one begins where the other ends.
-    fn curves(&self, curves: Vec<(Span, Option<Span>)>) -> Result<Option<Vec<Expr>>, Box<Failure>> {
-        let mut found = Vec::new();
-        for (number, (points, interval)) in (0_i64..).zip(curves) {
-            let place = points.shifted(self.start);
-            let points = match self.items(points)?.as_slice() {
-                [list @ Expr { kind: Kind::List(_), .. }] => list.clone(),
-                points => draft::list(points.to_vec()),
-            };
-            let ends = match interval {
-                Some(interval) => match self.items(interval)?.as_slice() {
-                    [Expr { kind: Kind::List(ends) | Kind::Tuple(ends), .. }] if ends.len() == 2 => {
-                        ends.clone()
-                    }
-                    _ => return Ok(None),
-                },
-                None => vec![Expr::int(number), Expr::int(number + 1)],
-            };
-            found.push(call("bezier", std::iter::once(points).chain(ends).collect(), place));
-        }
-        Ok(Some(found))
-    }
-
-    /// The sum or product of formulas; of lists it is not clear what that is.
-    fn joined(&self, op: BigOp, spans: Vec<Span>) -> Result<Option<Expr>, Box<Failure>> {
-        let formulas = spans.into_iter().map(|span| self.one(span)).collect::<Result<Vec<_>, _>>()?;
-        let several = |item: &Expr| matches!(item.kind, Kind::List(_) | Kind::Tuple(_) | Kind::Sequence(_));
-        if formulas.iter().any(several) {
-            return Ok(None);
-        }
-        let span = formulas.iter().map(|formula| formula.span).reduce(Span::to).unwrap_or_default();
-        let whole = match op {
-            BigOp::Product => Expr::product(formulas.into_iter().map(one_term).collect()),
-            BigOp::Sum => Expr::sum(
-                formulas.into_iter().map(|expr| Term { sign: Sign::Plus, expr: one_term(expr) }).collect(),
-            ),
-            _ => return Ok(None),
-        };
-        Ok(Some(Expr { span, ..whole }))
-    }
-
-    /// The sum or product that is asked for in words.
-    fn total(&self, total: &Total) -> Result<Expr, Box<Failure>> {
-        let (range, body) = (self.one(total.range)?, self.one(total.body)?);
-        let span = total.phrase.shifted(self.start).to(body.span).to(range.span);
-        if let (Some(index), Some(end)) = (total.index, total.end) {
-            let (name, end) = (self.one(index)?, self.one(end)?);
-            let lower = vec![Expr { span: name.span.to(range.span), ..Expr::relation(name, Rel::Eq, range) }];
-            let body = Box::new(one_term(body));
-            return Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(end)), body }, span));
-        }
-        let wrong = || {
-            let problem =
-                Diagnostic::error(Code::Usage, "a sum needs the first and the last value of its index")
-                    .at(range.span)
-                    .hint("write sum(k=1..4, k^2)");
-            Box::new(Failure { problem, file: self.file.clone() })
-        };
-        let Kind::Chain(name, links) = &range.kind else { return Err(wrong()) };
-        let [link] = links.as_slice() else { return Err(wrong()) };
-        let (from, to) = match (&link.expr.kind, total.end) {
-            (Kind::Range(from, to), None) => ((**from).clone(), (**to).clone()),
-            (_, Some(end)) => (link.expr.clone(), self.one(end)?),
-            _ => return Err(wrong()),
-        };
-        let lower = vec![Expr { span: range.span, ..Expr::relation((**name).clone(), Rel::Eq, from) }];
-        let body = Box::new(body.grouped());
-        Ok(Expr::new(Kind::Big { op: total.op, lower, upper: Some(Box::new(to)), body }, span))
     }
 
     /// A formula at what stands behind "at" or "for": a function called, or values put in for names.

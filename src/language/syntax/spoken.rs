@@ -5,12 +5,11 @@
 //! it, where functions are known.
 
 mod ahead;
+mod asks;
 mod pairs;
 mod totals;
 
-use super::pieces::{
-    Part, begins_equation, has_words, is_several, is_sum, parts, without_asides, without_text_commands,
-};
+use super::pieces::{Part, begins_equation, has_words, is_sum, parts, without_asides, without_text_commands};
 use crate::formula::BigOp;
 use crate::formula::source::{Pieces, Span};
 use crate::language::lexicon::phrases::{Label, Phrase, Place};
@@ -108,52 +107,7 @@ pub(crate) fn request(
     let masked = without_asides(masked.as_ref(), known, function);
     let text = masked.as_ref();
     let parts = parts(text, known, function);
-    let named = |part: &Part| {
-        let names = |phrase: &Phrase| match phrase {
-            Phrase::Function(_)
-            | Phrase::Command(_)
-            | Phrase::Part(..)
-            | Phrase::Total(_)
-            | Phrase::Between(_)
-            | Phrase::Which
-            | Phrase::Equals => true,
-            // N_{0,2}(1/2) for the knots 0, 1, 2, 3
-            Phrase::Label(label) => label.names_values(),
-            _ => false,
-        };
-        matches!(part, Part::Phrase(phrase, _) if names(phrase))
-    };
-    let label =
-        |part: &Part| matches!(part, Part::Phrase(Phrase::Label(label), _) if label.function().is_some());
-    let labelled =
-        parts.windows(2).any(|pair| label(&pair[0]) && matches!(pair[1], Part::Phrase(Phrase::Of, _)));
-    let polite = matches!(parts.first(), Some(Part::Phrase(Phrase::Filler, _)))
-        || matches!(parts.last(), Some(Part::Phrase(Phrase::Filler, _)));
-    // bspline(2, [0, 0, 0, 1, 1, 1], [1, 2, 3]) at 1/2
-    let valued = matches!(parts.as_slice(),
-        [Part::Piece(_), Part::Phrase(Phrase::Label(Label::At), _), Part::Piece(at)]
-            if !text.piece(at.range()).contains('='));
-    // the rational quadratic (0, 0), (1, 2), (2, 0)
-    let qualified = parts.windows(2).any(|pair| {
-        matches!(pair[0], Part::Phrase(Phrase::Rational | Phrase::Degree(_), _))
-            && matches!(pair[1], Part::Piece(span) if is_several(text.piece(span.range())))
-    });
-    // are 0, 1, 2 and 2, 3, 5 C^1?
-    let smooth = parts.iter().any(|part| {
-        matches!(part, Part::Piece(span)
-            if text.piece(span.range()).split_whitespace().next_back().is_some_and(pairs::is_order))
-    });
-    // given b0 = 1, b1 = 3, b2 = 1, at 1/2
-    let member = |part: &&Part| {
-        matches!(part, Part::Piece(span) if {
-            let piece = text.piece(span.range());
-            let index = piece.trim_start_matches(char::is_alphabetic).trim_start_matches('_');
-            begins_equation(piece) && index.starts_with(|c: char| c.is_ascii_digit())
-        })
-    };
-    let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
-    let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
-    if !parts.iter().any(named) && !polite && !labelled && !valued && !qualified && !smooth && !given {
+    if !asks::is_request(text, &parts) {
         return None;
     }
     let pieces = parts.iter().filter_map(|part| match part {
@@ -609,6 +563,14 @@ impl Reader<'_> {
                 // at 1/2 and 3/4
                 let all = std::iter::once(span).chain(self.others());
                 Some(all.map(|span| Said { label, what: What::Formula(span) }).collect())
+            }
+            // to a cubic
+            Part::Phrase(Phrase::Degree(degree), _)
+                if label == Label::To
+                    && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Function(_), _))) =>
+            {
+                self.at += 1;
+                Some(vec![Said { label, what: What::Degree(degree) }])
             }
             Part::Phrase(Phrase::Label(_) | Phrase::Degree(_) | Phrase::Ordinal(_), _) => Some(Vec::new()),
             // for the control points 0, 1

@@ -74,6 +74,26 @@ pub(super) fn meets_points(drafts: &[Draft], through: Option<Span>) -> Result<()
     }
 }
 
+/// Refuses points without rows for a surface that has a net of them.
+pub(super) fn has_rows(drafts: &[Draft], items: &[Expr]) -> Result<(), Diagnostic> {
+    let flat = |item: &Expr| matches!(&item.kind, Kind::Tuple(items) if !items.is_empty());
+    match (drafts.first(), items) {
+        (Some(draft), [a, b, c, d]) if draft.builtin.name == "patch" && items.iter().all(flat) => {
+            let rows = |one: [&Expr; 2], other: [&Expr; 2]| {
+                let row = |points: [&Expr; 2]| list(points.map(Clone::clone).to_vec());
+                let net = list(vec![row(one), row(other)]);
+                format!("write {}", crate::language::write::text(&call("patch", vec![net], a.span)))
+            };
+            Err(Diagnostic::error(Code::Usage, "which of these corners are neighbours?")
+                .at(a.span.to(d.span))
+                .reason("rows of points are needed, each for one value of u")
+                .hint(format!("{} if the first two have u = 0", rows([a, b], [c, d])))
+                .hint(format!("{} if the first two have v = 0", rows([a, c], [b, d]))))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Points with a degree or with weights are those of a Bézier curve: the rational quadratic (0, 0), (1, 2), (2, 0) with weights
 /// 1, 3, 1; the cubic 0, 0, 8, 8 at 1/2.
 pub(super) fn curve_of_points(drafts: &mut Vec<Draft>, items: &[Expr], said: &[Read]) {

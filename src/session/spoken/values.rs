@@ -98,6 +98,13 @@ pub(super) fn value_of(whole: &Expr, read: &Read, nature: &dyn Fn(&Expr) -> Natu
         if matches!(&callee.kind, Kind::Name(name) if name == "polar"));
     // at (0, 1) and (1, 1); a curve at 0, 1/2, 1
     let tuple = |item: &Expr| matches!(&item.kind, Kind::Tuple(items) if items.len() > 1);
+    // at 0,5
+    if let [before, after] = read.items.as_slice()
+        && own == Nature::OfOne
+        && eval::is_decimal_comma(before, after)
+    {
+        return None;
+    }
     let points = read.items.iter().all(tuple);
     if read.items.len() > 1 && (points || own == Nature::OfOne) {
         let at = |item: &Expr| match &item.kind {

@@ -245,10 +245,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
         "mass matrix | gram matrix | massenmatrix | gramsche matrix | matrice de masse | matriz de masa",
     ),
     (Function("spline_of"), "marsden coefficients | marsden identity | marsden's identity | marsden"),
-    (
-        Function("subdivide_polygon"),
-        "chaikin | chaikin's algorithm | chaikin's scheme | corner cutting | 切角",
-    ),
+    (Function("subdivide_polygon"), "chaikin | chaikin's algorithm | chaikin's scheme"),
     (
         Function("barycentric"),
         "barycentric coordinates | baryzentrische koordinaten | baryzentrischen koordinaten | \
@@ -460,7 +457,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     ),
     (
         Phrase::Label(Times),
-        "times | step~ | schritt~ | étape~ | pas | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
+        "times | step~ | schritt~ | étape~ | paso~ | iteration~ | 步 | mal | fois | veces | volte | 次",
     ),
     (Phrase::Label(Number), "index"),
     (
