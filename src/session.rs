@@ -32,7 +32,7 @@ use crate::language::derive::shows_negative_value;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::{self, Env, Equals, Outcome};
 use crate::language::functions::Arrangement;
-use crate::language::lexicon::{signs, words};
+use crate::language::lexicon::{asking, signs, words};
 use crate::language::value::{Value, symbol_expr};
 use crate::language::{latex, syntax, write};
 use crate::math::poly::Symbol;
@@ -210,6 +210,10 @@ impl Session {
             }
             return self.run_part(file, part, Equals::Claims);
         }
+        if let Some(claim) = asking::without_question_of_truth(file.slice(whole)) {
+            let part = Span::new(whole.start, whole.start + claim.len());
+            return self.run_part(file, part, Equals::Claims);
+        }
         if let Some(answers) = self.run_clause(file, whole, equals)? {
             return Ok(answers);
         }
@@ -303,6 +307,8 @@ impl Session {
             Ok(mut outcome) => {
                 doubtful::products(&statement, latex, &mut outcome.notes);
                 spelling::remarks(&statement, file, &mut outcome.notes);
+                let function = |name: &str| matches!(self.env.get(&Symbol::new(name)), Some(Value::Function(own)) if own.as_formula().is_some());
+                spelling::differences(&statement, &function, &mut outcome.notes);
                 outcome.notes.extend(remark);
                 Ok(Answer { statement, outcome, file: file.clone() })
             }

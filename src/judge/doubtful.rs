@@ -24,7 +24,9 @@ pub(crate) fn products(expr: &Expr, latex: bool, notes: &mut Vec<Diagnostic>) {
                 );
             }
             // [0,1,2]x^2
-            if let (Kind::List(items), [_, _], true) = (&pair[0].kind, factors.as_slice(), touches)
+            let function = matches!(pair[1].kind, Kind::Div(..))
+                || factors.len() > 2 && matches!(factors[2].kind, Kind::Div(..));
+            if let (Kind::List(items), true) = (&pair[0].kind, touches && factors.len() == 2 || function)
                 && items.len() > 1
                 && items.iter().all(|item| matches!(item.kind, Kind::Number(_)))
             {

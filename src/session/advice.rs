@@ -57,9 +57,9 @@ impl Session {
         let text = file.slice(whole);
         let found = self.words_of(text);
         let asked = text.trim_end().ends_with(['?', '？']) && !found.unknown.is_empty();
-        if found.count < 2 && !asked
-            || found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none()
-        {
+        let named = !(found.unknown.is_empty() && found.functions.is_empty() && found.likely.is_none());
+        // sum of k^2
+        if found.count < 2 && !asked || !named && topics::advice(&small_words(text).join(" ")).is_empty() {
             return failure;
         }
         // derivative is a function, which its letters are multiplied with
@@ -112,12 +112,10 @@ impl Session {
                 .at(whole)
                 .reason("not understood"),
         };
-        let lower = text.to_lowercase();
-        let small: Vec<&str> =
-            lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        let small = small_words(text);
         let misspelled = found.unknown.iter().find_map(|span| {
             let word = text.piece(span.range()).to_lowercase();
-            let next = small.iter().skip_while(|other| **other != word).nth(1).copied().unwrap_or_default();
+            let next = small.iter().skip_while(|other| **other != word).nth(1).map_or("", String::as_str);
             phrases::misspelled(&word, next)
         });
         let about = topics::advice(&small.join(" "));
@@ -151,6 +149,7 @@ impl Session {
                     Some(query) => (true, query),
                     None => (false, query.to_owned()),
                 }),
+                Advice::Function(_) if read_without => {}
                 Advice::Function(name) => proposed.extend(self.example(name, &items)),
                 Advice::Say(advice) => said.push(advice),
             }
@@ -396,6 +395,12 @@ impl Session {
         let long = word.chars().count() >= SHORTEST_WORD || leads && word.chars().count() > 2;
         (long && !greek).then_some((length, Meant::Unknown))
     }
+}
+
+/// The words of a text in small letters.
+fn small_words(text: &str) -> Vec<String> {
+    let lower = text.to_lowercase();
+    lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 
 /// The steps for a query that is only proposed.

@@ -10,7 +10,7 @@ use self::ranges::{big_operator, list_maker, listed, over_ranges};
 use self::spellings::{called_elsewhere, derivatives};
 use self::templates::is_called_elsewhere;
 use crate::formula::{Expr, Kind, Link, Rel, applied, call, named};
-use crate::language::functions::{Need, Takes, builtin, function_meant};
+use crate::language::functions::{Need, Takes, builtin, function_called, function_meant};
 use crate::language::lexicon::roles;
 
 pub(super) use points::with_scalar_products;
@@ -54,6 +54,19 @@ fn rewrite(expr: &mut Expr, known: &dyn Fn(&str) -> bool) {
         expr.kind = Kind::Apply(base.clone(), vec![arguments.clone()]);
     }
     expr.for_each_child_mut(&mut |child| rewrite(child, known));
+    // bezier({0, 1, 3}, 0, 1)
+    if let Kind::Apply(callee, groups) = &mut expr.kind
+        && let (Kind::Name(name), [arguments]) = (&callee.kind, groups.as_mut_slice())
+        && !known(name)
+        && let Some(own) = function_called(name).and_then(builtin)
+    {
+        for (argument, parameter) in arguments.iter_mut().zip(own.parameters) {
+            let lists = matches!(parameter.kind, Takes::Points | Takes::Scalars | Takes::Net | Takes::Rows);
+            if lists && matches!(argument.kind, Kind::Set(_, None)) {
+                *argument = as_list(argument.clone());
+            }
+        }
+    }
     // D(f)(2/3)
     if let Kind::Apply(callee, groups) = &expr.kind
         && let (Kind::Name(d), Some([Expr { kind: Kind::Name(f), .. }])) =
@@ -186,7 +199,9 @@ fn with_range(expr: &Expr, known: &dyn Fn(&str) -> bool) -> Option<Kind> {
     else {
         return None;
     };
-    if has(letter) || !roles::is_variable(letter) {
+    // Of surfaces the parameters have names.
+    let elsewhere = own.other_forms().any(|(_, others)| others.iter().any(|other| other.name == letter));
+    if has(letter) || elsewhere || !roles::is_variable(letter) {
         return None;
     }
     let written = |arguments: Vec<Expr>| {

@@ -207,6 +207,14 @@ impl Session {
         if equations.is_empty() || !equations.iter().all(is_equation) {
             return None;
         }
+        // f[0, 1] for f = x^2: f is given
+        let given = |equation: &Expr| {
+            matches!(&equation.kind, Kind::Chain(left, _)
+                if matches!(&left.kind, Kind::Name(name) if !symbol.is_plain() && *name == symbol.base()))
+        };
+        if equations.iter().any(given) {
+            return None;
+        }
         // The names in what the equations say, also through sums and values of functions.
         let mut names: Vec<Symbol> = Vec::new();
         for equation in &equations {

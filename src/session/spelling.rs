@@ -65,6 +65,24 @@ pub(super) fn degree_last(statement: &Expr, known: &dyn Fn(&str) -> bool) -> Opt
     found
 }
 
+/// Tells that b[0, 1/2, 1] is a divided difference where b is a function that may be a curve, whose polar values some write so.
+pub(super) fn differences(statement: &Expr, is_function: &dyn Fn(&str) -> bool, notes: &mut Vec<Diagnostic>) {
+    if let Kind::Subscript(base, index) = &statement.kind
+        && let (Kind::Name(name), [Expr { kind: Kind::List(nodes), .. }]) = (&base.kind, index.as_slice())
+        && nodes.len() > 1
+        && matches!(name.as_str(), "b" | "c" | "d" | "p")
+        && is_function(name)
+    {
+        let nodes: Vec<String> = nodes.iter().map(write::text).collect();
+        notes.push(
+            Diagnostic::note(Code::StandardMeaning, "read as a divided difference")
+                .at(statement.span)
+                .hint(format!("write polar({name})({}) for the polar value", nodes.join(", "))),
+        );
+    }
+    statement.for_each_child(&mut |child| differences(child, is_function, notes));
+}
+
 /// Adds the remarks on a statement that was read from a file.
 pub(super) fn remarks(statement: &Expr, file: &SourceFile, notes: &mut Vec<Diagnostic>) {
     if let Some(note) = of_part(statement, file)

@@ -81,6 +81,9 @@ impl Reader<'_> {
         // u v is a product here, no list.
         let claimed = equals.map(|span| self.one(span)).transpose()?;
         let Some(mut asked) = self.collected(request)? else { return Ok(None) };
+        if let Some(laws) = claimed.as_ref().and_then(|claimed| apposition::is_polar(claimed, &asked)) {
+            return Ok(Some(laws));
+        }
         apposition::meets_points(&asked.drafts, asked.through).map_err(|problem| self.fail(problem))?;
         asked.settle();
         apposition::has_rows(&asked.drafts, &asked.items).map_err(|problem| self.fail(problem))?;

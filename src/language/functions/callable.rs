@@ -218,6 +218,10 @@ const OF_SENTENCES: &[&str] = &[
 /// The function that words name, with `_` between them: also in the singular or plural, and by other names for it.
 pub(crate) fn function_in_words(name: &str) -> Option<&'static str> {
     const SHORTEST: usize = 4;
+    // from Bézier to powers
+    if name.starts_with("from_") {
+        return None;
+    }
     function_called(name).or_else(|| {
         let singular = name.strip_suffix('s').filter(|one| one.len() >= SHORTEST);
         let plural = format!("{name}s");

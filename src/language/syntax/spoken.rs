@@ -133,9 +133,14 @@ pub(crate) fn request(
     }
     let says = |part: &Part| !matches!(part, Part::Phrase(Phrase::Filler | Phrase::Where, _));
     let parts: Vec<Part> = parts.into_iter().filter(says).collect();
-    let mut reader = Reader { text, parts, at: 0 };
+    let mut reader = Reader { text, parts: asks::from_one_to_another(parts), at: 0 };
     let asked = reader.asked()?;
     (reader.at == reader.parts.len()).then_some(asked)
+}
+
+/// Each knot as a place where it is inserted.
+fn at_each(knots: &[Span]) -> Vec<Said> {
+    knots.iter().map(|span| Said { label: Label::At, what: What::Formula(*span) }).collect()
 }
 
 struct Reader<'a> {
@@ -203,7 +208,7 @@ impl Reader<'_> {
             )
         };
         let found = self.parts.iter().filter(|part| finds(part)).count();
-        let asks = asks && !(found == 1 && !self.next().is_some_and(|part| finds(&part)));
+        let asks = asks && (found != 1 || self.next().is_some_and(|part| finds(&part)));
         if asks
             && let Some(Part::Piece(claimed)) = self.next()
             && !matches!(self.parts.get(self.at + 1), Some(Part::Phrase(Phrase::Label(_), _)) | None)
@@ -263,6 +268,16 @@ impl Reader<'_> {
                 Part::Phrase(Phrase::Function(_), _) if self.at_points() => {
                     let said = self.said()?;
                     request.labels()?.extend(said);
+                }
+                // insert the knot 1: quadratic spline, knots …
+                Part::Phrase(Phrase::Function("bspline" | "bspline_basis"), _)
+                    if let Request::Call(Call { function: "insert_knots", subject, labels, .. }) =
+                        &mut request
+                        && let Some(Request::Formula(knots, _)) = subject.as_deref()
+                        && !knots.is_empty() =>
+                {
+                    labels.extend(at_each(knots));
+                    *subject = Some(Box::new(self.subject()?));
                 }
                 // t^2 in Bernstein form, u^3, blossom
                 Part::Phrase(Phrase::Function(function) | Phrase::Command(function), phrase) => {
@@ -330,12 +345,9 @@ impl Reader<'_> {
                         && let Some(Part::Piece(spline)) = self.parts.get(self.at + 1)
                         && self.text.piece(spline.range()).contains("spline") =>
                 {
-                    let knots: Vec<Span> = knots.clone();
                     let spline = *spline;
                     self.at += 2;
-                    labels.extend(
-                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
-                    );
+                    labels.extend(at_each(knots));
                     *subject = Some(Box::new(Request::Formula(vec![spline], Vec::new())));
                 }
                 // insert the knot 1/2 into a spline
@@ -345,11 +357,8 @@ impl Reader<'_> {
                         && let Some(Request::Formula(knots, _)) = subject.as_deref()
                         && self.leads_to_qualified_function() =>
                 {
-                    let knots: Vec<Span> = knots.clone();
                     self.at += 1;
-                    labels.extend(
-                        knots.into_iter().map(|span| Said { label: Label::At, what: What::Formula(span) }),
-                    );
+                    labels.extend(at_each(knots));
                     *subject = Some(Box::new(self.subject()?));
                 }
                 Part::Phrase(Phrase::Label(_), _) if self.leads_to_function() => self.at += 1,
@@ -478,6 +487,8 @@ impl Reader<'_> {
                             None | Some(Part::Phrase(Phrase::Equals | Phrase::Is | Phrase::Part(..), _)) => {
                                 Some(None)
                             }
+                            // with control points 0, 3, 3 twice
+                            Some(Part::Phrase(Phrase::Ordinal(_), _)) => continue,
                             Some(_) => self.subject().map(Some),
                         };
                     }
@@ -576,17 +587,6 @@ impl Reader<'_> {
             // for the control points 0, 1
             Part::Phrase(..) if self.at_points() => Some(Vec::new()),
             Part::Phrase(..) => None,
-        }
-    }
-}
-
-impl Request {
-    /// What is said besides.
-    fn labels(&mut self) -> Option<&mut Vec<Said>> {
-        match self {
-            Request::Formula(_, labels) => Some(labels),
-            Request::Call(call) => Some(&mut call.labels),
-            Request::Total(_) | Request::Joined(..) | Request::Curves(_) => None,
         }
     }
 }

@@ -3,8 +3,10 @@
 
 use super::Read;
 use super::draft::{Draft, list};
+use super::utterance::Utterance;
 use crate::formula::source::Span;
-use crate::formula::{Expr, Kind, applied, call};
+use crate::formula::{Expr, Kind, Link, Rel, applied, call};
+use crate::judge::names::bases;
 use crate::language::diagnostic::{Code, Diagnostic};
 use crate::language::eval::Env;
 use crate::language::functions::builtin;
@@ -22,6 +24,18 @@ pub(super) fn meant(draft: &Draft, items: &[Expr], said: &[Read], env: &Env) -> 
     }
     let [item] = items else { return None };
     match (draft.builtin.name, &item.kind) {
+        // the divided difference [0, 1, 2] t^3
+        ("divided_differences", Kind::Mul(factors)) if said.is_empty() => {
+            let [Expr { kind: Kind::List(nodes), .. }, function @ ..] = factors.as_slice() else {
+                return None;
+            };
+            let [letter] = bases(item).into_iter().collect::<Vec<_>>().try_into().ok()?;
+            let letter: String = letter;
+            let function = Expr::product(function.to_vec());
+            let function = Expr::new(Kind::Lambda(vec![Expr::name(letter)], Box::new(function)), item.span);
+            let nodes = vec![list(nodes.clone())];
+            Some((Expr::new(Kind::Subscript(Box::new(function.grouped()), nodes), item.span), 0))
+        }
         // the divided difference f[a, b]
         ("divided_differences", Kind::Subscript(_, nodes))
             if said.is_empty() && matches!(nodes.as_slice(), [Expr { kind: Kind::List(_), .. }]) =>
@@ -72,6 +86,32 @@ pub(super) fn meets_points(drafts: &[Draft], through: Option<Span>) -> Result<()
         }
         _ => Ok(()),
     }
+}
+
+/// The laws of a polar form, for what is asked to be one: is f(u, v) = u v + u a blossom?
+pub(super) fn is_polar(claimed: &Expr, asked: &Utterance) -> Option<Expr> {
+    let [Draft { builtin, .. }] = asked.drafts.as_slice() else { return None };
+    if builtin.name != "polar" || !asked.items.is_empty() || !asked.said.is_empty() {
+        return None;
+    }
+    let Kind::Chain(left, links) = &claimed.kind else { return None };
+    let ([Link { rel: Rel::Eq | Rel::Define, expr: formula, .. }], Kind::Apply(_, groups)) =
+        (links.as_slice(), &left.kind)
+    else {
+        return None;
+    };
+    let [arguments] = groups.as_slice() else { return None };
+    let letters: Vec<&str> = arguments
+        .iter()
+        .map(|argument| match &argument.kind {
+            Kind::Name(name) => Some(name.as_str()),
+            _ => None,
+        })
+        .collect::<Option<_>>()?;
+    let t = Expr { span: formula.span, ..Expr::name("t") };
+    let diagonal = letters.iter().fold(formula.clone(), |formula, letter| formula.with_name(letter, &t));
+    let arguments = vec![formula.clone(), list(arguments.clone()), diagonal];
+    (letters.len() > 1 && !letters.contains(&"t")).then(|| call("laws", arguments, claimed.span))
 }
 
 /// Refuses points without rows for a surface that has a net of them.

@@ -234,6 +234,19 @@ impl Draft {
                     _ => vec![list(items)],
                 };
             }
+            // the spline 1, 3, 1 over 0, 0, 0, 1, 1, 1
+            Takes::Size
+                if self.builtin.name == "bspline"
+                    && said.iter().any(|read| {
+                        read.label == Label::Knots || read.label == Label::Over && read.items.len() > 2
+                    }) =>
+            {
+                let points = match items.as_slice() {
+                    [Expr { kind: Kind::List(_), .. }] => items.swap_remove(0),
+                    _ => list(items),
+                };
+                self.named.push(("points", points));
+            }
             // A degree before knots: b-spline 0, 1, 2, 3
             Takes::Size if self.builtin.parameters.get(1).is_some_and(|second| is_list(second.kind)) => {
                 let values = match items.as_slice() {

@@ -93,6 +93,17 @@ impl Draft {
             self.named.extend([(a.name, from.clone()), (b.name, to.clone())]);
             return None;
         }
+        if let (Some(interval), [_, _]) = (self.parameter(&["interval"]), ends.as_slice()) {
+            // Bernstein polynomials over [0, 2] are those of the interval.
+            let of_interval = |expr: &Expr| matches!(&expr.kind, Kind::Name(name) if name == "bernstein");
+            if let Some((_, basis)) =
+                self.named.iter_mut().find(|(name, basis)| *name == "basis" && of_interval(basis))
+            {
+                *basis = list([basis.clone(), ends[0].clone(), ends[1].clone()].to_vec());
+            }
+            self.named.push((interval.name, list(ends)));
+            return None;
+        }
         match self.parameter(&["knots"]) {
             Some(knots) if ends.len() > 1 => {
                 self.named.push((knots.name, list(ends)));

@@ -4,6 +4,7 @@ use super::draft::{self, Draft};
 use super::{Read, apposition, lists, notations};
 use crate::formula::source::Span;
 use crate::formula::{Expr, Kind, Link, Rel, Sign, Term, call};
+use crate::judge::names::bases;
 use crate::language::eval;
 use crate::language::functions::{Parameter, Takes, builtin};
 use crate::language::lexicon::phrases::{Label, Place};
@@ -108,6 +109,15 @@ impl Utterance {
             self.drafts.remove(0);
         }
         self.meeting();
+        self.roots_within();
+        self.value_outside();
+        // insert the knot 1 once
+        if self.drafts.iter().any(|draft| draft.builtin.name == "insert_knots") {
+            self.said.retain(|read| {
+                read.label != Label::Times
+                    || !matches!(read.items.as_slice(), [one] if one.as_int() == Some(1))
+            });
+        }
         self.extremes();
         // the interpolation polynomial of Lagrange
         let of_data = |name: &str| {
@@ -202,6 +212,51 @@ impl Utterance {
         }
     }
 
+    /// The solutions of an equation in an interval are roots there: solve t^2 = 2 for t in [0, 2].
+    fn roots_within(&mut self) {
+        let [Draft { builtin: of, .. }] = self.drafts.as_mut_slice() else { return };
+        let [Expr { kind: Kind::Chain(_, equation), .. }] = self.items.as_slice() else { return };
+        let pair = |list: &Expr| matches!(&list.kind, Kind::List(ends) if ends.len() == 2);
+        let own = bases(&self.items[0]);
+        let of_it = |letter: &Expr| matches!(&letter.kind, Kind::Name(name) if own.contains(name));
+        let interval = |read: &Read| match read.items.as_slice() {
+            [Expr { kind: Kind::Chain(letter, links), .. }] if of_it(letter) => match links.as_slice() {
+                [Link { rel: Rel::In, expr, .. }] if pair(expr) => Some(expr.clone()),
+                _ => None,
+            },
+            [list] if pair(list) && matches!(read.label, Label::Over | Label::In) => Some(list.clone()),
+            _ => None,
+        };
+        let name = |read: &Read| {
+            read.label == Label::With && matches!(read.items.as_slice(), [letter] if of_it(letter))
+        };
+        let Some(ends) = self.said.iter().find_map(interval) else { return };
+        let others = self.said.iter().filter(|read| interval(read).is_none());
+        if let ("solve", [Link { rel: Rel::Eq, .. }], true, Some(roots)) =
+            (of.name, equation.as_slice(), others.clone().all(name), builtin("roots"))
+        {
+            *of = roots;
+            self.said = vec![Read { label: Label::Over, items: vec![ends] }];
+        }
+    }
+
+    /// The value of a curve outside of its interval: extrapolate 0, 1, 3 to t = 2.
+    fn value_outside(&mut self) {
+        let [Draft { builtin: of, .. }, ..] = self.drafts.as_mut_slice() else { return };
+        let [Read { label: label @ (Label::To | Label::At), items }] = self.said.as_mut_slice() else {
+            return;
+        };
+        let value = match items.as_slice() {
+            [item] => eval::named(item).map(|(_, value)| value.clone()),
+            _ => None,
+        };
+        if let ("part", Some(value), Some(extended)) = (of.name, value, builtin("extended")) {
+            *of = extended;
+            *label = Label::At;
+            *items = vec![value];
+        }
+    }
+
     /// The basis that a function works with: the mass matrix of the Bernstein polynomials.
     fn bases(&mut self) {
         let [outer, inner] = self.drafts.as_mut_slice() else { return };
@@ -227,6 +282,20 @@ impl Utterance {
 
     /// The spline that knots and control points are of: insert knot 1: knots 0, 0, 2, 2, control points 3, 4.
     fn splines(&mut self) {
+        // insert the knot 1/2 into 0, 0, 1, 1 with control points 0, 2
+        let of_spline = |draft: &Draft| {
+            draft.builtin.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
+        };
+        if self.drafts.first().is_some_and(of_spline) && self.says(Label::Points) && !self.says(Label::Knots)
+        {
+            let several = |read: &&mut Read| {
+                let list = matches!(read.items.as_slice(), [Expr { kind: Kind::List(items), .. }] if items.len() > 2);
+                matches!(read.label, Label::To | Label::In | Label::Over) && (list || read.items.len() > 2)
+            };
+            if let Some(read) = self.said.iter_mut().find(several) {
+                read.label = Label::Knots;
+            }
+        }
         if let Some(Draft { builtin: first, phrase, .. }) = self.drafts.first()
             && first.parameters.first().is_some_and(|subject| subject.kind == Takes::Spline)
             && let (true, Some(spline)) = (self.says(Label::Knots), builtin("bspline"))

@@ -395,7 +395,7 @@ pub(super) const PHRASES: &[(Phrase, &str)] = &[
     (Phrase::Is, "is | are | ist | sind | est | sont | es | son | sono | gilt | does | do | stimmt"),
     (
         Phrase::Equals,
-        "equals | equal to | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
+        "equals | equal to | igual a | uguale a | is equal to | gleich | ist gleich | égal à | est égal à | es igual a",
     ),
     (Phrase::Which, "for which | for what | für welche~ | pour quel~ | para qué"),
     (

@@ -61,11 +61,11 @@ impl Reader<'_> {
     /// The same, with what it is like between them: into the quadratic spline, into a degree 2 spline.
     pub(super) fn leads_to_qualified_function(&self) -> bool {
         let rest = self.parts.get(self.at + 1..).unwrap_or_default();
-        let quality = |part: &&Part| {
-            !matches!(
-                part,
-                Part::Phrase(Phrase::Function(_) | Phrase::Label(Label::Knots | Label::Points), _)
-            )
+        let quality = |part: &&Part| match part {
+            Part::Piece(span) => !is_several(self.text.piece(span.range())),
+            Part::Phrase(phrase, _) => {
+                matches!(phrase, Phrase::Degree(_) | Phrase::Rational | Phrase::Label(Label::OfDegree))
+            }
         };
         let qualities = rest.iter().take_while(quality).count();
         qualities < 3 && matches!(rest.get(qualities), Some(Part::Phrase(Phrase::Function(_), _)))

@@ -1,6 +1,6 @@
 //! Whether the words of a text ask for anything.
 
-use super::pairs;
+use super::{Request, Said, pairs};
 use crate::formula::source::Pieces;
 use crate::language::lexicon::phrases::{Label, Phrase};
 use crate::language::syntax::pieces::{Part, begins_equation, is_several};
@@ -53,4 +53,35 @@ pub(super) fn is_request(text: &str, parts: &[Part]) -> bool {
     let at = |part: &Part| matches!(part, Part::Phrase(Phrase::Label(Label::At) | Phrase::Place(_), _));
     let given = parts.iter().filter(member).count() > 1 && parts.iter().any(at);
     parts.iter().any(named) || polite || labelled || valued || qualified || smooth || given
+}
+
+/// From one basis to another: `Bernstein to monomials: 1, 0, 2` are the monomials of what is given in the first.
+pub(super) fn from_one_to_another(mut parts: Vec<Part>) -> Vec<Part> {
+    let basis = |part: &Part| {
+        matches!(
+            part,
+            Part::Phrase(Phrase::Function("in_bernstein" | "expand" | "bezier" | "bezier_points"), _)
+        )
+    };
+    let start = usize::from(matches!(parts.first(), Some(Part::Phrase(Phrase::Label(Label::From), _))));
+    if let Some([from, Part::Phrase(Phrase::Label(Label::To), _), to, Part::Piece(_)]) =
+        parts.get(start..start + 4)
+        && basis(from)
+        && basis(to)
+    {
+        let (from, to) = (*from, *to);
+        parts.splice(..start + 3, [to, from]);
+    }
+    parts
+}
+
+impl Request {
+    /// What is said besides.
+    pub(super) fn labels(&mut self) -> Option<&mut Vec<Said>> {
+        match self {
+            Request::Formula(_, labels) => Some(labels),
+            Request::Call(call) => Some(&mut call.labels),
+            Request::Total(_) | Request::Joined(..) | Request::Curves(_) => None,
+        }
+    }
 }
